@@ -469,7 +469,7 @@ mod tests {
         };
         assert_eq!(beyond(-0.99959, "1").to_string(), "`p` = -0.9996 (nominal 1, tolerance 0.050)");
         assert_eq!(beyond(1.2, "mm").to_string(), "`p` = 1.200 mm (nominal 1 mm, tolerance 0.050 mm)");
-        assert!(beyond(-2.5e300, "mm").text("de").starts_with("`p` = -2,5e300 mm ("));
+        assert!(beyond(-2.5e300, "mm").text("de").starts_with("`p` = -2,5e300\u{a0}mm ("));
         let step = |step: f64| crate::phrase!("column-step", column = "x", step, unit = "mm").to_string();
         let written = [1e300, 1e-300, 1e15, 0.000001, 0.0].map(step);
         let shown = ["1e300", "1e-300", "1000000000000000", "0.000001", "0"].map(|step| format!("x to {step} mm"));

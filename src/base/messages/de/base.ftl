@@ -41,7 +41,7 @@ file-exists = `{ $file }` ist schon vorhanden
     .hint = einen neuen Ordner angeben
 
 lock-foreign = `{ $file }` kann nicht geschrieben werden: `{ $lock }` ist keine Sperrdatei von etalon
-    .expected = eine gewöhnliche Datei mit einem Namen
+    .expected = eine gewöhnliche Datei mit nur einem Namen
     .hint = sie entfernen: etalon braucht diesen Namen, während es schreibt
 
 locked = Prozess { $process } schreibt `{ $file }`

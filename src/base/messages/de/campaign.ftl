@@ -4,7 +4,7 @@ recording-unit = eine Aufzeichnung mit `format` braucht `unit`; ohne `format` is
     .hint = beide angeben; ohne beide ist die Aufzeichnung eine Tabelle time_s,x_mm,y_mm,z_mm, deren Kopf die Einheiten angibt
 
 campaign-missing = die Kampagnendatei `{ $file }` ist nicht vorhanden
-    .hint = `etalon init ORDNER` schreibt eine zum Anfangen
+    .hint = `etalon init ORDNER` schreibt eine Kampagne als Ausgangspunkt
 
 joints-need-delimited-text = `joints` wird nur aus Text mit Trennzeichen und höchstens einer Namenszeile gelesen
     .hint = `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` angeben; bei anderen Dateien die Gelenke in einem [log] nennen
@@ -193,9 +193,8 @@ key-belongs-at-top = `{ $key }` gehört an den Anfang, vor den ersten Abschnitt
 table-head-missing = fehlt der Kopf ihrer Tabelle, wie `[section]` oder `[[joint]]`?
 
 key-remedy = { $key ->
-        [station] Stationen eines Messgeräts sind eine Spalte `station` einer Beobachtungstabelle:
-        [observations] statt Exporten und Protokoll angeben
-       *[base_turn_y_deg] ihn löschen: base_rx, base_ry und base_rz sind ein Rotationsvektor, und keine Orientierung der Basis ist singulär
+        [station] Stationen eines Messgeräts sind eine Spalte `station` einer Beobachtungstabelle: {"["}observations] statt Exporten und Protokoll angeben
+       *[base_turn_y_deg] den Schlüssel löschen: base_rx, base_ry und base_rz sind ein Rotationsvektor, und keine Orientierung der Basis ist singulär
     }
 
 urdf-xacro = die Datei enthält xacro-Makros, die nicht ersetzt werden

@@ -175,7 +175,10 @@ schema-unknown = unbekanntes Schema `{ $name }`
 verify-other-column = die Beobachtungen haben eine Spalte `{ $column }`: nur Positionen werden verglichen
     .hint = Zeilen anderer Arten und ihre Spalten weglassen
 
-workspace-numbers = --workspace-mm hat { $count } Zahlen
+workspace-numbers = --workspace-mm hat { $count ->
+        [one] 1 Zahl
+       *[other] { $count } Zahlen
+    }
     .expected = sechs, oder vier für ebene Roboter
 
 reorientation-alone = eine Umorientierung ohne Anfangsorientierung

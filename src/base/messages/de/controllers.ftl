@@ -43,7 +43,7 @@ file-worse-than-nominal = Format `{ $format }` wird nicht geschrieben: { $reason
 error-near-nominal = { $case ->
         [rms] Positionsabweichung nicht deutlich kleiner als mit Nennparametern
         [maximum] größte Positionsabweichung über der mit Nennparametern
-       *[both] Positionsabweichung nicht deutlich kleiner als mit Nennparametern, sein Maximum größer
+       *[both] Positionsabweichung nicht deutlich kleiner als mit Nennparametern, ihr Maximum größer
     }: { $set ->
         [validation] Validierungsposen
        *[other] Kalibrierposen

@@ -251,7 +251,7 @@ coordinate-system-differs = die Punkte von `{ $feature }` sind im Koordinatensys
     .expected = `{ $needed }`
     .hint = alle Punkte in demselben Koordinatensystem exportieren
 
-coordinates-look-spherical = x, y und z sehen aus wie Azimut (rad), Zenit (rad) und Entfernung
+coordinates-look-spherical = x, y und z sehen aus wie Azimut (rad), Zenitwinkel (rad) und Entfernung
     .expected = kartesische Koordinaten: alle Zeilen haben zwei kleine Winkel und eine Länge
     .hint = die Spalten "azimuth", "zenith", "distance" mit `angle_unit = "rad"` angeben, oder `coordinates = "cartesian"`
 

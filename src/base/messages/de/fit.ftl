@@ -97,7 +97,7 @@ rotation-ambiguous = keine starre Transformation kann angepasst werden: mehrere 
     .expected = zwei Punktmengen derselben Form
     .hint = prüfen, ob beide Listen die Zielmarken in derselben Reihenfolge nennen und keine gespiegelt ist
 
-rotation-uncertain = die Drehung hat eine erweiterte Unsicherheit von { FIXED($expanded_deg, 1) } deg (k = 2)
+rotation-uncertain = die Drehung hat eine erweiterte Messunsicherheit von { FIXED($expanded_deg, 1) } deg (k = 2)
     .hint = Zielmarken mit größerem Abstand voneinander verwenden und prüfen, ob ihre Namen vertauscht sind
 
 too-few-points = { $count ->
@@ -130,7 +130,7 @@ weights-unusable = die { $weights } Gewichte des Elements { $element } passen ni
 element-without-redundancy = das Element { $element } hat keinen überzähligen Punkt: die Residuen sind null und die Unsicherheit ist unbekannt
     .hint = mehr Punkte als die Mindestzahl messen
 
-radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $element } hat eine erweiterte Unsicherheit von { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
+radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $element } hat eine erweiterte Messunsicherheit von { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
         [none] {""}
        *[other] {" "}über { $covered_deg } deg
     }

@@ -299,7 +299,7 @@ joint-direction-invalid = `{ $column }` { $value ->
         [missing] fehlt
        *[other] ist { $value }
     }
-    .expected = +1, wenn sich `{ $joint }` von kleineren Werten nähert, -1 von größeren Werten
+    .expected = +1, wenn `{ $joint }` von kleineren Werten her kommt, -1 von größeren Werten her
 
 joint-column-twice = die Tabelle enthält Gelenk `{ $joint }` zweimal: `{ $first }` und `{ $second }`
     .hint = eine der Spalten entfernen
@@ -392,7 +392,7 @@ no-rows-of-numbers = { $file ->
 
 robot-does-not-test = mit einem Roboter des Modells `{ $model }` lässt sich der Vorschlag nicht prüfen: die Pose seines Flansches im Raum ist nicht frei
 
-robot-not-tested = der Vorschlag wird nicht mit dem nominalen Roboter geprüft: nötig sind { $fewest } Zeilen mit Gelenkwerten und Koordinaten, die den Raum aufspannen
+robot-not-tested = der Vorschlag wird nicht mit dem nominalen Roboter geprüft: nötig sind mindestens { $fewest } Zeilen mit Gelenkwerten und Koordinaten, die den Raum aufspannen
 
 robot-contradicts = der nominale Roboter reproduziert { $points } mit keiner der versuchten Reihenfolgen, Richtungen und Einheiten der Gelenke{ $known ->
         [yes] ; das kleinste Residuum ist { FIXED($rms_mm, 2) } mm (quadratischer Mittelwert)

@@ -13,7 +13,10 @@ after = nachher
 after-named = nachher ({ $name })
 against = in Abhängigkeit von
 agree = in Übereinstimmung
-all-poses-conform = alle { $count } Posen sind konform
+all-poses-conform = { $count ->
+        [one] die einzige Pose ist konform
+       *[other] alle { $count } Posen sind konform
+    }
 all-tables = Alle Tabellen
 allowed = zulässig
 along-path-in-mm = entlang der Bahn (mm)
@@ -32,7 +35,10 @@ arrows-longest = Pfeile { $factor }-fach vergrößert; der längste: { $longest 
 at-of-angles = AT der Winkel (deg)
 at-position = { $value }, bei { $position } mm
 at-rt-diamonds = Rauten: größtes AT und größtes RT mit ihren Intervallen. Das Maximum vieler streuender Werte liegt systematisch zu hoch: RT kann über dem Intervall für unendlich viele Durchläufe liegen.
-at-tool-point = Am Werkzeugpunkt: { $count } Posen
+at-tool-point = Am Werkzeugpunkt: { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    }
 authorised-by = freigegeben durch
 axis-x = x
 axis-y = y
@@ -89,7 +95,10 @@ campaigns-in-order = { $count } Kampagnen, in der angegebenen Reihenfolge
 campaigns-of-robot = { $count } Kampagnen des Roboters { $robot }, in der angegebenen Reihenfolge
 campaigns-of-robots = { $campaigns } Kampagnen von { $robots } Robotern
 campaigns-shown = { $shown } von { $total } Kampagnen
-candidate-tooltip = Pose { $pose }, { $configurations } Konfigurationen: x { $x }, y { $y } mm
+candidate-tooltip = Pose { $pose }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }: x { $x }, y { $y } mm
 candidates = Kandidaten
 candidates-and-chosen-positions = Kandidaten und gewählte Positionen
 candidates-and-configurations = { $candidates }, { $configurations } Konfigurationen
@@ -108,8 +117,8 @@ checklist-field = Angabe
 checklist-key = Schlüssel
 checklist-keys = Schlüssel und Abschnitte
 checklist-note = { $count ->
-    [one] Eine Angabe fehlt. Ergänzen Sie sie in campaign.toml und rechnen Sie die Kampagne neu.
-   *[other] { $count } Angaben fehlen. Ergänzen Sie sie in campaign.toml und rechnen Sie die Kampagne neu.
+    [one] Eine Angabe fehlt. Ergänzen Sie sie in campaign.toml und führen Sie die Kampagne erneut aus.
+   *[other] { $count } Angaben fehlen. Ergänzen Sie sie in campaign.toml und führen Sie die Kampagne erneut aus.
 }
 checklist-title = Vor der Unterschrift zu ergänzen
 checks-of-the-model = Prüfung des Modells
@@ -120,7 +129,10 @@ choice-proven = Bewiesen: Keine andere Auswahl von { $chosen } aus { $candidates
 choice-within-percent = { $index } liegt höchstens { $percent } % unter der bestmöglichen Auswahl von { $chosen } aus { $candidates } Kandidaten
 choice-without-bound = Für { $index } ist keine Schranke bekannt: Eine bessere Auswahl kann existieren
 chosen = gewählt
-chosen-candidate-tooltip = Pose { $pose }, { $configurations } Konfigurationen, gewählt: x { $x }, y { $y } mm
+chosen-candidate-tooltip = Pose { $pose }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }, gewählt: x { $x }, y { $y } mm
 chosen-candidates-marks = Leere Marken: Kandidaten; gefüllte Marken mit der Nummer ihrer Pose: gewählt.
 chosen-one-by-one = { $poses } Posen, { $configurations } Konfigurationen, einzeln
 chosen-poses = Gewählte Posen
@@ -211,7 +223,10 @@ correlation-description = Eine Zelle je Paar: blau bei positiver, orange bei neg
 correlation-title = Korrelation der identifizierten Parameter
 correlation-tooltip = { $first } und { $second }: { $correlation }
 count-at-poses = { $count } an { $poses } Posen
-count-of-set = { $count } Punkte ({ $set })
+count-of-set = { $count ->
+        [one] 1 Punkt
+       *[other] { $count } Punkte
+    } ({ $set })
 coupling = Kopplung
 coverage-factor = Erweiterungsfaktor
 curve = Kurve
@@ -219,7 +234,13 @@ curve-caption = In jedem Schritt kommt die beste Position mit allen ihren Konfig
 curve-description = Kreise: Index, linke Achse. Rauten: Konditionszahl, rechte Achse.
 curve-point-tooltip = { $curve }: { $value } bei { $at }
 curve-title = { $index } und Konditionszahl über der Anzahl der Positionen
-curve-tooltip = { $positions } Positionen, { $configurations } Konfigurationen: { $index } { $value }, Kondition { $condition }
+curve-tooltip = { $positions ->
+        [one] 1 Position
+       *[other] { $positions } Positionen
+    }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }: { $index } { $value }, Kondition { $condition }
 customer = Kunde
 cycle = Zyklus
 cycles = Zyklen
@@ -299,7 +320,10 @@ enclosing-sphere-radius = umschließende Kugel, Radius
 end-of-report = Ende des Berichts
 environment = Umgebung
 error = Abweichung
-error-at-poses = { $quantity } an { $count } Posen ({ $set }): { $before } → { $after } { $unit }.
+error-at-poses = { $quantity } an { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    } ({ $set }): { $before } → { $after } { $unit }.
 error-axis-linear = Die Achse der Abweichung ist linear: Die größte Abweichung vor der Kalibrierung ist höchstens das { $factor }-Fache des Medians nach der Kalibrierung.
 error-axis-logarithmic = Die Achse der Abweichung ist logarithmisch: Die größte Abweichung vor der Kalibrierung übersteigt das { $factor }-Fache des Medians nach der Kalibrierung.
 error-definition = Abweichung: { $error }; { $values }; Statistik über die Beträge, jede Wiederholung einzeln gezählt
@@ -330,7 +354,10 @@ errors-by-pose-linear = Eine Marke je Pose, Zyklus und Zielmarke; lineare Achse 
 errors-by-pose-logarithmic = Eine Marke je Pose, Zyklus und Zielmarke; logarithmische Achse ({ $unit }).
 errors-by-set-and-pose = Abweichungen nach Satz und nach Pose
 errors-hold-among = Diese Werte gelten im gemessenen Bereich: Der Abstand einer Validierungspose von der nächsten Kalibrierpose ist das { $ratio }-Fache des Abstands der Kalibrierposen (Median; höchstens das { $largest }-Fache). Validierungsposen mit einem Gelenk außerhalb seines Kalibrierbereichs: { $outside } von { $total }.
-errors-not-drawn = { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
+errors-not-drawn = { $count ->
+        [one] 1 Abweichung, deren Position oder Wert nicht endlich ist, ist nicht gezeichnet.
+       *[other] { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
+    }
 errors-of-each-pose = Abweichungen je Pose
 errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet: die größte Abweichung jeder Pose nach der Kalibrierung, für alle Validierungsposen, die Platz finden, und für eine gleichmäßige Auswahl der Kalibrierposen.
 errors-overlaid-description = Anteile von { $count } Punkten ({ $set }); logarithmische Achse.
@@ -390,9 +417,9 @@ geometry-alone-title = Messungen mit Geometrie allein
 geometry-beside-identification = Geometrie allein, im Vergleich mit der Identifikation
 geometry-improvement = Die größte mittlere Positionsabweichung sinkt durch Geometrie allein von { $nominal } mm auf { $geometric } mm: Faktor { $improvement }.
 guarded-acceptance = Annahme mit Schutzabstand (ISO 14253-1)
-guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Unsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
-harmonics = Oberwellen
-harmonics-of-the-transmissions = Oberwellen der Getriebe
+guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Messunsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
+harmonics = Harmonische
+harmonics-of-the-transmissions = Harmonische der Getriebe
 held = festgehalten
 held-by-the-campaign = von der Kampagne festgehalten
 held-not-identifiable = festgehalten: nicht getrennt identifizierbar
@@ -400,7 +427,10 @@ held-singular-values = Rauten: die { $count } kleinsten Singulärwerte mit allen
 hint-label = Hinweis:
 histogram-description = Anteil der Punkte jeder Gruppe in Schritten von { $step }.
 histogram-shares = Anteil jeder Gruppe in Schritten von { $step }: { $totals }.
-histogram-tooltip = { $from } bis { $to } { $unit }: { $points } Punkte der { $set }, { $percent } %
+histogram-tooltip = { $from } bis { $to } { $unit }: { $points ->
+        [one] 1 Punkt
+       *[other] { $points } Punkte
+    } ({ $set }), { $percent } %
 how-changes-are-judged = Entscheidungsregel für Änderungen
 how-many-and-where = Anzahl und Lage der Positionen
 identification-against-geometry = Die Identifikation aller Parameter aus derselben Kampagne ergibt { $identified } mm; mit Geometrie allein bleibt das { $ratio }-Fache.
@@ -483,9 +513,15 @@ limit-position-mean = mittlere Positionsabweichung
 limit-position-rms = Positionsabweichung, RMS
 limit-repeatability-max = größter Wert der Pose-Wiederholgenauigkeit RP
 limit-surface-max = größter Abstand von einer Fläche
-limited-error = { $quantity } an { $count } Posen ({ $set }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
+limited-error = { $quantity } an { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    } ({ $set }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
 limits = Grenzwerte
-limits-all-met = Alle { $count } Grenzwerte der Kampagne sind eingehalten.
+limits-all-met = { $count ->
+        [one] Der Grenzwert der Kampagne ist eingehalten.
+       *[other] Alle { $count } Grenzwerte der Kampagne sind eingehalten.
+    }
 limits-both-met = Beide Grenzwerte der Kampagne sind eingehalten.
 limits-not-assessable = Nicht beurteilbar (Größe nicht gemessen): { $limits }.
 limits-not-met = { $count ->
@@ -503,14 +539,14 @@ load-proven = { $count ->
 }
 load-sentence = Last: { $load } kg.
 load-stable = { $count ->
-    [one] { $load } von 1 Parameter laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein lassen größere Abweichungen übrig
-   *[other] { $load } von { $count } Parametern laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein lassen größere Abweichungen übrig
+    [one] { $load } von 1 Parameter laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein ergeben größere Abweichungen
+   *[other] { $load } von { $count } Parametern laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein ergeben größere Abweichungen
 }
 log = Protokoll
 logo-of-the-laboratory = Logo des Labors
 manufacturer = Hersteller
 margin = Reserve
-max = Max.
+max = max.
 max-after = max. nachher
 max-before = max. vorher
 max-of = { $quantity }, max.
@@ -541,7 +577,10 @@ met = eingehalten
 method = Methode
 method-identification = Identifikation der kinematischen Parameter ({ $model }) nach der Methode der kleinsten Quadrate
 method-iso9283 = Leistungsprüfung nach ISO 9283:1998
-method-iterations = { $method }, { $iterations } Iterationen;
+method-iterations = { $method }, { $iterations ->
+        [one] 1 Iteration
+       *[other] { $iterations } Iterationen
+    };
 minimum-posing-time = Minimale Positionierzeit
 mode-count = { $count ->
     [one] 1 Modus
@@ -557,7 +596,7 @@ model-leaves-residuals = Die Residuen betragen das { $ratio }-Fache { $uncertain
 model-of-the-robot = Modell des Roboters
 model-prexyt = PreXYT-Tisch
 model-serial = serieller Arm
-model-urdf = Arm aus einer URDF-Datei
+model-urdf = durch eine URDF-Datei beschriebener Arm
 more-in-annex = { $count ->
     [one] 1 weitere Meldung: siehe Anhang.
    *[other] { $count } weitere Meldungen: siehe Anhang.
@@ -668,8 +707,14 @@ path = Bahn
 path-accuracy-at = Bahngenauigkeit AT
 path-accuracy-at-reorientation = Bahngenauigkeit AT bei Umorientierung
 path-accuracy-title = Bahngenauigkeit AT
-path-passes = { $length } mm, { $passes } Durchläufe
-path-passes-incomplete = { $length } mm, { $passes } Durchläufe, { $incomplete } unvollständige
+path-passes = { $length } mm, { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }
+path-passes-incomplete = { $length } mm, { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }, { $incomplete } unvollständig
 path-repeatability-rt = Bahnwiederholgenauigkeit RT
 path-repeatability-title = Bahnwiederholgenauigkeit RT
 path-velocity = Bahngeschwindigkeit
@@ -706,7 +751,10 @@ pose-named = Pose { $pose }
 pose-repeatability-rp = Pose-Wiederholgenauigkeit RP
 pose-tooltip = Pose { $pose }: x { $x }, y { $y }, z { $z } mm
 poses-and-cycles = Posen und Zyklen
-poses-and-visits = { $poses } Posen, je { $visits } Anfahrten
+poses-and-visits = { $poses } Posen, je { $visits ->
+        [one] 1 Anfahrt
+       *[other] { $visits } Anfahrten
+    }
 poses-conform = { $count ->
     [one] 1 von { $total } Posen ist konform
    *[other] { $count } von { $total } Posen sind konform
@@ -770,8 +818,14 @@ ratio = Verhältnis
 reached = erreicht
 read-as = gelesen als
 readings = Messwerte
-readings-not-judged = { $target } ({ $readings } Messwerte, Redundanz { $redundancy }: nicht beurteilt)
-readings-redundancy = { $target } ({ $readings } Messwerte, Redundanz { $redundancy })
+readings-not-judged = { $target } ({ $readings ->
+        [one] 1 Messwert
+       *[other] { $readings } Messwerte
+    }, Redundanz { $redundancy }: nicht beurteilt)
+readings-redundancy = { $target } ({ $readings ->
+        [one] 1 Messwert
+       *[other] { $readings } Messwerte
+    }, Redundanz { $redundancy })
 reason = Grund
 recommendation-title = Empfehlung der zu ladenden Parameter
 recorded = aufgezeichnet
@@ -857,7 +911,10 @@ round-off-cr = Eckenverrundung CR
 routine-remarks = Routinemäßige Hinweise
 rows = Zeilen
 rows-in-frame = { $count } Zeilen: innerhalb der Tabelle scrollen.
-rows-in-workbook = { $count } weitere Zeilen: siehe Arbeitsmappe.
+rows-in-workbook = { $count ->
+        [one] 1 weitere Zeile
+       *[other] { $count } weitere Zeilen
+    }: siehe Arbeitsmappe.
 rp-by-set = RP je Satz
 rp-circle = Radius RP
 rp-circle-tooltip = Pose { $pose }: RP = { $rp } µm
@@ -872,8 +929,20 @@ seed = Startwert
 serial-number = Seriennummer
 set = Gruppe
 set-of-cycles = Satz von Zyklen
-set-summary = { $set }: { $poses } Posen, { $errors } Abweichungen
-set-summary-of = { $set }: { $poses } Posen, { $errors } Abweichungen ({ $point })
+set-summary = { $set }: { $poses ->
+        [one] 1 Pose
+       *[other] { $poses } Posen
+    }, { $errors ->
+        [one] 1 Abweichung
+       *[other] { $errors } Abweichungen
+    }
+set-summary-of = { $set }: { $poses ->
+        [one] 1 Pose
+       *[other] { $poses } Posen
+    }, { $errors ->
+        [one] 1 Abweichung
+       *[other] { $errors } Abweichungen
+    } ({ $point })
 set-up-changes = Basis und Zielmarken: { $changed } von { $total } Größen haben sich geändert (bei neuem Aufbau zu erwarten).
 set-up-parameter-named = Parameter { $name } (Basis oder Zielmarke)
 sets = Sätze
@@ -988,7 +1057,7 @@ to-load = zu laden
 to-pose = nach Pose
 tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
-tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Unsicherheit einer Pose (k = 2): { $largest } µm.
+tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
 tool-point-headline = Werkzeugpunkt, RMS: nominal minus identifiziert → erwartet
 traceability = Rückführbarkeit
 trend = Trend
@@ -1063,7 +1132,13 @@ warm-up-before-the-test = Warmlauf vor der Prüfung
 warnings-and-remarks = Warnungen und Bemerkungen
 weaker-trends = Weitere signifikante Trends
 weave = Pendeln
-weave-passes = { $passes } Durchläufe, { $turns } Umkehrpunkte
+weave-passes = { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }, { $turns ->
+        [one] 1 Umkehrpunkt
+       *[other] { $turns } Umkehrpunkte
+    }
 weaving = Pendeln
 weaving-frequency = Pendelfrequenz
 weaving-frequency-measured = { $measured } Hz, Sollwert { $commanded } Hz: WF { $ratio } %

@@ -4,7 +4,7 @@ recording-unit = un enregistrement exige `unit` s’il a un `format`, et ne l’
     .hint = indiquer les deux ; sans l’un ni l’autre, c’est un tableau time_s,x_mm,y_mm,z_mm, dont l’en-tête indique les unités
 
 campaign-missing = le fichier de campagne `{ $file }` n’existe pas
-    .hint = `etalon init DOSSIER` en écrit une pour commencer
+    .hint = `etalon init DOSSIER` écrit une campagne de départ
 
 joints-need-delimited-text = `joints` ne se lit que dans un texte délimité avec au plus une ligne de noms
     .hint = indiquer `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` ; pour d’autres fichiers, indiquer les articulations dans un [log]
@@ -193,9 +193,8 @@ key-belongs-at-top = `{ $key }` doit figurer en tête, avant la première sectio
 table-head-missing = manque-t-il l’en-tête de leur table, comme `[section]` ou `[[joint]]` ?
 
 key-remedy = { $key ->
-        [station] les stations d’un instrument sont une colonne `station` d’un tableau d’observations : indiquer
-        [observations] au lieu d’exports et de journal
-       *[base_turn_y_deg] la supprimer : base_rx, base_ry et base_rz sont un vecteur rotation, et aucune orientation de la base n’est singulière
+        [station] les stations d’un instrument sont une colonne `station` d’un tableau d’observations : indiquer {"["}observations] au lieu d’exports et de journal
+       *[base_turn_y_deg] supprimer la clé : base_rx, base_ry et base_rz sont un vecteur rotation, et aucune orientation de la base n’est singulière
     }
 
 urdf-xacro = le fichier contient des macros xacro, qui ne sont pas développées

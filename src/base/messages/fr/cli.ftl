@@ -175,7 +175,10 @@ schema-unknown = schéma inconnu `{ $name }`
 verify-other-column = les observations ont une colonne `{ $column }` : seules les positions sont comparées
     .hint = omettre les lignes d’autres types et leurs colonnes
 
-workspace-numbers = --workspace-mm a { $count } nombres
+workspace-numbers = --workspace-mm a { $count ->
+        [one] { $count } nombre
+       *[other] { $count } nombres
+    }
     .expected = six, ou quatre pour les robots plans
 
 reorientation-alone = une réorientation sans orientation de départ

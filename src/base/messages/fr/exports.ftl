@@ -401,8 +401,8 @@ topic-type-unknown = le topic `{ $topic }` a des messages de type `{ $message }`
     .expected = { $known }
     .hint = indiquer le topic des valeurs articulaires ou des poses mesurées : `etalon formats FICHIER` énumère les topics
 
-topic-encoding-unknown = les messages du topic `{ $topic }` ont le encodage `{ $encoding }`
-    .expected = `cdr`, le encodage de ROS 2
+topic-encoding-unknown = les messages du topic `{ $topic }` ont l’encodage `{ $encoding }`
+    .expected = `cdr`, l’encodage de ROS 2
     .hint = convertir l’enregistrement en ROS 2 : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap`
 
 ros-message-malformed = le message { $number } du topic `{ $topic }` n’a pas la structure de son type

@@ -93,7 +93,7 @@ point-counts-differ = impossible d’associer { $from } points à { $to } points
     .expected = le même nombre de points dans le même ordre
     .hint = indiquer chaque cible une fois dans les deux listes
 
-rotation-ambiguous = aucune transformation rigide ne peut être ajustée : plusieurs rotations conviennent aussi bien
+rotation-ambiguous = aucune transformation rigide ne peut être ajustée : plusieurs rotations conviennent aussi bien les unes que les autres
     .expected = deux ensembles de points de même forme
     .hint = vérifier que les deux listes donnent les cibles dans le même ordre et qu’aucune n’est une image miroir
 

@@ -160,7 +160,7 @@ log-key-inapplicable = `{ $key }` ne s’applique pas à { $column ->
         [encoding] un fichier de tableaux ne contient pas de texte : supprimer `{ $key }`
         [sheet] un fichier de tableaux ne contient pas de texte : supprimer `{ $key }`
         [header] un export TwinCAT donne le nom de ses voies : supprimer `header`
-       *[other] les voies d’un export TwinCAT ont leurs propres temps : supprimer `{ $key }`
+       *[other] les voies d’un export TwinCAT ont leurs propres instants : supprimer `{ $key }`
     }
 
 column-unit-differs = `{ $key }` indique { $stated }, `{ $column }` est en { $known ->
@@ -262,7 +262,7 @@ channel-samples-unused = voie `{ $channel }` : { $count ->
 
 twincat-head-malformed = ce n’est pas un export de TwinCAT 3 Scope : { $part ->
         [first-line] sa première ligne ne commence pas par `Name` et un séparateur
-        [names] aucune ligne de son en-tête ne mentionne les voies
+        [names] aucune ligne de son en-tête ne donne le nom des voies
        *[end] aucune ligne vide ne termine son en-tête
     }
     .hint = exporter de nouveau l’enregistrement en CSV, ou indiquer un autre `format`

@@ -13,12 +13,18 @@ after = après
 after-named = { $name }, après
 against = en fonction de
 agree = en accord
-all-poses-conform = les { $count } poses sont toutes conformes
+all-poses-conform = { $count ->
+        [one] la seule pose est conforme
+       *[other] les { $count } poses sont toutes conformes
+    }
 all-tables = Tous les tableaux
 allowed = admissible
 along-path-in-mm = le long de la trajectoire (mm)
 amends-report = amendement au rapport
-and-more = et { $count } autres
+and-more = et { $count ->
+        [one] { $count } autre
+       *[other] { $count } autres
+    }
 ap-by-set = AP par série
 approached = approchée
 approved-by = Approuvé par
@@ -32,7 +38,10 @@ arrows-longest = Flèches agrandies { $factor } fois ; la plus longue : { $lo
 at-of-angles = AT des angles (deg)
 at-position = { $value }, à { $position } mm
 at-rt-diamonds = Losanges : plus grandes valeurs de AT et de RT, avec leurs intervalles. Le maximum de nombreuses valeurs dispersées est biaisé vers le haut : RT peut dépasser l’intervalle valable pour une infinité de passages.
-at-tool-point = Au point de l’outil : { $count } poses
+at-tool-point = Au point de l’outil : { $count ->
+        [one] { $count } pose
+       *[other] { $count } poses
+    }
 authorised-by = autorisé par
 axis-x = x
 axis-y = y
@@ -89,7 +98,10 @@ campaigns-in-order = { $count } campagnes, dans l’ordre donné
 campaigns-of-robot = { $count } campagnes du robot { $robot }, dans l’ordre donné
 campaigns-of-robots = { $campaigns } campagnes de { $robots } robots
 campaigns-shown = { $shown } campagnes sur { $total }
-candidate-tooltip = pose { $pose }, { $configurations } configurations : x { $x }, y { $y } mm
+candidate-tooltip = pose { $pose }, { $configurations ->
+        [one] { $configurations } configuration
+       *[other] { $configurations } configurations
+    } : x { $x }, y { $y } mm
 candidates = candidates
 candidates-and-chosen-positions = Candidates et positions choisies
 candidates-and-configurations = { $candidates }, { $configurations } configurations
@@ -120,7 +132,10 @@ choice-proven = Prouvé : aucun autre choix de { $chosen } candidates parmi { $
 choice-within-percent = { $index } est inférieur d’au plus { $percent } % au meilleur choix possible de { $chosen } candidates parmi { $candidates }
 choice-without-bound = Aucune borne n’est connue pour { $index } : un meilleur choix peut exister
 chosen = choisies
-chosen-candidate-tooltip = pose { $pose }, { $configurations } configurations, choisie : x { $x }, y { $y } mm
+chosen-candidate-tooltip = pose { $pose }, { $configurations ->
+        [one] { $configurations } configuration
+       *[other] { $configurations } configurations
+    }, choisie : x { $x }, y { $y } mm
 chosen-candidates-marks = Marques vides : candidates ; marques pleines avec le numéro de leur pose : choisies.
 chosen-one-by-one = { $poses } poses, { $configurations } configurations, une à une
 chosen-poses = Poses choisies
@@ -211,7 +226,10 @@ correlation-description = Une case par paire : bleue pour une corrélation posi
 correlation-title = Corrélation des paramètres identifiés
 correlation-tooltip = { $first } et { $second } : { $correlation }
 count-at-poses = { $count } sur { $poses } poses
-count-of-set = { $count } points ({ $set })
+count-of-set = { $count ->
+        [one] { $count } point
+       *[other] { $count } points
+    } ({ $set })
 coupling = couplage
 coverage-factor = facteur d’élargissement
 curve = courbe
@@ -219,7 +237,13 @@ curve-caption = À chaque pas, la meilleure position est ajoutée avec toutes se
 curve-description = Cercles : indice, axe de gauche. Losanges : conditionnement, axe de droite.
 curve-point-tooltip = { $curve } : { $value } à { $at }
 curve-title = { $index } et conditionnement en fonction du nombre de positions
-curve-tooltip = { $positions } positions, { $configurations } configurations : { $index } { $value }, conditionnement { $condition }
+curve-tooltip = { $positions ->
+        [one] { $positions } position
+       *[other] { $positions } positions
+    }, { $configurations ->
+        [one] { $configurations } configuration
+       *[other] { $configurations } configurations
+    } : { $index } { $value }, conditionnement { $condition }
 customer = client
 cycle = cycle
 cycles = cycles
@@ -241,7 +265,7 @@ definition-compliance = Déplacement suivant la force par unité de force : pen
 definition-drift = dAP et dRP : valeur de la dernière série moins valeur de la première (ISO 9283:1998, 7.6).
 definition-of-errors = définition des erreurs
 definition-posing-time = Temps entre le départ d’une pose et la fin de la stabilisation à la pose suivante (ISO 9283:1998, 9).
-definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique mesurée.
+definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée.
 definition-rp = RP : ISO 9283:1998, 7.2.2. En complément de la norme : RP sans le bruit de l’instrument (si chaque positionnement a plusieurs lectures), et l’ellipsoïde qui contient la position suivante avec une probabilité de 95 %.
 definition-stabilisation = Temps entre la première entrée dans la bande limite et l’instant à partir duquel le robot y reste (ISO 9283:1998, 7.4 et 7.5).
 definition-standstill-distance = Distance entre la moyenne de chaque arrêt et celle du premier arrêt à la même pose. Une distance croissante traduit une dérive, une distance constante la répétabilité.
@@ -299,7 +323,10 @@ enclosing-sphere-radius = sphère englobante, rayon
 end-of-report = Fin du rapport
 environment = environnement
 error = erreur
-error-at-poses = { $quantity } sur { $count } poses ({ $set }) : { $before } → { $after } { $unit }.
+error-at-poses = { $quantity } sur { $count ->
+        [one] { $count } pose
+       *[other] { $count } poses
+    } ({ $set }) : { $before } → { $after } { $unit }.
 error-axis-linear = L’axe des erreurs est linéaire : la plus grande erreur avant étalonnage vaut au plus { $factor } fois la médiane après étalonnage.
 error-axis-logarithmic = L’axe des erreurs est logarithmique : la plus grande erreur avant étalonnage dépasse { $factor } fois la médiane après étalonnage.
 error-definition = erreur : { $error } ; { $values } ; statistiques sur les normes, chaque répétition étant comptée
@@ -330,7 +357,10 @@ errors-by-pose-linear = Une marque par pose, cycle et cible ; axe linéaire ({
 errors-by-pose-logarithmic = Une marque par pose, cycle et cible ; axe logarithmique ({ $unit }).
 errors-by-set-and-pose = Erreurs par ensemble et par pose
 errors-hold-among = Ces valeurs s’appliquent à la région mesurée : la distance d’une pose de validation à la pose d’étalonnage la plus proche vaut { $ratio } fois l’espacement des poses d’étalonnage (médiane ; maximum { $largest } fois). Poses de validation avec une articulation hors de sa plage d’étalonnage : { $outside } sur { $total }.
-errors-not-drawn = { $count } erreurs dont la position ou la valeur n’est pas finie ne sont pas tracées.
+errors-not-drawn = { $count ->
+        [one] { $count } erreur dont la position ou la valeur n’est pas finie n’est pas tracée.
+       *[other] { $count } erreurs dont la position ou la valeur n’est pas finie ne sont pas tracées.
+    }
 errors-of-each-pose = Erreurs par pose
 errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées : la plus grande erreur de chaque pose après étalonnage, pour toutes les poses de validation qui tiennent sur la figure et pour une sélection régulière des poses d’étalonnage.
 errors-overlaid-description = Parts de { $count } points ({ $set }) ; axe logarithmique.
@@ -400,7 +430,10 @@ held-singular-values = Losanges : les { $count } plus petites valeurs singuliè
 hint-label = conseil :
 histogram-description = Part des points de chaque ensemble par pas de { $step }.
 histogram-shares = Part de chaque ensemble par pas de { $step } : { $totals }.
-histogram-tooltip = { $from } à { $to } { $unit } : { $points } points de { $set }, { $percent } %
+histogram-tooltip = { $from } à { $to } { $unit } : { $points ->
+        [one] { $points } point
+       *[other] { $points } points
+    } ({ $set }), { $percent } %
 how-changes-are-judged = Règle de décision pour les changements
 how-many-and-where = Nombre et emplacements des positions
 identification-against-geometry = L’identification de tous les paramètres à partir de la même campagne donne { $identified } mm ; avec la géométrie seule, l’erreur est { $ratio } fois plus grande.
@@ -483,9 +516,15 @@ limit-position-mean = erreur de position moyenne
 limit-position-rms = erreur de position, RMS
 limit-repeatability-max = plus grande valeur de la répétabilité de pose RP
 limit-surface-max = distance maximale à une surface
-limited-error = { $quantity } sur { $count } poses ({ $set }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
+limited-error = { $quantity } sur { $count ->
+        [one] { $count } pose
+       *[other] { $count } poses
+    } ({ $set }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
 limits = Limites
-limits-all-met = Les { $count } limites de la campagne sont toutes respectées.
+limits-all-met = { $count ->
+        [one] La limite de la campagne est respectée.
+       *[other] Les { $count } limites de la campagne sont toutes respectées.
+    }
 limits-both-met = Les deux limites de la campagne sont respectées.
 limits-not-assessable = Non évaluable (grandeur non mesurée) : { $limits }.
 limits-not-met = { $count ->
@@ -503,8 +542,8 @@ load-proven = { $count ->
 }
 load-sentence = Charge : { $load } kg.
 load-stable = { $count ->
-    [one] charger { $load } paramètre sur { $count } (tous les paramètres stables) : les paramètres à écart significatif laissent à eux seuls de plus grandes erreurs
-   *[other] charger { $load } paramètres sur { $count } (tous les paramètres stables) : les paramètres à écart significatif laissent à eux seuls de plus grandes erreurs
+    [one] charger { $load } paramètre sur { $count } (tous les paramètres stables) : les paramètres à écart significatif donnent à eux seuls de plus grandes erreurs
+   *[other] charger { $load } paramètres sur { $count } (tous les paramètres stables) : les paramètres à écart significatif donnent à eux seuls de plus grandes erreurs
 }
 log = journal
 logo-of-the-laboratory = Logo du laboratoire
@@ -541,7 +580,10 @@ met = respectée
 method = méthode
 method-identification = identification des paramètres cinématiques ({ $model }) par moindres carrés
 method-iso9283 = essai de performance selon l’ISO 9283:1998
-method-iterations = { $method }, { $iterations } itérations ;
+method-iterations = { $method }, { $iterations ->
+        [one] { $iterations } itération
+       *[other] { $iterations } itérations
+    } ;
 minimum-posing-time = Temps minimal de positionnement
 mode-count = { $count ->
     [one] 1 mode
@@ -645,7 +687,7 @@ other-planes = Autres plans
 outliers-note = Nombres en couleur : valeurs aberrantes (z modifié supérieur à 3,5 ; Iglewicz et Hoaglin, 1993). Référence : les campagnes du même robot ou, s’il en a moins de huit, celles de robots du même type.
 outliers-then-largest-errors = Erreurs par pose : valeurs aberrantes, puis les plus grandes
 overshoot = dépassement
-overshoot-co = dépassement CO
+overshoot-co = dépassement d’angle CO
 own-scale-of-each = échelles individuelles
 p-of-family = p de la famille
 p-value = valeur p
@@ -668,8 +710,17 @@ path = trajectoire
 path-accuracy-at = exactitude de trajectoire AT
 path-accuracy-at-reorientation = exactitude de trajectoire AT lors d’une réorientation
 path-accuracy-title = Exactitude de trajectoire AT
-path-passes = { $length } mm, { $passes } passages
-path-passes-incomplete = { $length } mm, { $passes } passages, { $incomplete } incomplets
+path-passes = { $length } mm, { $passes ->
+        [one] { $passes } passage
+       *[other] { $passes } passages
+    }
+path-passes-incomplete = { $length } mm, { $passes ->
+        [one] { $passes } passage
+       *[other] { $passes } passages
+    }, { $incomplete ->
+        [one] { $incomplete } incomplet
+       *[other] { $incomplete } incomplets
+    }
 path-repeatability-rt = répétabilité de trajectoire RT
 path-repeatability-title = Répétabilité de trajectoire RT
 path-velocity = vitesse de trajectoire
@@ -706,7 +757,10 @@ pose-named = pose { $pose }
 pose-repeatability-rp = Répétabilité de pose RP
 pose-tooltip = pose { $pose } : x { $x }, y { $y }, z { $z } mm
 poses-and-cycles = poses et cycles
-poses-and-visits = { $poses } poses, { $visits } positionnements par pose
+poses-and-visits = { $poses } poses, { $visits ->
+        [one] { $visits } positionnement
+       *[other] { $visits } positionnements
+    } par pose
 poses-conform = { $count ->
     [one] 1 pose sur { $total } est conforme
    *[other] { $count } poses sur { $total } sont conformes
@@ -770,8 +824,14 @@ ratio = rapport
 reached = atteint
 read-as = lu comme
 readings = lectures
-readings-not-judged = { $target } ({ $readings } lectures, redondance { $redundancy } : non jugé)
-readings-redundancy = { $target } ({ $readings } lectures, redondance { $redundancy })
+readings-not-judged = { $target } ({ $readings ->
+        [one] { $readings } lecture
+       *[other] { $readings } lectures
+    }, redondance { $redundancy } : non jugée)
+readings-redundancy = { $target } ({ $readings ->
+        [one] { $readings } lecture
+       *[other] { $readings } lectures
+    }, redondance { $redundancy })
 reason = raison
 recommendation-title = Recommandation des paramètres à charger
 recorded = enregistré
@@ -857,7 +917,10 @@ round-off-cr = arrondi d’angle CR
 routine-remarks = Remarques de routine
 rows = lignes
 rows-in-frame = { $count } lignes : faire défiler à l’intérieur du tableau.
-rows-in-workbook = { $count } autres lignes : voir le classeur.
+rows-in-workbook = { $count ->
+        [one] { $count } autre ligne
+       *[other] { $count } autres lignes
+    } : voir le classeur.
 rp-by-set = RP par série
 rp-circle = rayon RP
 rp-circle-tooltip = pose { $pose } : RP = { $rp } µm
@@ -872,8 +935,20 @@ seed = graine
 serial-number = numéro de série
 set = ensemble
 set-of-cycles = série de cycles
-set-summary = { $set } : { $poses } poses, { $errors } erreurs
-set-summary-of = { $set } : { $poses } poses, { $errors } erreurs ({ $point })
+set-summary = { $set } : { $poses ->
+        [one] { $poses } pose
+       *[other] { $poses } poses
+    }, { $errors ->
+        [one] { $errors } erreur
+       *[other] { $errors } erreurs
+    }
+set-summary-of = { $set } : { $poses ->
+        [one] { $poses } pose
+       *[other] { $poses } poses
+    }, { $errors ->
+        [one] { $errors } erreur
+       *[other] { $errors } erreurs
+    } ({ $point })
 set-up-changes = Base et cibles : { $changed } grandeurs sur { $total } ont changé (attendu à chaque nouveau montage).
 set-up-parameter-named = Paramètre { $name } (base ou cible)
 sets = séries
@@ -1063,7 +1138,13 @@ warm-up-before-the-test = mise en température avant l’essai
 warnings-and-remarks = Avertissements et remarques
 weaker-trends = Autres tendances significatives
 weave = balayage
-weave-passes = { $passes } passages, { $turns } inversions
+weave-passes = { $passes ->
+        [one] { $passes } passage
+       *[other] { $passes } passages
+    }, { $turns ->
+        [one] { $turns } inversion
+       *[other] { $turns } inversions
+    }
 weaving = Balayage
 weaving-frequency = fréquence du balayage
 weaving-frequency-measured = { $measured } Hz, commandée { $commanded } Hz : WF { $ratio } %

@@ -6,12 +6,12 @@ contact-without-targets = [contact] est sans effet sur les résidus de la pose
 uncertainty-source = { $section ->
         [instrument] la prendre dans le certificat d’étalonnage de l’instrument
         [tool] indiquer l’incertitude du point sur l’outil
-       *[contact] toucher un point plusieurs fois et prendre la dispersion des lectures des codeurs
+       *[contact] toucher plusieurs fois le même point et prendre la dispersion des lectures des codeurs
     }
 
 key-uncertainty-implausible = `{ $key }` = { $value } n’est pas une incertitude d’une coordonnée mesurée en micromètres
     .expected = une valeur de { $least } à { $most }
-    .hint = vérifier l’unité : 0.0027 mm font 2.7 µm
+    .hint = vérifier l’unité : 0,0027 mm font 2,7 µm
 
 target-named-twice = la cible `{ $target }` est indiquée deux fois
     .hint = indiquer chaque cible une fois
@@ -21,22 +21,22 @@ limit-without-result = la limite `{ $limit }` nécessite { $needs ->
         [commanded] {"["}repeatability] avec `commanded`, ou [poses]
        *[repeatability] {"["}repeatability] ou [poses]
     }
-    .hint = supprimer la limite, ou ajouter la section qu’elle juge
+    .hint = supprimer la limite, ou ajouter la section à laquelle elle s’applique
 
 section-beside-observations = `{ $section }` figure à côté de [observations]
     .hint = indiquer soit [observations], soit [[export]], [[log]] et [join]
 
-join-clock-missing = une jointure par temps nécessite { $keys }
-    .hint = ajouter `clock_offset_s` (temps de la mesure moins temps du journal) et `tolerance_s` à [join]
+join-clock-missing = une jointure par le temps nécessite { $keys }
+    .hint = ajouter `clock_offset_s` (instant de la mesure moins instant du journal) et `tolerance_s` à [join]
 
 standstills-missing = le décalage des horloges ne peut pas être estimé : le journal `{ $log }` n’a pas de [log.standstill]
-    .hint = ajouter [log.standstill] avec `at_least_s` et `within_deg` ou `within_mm`, ou indiquer `clock_offset_s` comme nombre
+    .hint = ajouter [log.standstill] avec `at_least_s` et `within_deg` ou `within_mm`, ou donner à `clock_offset_s` une valeur numérique
 
 interpolate-with-standstills = `interpolate` est sans effet : le journal `{ $log }` a [log.standstill]
-    .hint = supprimer `interpolate` : chaque point est joint à l’arrêt qui contient son temps
+    .hint = supprimer `interpolate` : chaque point est joint à l’arrêt qui contient son instant
 
 key-of-other-join = `{ $key }` est sans effet dans cette jointure
-    .hint = la supprimer, ou indiquer `by = "{ $by }"`
+    .hint = supprimer `{ $key }`, ou indiquer `by = "{ $by }"`
 
 key-negative = `{ $key }` est négatif
     .expected = zéro ou un nombre positif
@@ -51,41 +51,41 @@ key-and-column = `{ $key }` est indiqué deux fois : comme clé de l’export e
     .hint = supprimer l’un des deux
 
 input-in-output-folder = le dossier de sortie contient l’entrée `{ $input }`
-    .expected = un dossier sans entrées : il est remplacé en entier
-    .hint = indiquer un autre dossier, ou supprimer `output` : c’est `out` par défaut
+    .expected = un dossier sans fichiers d’entrée : il est remplacé en entier
+    .hint = indiquer un autre dossier, ou supprimer `output` : la valeur par défaut est `out`
 
-feature-element = l’élément `{ $feature }` n’est pas exactement un élément géométrique
-    .expected = un seul de `plane`, `line`, `circle`, `cylinder` avec les étiquettes de ses points
+feature-element = l’élément `{ $feature }` doit désigner un seul élément géométrique
+    .expected = l’une des clés `plane`, `line`, `circle`, `cylinder` avec les étiquettes de ses points
 
 feature-label-twice = l’élément `{ $feature }` mentionne `{ $label }` deux fois
     .hint = indiquer chaque étiquette une fois
 
-nominal-without-tolerance = `nominal_mm` et `tolerance_mm` du référentiel atelier vont ensemble
-    .hint = indiquer les positions du dessin et la plus grande distance admise d’un point à celles-ci
+nominal-without-tolerance = `nominal_mm` et `tolerance_mm` du référentiel atelier vont de pair
+    .hint = indiquer les positions du dessin technique et la plus grande distance admise entre un point et sa position
 
 world-frame-definition = le référentiel atelier doit être défini d’une seule manière
     .expected = `plane` avec `origin` et un axe, ou `targets`, ou `as_exported = true`
 
 key-of-other-frame = `{ $key }` est sans effet dans ce référentiel atelier
-    .hint = la supprimer, ou définir le référentiel par `{ $definition }`
+    .hint = supprimer `{ $key }`, ou définir le référentiel par `{ $definition }`
 
 frame-axis-without-direction = l’axe du référentiel atelier n’a pas de direction
     .expected = deux étiquettes (de, à), ou un élément qui a une direction
 
-plane-frame-incomplete = un référentiel atelier à partir d’un plan nécessite `origin`, un de `x_axis` et `y_axis`, et `towards`
+plane-frame-incomplete = un référentiel atelier défini par un plan exige `origin`, soit `x_axis` soit `y_axis`, et `towards`
     .hint = indiquer dans `towards` une étiquette du côté positif de l’autre axe : elle détermine le sens de z
 
 file-name-empty = le nom du fichier est vide
     .hint = indiquer le fichier dans le dossier de la campagne
 
-date-invalid = `date` ne commence pas par une date du calendrier
+date-invalid = `date` ne commence pas par une date
     .expected = année-mois-jour (ISO 8601), par exemple 2026-01-31
 
 temperature-implausible = `temperature_c` = { $value } n’est pas une température d’un robot en degrés Celsius
     .expected = une valeur de { $least } à { $most }
-    .hint = vérifier l’unité : 293.15 K font 20 °C
+    .hint = vérifier l’unité : 293,15 K font 20 °C
 
-geometric-step-missing = il manque à [geometric] `{ $missing }`, que `{ $step }` nécessite
+geometric-step-missing = il manque à [geometric] la clé `{ $missing }`, nécessaire à `{ $step }`
     .hint = l’ajouter ; s nécessite `shaft` et `arc` ; d1 et d3 nécessitent `offsets`, `mid_travel_mm`, `arc`, `turn` et `shaft` ; O nécessite `arc` ; C nécessite `turn`
 
 errors-table-incomplete = un tableau d’erreurs nécessite l’étalonnage géométrique complet et [identify]
@@ -95,20 +95,20 @@ key-out-of-range = `{ $key }` = { $value } est en dehors de { $least } à { $mos
 
 plausible-value = { $quantity ->
         [scale] vérifier l’unité : 1 µm/m fait 1 ppm
-        [polar] vérifier l’unité : 10 ppm font 10 µm/m, 1 seconde d’arc fait 4.85 µm/m
-        [expansion] vérifier l’unité : l’acier se dilate de 11.5e-6 par degré, l’aluminium de 23.5e-6
+        [polar] vérifier l’unité : 10 ppm font 10 µm/m, 1 seconde d’arc fait 4,85 µm/m
+        [expansion] vérifier l’unité : l’acier se dilate de `11.5e-6` par degré, l’aluminium de `23.5e-6`
         [temperature] l’indiquer en degrés Celsius
         [coverage] indiquer le facteur d’élargissement : 2 correspond à un niveau de confiance d’environ 95 %
-       *[homing] faire plusieurs prises d’origine et prendre la dispersion d’une articulation à son contact
+       *[homing] faire plusieurs prises d’origine et prendre la dispersion de l’articulation à son interrupteur
     }
 
 homing-incomplete = il manque à [homing] `{ $key }` pour l’articulation `{ $joint }` (valeurs en { $unit })
-    .hint = l’indiquer ; indiquer 0 si la prise d’origine n’ajoute pas d’erreur
+    .hint = l’indiquer, ou indiquer 0 si la prise d’origine n’ajoute pas d’erreur
 
 polar-with-observations = `polar` nécessite des exports : un tableau d’observations ne contient pas la position de l’instrument
     .hint = indiquer la covariance de chaque ligne (`cxx_mm2` à `czz_mm2`) dans le tableau
 
-section-without-identify = [{ $section }] est sans effet : la campagne n’a pas de [identify]
+section-without-identify = [{ $section }] est sans effet : la campagne n’a pas de section [identify]
     .hint = supprimer [{ $section }], ou ajouter [identify]
 
 label-unknown = aucun point n’a l’étiquette `{ $label }`
@@ -120,24 +120,24 @@ point-or-feature-unknown = point ou élément inconnu `{ $name }`
 target-not-exported = aucun export ne contient la cible `{ $target }`
 
 names-unchecked = aucun export lisible ne contient { $names }
-    .hint = vérifier ces noms quand tous les exports se lisent
+    .hint = vérifier ces noms quand tous les exports seront lisibles
 
 target-not-of-robot = `{ $target }` n’est pas une cible de ce robot
 
 targets-incomplete = `targets` omet `{ $target }`
     .expected = toutes les cibles de ce robot
 
-travel-missing = l’espace de travail nécessite la course des actionneurs
+travel-missing = l’espace de travail exige la course des actionneurs
     .hint = indiquer [reach] avec `travel_mm = [..., ..., ...]` dans robot.toml
 
-z-column-missing = `columns` n’a pas de z, qu’un robot tridimensionnel nécessite
+z-column-missing = `columns` n’indique pas z, nécessaire à un robot tridimensionnel
     .hint = ajouter `z = "nom ou numéro de la colonne"`
 
 log-name-invalid = `{ $name }` ne peut pas être le nom de ce journal
     .expected = lettres, chiffres, `_` et `-` ; un nom différent pour chaque journal
 
 log-joint-unknown = `{ $key }` n’est pas une articulation de ce robot
-    .hint = utiliser une de { $joints }, ou la même avec une autre unité
+    .hint = utiliser l’une des articulations { $joints }, éventuellement dans une autre unité
 
 log-joint-missing = le journal `{ $log }` n’a pas de colonne pour l’articulation `{ $joint }`
     .hint = ajouter `{ $column } = "nom ou numéro de la colonne"` à ses `columns`
@@ -154,7 +154,7 @@ threads-failed = les campagnes ne peuvent pas être exécutées en parallèle :
     }
     .hint = relancer avec moins de fils : `RAYON_NUM_THREADS=1`
 
-data-elsewhere = ses données sont sous ${ $name }, qui n’est pas définie
+data-elsewhere = ses données sont sous ${ $name }, variable d’environnement non définie
 
 not-an-output-folder = `{ $folder }` n’est pas le dossier de sortie d’une exécution : manifest.json y manque
     .hint = indiquer un dossier écrit par `etalon run`, ou une campagne exécutée
@@ -179,13 +179,13 @@ document-schema-other = `{ $file }` { $schema ->
     .expected = le schéma `{ $wanted }`
     .hint = relancer la campagne avec cette version : `etalon run CAMPAGNE`
 
-foreign-file = `{ $file }` serait écrasé, et aucune exécution ne l’a écrit
+foreign-file = `{ $file }` serait écrasé, alors qu’aucune exécution ne l’a écrit
     .hint = le déplacer dans un autre dossier, ou indiquer un autre `output` dans campaign.toml
 
 input-changed = `{ $file }` a changé pendant l’exécution de la campagne
     .hint = relancer la campagne quand le fichier est complet
 
-identify-missing = la campagne n’a pas de [identify], qui mentionne les poses pour juger les paramètres
+identify-missing = la campagne n’a pas de section [identify], qui désigne les poses sur lesquelles juger les paramètres
     .hint = indiquer `calibration` et `validation` dans [identify]
 
 clock-rate-without-offset = `clock_rate = "standstills"` exige `clock_offset_s = "standstills"`
