@@ -25,9 +25,9 @@ mod workbook;
 use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
-    AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument, Evidence,
-    FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument, PlanDocument,
-    PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
+    AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument,
+    Evidence, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument,
+    PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
     VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};

@@ -1,6 +1,5 @@
 //! Identification: from observations to parameters, and errors before and after.
 
-use crate::stages::influence::influences;
 use crate::stages::apart::Apart;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
 use crate::stages::commanded::commanded;
@@ -10,6 +9,7 @@ use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
+use crate::stages::influence::influences;
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, RowDefaults};

@@ -34,11 +34,7 @@ fn step(action: &Action, words: &Words) -> Step {
         (Some(phrase), _) => words.tr(phrase),
         (None, texts) => texts.map_or_else(|| action.reason.clone(), |t| t.what),
     };
-    Step {
-        what: Text::from(sentence(&what)),
-        reason: Text::from(sentence(&reason)),
-        command: action.command.clone(),
-    }
+    Step { what: Text::from(sentence(&what)), reason: Text::from(sentence(&reason)), command: action.command.clone() }
 }
 
 /// Fields without which the report is a draft.
