@@ -1,5 +1,6 @@
 //! Page one in figures: each limit with its value, uncertainty, guard band and risk as a bullet
-//! graph (S. Few, Bullet Graph Design Specification, 2013), and errors before and after on one axis.
+//! graph (S. Few, Bullet Graph Design Specification, 2013), and errors before and after on one
+//! axis.
 
 use super::layer::*;
 use super::svg::{LETTER, width};
