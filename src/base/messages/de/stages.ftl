@@ -956,3 +956,14 @@ table-of-compliance = statische Nachgiebigkeit
 recorded-motion-file = aufgezeichnete Bewegung
 read-in-unit = { $format }, Einheit { $unit }
 read-in-frame = { $read }, bezogen auf `{ $frame }`
+
+side-stated = wie vom Benutzer angegeben
+side-from-values = aus { $of ->
+        [normal] der Normalen
+        [location] der Lage
+       *[diameter] dem Durchmesser
+    } ({ $values ->
+        [nominal] Nennwert
+       *[stated] Angabe
+    })
+side-from-key = aus `InternalExternal`: { $value }

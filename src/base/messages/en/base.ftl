@@ -135,3 +135,12 @@ rotation-not-orthonormal = the rotation matrix is not orthonormal: rows times ro
 # Example: a matrix with one column negated
 rotation-mirrors = the rotation matrix mirrors: its determinant is -1
     .hint = check the signs of its columns
+
+factor = { $count } { $of ->
+        [poses] poses
+        [cycles] cycles
+        [repeats] repeats
+        [draws] draws
+       *[runs] runs
+    }
+product = { $first } × { $second }

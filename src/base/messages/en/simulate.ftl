@@ -259,3 +259,12 @@ simulated-table-misread = `{ $file }` would be misread: an observation of pose {
 # Example: [geometric] in truth.toml alone
 truth-geometric-without-campaign = the truth has [geometric], the campaign has not or its robot is no PreXYT
     .hint = state [geometric] in campaign.toml: it names the labels
+
+study-error-in-base = true pose of the tool in the base frame minus the commanded one
+study-error-in-world = true pose of the tool in the world minus the commanded one
+poses-in-set = poses in the set `{ $set }`
+positions-in-workspace = positions in `workspace`
+counted-calibrations = calibrations
+errors-to-evaluate = errors to evaluate
+poses-to-simulate = poses to simulate
+points-to-simulate = points to simulate

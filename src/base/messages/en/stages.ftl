@@ -1927,3 +1927,7 @@ table-of-compliance = static compliance
 recorded-motion-file = recorded motion
 read-in-unit = { $format }, unit { $unit }
 read-in-frame = { $read }, relative to `{ $frame }`
+
+side-stated = as stated by the user
+side-from-values = from the { $values } { $of }
+side-from-key = from `InternalExternal`: { $value }

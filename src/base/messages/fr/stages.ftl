@@ -959,3 +959,14 @@ table-of-compliance = souplesse statique
 recorded-motion-file = mouvement enregistré
 read-in-unit = { $format }, unité { $unit }
 read-in-frame = { $read }, par rapport à `{ $frame }`
+
+side-stated = comme indiqué par l'utilisateur
+side-from-values = d'après { $of ->
+        [normal] la normale
+        [location] la position
+       *[diameter] le diamètre
+    } { $values ->
+        [nominal] nominal
+       *[stated] indiqué
+    }
+side-from-key = d'après `InternalExternal` : { $value }
