@@ -221,6 +221,13 @@ impl IntoArgument for Argument {
     }
 }
 
+/// An absent text is an empty one.
+impl<T: IntoArgument> IntoArgument for Option<T> {
+    fn argument(&self) -> Argument {
+        self.as_ref().map_or_else(|| Argument::Text(String::new()), T::argument)
+    }
+}
+
 impl<T: IntoArgument> IntoArgument for [T] {
     fn argument(&self) -> Argument {
         Argument::List(self.iter().map(T::argument).collect())

@@ -13,6 +13,7 @@ use super::{
     At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
     meaning, wrong_targets,
 };
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, unit};
 use std::cmp::Ordering;
 
@@ -413,7 +414,7 @@ impl Serial {
     fn of_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String], effects: &Effects) -> Self {
         let other = convention.other();
         let rigid = Effects { gravity: effects.gravity, ..Effects::default() };
-        let what = format!("the table of joints read as {} Denavit-Hartenberg parameters", other.name());
+        let what = phrase!("table-read-as", convention = other.name());
         let as_other = Self::of_one_table(other, joints, targets, &rigid);
         Self::of_one_table(convention, joints, targets, effects).with_other(what, as_other)
     }

@@ -2,6 +2,7 @@
 //! folder is refused.
 
 use crate::stages::evaluate;
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
@@ -254,6 +255,6 @@ fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T
     Ok(serde_json::from_value(value).map_err(|e| unreadable(path, &e.to_string()))?)
 }
 
-fn unreadable(path: &Path, reason: &str) -> Message {
+fn unreadable(path: &Path, reason: &impl IntoArgument) -> Message {
     error!("document-unreadable", file = path.display().to_string(), reason)
 }

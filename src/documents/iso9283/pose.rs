@@ -15,11 +15,12 @@ use etalon_standards::iso9283::pose::distance::{PairDistance, distances};
 use etalon_standards::iso9283::pose::drift::{Drift, drifts};
 use etalon_standards::iso9283::pose::ellipsoid::Ellipsoid;
 use etalon_standards::iso9283::pose::exchangeability::exchanged;
-use etalon_standards::iso9283::pose::test::PoseTest;
+use etalon_standards::iso9283::pose::test::{PoseTest, from_pose};
 use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, PoseTestSettings, characteristics};
 use etalon_standards::iso9283::statistics::interval::Interval;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Characteristics of ISO 9283:1998 of one test.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -39,6 +40,10 @@ pub struct Iso9283Document {
     pub distances: Vec<Iso9283Distance>,
     /// One entry per pose that was approached in at least two ways.
     pub approaches: Vec<Iso9283Variation>,
+    /// Texts of the catalogue that are names of approaches in English; names that a table states
+    /// are absent.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub approach_phrases: BTreeMap<String, Phrase>,
     /// Drift of each pose, if sets are stated.
     pub drifts: Vec<Iso9283Drift>,
     /// Largest distance between the barycentres of two robots at any pose, with several robots.
@@ -82,6 +87,7 @@ impl Iso9283Document {
             convention_phrases: conventions,
             distances: all(distances(test)?),
             approaches: all(variations(test)?),
+            approach_phrases: approach_phrases(test),
             drifts: match settings.drift_set {
                 Some(size) => all(drifts(test, size)?),
                 None => Vec::new(),
@@ -109,6 +115,7 @@ impl Iso9283Document {
         Self {
             distances: Vec::new(),
             approaches: Vec::new(),
+            approach_phrases: BTreeMap::new(),
             drifts: Vec::new(),
             exchangeability_mm: None,
             coplanarity_mm: None,
@@ -413,6 +420,14 @@ fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
         messages.push(warning!("instrument-too-coarse", poses = coarse));
     }
     messages
+}
+
+/// Texts of the approaches that are named after the pose before.
+fn approach_phrases(visits: &PoseTest) -> BTreeMap<String, Phrase> {
+    let stated: BTreeSet<&str> =
+        visits.poses.iter().flat_map(|p| &p.attained).filter_map(|v| v.approach.as_deref()).collect();
+    let named = visits.poses.iter().map(|p| (from_pose(p.pose), phrase!("from-pose-named", pose = p.pose)));
+    named.filter(|(name, _)| stated.contains(name.as_str())).collect()
 }
 
 fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<Phrase> {

@@ -293,6 +293,7 @@ fn parameters() -> ParametersDocument {
         observability: Some(observability()),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".to_owned(),
+            method_phrase: None,
             iterations: 6,
             termination,
             meaning: termination.to_string(),

@@ -1,6 +1,7 @@
 //! Repeatability test for trying the report: two poses with thirty visits each, synthetic.
 
 use etalon_base::noise::Noise;
+use etalon_base::phrase;
 use etalon_documents::*;
 
 /// Repeatability test alone.
@@ -115,6 +116,10 @@ pub(crate) fn iso9283() -> Iso9283Document {
                 approach("from pose 3", [100.0, 49.994, 0.0]),
             ],
         }],
+        approach_phrases: [2, 3]
+            .map(|pose| (format!("from pose {pose}"), phrase!("from-pose-named", pose)))
+            .into_iter()
+            .collect(),
         drifts: vec![],
         exchangeability_mm: None,
         coplanarity_mm: None,

@@ -94,6 +94,7 @@ pub(crate) fn identified(
         observability: None,
         solver: SolverSummary {
             method: String::new(),
+            method_phrase: None,
             iterations: 1,
             termination: etalon::documents::Termination::ResidualsZero,
             meaning: String::new(),

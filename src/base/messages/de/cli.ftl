@@ -226,11 +226,10 @@ table-options-refused = { $fault ->
        *[other] die Option berichtigen; `etalon axis-table --help` beschreibt sie
     }
 
-deviation-unknown = keine Abweichung bei { $position }: { $reason ->
-        [not-measured] die Steigung wurde dort nicht gemessen
-        [no-error] `{ $axis }` hat in diesem Modell keine eigenen Abweichungen
-       *[other] { $reason }
-    }
+deviation-unknown = keine Abweichung bei { $position }: { $reason }
     .hint = Positionen verwenden, die der Roboter erreicht oder die gemessen wurden
 
 robot-file-of-run = die Kampagne erneut ausführen oder die robot.toml angeben, mit der sie ausgeführt wurde
+axis-without-errors = die Achse hat in diesem Modell keine eigenen Abweichungen
+lead-not-measured-there = die Steigung wurde dort nicht gemessen
+table-without-row = die Tabelle hat dort keine Zeile

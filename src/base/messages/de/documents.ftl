@@ -55,6 +55,24 @@ set-up-origin = { $origin ->
 
 check-rigid-part = Einheit und Namen in `places_mm` prüfen und ob das Teil seit ihrer Bestimmung verändert wurde
 
+plan-cube = { $shape ->
+        [square] das größte Quadrat
+       *[cube] der größte Würfel
+    } im angegebenen Arbeitsraum, Kanten parallel zu den Achsen; C1 bis C4 vom kleinsten x und y an
+plan-poses = P1: Mitte; P2 bis P5: 10 % der Diagonalen von den Ecken der Prüfebene, in deren Reihenfolge
+plan-clauses = P1 bis P5, Lasten, Geschwindigkeiten und 30 Zyklen folgen dem Text der Norm; Bahnen, andere Anzahlen und die Reihenfolge der Ecken wurden nicht mit einem gekauften Exemplar verglichen
+plan-reach-not-examined = nicht geprüft: ob der Roboter die Posen erreicht und ob sich zwischen ihnen alle Gelenke bewegen
+plan-reach = Reichweite: Nennparameter und die Grenzen der Roboterdatei; von mehreren Arbeitsmodi gilt entlang einer Liste der, der am meisten von ihr erreicht; { $moves ->
+        [all] zwischen P1 und P5 bewegen sich alle Gelenke
+       *[some] zwischen P1 und P5 bewegen sich nicht alle Gelenke, wie die Norm verlangt
+    }
+covariance-not-square = die Kovarianz ist nicht quadratisch mit { $identified } Zeilen, einer je identifiziertem Parameter
+uncertainty-negative = eine Standardunsicherheit oder Varianz ist negativ oder keine Zahl
+parameter-listed-twice = es enthält den Parameter `{ $parameter }` zweimal
+
+method-levenberg-marquardt = Levenberg-Marquardt auf Block-QR mit skalierten Spalten, Abschluss mit Gauß-Newton
+method-enclosing = kleinstes umschließendes Element, durch { $points } Punkte bestimmt
+method-minimum-zone = minimale Zone (Tschebyschew)
 action-add-cycles = Pose{ $count ->
         [one] {" "}{ $poses }
        *[other] n { $poses }

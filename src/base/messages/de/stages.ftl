@@ -950,6 +950,16 @@ recorded-motion-file = aufgezeichnete Bewegung
 read-in-unit = { $format }, Einheit { $unit }
 read-in-frame = { $read }, bezogen auf `{ $frame }`
 
+side-stated = wie vom Benutzer angegeben
+side-from-values = aus { $of ->
+        [normal] der Normalen
+        [location] der Lage
+       *[diameter] dem Durchmesser
+    } ({ $values ->
+        [nominal] Nennwert
+       *[stated] Angabe
+    })
+side-from-key = aus `InternalExternal`: { $value }
 label-orientations-unused = die Orientierungen des Exports werden nicht verwendet: Log `{ $log }` nennt `{ $label }` in { $count } Zeilen
     .hint = nach Pose, Zeile oder Zeit verbinden, wenn das Messgerät in jeder Pose den Körper am Roboter gemessen hat
 

@@ -135,3 +135,12 @@ rotation-not-orthonormal = the rotation matrix is not orthonormal: products of i
 # Example: a matrix with one column negated
 rotation-mirrors = the rotation matrix is a reflection: its determinant is -1
     .hint = check the signs of its columns
+
+factor = { $count } { $of ->
+        [poses] poses
+        [cycles] cycles
+        [repeats] repeats
+        [draws] draws
+       *[runs] runs
+    }
+product = { $first } × { $second }

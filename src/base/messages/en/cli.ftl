@@ -498,11 +498,10 @@ table-options-refused = { $fault ->
 # Matters: A table of corrections needs a value at each position.
 # Do: Use positions that the robot reaches, or that were measured.
 # Example: `--axis rho1_mm=0:500:10` where the lead was measured to 400 mm
-deviation-unknown = no deviation at { $position }: { $reason ->
-        [not-measured] the lead was not measured there
-        [no-error] `{ $axis }` has no errors of its own in this model
-       *[other] { $reason }
-    }
+deviation-unknown = no deviation at { $position }: { $reason }
     .hint = use positions that the robot reaches, or that were measured
 
 robot-file-of-run = run the campaign again, or name the robot.toml of that run
+axis-without-errors = the axis has no errors of its own in this model
+lead-not-measured-there = the lead was not measured there
+table-without-row = the table has no row there

@@ -111,6 +111,21 @@ set-up-origin = { $origin ->
 
 check-rigid-part = check unit and names in `places_mm`, and whether the part was changed since they were determined
 
+plan-cube = the largest { $shape } in the stated workspace, edges parallel to the axes; C1 to C4 from the smallest x and y
+plan-poses = P1: centre; P2 to P5: 10 % of the diagonals from the corners of the test plane, in their order
+plan-clauses = P1 to P5, loads, velocities and 30 cycles follow the standard's text; paths, other counts and the order of the corners were not compared with a bought copy
+plan-reach-not-examined = not examined: whether the robot reaches the poses, and whether all joints move between them
+plan-reach = reach: nominal parameters and the limits of the robot file; of several working modes, the one that reaches most of a list is kept along it; { $moves ->
+        [all] all joints move between P1 and P5
+       *[some] not all joints move between P1 and P5, as the standard requires
+    }
+covariance-not-square = its covariance is not square with { $identified } rows, one an identified parameter
+uncertainty-negative = a standard uncertainty or variance is negative or not a number
+parameter-listed-twice = it lists the parameter `{ $parameter }` twice
+
+method-levenberg-marquardt = Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish
+method-enclosing = smallest enclosing element, defined by { $points } points
+method-minimum-zone = minimum zone (Chebyshev)
 action-add-cycles = visit pose{ $count ->
         [one] {" "}{ $poses }
        *[other] s { $poses }

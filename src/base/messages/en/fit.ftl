@@ -246,3 +246,7 @@ radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } ha
 # Example: a cone through points of a cylinder
 cone-is-cylinder = the apex angle of the cone is not distinguishable from zero (k = 2)
     .hint = fit a cylinder
+
+method-principal-directions = principal directions of the centred points
+method-orthogonal-distance = orthogonal distance, Gauss-Newton in a trust region
+method-circle-in-plane = least-squares plane, projection, circle in the plane by orthogonal distance

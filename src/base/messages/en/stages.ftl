@@ -1917,6 +1917,9 @@ recorded-motion-file = recorded motion
 read-in-unit = { $format }, unit { $unit }
 read-in-frame = { $read }, relative to `{ $frame }`
 
+side-stated = as stated by the user
+side-from-values = from the { $values } { $of }
+side-from-key = from `InternalExternal`: { $value }
 # Means: An export joined by label has orientations, and the log names a label in several rows.
 # Matters: The robot then touches a place that was measured once; its orientation is not that of the
 # body on the robot. Positions alone are used.

@@ -226,11 +226,10 @@ table-options-refused = { $fault ->
        *[other] corriger l’option ; `etalon axis-table --help` les décrit
     }
 
-deviation-unknown = pas d’écart à { $position } : { $reason ->
-        [not-measured] le pas n’y a pas été mesuré
-        [no-error] `{ $axis }` n’a pas d’erreurs propres dans ce modèle
-       *[other] { $reason }
-    }
+deviation-unknown = pas d’écart à { $position } : { $reason }
     .hint = utiliser des positions que le robot atteint, ou qui ont été mesurées
 
 robot-file-of-run = relancer la campagne, ou indiquer le robot.toml avec lequel elle a été exécutée
+axis-without-errors = l'axe n'a pas d'erreurs propres dans ce modèle
+lead-not-measured-there = le pas n'y a pas été mesuré
+table-without-row = le tableau n'y a pas de ligne

@@ -953,6 +953,16 @@ recorded-motion-file = mouvement enregistré
 read-in-unit = { $format }, unité { $unit }
 read-in-frame = { $read }, par rapport à `{ $frame }`
 
+side-stated = comme indiqué par l'utilisateur
+side-from-values = d'après { $of ->
+        [normal] la normale
+        [location] la position
+       *[diameter] le diamètre
+    } { $values ->
+        [nominal] nominal
+       *[stated] indiqué
+    }
+side-from-key = d'après `InternalExternal` : { $value }
 label-orientations-unused = les orientations de l’export ne sont pas utilisées : le journal `{ $log }` nomme `{ $label }` dans { $count } lignes
     .hint = joindre par pose, ligne ou temps si l’instrument a mesuré à chaque pose le corps sur le robot
 
