@@ -181,6 +181,7 @@ fn standstills(log: &mut Part, targets: &[String]) -> String {
                           standstill = { at_least_s = 1.0, within_deg = 0.02 }\n";
     format!(
         "\n[join]\nby = \"time\"\nclock_offset_s = \"standstills\"   # the offset at which every point falls into a standstill\n\
+         tolerance_s = 0.05          # a point may be so far outside of its standstill\n\
          targets = {targets:?}\n\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument\n"
     )
 }
