@@ -101,7 +101,8 @@ impl Init {
             let Described { name, robot, text, joints } = described(path)?;
             let files = vec![("robot.toml".to_owned(), robot), (name, text)];
             let controllers = "[\"json\", \"urdf\"]";
-            return Ok(from::RobotFiles { files, joints, targets: Vec::new(), controllers });
+            let path = path.with_file_name("robot.toml");
+            return Ok(from::RobotFiles { files, path, joints, targets: Vec::new(), controllers });
         }
         let Some(name) = &self.robot else {
             return Err(Problems::from(error!("from-needs-robot")).into());
@@ -109,7 +110,7 @@ impl Init {
         let robot = known_robot(name)?;
         let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
         let (joints, targets) = (robot.joints(), robot.targets.clone());
-        Ok(from::RobotFiles { files, joints, targets, controllers: "[\"json\"]" })
+        Ok(from::RobotFiles { files, path: "robot.toml".into(), joints, targets, controllers: "[\"json\"]" })
     }
 
     /// A campaign of the robot of a URDF file.

@@ -2,9 +2,8 @@
 
 use crate::dialect::{
     Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
-    two_commas,
 };
-use crate::guess::guesses;
+use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, column_index, marked, pose_name, split};
 use crate::logs::{meaning, one_column, row_width, words_missing};
 use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
@@ -103,7 +102,7 @@ impl TableLayout {
         let mut renamed: Vec<Option<&str>> = vec![None; width];
         let mut computed: Vec<ReadColumn> = Vec::new();
         for (name, source) in &self.columns {
-            let known = is_known(name) || !self.is_of_observations || TEXT_COLUMNS.contains(&name.as_str());
+            let known = !self.is_of_observations || Self::is_own(name);
             let at = match source {
                 ColumnSource::Heading(heading) => headings.iter().position(|h| h == heading),
                 ColumnSource::Number(number) => Some(number - 1).filter(|at| *at < width),
@@ -159,10 +158,24 @@ impl TableLayout {
                 all.push(ReadColumn { name, from: Expression::Column(i) });
             }
         }
-        // a computed column replaces a column with its name
-        all.retain(|column| computed.iter().all(|other| other.name != column.name));
+        // a computed column replaces a column with its name; columns that serve an expression or a
+        // filter alone are read by it
+        let mut served: Vec<usize> = Vec::new();
+        computed.iter().for_each(|column| column.from.add_columns(&mut served));
+        served.extend(self.only.keys().chain(self.without.keys()).filter_map(|name| column_index(name, header).ok()));
+        let serves = |column: &ReadColumn| {
+            matches!(column.from, Expression::Column(at) if served.contains(&at))
+                && !Self::is_own(&column.name)
+                && !self.columns.contains_key(column.name.as_ref())
+        };
+        all.retain(|column| computed.iter().all(|other| other.name != column.name) && !serves(column));
         all.extend(computed);
         Ok(all)
+    }
+
+    /// `true` if tables of etalon have a column of this name.
+    fn is_own(name: &str) -> bool {
+        is_known(name) || TEXT_COLUMNS.contains(&name) || name == FORCE
     }
 
     /// Adds the columns that every observation needs, and the constant columns.
@@ -224,7 +237,7 @@ pub fn observations_with(file: &str, text: &str, layout: &TableLayout) -> Result
 /// Returns the header and the data rows of a table.
 fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Option<Row<'t>>, Vec<Row<'t>>)> {
     if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
-        return Err(two_commas().at(Place::file(file)).into());
+        return Err(two_commas_in(text).at(Place::file(file)).into());
     }
     let dialect = Dialect { delimiter: Some(layout.delimiter), comment: layout.comment.clone(), ..Dialect::default() };
     let (mut all, problems) = split(file, text, &dialect);

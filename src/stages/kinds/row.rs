@@ -163,8 +163,7 @@ impl Row {
     }
 
     /// An error where a row of another station is not a point or a pose with all coordinates and
-    /// one
-    /// uncertainty.
+    /// one uncertainty.
     fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
         let us = self.u_axes_mm;
         let has_covariance = table::COVARIANCES.iter().any(|name| self.cells.number(name).is_some_and(|v| !v.is_nan()));
