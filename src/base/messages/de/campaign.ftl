@@ -198,10 +198,6 @@ key-remedy = { $key ->
        *[base_turn_y_deg] ihn löschen: base_rx, base_ry und base_rz sind ein Drehvektor, und keine Orientierung der Basis ist singulär
     }
 
-urdf-xacro = die Datei enthält xacro-Makros, die nicht ersetzt werden
-
-expand-xacro = sie ersetzen lassen: xacro { $name }.urdf.xacro > { $name }.urdf
-
 urdf-no-robot = die Datei ist keine URDF
     .expected = das Element <robot>
 

@@ -198,10 +198,6 @@ key-remedy = { $key ->
        *[base_turn_y_deg] la supprimer : base_rx, base_ry et base_rz sont un vecteur de rotation, et aucune orientation de la base n’est singulière
     }
 
-urdf-xacro = le fichier contient des macros xacro, qui ne sont pas développées
-
-expand-xacro = le développer : xacro { $name }.urdf.xacro > { $name }.urdf
-
 urdf-no-robot = le fichier n’est pas un URDF
     .expected = l’élément <robot>
 
