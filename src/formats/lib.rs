@@ -20,6 +20,7 @@ pub(crate) mod ros_bag;
 pub mod table;
 pub mod tables;
 mod workbook;
+pub mod xacro;
 pub mod xml;
 
 pub use cloud::{Cloud, cloud, packed_points};

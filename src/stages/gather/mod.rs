@@ -54,7 +54,8 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         statement(SourceKind::Campaign, campaign.file_name(), &campaign.stamps[0]),
         statement(SourceKind::Robot, campaign.file.robot.get_ref(), &campaign.stamps[1]),
     ];
-    sources.extend(campaign.robot_description().map(|(file, stamp)| statement(SourceKind::Robot, &file, stamp)));
+    let described = campaign.robot_descriptions().into_iter();
+    sources.extend(described.map(|(file, stamp)| statement(SourceKind::Robot, &file, stamp)));
     let mut columns = PointColumns::default();
     let mut frames = Vec::new();
     let exports = &campaign.file.exports;

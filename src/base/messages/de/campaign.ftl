@@ -197,10 +197,6 @@ key-remedy = { $key ->
        *[base_turn_y_deg] den Schlüssel löschen: base_rx, base_ry und base_rz sind ein Rotationsvektor, und keine Orientierung der Basis ist singulär
     }
 
-urdf-xacro = die Datei enthält xacro-Makros, die nicht ersetzt werden
-
-expand-xacro = die Makros ersetzen lassen: xacro { $name }.urdf.xacro > { $name }.urdf
-
 urdf-no-robot = die Datei ist keine URDF-Datei
     .expected = das Element <robot>
 

@@ -437,3 +437,32 @@ file-is = `{ $file }`: { $kind }, { $rows ->
 files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine Zeile in `{ $log }` (Schlüssel: { $by })
 
 files-not-joined = kein Schlüssel verknüpft alle Exporte mit den { $rows } Zeilen von `{ $log }`
+expand-xacro = die Datei ersetzen lassen und stattdessen die URDF nennen: { $command }
+
+attribute-malformed = ein Attribut, das nicht lesbar ist
+
+xacro-construct = `{ $construct }` von xacro wird hier nicht ersetzt
+
+xacro-undefined = vor dieser Zeile ist keine Eigenschaft `{ $name }` definiert
+
+xacro-argument-missing = das Argument `{ $argument }` der xacro-Datei hat keinen Wert
+    .hint = `arguments = ["{ $argument }:=VALUE"]` in robot.toml angeben, oder `--argument { $argument }:=VALUE` von `etalon init`
+
+xacro-argument-unknown = { $file } hat kein Argument `{ $argument }`
+
+xacro-argument-form = `{ $argument }` ist kein Argument von xacro
+    .expected = NAME:=VALUE
+
+xacro-package = das Paket `{ $package }` liegt weder über noch neben der Datei
+
+xacro-include-unreadable = die eingebundene Datei ist nicht lesbar: { $reason }
+
+xacro-include-loop = `{ $file }` bindet sich selbst ein
+
+xacro-recursion = die Eigenschaft `{ $name }` ist durch sich selbst definiert
+
+xacro-too-many-files = mehr als { $most_files } eingebundene Dateien, oder mehr als { $most_depth } ineinander
+
+xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte, oder er braucht mehr als { $most_depth } Eigenschaften ineinander
+
+xacro-too-large = der ersetzte Text ist größer als { $most_mib } MiB

@@ -410,14 +410,6 @@ key-remedy = { $key ->
        *[base_turn_y_deg] delete it: base_rx, base_ry and base_rz are a rotation vector, and no orientation of the base is singular
     }
 
-# Means: The file holds macros of xacro.
-# Matters: etalon reads plain URDF.
-# Do: Expand the file with xacro.
-# Example: `<xacro:macro name="arm">`
-urdf-xacro = the file holds macros of xacro, which are not expanded
-
-expand-xacro = expand it: xacro { $name }.urdf.xacro > { $name }.urdf
-
 # Means: The document element of the file is not <robot>.
 # Matters: The file describes no robot.
 # Do: Name a URDF file.

@@ -197,10 +197,6 @@ key-remedy = { $key ->
        *[base_turn_y_deg] supprimer la clé : base_rx, base_ry et base_rz sont un vecteur rotation, et aucune orientation de la base n’est singulière
     }
 
-urdf-xacro = le fichier contient des macros xacro, qui ne sont pas développées
-
-expand-xacro = développer les macros : xacro { $name }.urdf.xacro > { $name }.urdf
-
 urdf-no-robot = le fichier n’est pas un fichier URDF
     .expected = l’élément <robot>
 

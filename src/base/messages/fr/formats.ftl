@@ -437,3 +437,32 @@ file-is = `{ $file }` : { $kind }, { $rows ->
 files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne correspondante dans `{ $log }` (clé : { $by })
 
 files-not-joined = aucune clé ne relie tous les exports aux { $rows } lignes de `{ $log }`
+expand-xacro = développer le fichier et nommer l'URDF à sa place : { $command }
+
+attribute-malformed = un attribut illisible
+
+xacro-construct = `{ $construct }` de xacro n'est pas développé ici
+
+xacro-undefined = aucune propriété `{ $name }` n'est définie avant cette ligne
+
+xacro-argument-missing = l'argument `{ $argument }` du fichier xacro n'a pas de valeur
+    .hint = indiquer `arguments = ["{ $argument }:=VALUE"]` dans robot.toml, ou `--argument { $argument }:=VALUE` de `etalon init`
+
+xacro-argument-unknown = { $file } n'a pas d'argument `{ $argument }`
+
+xacro-argument-form = `{ $argument }` n'est pas un argument de xacro
+    .expected = NAME:=VALUE
+
+xacro-package = le paquet `{ $package }` n'est ni au-dessus ni à côté du fichier
+
+xacro-include-unreadable = le fichier inclus est illisible : { $reason }
+
+xacro-include-loop = `{ $file }` s'inclut lui-même
+
+xacro-recursion = la propriété `{ $name }` est définie par elle-même
+
+xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $most_depth } les uns dans les autres
+
+xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou demande plus de { $most_depth } propriétés les unes dans les autres
+
+xacro-too-large = le texte développé dépasse { $most_mib } Mio
