@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod answer;
+mod axes;
 mod axis;
 mod batch;
 mod campaign;
@@ -36,6 +37,7 @@ mod verification;
 
 pub use accuracy::*;
 pub use answer::*;
+pub use axes::*;
 pub use axis::*;
 pub use batch::*;
 pub use campaign::*;

@@ -311,13 +311,10 @@ mod tests {
             let mut noise = Noise::new(5, trial);
             let axes = drawn(&mut noise, 1 + trial as usize % 7, trial % 2 == 0, trial % 3 == 0);
             let turn = [0; 3].map(|_| noise.uniform(2.0));
-            let flange = Pose {
-                translation_mm: [0; 3].map(|_| noise.uniform(900.0)),
-                ..Pose::from_rotation_vector(turn)
-            };
+            let flange =
+                Pose { translation_mm: [0; 3].map(|_| noise.uniform(900.0)), ..Pose::from_rotation_vector(turn) };
             let q: Vec<f64> = axes.iter().map(|a| noise.uniform(if a.prismatic { 200.0 } else { 3.0 })).collect();
-            for (convention, table) in
-                [(true, modified_table(&axes, &flange)), (false, standard_table(&axes, &flange))]
+            for (convention, table) in [(true, modified_table(&axes, &flange)), (false, standard_table(&axes, &flange))]
             {
                 let arm = Serial::of_axis_table(convention, &table.joints, &["T".to_owned()]);
                 let chain = table.base.then(&arm.direct(&arm.nominal(), &q)).then(&table.flange);

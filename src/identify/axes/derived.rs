@@ -123,8 +123,7 @@ impl AxesModel {
         let value = |rest: &[f64], j: usize| rest.get(j).copied().unwrap_or_default();
         for (m, change) in self.measured.iter().zip(changes) {
             let pose = m.fit.frame_changed(&change[..m.fit.of_axis()]);
-            let axis =
-                AxisLine { direction: pose.axis(2), point_mm: pose.translation_mm, prismatic: m.fit.prismatic };
+            let axis = AxisLine { direction: pose.axis(2), point_mm: pose.translation_mm, prismatic: m.fit.prismatic };
             // the joints before it were not at zero
             let before = axes.iter().enumerate();
             let rest = before.fold(Pose::identity(), |p, (j, a)| p.then(&a.motion(value(&m.rest, j))));

@@ -77,11 +77,7 @@ impl SweepFit {
 
     /// The axis.
     pub fn axis(&self) -> AxisLine {
-        AxisLine {
-            direction: self.frame.axis(2),
-            point_mm: self.frame.translation_mm,
-            prismatic: self.prismatic,
-        }
+        AxisLine { direction: self.frame.axis(2), point_mm: self.frame.translation_mm, prismatic: self.prismatic }
     }
 
     /// Frame of the fit after small changes of the parameters of the axis.
@@ -268,10 +264,11 @@ fn constants(p: Vector, prismatic: bool) -> [f64; 2] {
 /// Distances of readings from the median path of their target about a frame.
 fn deviations(readings: &[SweepReading], targets: &[usize], pose: &Pose, prismatic: bool) -> Vec<f64> {
     let inverse = pose.inverse();
-    let held: Vec<[f64; 2]> =
-        readings.iter().map(|r| constants(inverse.apply(r.position_mm), prismatic)).collect();
+    let held: Vec<[f64; 2]> = readings.iter().map(|r| constants(inverse.apply(r.position_mm), prismatic)).collect();
     let of_target = |t: usize| {
-        [0, 1].map(|k| median(readings.iter().zip(&held).filter(|(r, _)| r.target == t).map(|(_, h)| h[k])).unwrap_or_default())
+        [0, 1].map(|k| {
+            median(readings.iter().zip(&held).filter(|(r, _)| r.target == t).map(|(_, h)| h[k])).unwrap_or_default()
+        })
     };
     let medians: Vec<[f64; 2]> = targets.iter().map(|t| of_target(*t)).collect();
     let deviation = |(r, h): (&SweepReading, &[f64; 2])| {
