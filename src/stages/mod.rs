@@ -33,6 +33,7 @@ pub mod remedies;
 pub mod repeats;
 mod resolution;
 pub mod solved;
+pub mod sweeps;
 pub(crate) mod table_file;
 pub mod tool;
 mod undescribed;

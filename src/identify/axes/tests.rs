@@ -238,7 +238,7 @@ fn a_target_near_the_axis_has_its_uncertainty() {
 
 #[test]
 fn slips_are_named_and_sound_sweeps_are_not() {
-    for trial in 0..20 {
+    for trial in 0..6 {
         let mut noise = Noise::new(50, trial);
         let arm = Arm::drawn(&mut noise, 4, 2, false);
         let rest = [0.2, -0.3, 0.1, 0.4];

@@ -929,6 +929,104 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 
 clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
+sweep-joint-unknown = `{ $joint }` ist kein Gelenk dieser Messreihen
+    .expected = { $known }
+
+sweep-order-missing = die Reihenfolge der Gelenke { $joints } von der Basis aus ist unbekannt
+    .hint = sie angeben: --joints NAME,...
+
+sweep-joint-column-twice = zwei Spalten haben Werte des Gelenks `{ $joint }`
+    .hint = eine davon entfernen
+
+sweep-values-partial = Gelenkwerte sind unvollständig
+    .expected = Werte aller Gelenke in jeder Zeile oder in keiner Zeile einer Messreihe
+    .hint = eine Zeile ohne bewegtes Gelenk ist eine Prüfpose und braucht die Werte aller Gelenke
+
+sweep-sign-by-values = die Gelenkwerte geben die Richtung jeder Messreihe an
+    .hint = --backwards weglassen
+
+sweep-other-joint = in der Messreihe von `{ $joint }` bewegt sich `{ $moved }`, `{ $joint }` ruht
+    .hint = die Spalte `joint` oder die Überschriften der Gelenkwerte berichtigen
+
+sweep-two-joints = in der Messreihe von `{ $joint }` bewegt sich auch `{ $also }`, um { $by }
+    .hint = die Messreihe wiederholen, während alle anderen Gelenke ruhen
+
+sweep-by-angle = { FIXED($by, 3) } Grad
+
+sweep-by-length = { FIXED($by, 3) } mm
+
+sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte von `{ $joint }`
+    .hint = { $unit ->
+            [deg-as-rad] die Werte sind Grad und werden als Radiant gelesen: die Überschrift berichtigen
+            [rad-as-deg] die Werte sind Radiant und werden als Grad gelesen: die Überschrift berichtigen
+            [inch-as-mm] die Werte sind Zoll und werden als Millimeter gelesen
+            [m-as-mm] die Werte sind Meter und werden als Millimeter gelesen: die Überschrift berichtigen
+            [mm-as-m] die Werte sind Millimeter und werden als Meter gelesen: die Überschrift berichtigen
+           *[none] die Einheit der Spalte berichtigen oder den Gelenkwert aus dem des Motors berechnen
+        }
+
+sweep-target-moved = Zielmarke `{ $target }` hat sich in der Messreihe von `{ $joint }` vor Zeile { $row } bewegt: Abweichung von ihrer Bahn { FIXED($before_um, 1) } um, mit der Bewegung { FIXED($after_um, 1) } um
+    .hint = die Messreihe wiederholen oder die Zielmarke ab dieser Zeile anders nennen
+
+sweep-many-foreign = { $aside } von { $readings } Messwerten der Messreihe von `{ $joint }` liegen nicht auf der Bahn der anderen
+    .hint = nach einem zweiten bewegten Gelenk oder nach Zeilen einer anderen Messreihe suchen
+
+sweep-foreign = { $count ->
+        [one] 1 Messwert der Messreihe von `{ $joint }` ist
+       *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind
+    } beiseitegelegt: Zeile { $lines }
+    .hint = sie liegen weit von der Bahn aller anderen
+
+sweep-smooth = in der Messreihe von `{ $joint }` verlassen die Zielmarken ihre Bahn stetig um { FIXED($rms_um, 1) } um (quadratisches Mittel); von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } um; die Unsicherheit der Achse ist zu klein
+    .hint = prüfen, ob alle anderen Gelenke ruhten, und mit dem Schlag des Lagers vergleichen
+
+sweep-weak = die Richtung der Achse von `{ $joint }` hat eine Standardunsicherheit von { FIXED($u_mrad, 2) } mrad
+    .hint = einen längeren Bogen, eine Zielmarke weiter von der Achse oder mehr Zielmarken messen
+
+sweep-unit = alle Zielmarken liegen innerhalb von { FIXED($radius_mm, 3) } mm um die Achsen: stimmt die Einheit der Koordinaten?
+    .hint = wo nicht, die Spalten berechnen: --column "x_mm=x*1000"
+
+sweep-few = die Messreihe von `{ $joint }` hat { $readings } Messwerte und braucht { $needed }
+    .hint = mehr Messwerte aufnehmen; einige mehr als nötig ergeben eine Unsicherheit
+
+sweep-undetermined = die Messwerte der Messreihe von `{ $joint }` bestimmen keine Achse
+    .hint = einen längeren Bogen oder eine Zielmarke weiter von der Achse messen; ein Schubgelenk wird mit --prismatic angegeben
+
+sweep-joint-missing = { $count ->
+        [one] Gelenk { $joints } hat keine Messreihe
+       *[other] Gelenke { $joints } haben keine Messreihe
+    }: es gibt keine robot.toml
+    .hint = von jedem Gelenk eine Messreihe aufnehmen
+
+sweep-starts-apart = die Messreihen von `{ $first }` und `{ $second }` beginnen an Zielmarke `{ $target }` { FIXED($gap_mm, 3) } mm voneinander: es gibt keine robot.toml
+    .hint = jede Messreihe in derselben Pose mit der Zielmarke an ihrem Platz beginnen oder Spalten der Gelenkwerte ergänzen
+
+sweep-target-unswept = eine Zielmarke ist in keiner Messreihe: es gibt keine robot.toml
+    .hint = in Prüfposen Zielmarken der Messreihen verwenden
+
+sweeps-exchanged = `{ $first }` und `{ $second }` sind vertauscht: Positionen weichen wie angegeben um { FIXED($stated_mm, 3) } mm ab (quadratisches Mittel), mit vertauschten Gelenken um { FIXED($left_mm, 3) } mm
+    .hint = ihre Namen in der Spalte `joint` und in den Überschriften vertauschen
+
+sweep-reversed = `{ $joint }` wurde in negativer Richtung bewegt: Prüfposen weichen wie angegeben um { FIXED($stated_mm, 3) } mm ab (quadratisches Mittel), mit anderem Vorzeichen um { FIXED($left_mm, 3) } mm
+    .hint = es angeben: --backwards { $joint }
+
+sweeps-disagree = { $what ->
+        [checks] Prüfposen weichen vom Roboter um bis zu { FIXED($distance_mm, 3) } mm ab
+       *[sweeps] die Messreihen widersprechen einander um bis zu { FIXED($distance_mm, 3) } mm
+    } (Standardunsicherheit { FIXED($u_mm, 4) } mm)
+    .hint = den Sitz der Zielmarken und die Gelenkwerte prüfen; der Roboter ist ein Anfang für `etalon identify` und `etalon run`
+
+table-base-not-held = die Tabelle hat ihre eigene Basis, gedreht um { FIXED($angle_deg, 4) } Grad und verschoben um { FIXED($shift_mm, 4) } mm
+    .hint = die Basis identifizieren oder `poe` verwenden
+
+table-flange-not-held = die Tabelle hat ihren eigenen Flansch, gedreht um { FIXED($angle_deg, 4) } Grad und verschoben um { FIXED($shift_mm, 4) } mm
+    .hint = die Zielmarken identifizieren oder `poe` verwenden
+
+table-tilt-not-held = die Tabelle nimmt { $joint ->
+        [none] zwei Achsen
+       *[other] die Achsen am Glied von `{ $joint }`
+    } als parallel: { FIXED($angle_mrad, 4) } mrad zwischen ihnen sind nicht enthalten
+    .hint = `etalon identify` bestimmt beta; `poe` enthält es
 row-excluded = ausgeschlossen: { $reason }
 row-at-origin = nicht gemessen: 0 0 0
 row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste zählt

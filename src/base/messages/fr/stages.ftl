@@ -932,6 +932,104 @@ clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune 
 
 clock-rate-none = aucun décalage des horloges, même avec une dérive jusqu’à ± { $most_ppm } ppm, ne place tous les points mesurés dans des arrêts du journal
     .hint = vérifier si le journal est celui de cette mesure, et supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique
+sweep-joint-unknown = `{ $joint }` n’est pas une articulation de ces balayages
+    .expected = { $known }
+
+sweep-order-missing = l’ordre des articulations { $joints } à partir de la base est inconnu
+    .hint = l’indiquer : --joints NOM,...
+
+sweep-joint-column-twice = deux colonnes donnent des valeurs de l’articulation `{ $joint }`
+    .hint = en supprimer une
+
+sweep-values-partial = les valeurs articulaires sont incomplètes
+    .expected = les valeurs de toutes les articulations à chaque ligne, ou à aucune ligne d’un balayage
+    .hint = une ligne sans articulation balayée est une pose de contrôle et exige les valeurs de toutes les articulations
+
+sweep-sign-by-values = les valeurs articulaires donnent le sens de chaque balayage
+    .hint = omettre --backwards
+
+sweep-other-joint = `{ $moved }` bouge dans le balayage de `{ $joint }`, qui est au repos
+    .hint = corriger la colonne `joint` ou les en-têtes des valeurs articulaires
+
+sweep-two-joints = dans le balayage de `{ $joint }`, `{ $also }` bouge aussi, de { $by }
+    .hint = refaire le balayage avec toutes les autres articulations au repos
+
+sweep-by-angle = { FIXED($by, 3) } deg
+
+sweep-by-length = { FIXED($by, 3) } mm
+
+sweep-ratio = les cibles se déplacent de { FIXED($ratio, 5) } × les valeurs de `{ $joint }`
+    .hint = { $unit ->
+            [deg-as-rad] les valeurs sont en degrés et lues en radians : corriger l’en-tête
+            [rad-as-deg] les valeurs sont en radians et lues en degrés : corriger l’en-tête
+            [inch-as-mm] les valeurs sont en pouces et lues en millimètres
+            [m-as-mm] les valeurs sont en mètres et lues en millimètres : corriger l’en-tête
+            [mm-as-m] les valeurs sont en millimètres et lues en mètres : corriger l’en-tête
+           *[none] corriger l’unité de la colonne, ou calculer la valeur articulaire à partir de celle du moteur
+        }
+
+sweep-target-moved = la cible `{ $target }` a bougé dans le balayage de `{ $joint }` avant la ligne { $row } : écart à sa trajectoire { FIXED($before_um, 1) } um, { FIXED($after_um, 1) } um avec le déplacement
+    .hint = refaire le balayage, ou donner un autre nom à la cible à partir de cette ligne
+
+sweep-many-foreign = { $aside } mesures sur { $readings } du balayage de `{ $joint }` ne sont pas sur la trajectoire des autres
+    .hint = chercher une deuxième articulation qui bouge, ou des lignes d’un autre balayage
+
+sweep-foreign = { $count ->
+        [one] 1 mesure du balayage de `{ $joint }` est écartée
+       *[other] { $count } mesures du balayage de `{ $joint }` sont écartées
+    } : ligne { $lines }
+    .hint = elles sont loin de la trajectoire de toutes les autres
+
+sweep-smooth = dans le balayage de `{ $joint }`, les cibles quittent leur trajectoire de { FIXED($rms_um, 1) } um (moyenne quadratique) de façon continue ; d’une mesure à l’autre le bruit est de { FIXED($noise_um, 1) } um ; l’incertitude de l’axe est trop petite
+    .hint = vérifier que toutes les autres articulations étaient au repos, et comparer avec le faux-rond du palier
+
+sweep-weak = la direction de l’axe de `{ $joint }` a une incertitude-type de { FIXED($u_mrad, 2) } mrad
+    .hint = mesurer un arc plus long, une cible plus éloignée de l’axe, ou plus de cibles
+
+sweep-unit = toutes les cibles sont à moins de { FIXED($radius_mm, 3) } mm des axes : l’unité des coordonnées est-elle juste ?
+    .hint = sinon, calculer les colonnes : --column "x_mm=x*1000"
+
+sweep-few = le balayage de `{ $joint }` a { $readings } mesures, il en faut { $needed }
+    .hint = prendre plus de mesures ; quelques-unes de plus donnent une incertitude
+
+sweep-undetermined = les mesures du balayage de `{ $joint }` ne déterminent aucun axe
+    .hint = mesurer un arc plus long ou une cible plus éloignée de l’axe ; une articulation prismatique s’indique par --prismatic
+
+sweep-joint-missing = { $count ->
+        [one] l’articulation { $joints } n’a pas de balayage
+       *[other] les articulations { $joints } n’ont pas de balayage
+    } : il n’y a pas de robot.toml
+    .hint = mesurer un balayage de chaque articulation
+
+sweep-starts-apart = les balayages de `{ $first }` et `{ $second }` commencent à { FIXED($gap_mm, 3) } mm l’un de l’autre pour la cible `{ $target }` : il n’y a pas de robot.toml
+    .hint = commencer chaque balayage à la même pose avec la cible à sa place, ou ajouter les colonnes de valeurs articulaires
+
+sweep-target-unswept = une cible n’est dans aucun balayage : il n’y a pas de robot.toml
+    .hint = utiliser les cibles des balayages dans les poses de contrôle
+
+sweeps-exchanged = `{ $first }` et `{ $second }` sont permutées : les positions diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) telles qu’indiquées, et de { FIXED($left_mm, 3) } mm avec les articulations permutées
+    .hint = permuter leurs noms dans la colonne `joint` et dans les en-têtes
+
+sweep-reversed = `{ $joint }` a été balayée dans le sens négatif : les poses de contrôle diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) telles qu’indiquées, et de { FIXED($left_mm, 3) } mm avec l’autre signe
+    .hint = l’indiquer : --backwards { $joint }
+
+sweeps-disagree = { $what ->
+        [checks] les poses de contrôle diffèrent du robot de { FIXED($distance_mm, 3) } mm au plus
+       *[sweeps] les balayages se contredisent de { FIXED($distance_mm, 3) } mm au plus
+    } (incertitude-type { FIXED($u_mm, 4) } mm)
+    .hint = vérifier le siège des cibles et les valeurs articulaires ; le robot est un départ pour `etalon identify` et `etalon run`
+
+table-base-not-held = le tableau a sa propre base, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
+    .hint = identifier la base, ou utiliser `poe`
+
+table-flange-not-held = le tableau a sa propre bride, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
+    .hint = identifier les cibles, ou utiliser `poe`
+
+table-tilt-not-held = le tableau prend { $joint ->
+        [none] deux axes
+       *[other] les axes du segment de `{ $joint }`
+    } pour parallèles : { FIXED($angle_mrad, 4) } mrad entre eux ne sont pas représentés
+    .hint = `etalon identify` trouve bêta ; `poe` le représente
 row-excluded = exclue : { $reason }
 row-at-origin = non mesuré : 0 0 0
 row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
