@@ -19,7 +19,7 @@ const QUOTED: [&str; 6] = [
 ];
 
 /// Folders of `src` whose code has no sentence at all. The others write programs, templates and help of keys.
-const WITHOUT_SENTENCES: [&str; 7] = ["compare", "documents", "fit", "identify", "report", "run", "stages"];
+const WITHOUT_SENTENCES: [&str; 5] = ["compare", "documents", "fit", "identify", "run"];
 
 /// Calls in a file.
 #[derive(Debug, Default, PartialEq)]
