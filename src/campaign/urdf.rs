@@ -82,8 +82,8 @@ pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     problems.check().map(|_| Urdf { tree: Arc::new(tree), name: file.to_owned(), places })
 }
 
-/// An error about macros, with the command that expands them.
-/// The text with blanks in place of its comments, so that places stay.
+/// Returns an error about macros, with the command that expands them; otherwise the text with
+/// blanks in place of its comments, so that places are unchanged.
 fn without_comments(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;

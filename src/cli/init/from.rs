@@ -14,13 +14,13 @@ pub(super) struct RobotFiles {
     pub files: Vec<(String, Vec<u8>)>,
     /// `q1_deg`, `lift_m` ...
     pub joints: Vec<String>,
-    /// Targets that the robot has by itself.
+    /// Targets that belong to the robot model.
     pub targets: Vec<String>,
     /// As the campaign states them.
     pub controllers: &'static str,
 }
 
-/// A file and what is proposed of it.
+/// A file and its proposal.
 struct Part {
     path: PathBuf,
     name: String,
@@ -193,7 +193,7 @@ impl Part {
         self.columns().iter().any(|name| name.starts_with(of)) || self.lines.contains(&format!("{{{of}}}"))
     }
 
-    /// Replaces what a proposal cannot know of targets: a name, or the form of the labels.
+    /// Completes the unknown parts of a proposal about targets: a name, or the form of the labels.
     fn name_targets(&mut self, targets: &mut Vec<String>) {
         let mut add = |name: String| {
             if !targets.contains(&name) {

@@ -49,7 +49,7 @@ axis-unknown = the robot has no axis `{ $axis }`
     .hint = use a joint of the robot, or x_mm, y_mm, z_mm
 
 # Means: Cartesian axes and joints are mixed in one table.
-# Matters: A table is over positions of the tool or over joints.
+# Matters: The positions of a table are those of the tool or of joints.
 # Do: Use one kind.
 # Example: `--axis x_mm=0:100:10 --axis q1_deg=0:90:10`
 axes-mixed = the axes of a table are either Cartesian (x_mm, y_mm, z_mm) or joints

@@ -95,7 +95,7 @@ corner-in-central-part = the central part of the path holds a corner at { FIXED(
 zone-proved-locally = the minimum zone is proved to be the narrowest only among neighbouring elements ({ $element })
     .hint = compare its form deviation with that of the least-squares fit
 
-# Means: It was not proved that the found zone is the narrowest.
+# Means: The zone found was not proved to be the narrowest.
 # Matters: The true form deviation may be smaller.
 # Do: Measure more of the surface.
 # Example: points that hardly show the element

@@ -29,7 +29,7 @@ rigid-targets = a rigid part needs two or more targets, each named once
 limit-not-positive = `{ $key }` must be a positive number
     .expected = { $key ->
             [drift_mm] the largest motion of a fixed target during the campaign, for example 0.02
-           *[tolerance_mm] the largest deviation of a distance from its median: some times its scatter, for example 0.1
+           *[tolerance_mm] the largest deviation of a distance from its median, a multiple of the scatter, for example 0.1
         }
 
 # Means: [[rigid]] states an uncertainty or coverage factor of `places_mm` without `places_mm`.
@@ -991,7 +991,7 @@ height-missing = observations of a spatial robot lack `z_mm`
 uncertainties-twice = the table states both standard uncertainties and covariances of coordinates
     .hint = remove `ux_mm`, `uy_mm`, `uz_mm`
 
-# Means: A row states the uncertainty of only some coordinates.
+# Means: A row states the uncertainties of only some coordinates.
 # Matters: Its weight is unknown.
 # Do: Complete the row, or leave all cells of its uncertainties empty.
 # Example: `ux_mm` without `uy_mm` in a row
