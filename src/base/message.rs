@@ -435,8 +435,8 @@ impl fmt::Display for Message {
     }
 }
 
-/// A character that is safe in a line of a terminal: controls are replaced, and marks that change
-/// the direction of a text (UAX #9), with which a name could leave its place.
+/// Replaces a character that is not safe in a line of a terminal: a control character, or a mark of
+/// the direction of text (UAX #9), which could move a name to another place in the line.
 pub fn printable_character(c: char) -> char {
     match c {
         '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{2028}' | '\u{2029}' => '\u{fffd}',

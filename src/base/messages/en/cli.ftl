@@ -369,7 +369,7 @@ report-folder-missing = no folder is stated
 # Matters: Its report and controller files are not those of this run.
 # Do: Do not load controller files from this folder: they belong to the earlier run.
 # Example: a run that stops at an error in campaign.toml
-earlier-run-left = nothing is written: `{ $report }` and the files beside it are of an earlier run
+earlier-run-left = nothing is written: `{ $report }` and the files beside it are from an earlier run
     .hint = do not load controller files from this folder: they belong to the earlier run
 
 # Means: There is no schema of this name.

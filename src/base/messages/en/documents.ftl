@@ -34,7 +34,7 @@ instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified
 # well.
 # Do: Use the values of each approach, which are listed separately.
 # Example: pose 1 attained from +x and from −x
-several-approaches = several approaches at pose { $poses }: AP, RP and their intervals are those of all visits together
+several-approaches = several approaches at pose { $poses }: AP, RP and their intervals include all visits
     .hint = use the values of each approach: values of all visits contain vAP, and their scatter is not Gaussian
 
 # Means: The recording has no complete pass of the commanded path.
@@ -102,7 +102,7 @@ zone-proved-locally = the minimum zone is proved to be the narrowest only among 
 zone-unproved = it was not proved that no other { $element } has a narrower zone
     .hint = measure more of the surface: the element is hardly visible in the scatter of the points
 
-hold-another = to hold another parameter of such a group, name it under `hold` in [identify]; by default the last one of the model is held
+hold-another = to hold another parameter of such a group, name it under `hold` in [identify]; by default the last of the group in the model is held
 
 set-up-origin = { $origin ->
         [unit] `unit` of the export
