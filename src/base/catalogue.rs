@@ -134,7 +134,7 @@ impl fmt::Display for Phrase {
 }
 
 impl Argument {
-    /// Text in a language, as it stands in lists.
+    /// Text in a language, in the form for lists.
     fn text(&self, language: &str) -> String {
         match self {
             Self::Whole(value) => value.to_string(),
@@ -394,7 +394,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// `true` if the entry is a message of its own, not a part of other texts.
+    /// `true` if the entry is a complete message rather than a part of other texts.
     pub fn is_message(&self) -> bool {
         !self.meaning.is_empty()
     }

@@ -66,7 +66,7 @@ pub struct Campaign {
     pub folder: PathBuf,
     /// Path of `campaign.toml`.
     pub location: PathBuf,
-    /// Path of `campaign.toml` in messages, with replacement characters where it is not UTF-8.
+    /// Path of `campaign.toml` in messages, with replacement characters if it is not UTF-8.
     pub path: String,
     /// Text of `campaign.toml`.
     pub text: String,
@@ -272,7 +272,7 @@ impl Campaign {
     }
 }
 
-/// The first line that a proposal leaves open: a value `"?"`, or a joint in `UNIT`.
+/// The first incomplete line of a proposal: a value `"?"`, or a joint in `UNIT`.
 fn open_question(name: &str, text: &str) -> Option<etalon_base::message::Message> {
     let open = |line: &str| {
         let stated = line.split(" #").next().unwrap_or(line);
@@ -332,7 +332,7 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 }
 
 /// Reads the text of a robot.toml. `path` stands for its file: messages name it, and a URDF is
-/// looked for beside it.
+/// expected beside it.
 ///
 /// # Errors
 /// Those of [`read_robot`].

@@ -122,7 +122,7 @@ impl CampaignFile {
         Some(self.join.as_ref()?.by)
     }
 
-    /// Targets that `[join]` names; empty if it names none.
+    /// Targets named in `[join]`; empty if none are named.
     pub fn join_targets(&self) -> impl Iterator<Item = &Spanned<String>> + Clone {
         self.join.iter().flat_map(|join| join.targets.iter().flatten())
     }
@@ -268,14 +268,14 @@ pub struct ObservationsDefinition {
     /// Filter of the rows: rows with one of these cells in one of these columns are left out.
     #[serde(default)]
     pub without: BTreeMap<String, Cells>,
-    /// Coverage factor of the columns of uncertainties, where they are expanded.
+    /// Coverage factor of the columns of uncertainties, if they are expanded.
     pub coverage_factor: Option<f64>,
     /// Kind of all observations, for a table without the column.
     pub kind: Option<String>,
     /// Target of all rows, for a table without the column.
     pub target: Option<String>,
-    /// `row`: the number of the data row is the number of the pose, for a table without such a
-    /// column; `row + 100` adds an offset.
+    /// Pose number from the number of the data row, for a table without the column: `row`, or `row
+    /// + 100` with an offset.
     pub pose: Option<FromRow>,
     /// Order of the rotations by the three angles of an orientation (columns `a_deg`, `b_deg`,
     /// `c_deg`): successively about the axes of the body or, with `fixed`, about those of the
@@ -285,7 +285,7 @@ pub struct ObservationsDefinition {
 }
 
 impl ObservationsDefinition {
-    /// Key beside `sheet` that does not apply to a workbook.
+    /// Key that does not apply to a workbook, stated beside `sheet`.
     pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
         meaningless_beside_sheet(self.sheet.as_deref(), (self.delimiter, self.decimal, self.encoding))
     }
@@ -690,7 +690,7 @@ pub struct Limits {
     pub surface_max_mm: Option<f64>,
     /// Largest distance of a target from the socket that it touches.
     pub contact_max_mm: Option<f64>,
-    /// Largest error of a coordinate that was measured by itself.
+    /// Largest error of a coordinate that was measured singly.
     pub coordinate_max_mm: Option<f64>,
     /// Largest repeatability RP of all poses.
     pub repeatability_max_mm: Option<f64>,

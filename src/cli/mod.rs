@@ -278,7 +278,7 @@ fn say(text: impl Display) {
     progress::beside(|| drop(writeln!(std::io::stderr().lock(), "{text}")));
 }
 
-/// Says on stderr which command comes next; a program that asked for JSON is told nothing.
+/// Names the next command on stderr, unless the caller asked for JSON.
 fn next_step(json: bool, step: impl Display) {
     if !json {
         say(format_args!("next: {step}"));

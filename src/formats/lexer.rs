@@ -13,7 +13,7 @@ use std::borrow::Cow;
 pub(crate) struct Row<'t> {
     /// Line in the file, from 1.
     pub line: usize,
-    /// The line itself.
+    /// Text of the line before it is split.
     pub text: &'t str,
     /// The fields.
     pub fields: Vec<Cow<'t, str>>,

@@ -63,13 +63,13 @@ pub struct RobustComparison {
     pub values: Vec<f64>,
     /// The identified parameters, in their order.
     pub changes: Vec<RobustChange>,
-    /// Limit of a difference over its standard uncertainty that no parameter of a correct model
-    /// exceeds with a probability of 99 %.
+    /// Limit of a difference over its standard uncertainty. With a correct model no parameter
+    /// exceeds this limit, with a probability of 99 %.
     pub critical: f64,
     /// The poses, in ascending order of their weight.
     pub poses: Vec<PoseWeight>,
-    /// Limit of a residual over σ that no residual of a correct model exceeds with a probability of
-    /// 99 %.
+    /// Limit of a residual over σ. With a correct model no residual exceeds this limit, with a
+    /// probability of 99 %.
     pub critical_residual: f64,
     /// Standard deviation σ (mm) of a coordinate from most residuals, or the stated one if that is
     /// larger.

@@ -67,7 +67,7 @@ no-target = a spatial robot needs at least one target
 # Matters: Its parameters would have the same names as those of the robot's base.
 # Do: Give the target another name.
 # Example: a label `base_1_1` read as `{target}_{pose}_{cycle}`
-target-called-base = a target must not be called `base`: its parameters would have the names of those of the robot's base
+target-called-base = a target must not be called `base`: its parameters would have the same names as parameters of the robot's base
     .hint = give the target another name in label or columns
 
 # Means: A key that needs a positive number has zero, a negative number or NaN.
@@ -384,10 +384,10 @@ toml-invalid = { $reason }
 # Matters: Usually the header of a table is missing before the second key.
 # Do: Begin each table of a list with its header in double brackets.
 # Example: two joints under one [[joint]]
-table-key-twice = this table has the key twice{ $more ->
+table-key-twice = this table has this key twice{ $more ->
         [0] {""}
-        [one] , and 1 key after it
-       *[other] , and { $more } keys after it
+        [one] , and repeats 1 further key
+       *[other] , and repeats { $more } further keys
     }
     .hint = begin each table of a list with its header in double brackets, like `[[joint]]`: is a header missing before this key?
 

@@ -60,7 +60,7 @@ axis-unknown = the robot has no axis `{ $axis }`
     .hint = use a joint of the robot, or x_mm, y_mm, z_mm
 
 # Means: Cartesian axes and joints are mixed in one table.
-# Matters: A table is over positions of the tool or over joints.
+# Matters: The positions of a table are those of the tool or of joints.
 # Do: Use one kind.
 # Example: `--axis x_mm=0:100:10 --axis q1_deg=0:90:10`
 axes-mixed = the axes of a table are either Cartesian (x_mm, y_mm, z_mm) or joints
@@ -380,7 +380,7 @@ report-folder-missing = no folder is stated
 # Matters: Its report and controller files are not those of this run.
 # Do: Do not load controller files from this folder: they belong to the earlier run.
 # Example: a run that stops at an error in campaign.toml
-earlier-run-left = nothing is written: `{ $report }` and the files beside it are of an earlier run
+earlier-run-left = nothing is written: `{ $report }` and the files beside it are from an earlier run
     .hint = do not load controller files from this folder: they belong to the earlier run
 
 # Means: There is no schema of this name.

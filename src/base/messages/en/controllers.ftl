@@ -29,7 +29,7 @@ format-for-other-robots = format `{ $format }` cannot describe a robot of `model
 format-too-many-joints = the robot has { $joints } joints, format `{ $format }` has { $most }
 
 # Means: The URDF file is not well-formed XML.
-# Matters: The identified errors cannot be written into its origins.
+# Matters: The identified errors cannot be written into the origins of its joints.
 # Do: Correct the file with an XML editor.
 # Example: a `<joint>` element without its end tag
 urdf-malformed = `{ $file }` is not well-formed XML

@@ -34,7 +34,7 @@ instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified
 # well.
 # Do: Use the values of each approach, which are listed separately.
 # Example: pose 1 attained from +x and from −x
-several-approaches = several approaches at pose { $poses }: AP, RP and their intervals are those of all visits together
+several-approaches = several approaches at pose { $poses }: AP, RP and their intervals include all visits
     .hint = use the values of each approach: values of all visits contain vAP, and their scatter is not Gaussian
 
 # Means: The recording has no complete pass of the commanded path.
@@ -95,14 +95,14 @@ corner-in-central-part = the central part of the path holds a corner at { FIXED(
 zone-proved-locally = the minimum zone is proved to be the narrowest only among neighbouring elements ({ $element })
     .hint = compare its form deviation with that of the least-squares fit
 
-# Means: It was not proved that the found zone is the narrowest.
+# Means: The zone found was not proved to be the narrowest.
 # Matters: The true form deviation may be smaller.
 # Do: Measure more of the surface.
 # Example: points that hardly show the element
 zone-unproved = it was not proved that no other { $element } has a narrower zone
     .hint = measure more of the surface: the element is hardly visible in the scatter of the points
 
-hold-another = to hold another parameter of such a group, name it under `hold` in [identify]; by default the last one of the model is held
+hold-another = to hold another parameter of such a group, name it under `hold` in [identify]; by default the last of the group in the model is held
 
 set-up-origin = { $origin ->
         [unit] `unit` of the export

@@ -534,7 +534,7 @@ several-data-sets = a second `{ $record }`: the file has several data sets
 # Matters: The file was cut off, or combined from several files.
 # Do: Export the file again.
 # Example: `K2002/7` after `K0100 6`
-characteristic-beyond-count = there is no characteristic { $index }: K0100 states { $count }
+characteristic-beyond-count = characteristic { $index } does not exist: the number of characteristics in K0100 is { $count }
     .hint = export the file again: it was edited or combined from several files
 
 # Means: Values of a characteristic are missing before this one.
@@ -555,7 +555,8 @@ coordinate-counts-differ = `{ $name }` has { $found ->
     .hint = export values that were not measured with the attribute 255 (K0002)
 
 # Means: `METRIC` is in the first line, outside of columns 11 to 16.
-# Matters: The position of the word means inches (rule of PC-DMIS), the word itself millimetres.
+# Matters: PC-DMIS reads the unit from the columns of the word, which mean inches here; the word
+# means millimetres.
 # Do: Find out the unit from the author of the file, then correct line 1.
 # Example: `XYZIJK METRIC` with one blank
 metric-misplaced = `METRIC` is outside of columns 11 to 16: the unit is ambiguous (inch or mm)

@@ -176,7 +176,7 @@ readings-weighted = { $own } of { $readings } readings are weighted by their own
 # Matters: The part has changed since its positions were determined, or two targets are exchanged.
 # Do: Check unit and names of the stated positions, and whether the part was changed.
 # Example: stated positions in inches
-rigid-part-contradicted = { $places } of { $targets } contradict the measurements beyond their uncertainty: `{ $first }` to `{ $second }` is { FIXED($found_mm, 4) } mm { $by ->
+rigid-part-contradicted = { $places } of { $targets } contradict the measurements beyond their uncertainty: the distance from `{ $first }` to `{ $second }` is { FIXED($found_mm, 4) } mm { $by ->
         [identification] identified without them
        *[measurement] measured
     }, { FIXED($stated_mm, 4) } mm stated

@@ -401,7 +401,7 @@ foreign-file = `{ $file }` would be overwritten, but no run wrote it
     .hint = move it to another folder, or state another `output` in campaign.toml
 
 # Means: An input file changed while the campaign was run.
-# Matters: Results would be those of two different states of the file. Nothing is written.
+# Matters: Results would combine two states of the file. Nothing is written.
 # Do: Run the campaign again when the file is complete.
 # Example: an export that the measuring program writes during the run
 input-changed = `{ $file }` changed while the campaign was run

@@ -167,7 +167,7 @@ campaign-not-synthetic = the campaign does not state that it is synthetic: its f
 # Matters: Further digits are rounding errors.
 # Do: State fewer decimals.
 # Example: `decimals = 30`
-truth-decimals = a number does not have { $decimals } decimals
+truth-decimals = { $decimals } decimals exceed the precision of a number
     .expected = 0 to { $most }
 
 # Means: One file of the campaign has joints and points.

@@ -29,7 +29,7 @@ rigid-targets = a rigid part needs two or more targets, each named once
 limit-not-positive = `{ $key }` must be a positive number
     .expected = { $key ->
             [drift_mm] the largest motion of a fixed target during the campaign, for example 0.02
-           *[tolerance_mm] the largest deviation of a distance from its median: some times its scatter, for example 0.1
+           *[tolerance_mm] the largest deviation of a distance from its median, a multiple of the scatter, for example 0.1
         }
 
 # Means: [[rigid]] states an uncertainty or coverage factor of `places_mm` without `places_mm`.
@@ -534,7 +534,7 @@ clock-offset-none = no offset of the clocks puts every measured point into a sta
 range-of-seconds = { FIXED($low_s, 3) } to { FIXED($high_s, 3) } s
 
 # Means: Several offsets of the clocks put every measured point into a standstill.
-# Matters: With all but one of them, points would be joined with the wrong pose.
+# Matters: Only one of these offsets is right; with any other, points are joined with a wrong pose.
 # Do: Compare the clocks once and state `clock_offset_s` as a number.
 # Example: standstills at equal intervals
 clock-offsets-several = the standstills allow { $count } ranges of the clock offset, the first: { $ranges }
@@ -991,7 +991,7 @@ height-missing = observations of a spatial robot lack `z_mm`
 uncertainties-twice = the table states both standard uncertainties and covariances of coordinates
     .hint = remove `ux_mm`, `uy_mm`, `uz_mm`
 
-# Means: A row states the uncertainty of only some coordinates.
+# Means: A row states the uncertainties of only some coordinates.
 # Matters: Its weight is unknown.
 # Do: Complete the row, or leave all cells of its uncertainties empty.
 # Example: `ux_mm` without `uy_mm` in a row
@@ -1159,7 +1159,7 @@ orientation-slip = { $slip ->
 
 slip-leaves = with { $slip } by { FIXED($left_deg, 2) } deg
 
-check-slips = they differ { $slips }: check that first
+check-slips = the orientations differ { $slips }: check that first
 
 # Means: Observed orientations differ from those of the robot by more than errors of the joints
 # explain.
@@ -1859,7 +1859,7 @@ value-beyond-tolerance = `{ $parameter }` = { $unit ->
 
 # Means: The data alone put parameters beyond their stated tolerance, by more than twice their
 # standard uncertainty.
-# Matters: A real robot is not built so: a sign, unit, order of joints, nominal value or frame is
+# Matters: No real robot deviates so far: a sign, unit, order of joints, nominal value or frame is
 # wrong. The parameters must not reach a controller.
 # Do: Check signs, units and order of the joints, the nominal values, and the frames; if the robot
 # has larger tolerances, state `tolerance` in the robot file.
