@@ -190,8 +190,10 @@ impl ByOptions {
             _ if self.plan => self.layout.run(self.json),
             (_, Some(table), _) => compliance(TableFile::read(table)?, self.json),
             (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
-            (.., Some(poses)) => self.pose.run((poses, commanded), &TableFile::read, self.seed, self.json),
-            _ => Err(Problems::from(error!("nothing-to-evaluate")).into()),
+            (.., poses) => {
+                let poses = poses.as_deref().unwrap_or(Path::new("")); // clap requires one of these
+                self.pose.run((poses, commanded), &TableFile::read, self.seed, self.json)
+            }
         }
     }
 }

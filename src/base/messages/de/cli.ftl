@@ -135,9 +135,6 @@ iso230-no-rows = die Tabelle hat keine Zeilen
 iso230-few-runs = Position { $position } mm hat weniger als zwei Läufe in Richtung { $direction }
     .expected = Läufe von beiden Seiten, fünf nach ISO 230-2
 
-nothing-to-evaluate = nichts zum Auswerten ist angegeben
-    .hint = Posen, Aufzeichnung oder Lasten angeben: `etalon iso9283 --help`
-
 drift-set-too-small = { $option } muss mindestens 2 sein
     .hint = die Zahl der Zyklen eines Satzes angeben
 
@@ -156,9 +153,6 @@ table-quaternion-length = die Quaternion hat die Länge { FIXED($length, 4) }
 
 not-a-report = `{ $file }` endet nicht wie ein Bericht
     .expected = eine Datei, die auf { $endings } endet
-
-report-folder-missing = kein Ordner ist angegeben
-    .hint = den Ausgabeordner eines Laufs angeben
 
 earlier-run-left = nichts ist geschrieben: `{ $report }` und die Dateien daneben sind von einem früheren Lauf
     .hint = seine Steuerungsdateien nicht laden, als wären sie von diesem

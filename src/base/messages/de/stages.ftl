@@ -136,9 +136,6 @@ exclusion-matches-nothing = { $of ->
     }
     .hint = den Ausschluss berichtigen oder entfernen
 
-join-missing = Exporte und Protokolle brauchen [join]
-    .hint = `by` in [join] angeben: "pose", "pose_and_cycle", "row", "time" oder "label"
-
 join-by-time-empty = kein Messpunkt hat ein Gegenstück in Protokoll `{ $log }`: die beiden nächsten Zeiten liegen { FIXED($apart_s, 3) } s auseinander
     .hint = Wert und Vorzeichen von `clock_offset_s` prüfen: Zeit der Messung minus Zeit des Protokolls
 
@@ -765,14 +762,10 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, Grenze { FIXED($l
 parameters-unstable = nicht stabil und festgehalten: Werte aus einem Teil der Posen weichen von denen aus allen ab, in Standardabweichungen der Differenz: { $parameters }
     .hint = nach Änderungen während der Messung suchen (Temperatur, eine bewegte Zielmarke, ein neu referenziertes Gelenk) und die Residuen ansehen
 
-hold-unknown = `hold` nennt `{ $pattern }`, das kein Parameter dieses Roboters ist
-
-residuals-pose-not-planar = `residuals = "pose"` ist für ebene Roboter, nicht für `{ $model }`
-    .hint = `residuals = "targets"` verwenden
-
 remedy = { $remedy ->
         [pose-uncertainty] sie angeben (--standard-uncertainty-um) oder Zielmarken vergleichen
         [contact-uncertainty] auch die Wiederholbarkeit des Kontakts angeben (--standard-uncertainty-um) und Zielmarken vergleichen
+        [compare-targets] `residuals = "targets"` verwenden
         [targets] Positionen seiner Zielmarken angeben: Zeilen der Art `point`
         [uncertainty] sie angeben (--standard-uncertainty-um)
         [own-uncertainties] Zielmarken vergleichen oder die Spalten der Unsicherheiten entfernen

@@ -118,7 +118,7 @@ cannot-encode = cannot write { $format }: { $reason }
 # Means: The text names no order of three angles.
 # Matters: Three angles turn a body differently in each order.
 # Do: State three axes in the order of the turns, with `fixed` for the axes of the world.
-# Example: `rotation = "zxz fixed"`
+# Example: `orientation = "zxz fixed"`
 angle-order-unknown = `{ $text }` is not an order of three angles
     .expected = "zyx", "xyz", "zyz" .. about the axes of the body, or "fixed xyz" .. about the axes of the world
 

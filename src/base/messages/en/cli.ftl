@@ -275,7 +275,7 @@ enclosing-minimum-zone = an { $element } has no minimum zone
 # Means: A stated uncertainty is not one of a coordinate in micrometres.
 # Matters: Uncertainties of all results follow from it.
 # Do: State expanded uncertainty over coverage factor, per coordinate, in µm.
-# Example: `--uncertainty-um 0.0027` for 2.7 µm
+# Example: `--standard-uncertainty-um 0.0027` for 2.7 µm
 uncertainty-implausible = { $option } is not an uncertainty of a coordinate in micrometres
     .hint = expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um
 
@@ -307,13 +307,6 @@ iso230-no-rows = the table has no rows
 # Example: one run from the negative side
 iso230-few-runs = position { $position } mm has fewer than two runs in direction { $direction }
     .expected = runs from either side, five by ISO 230-2
-
-# Means: `etalon iso9283` has no input.
-# Matters: There is nothing to evaluate.
-# Do: Name a table of poses, a recording or a table of loads.
-# Example: `etalon iso9283`
-nothing-to-evaluate = nothing to evaluate is stated
-    .hint = name poses, a recording or loads: `etalon iso9283 --help`
 
 # Means: `--drift-set` is smaller than two cycles.
 # Matters: Drift compares means and scatter of sets of cycles.
@@ -357,13 +350,6 @@ table-quaternion-length = the quaternion has the length { FIXED($length, 4) }
 # Example: `--report plan.docx`
 not-a-report = `{ $file }` does not end like a report
     .expected = a file that ends in { $endings }
-
-# Means: `etalon report` has no folder.
-# Matters: Reports are written from an output folder.
-# Do: Name the output folder of a run.
-# Example: `etalon report`
-report-folder-missing = no folder is stated
-    .hint = name the output folder of a run
 
 # Means: A run failed, and the output folder holds the results of an earlier one.
 # Matters: Its report and controller files are not those of this run.

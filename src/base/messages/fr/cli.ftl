@@ -135,9 +135,6 @@ iso230-no-rows = le tableau n’a pas de lignes
 iso230-few-runs = la position { $position } mm a moins de deux passages dans la direction { $direction }
     .expected = des passages des deux côtés, cinq selon l’ISO 230-2
 
-nothing-to-evaluate = rien à évaluer n’est indiqué
-    .hint = indiquer poses, enregistrement ou charges : `etalon iso9283 --help`
-
 drift-set-too-small = { $option } doit être au moins 2
     .hint = indiquer le nombre de cycles d’une série
 
@@ -156,9 +153,6 @@ table-quaternion-length = le quaternion a la norme { FIXED($length, 4) }
 
 not-a-report = `{ $file }` ne se termine pas comme un rapport
     .expected = un fichier qui se termine par { $endings }
-
-report-folder-missing = aucun dossier n’est indiqué
-    .hint = indiquer le dossier de sortie d’une exécution
 
 earlier-run-left = rien n’est écrit : `{ $report }` et les fichiers voisins sont d’une exécution antérieure
     .hint = ne pas charger ses fichiers de commande comme s’ils étaient de celle-ci

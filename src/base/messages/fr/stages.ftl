@@ -136,9 +136,6 @@ exclusion-matches-nothing = { $of ->
     }
     .hint = corriger l’exclusion, ou la supprimer
 
-join-missing = des exports et des journaux demandent [join]
-    .hint = indiquer `by` dans [join] : "pose", "pose_and_cycle", "row", "time" ou "label"
-
 join-by-time-empty = aucun point mesuré n’a de partenaire dans le journal `{ $log }` : les deux temps les plus proches sont distants de { FIXED($apart_s, 3) } s
     .hint = vérifier la valeur et le signe de `clock_offset_s` : temps de la mesure moins temps du journal
 
@@ -765,14 +762,10 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limite { FIXED($l
 parameters-unstable = non stables, et imposés : les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes, en écarts-types de la différence : { $parameters }
     .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et regarder les résidus
 
-hold-unknown = `hold` nomme `{ $pattern }`, qui n’est pas un paramètre de ce robot
-
-residuals-pose-not-planar = `residuals = "pose"` est pour les robots plans, pas pour `{ $model }`
-    .hint = utiliser `residuals = "targets"`
-
 remedy = { $remedy ->
         [pose-uncertainty] l’indiquer (--standard-uncertainty-um), ou comparer des cibles
         [contact-uncertainty] indiquer aussi la répétabilité du contact (--standard-uncertainty-um), et comparer des cibles
+        [compare-targets] utiliser `residuals = "targets"`
         [targets] donner les positions de ses cibles : des lignes de type `point`
         [uncertainty] l’indiquer (--standard-uncertainty-um)
         [own-uncertainties] comparer des cibles, ou supprimer les colonnes d’incertitudes
