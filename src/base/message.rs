@@ -433,8 +433,16 @@ pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Opt
     if wrong.len() > LONGEST_NAME {
         return None;
     }
-    let likeness = names.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name));
+    let names = names.into_iter().filter(|name| !are_other_letters(wrong, name));
+    let likeness = names.map(|name| (strsim::jaro_winkler(wrong, name), name));
     likeness.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(likeness, _)| *likeness > 0.8).map(|(_, name)| name)
+}
+
+/// `true` if names with one suffix begin with different single letters: `z_mm` is not a misspelt
+/// `y_mm`.
+fn are_other_letters(wrong: &str, name: &str) -> bool {
+    let letter = |name: &str| name.split('_').next().filter(|stem| stem.chars().count() == 1).map(str::to_lowercase);
+    letter(wrong).zip(letter(name)).is_some_and(|(a, b)| a != b)
 }
 
 impl fmt::Display for Message {
@@ -621,6 +629,14 @@ pub type Result<T> = std::result::Result<T, Problems>;
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn another_axis_is_not_a_misspelt_name() {
+        assert_eq!(nearest("z_mm", ["x_mm", "y_mm"]), None);
+        assert_eq!(nearest("z_mm", ["x_mm", "Z_mm"]), Some("Z_mm"));
+        assert_eq!(nearest("y_mn", ["x_mm", "y_mm"]), Some("y_mm"));
+        assert_eq!(nearest("coverage_facter", ["name", "coverage_factor"]), Some("coverage_factor"));
+    }
 
     #[test]
     fn a_span_is_shown_with_its_line_and_a_hint() {

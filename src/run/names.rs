@@ -3,8 +3,9 @@
 use crate::stages::gather::Gathered;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, JoinBy};
+use etalon_documents::ResidualKind;
 use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
 use etalon_robots::Robot;

@@ -324,7 +324,7 @@ fn a_verification_refuses_what_it_cannot_compare() {
     // what would be left out: a measured orientation in any form
     let with_angle = observations(&folder.path(), |_, cells| cells.push("0".to_owned()));
     let with_angles = with_angle.replacen('\n', ",rx_rad\n", 1);
-    assert!(refused(&with_angles, &[]).contains("column `rx_rad`: only positions are compared"));
+    assert!(refused(&with_angles, &[]).contains("[verify-other-column]"));
     // inches, and actuators that are exchanged
     let inch = observations(&folder.path(), |header, cells| {
         for column in ["x_mm", "y_mm"] {

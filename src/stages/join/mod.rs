@@ -121,7 +121,8 @@ pub fn joined(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument,
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
 fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
     let Some(definition) = &campaign.file.join else {
-        return Err(error!("join-missing").at(Place::file(campaign.path.as_str())).into());
+        let message = error!("key-missing", key = "join", has_section = "no", section = "");
+        return Err(message.at(Place::file(campaign.path.as_str())).into());
     };
     let (mut remarks, mut problems) = (Remarks::default(), Problems::default());
     let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);

@@ -142,9 +142,6 @@ iso230-no-rows = die Tabelle hat keine Zeilen
 iso230-few-runs = Position { $position } mm hat weniger als zwei Anfahrten in Richtung { $direction }
     .expected = Anfahrten von beiden Seiten, fünf nach ISO 230-2
 
-nothing-to-evaluate = es ist nichts zum Auswerten angegeben
-    .hint = Posen, Aufzeichnung oder Lasten angeben: `etalon iso9283 --help`
-
 drift-set-too-small = { $option } muss mindestens 2 sein
     .hint = die Zahl der Zyklen eines Satzes angeben
 
@@ -163,9 +160,6 @@ table-quaternion-length = das Quaternion hat die Länge { FIXED($length, 4) }
 
 not-a-report = `{ $file }` hat nicht die Endung eines Berichts
     .expected = eine Datei, deren Name auf { $endings } endet
-
-report-folder-missing = kein Ordner ist angegeben
-    .hint = den Ausgabeordner eines Laufs angeben
 
 earlier-run-left = nichts wurde geschrieben: `{ $report }` und die Dateien daneben stammen von einem früheren Lauf
     .hint = seine Steuerungsdateien nicht laden, als stammten sie von diesem Lauf

@@ -136,9 +136,6 @@ exclusion-matches-nothing = { $of ->
     }
     .hint = den Ausschluss berichtigen oder entfernen
 
-join-missing = Exporte und Protokolle brauchen einen Abschnitt [join]
-    .hint = `by` in [join] angeben: "pose", "pose_and_cycle", "row", "time" oder "label"
-
 join-by-time-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die beiden nächsten Zeitpunkte liegen { FIXED($apart_s, 3) } s auseinander
     .hint = Wert und Vorzeichen von `clock_offset_s` prüfen: Zeit der Messung minus Zeit des Protokolls
 
@@ -765,14 +762,10 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, Grenzwert { FIXED
 parameters-unstable = instabile und daher festgehaltene Parameter; die Werte aus einem Teil der Posen weichen von den Werten aus allen Posen ab (in Standardabweichungen der Differenz): { $parameters }
     .hint = nach Änderungen während der Messung suchen (Temperatur, eine bewegte Zielmarke, ein neu referenziertes Gelenk) und die Residuen prüfen
 
-hold-unknown = `hold` nennt `{ $pattern }`, das kein Parameter dieses Roboters ist
-
-residuals-pose-not-planar = `residuals = "pose"` gilt nur für ebene Roboter, nicht für `{ $model }`
-    .hint = `residuals = "targets"` verwenden
-
 remedy = { $remedy ->
         [pose-uncertainty] sie angeben (--standard-uncertainty-um) oder Zielmarken vergleichen
-        [contact-uncertainty] auch die Wiederholgenauigkeit der Antastung angeben (--standard-uncertainty-um) und Zielmarken vergleichen
+        [contact-uncertainty] auch die Wiederholbarkeit des Kontakts angeben (--standard-uncertainty-um) und Zielmarken vergleichen
+        [compare-targets] `residuals = "targets"` verwenden
         [targets] Positionen seiner Zielmarken angeben: Zeilen der Art `point`
         [uncertainty] sie angeben (--standard-uncertainty-um)
         [own-uncertainties] Zielmarken vergleichen oder die Spalten der Unsicherheiten entfernen
@@ -785,7 +778,7 @@ remedy = { $remedy ->
         [hold] Parameter in [identify] festhalten oder mehr Posen messen
         [unreachable] Einheit (Grad oder Radiant), Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
         [extent] `unit` der Exporte, die Einheiten der Gelenke im Protokoll und die Längen des Roboters prüfen
-        [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann aus der Messung abgeleitet
+        [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann der Messung entnommen
        *[joints] Einheiten, Reihenfolge und Vorzeichen der Gelenke und die Nennparameter prüfen; `hold` in [identify] hält Parameter fest
     }
 

@@ -324,7 +324,7 @@ tolerance-unknown = `tolerance` names `{ $parameter }`, which is not a parameter
 # Means: A selection of poses cannot be read.
 # Matters: It is unknown which poses calibrate and which validate.
 # Do: State names and ranges.
-# Example: `calibration = "1-"`
+# Example: `calibration = "1-8, , 12"`
 selection-empty = `{ $stated }` names no poses
     .expected = names and ranges like "1-8, 12, home", a list of them, "all", "rest" or "index mod 10 < 7"
 

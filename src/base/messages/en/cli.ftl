@@ -283,12 +283,12 @@ enclosing-with-probe = { $element } is not compensated for a probe
 enclosing-minimum-zone = an { $element } has no minimum zone
     .hint = omit --minimum-zone, or fit a circle2d or sphere
 
-# Means: A stated uncertainty cannot be that of a coordinate in micrometres.
-# Matters: The uncertainties of all results depend on it.
+# Means: A stated uncertainty is not one of a coordinate in micrometres.
+# Matters: Uncertainties of all results follow from it.
 # Do: State expanded uncertainty over coverage factor, per coordinate, in µm.
-# Example: `--uncertainty-um 0.0027` for 2.7 µm
-uncertainty-implausible = { $option } cannot be the uncertainty of a coordinate in micrometres
-    .hint = state the expanded uncertainty over the coverage factor, per coordinate: 0.0027 mm is 2.7 um
+# Example: `--standard-uncertainty-um 0.0027` for 2.7 µm
+uncertainty-implausible = { $option } is not an uncertainty of a coordinate in micrometres
+    .hint = expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um
 
 # Means: The named robot is not in the table of `etalon init`.
 # Matters: Geometry is taken from published sources only.
@@ -318,13 +318,6 @@ iso230-no-rows = the table has no rows
 # Example: one run from the negative side
 iso230-few-runs = position { $position } mm has fewer than two runs in direction { $direction }
     .expected = at least two runs in each direction, five by ISO 230-2
-
-# Means: `etalon iso9283` has no input.
-# Matters: There is nothing to evaluate.
-# Do: Name a table of poses, a recording or a table of loads.
-# Example: `etalon iso9283`
-nothing-to-evaluate = no input to evaluate is stated
-    .hint = name poses, a recording or loads: `etalon iso9283 --help`
 
 # Means: `--drift-set` is smaller than two cycles.
 # Matters: Drift compares means and scatter of sets of cycles.
@@ -368,13 +361,6 @@ table-quaternion-length = the quaternion has the length { FIXED($length, 4) }
 # Example: `--report plan.docx`
 not-a-report = `{ $file }` does not end like a report
     .expected = a file that ends in { $endings }
-
-# Means: `etalon report` has no folder.
-# Matters: Reports are written from an output folder.
-# Do: Name the output folder of a run.
-# Example: `etalon report`
-report-folder-missing = no folder is stated
-    .hint = name the output folder of a run
 
 # Means: A run failed, and the output folder holds the results of an earlier one.
 # Matters: Its report and controller files are not those of this run.

@@ -168,7 +168,7 @@ point-counts-differ = { $from } points cannot be paired with { $to }
 # Means: More than one rotation brings one set of points equally close to the other.
 # Matters: The transform is not determined.
 # Do: Check the order of the targets; a mirror image or symmetric targets have no single rotation.
-# Example: targets of a square named in a mirrored order
+# Example: the corners of a tetrahedron and their mirror images
 rotation-ambiguous = no rigid transform can be fitted: more than one rotation fits equally well
     .expected = two sets of points of the same shape
     .hint = check that both lists name the targets in the same order and that neither is a mirror image

@@ -282,13 +282,6 @@ exclusion-matches-nothing = { $of ->
     }
     .hint = correct the exclusion, or remove it
 
-# Means: Exports and logs are stated without [join].
-# Matters: It is unknown which rows of the log belong to which points.
-# Do: State `by` in [join].
-# Example: [[export]] and [log] alone
-join-missing = exports and logs need [join]
-    .hint = state `by` in [join]: "pose", "pose_and_cycle", "row", "time" or "label"
-
 # Means: No measured point has a row of the log within `tolerance_s`.
 # Matters: No observations remain. Usually the clock offset is wrong.
 # Do: Check value and sign of `clock_offset_s`: time of the measurement minus time of the log.
@@ -1569,23 +1562,11 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limit { FIXED($li
 parameters-unstable = unstable parameters are held; differences between a part of the poses and all poses, in standard deviations of the difference: { $parameters }
     .hint = check for changes during the measurement (temperature, a target that moved, a joint that was homed again), and check the residuals
 
-# Means: `hold` names a parameter that the robot lacks.
-# Matters: Nothing would be held.
-# Do: Correct the name.
-# Example: `hold = ["d_9"]` of a six-axis arm
-hold-unknown = `hold` names `{ $pattern }`, which is not a parameter of this robot
-
-# Means: `residuals = "pose"` is stated for a spatial robot.
-# Matters: Pose residuals are defined for the platform of a planar robot.
-# Do: Use `residuals = "targets"`.
-# Example: `residuals = "pose"` with a six-axis arm
-residuals-pose-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
-    .hint = use `residuals = "targets"`
-
 remedy = { $remedy ->
         [pose-uncertainty] state it (--standard-uncertainty-um), or compare targets
         [contact-uncertainty] state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets
-        [targets] state positions of its targets: rows of kind `point`
+        [compare-targets] use `residuals = "targets"`
+        [targets] give positions of its targets: rows of kind `point`
         [uncertainty] state it (--standard-uncertainty-um)
         [own-uncertainties] compare targets, or remove the columns of uncertainties
         [row-uncertainty] state it in every row, or with --standard-uncertainty-um

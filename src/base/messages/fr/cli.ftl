@@ -142,9 +142,6 @@ iso230-no-rows = le tableau n’a pas de lignes
 iso230-few-runs = à la position { $position } mm, moins de deux passages dans le sens { $direction }
     .expected = des passages des deux côtés, cinq selon l’ISO 230-2
 
-nothing-to-evaluate = rien n’est indiqué à évaluer
-    .hint = indiquer poses, enregistrement ou charges : `etalon iso9283 --help`
-
 drift-set-too-small = { $option } doit être au moins 2
     .hint = indiquer le nombre de cycles d’une série
 
@@ -163,9 +160,6 @@ table-quaternion-length = le quaternion a pour norme { FIXED($length, 4) }
 
 not-a-report = `{ $file }` n’a pas l’extension d’un rapport
     .expected = un fichier dont le nom se termine par { $endings }
-
-report-folder-missing = aucun dossier n’est indiqué
-    .hint = indiquer le dossier de sortie d’une exécution
 
 earlier-run-left = rien n’est écrit : `{ $report }` et les fichiers voisins proviennent d’une exécution antérieure
     .hint = ne pas charger ses fichiers de commande comme s’ils provenaient de celle-ci

@@ -136,9 +136,6 @@ exclusion-matches-nothing = { $of ->
     }
     .hint = corriger l’exclusion, ou la supprimer
 
-join-missing = des exports et des journaux nécessitent une section [join]
-    .hint = indiquer `by` dans [join] : "pose", "pose_and_cycle", "row", "time" ou "label"
-
 join-by-time-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : les deux instants les plus proches sont distants de { FIXED($apart_s, 3) } s
     .hint = vérifier la valeur et le signe de `clock_offset_s` : instant de la mesure moins instant du journal
 
@@ -765,28 +762,24 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limite { FIXED($l
 parameters-unstable = paramètres instables et donc fixés ; les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes les poses (en écarts-types de la différence) : { $parameters }
     .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et examiner les résidus
 
-hold-unknown = `hold` mentionne `{ $pattern }`, qui n’est pas un paramètre de ce robot
-
-residuals-pose-not-planar = `residuals = "pose"` ne s’applique qu’aux robots plans, et non à `{ $model }`
-    .hint = utiliser `residuals = "targets"`
-
 remedy = { $remedy ->
         [pose-uncertainty] l’indiquer (--standard-uncertainty-um), ou comparer des cibles
         [contact-uncertainty] indiquer aussi la répétabilité du contact (--standard-uncertainty-um), et comparer des cibles
-        [targets] donner les positions de ses cibles : des lignes de type `point`
+        [compare-targets] utiliser `residuals = "targets"`
+        [targets] donner les positions de ses cibles : des lignes de type `point`
         [uncertainty] l’indiquer (--standard-uncertainty-um)
         [own-uncertainties] comparer des cibles, ou supprimer les colonnes d’incertitudes
         [row-uncertainty] l’indiquer à chaque ligne, ou par --standard-uncertainty-um
         [part] `frame` est `flange` pour un bras, `platform` pour un PreXYT, `targets` pour tout robot
-        [positions] choisir plus de positions, ou fixer des paramètres par `--hold`
-        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier de robot
-        [hold-fewer] fixer moins de paramètres, et mesurer plus de poses
-        [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou fixer des paramètres par `hold` dans [identify] ou --hold
-        [hold] fixer des paramètres dans [identify], ou mesurer plus de poses
-        [unreachable] vérifier l’unité (degrés ou radians), le signe et le décalage des articulations, et les paramètres nominaux
+        [positions] choisir plus de positions, ou imposer des paramètres par `--hold`
+        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier du robot
+        [hold-fewer] imposer moins de paramètres, et mesurer plus de poses
+        [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou imposer des paramètres par `hold` dans [identify] ou --hold
+        [hold] imposer des paramètres dans [identify], ou mesurer plus de poses
+        [unreachable] vérifier unité (degrés ou radians), signe et décalage des articulations, et les paramètres nominaux
         [extent] vérifier `unit` des exports, les unités des articulations dans le journal, et les longueurs du robot
-        [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors déduit de la mesure
-       *[joints] vérifier les unités, l’ordre et les signes des articulations, et les paramètres nominaux ; `hold` dans [identify] fixe des paramètres
+        [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors tiré de la mesure
+       *[joints] vérifier unités, ordre et signes des articulations et les paramètres nominaux ; `hold` dans [identify] impose des paramètres
     }
 
 reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
