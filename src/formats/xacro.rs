@@ -391,7 +391,8 @@ impl Expander {
 
     /// Appends an included file.
     fn include(&mut self, source: &Source, file: &str, optional: bool) -> std::result::Result<(), Included> {
-        let with_hint = |message: Message| message.hint(phrase!("expand-xacro", command = self.command()));
+        let command = self.command();
+        let with_hint = |message: Message| message.hint(phrase!("expand-xacro", command));
         let folder = source.path.parent().unwrap_or(Path::new(""));
         let path = match file.strip_prefix("package://").map(|file| file.split_once('/').unwrap_or((file, ""))) {
             None => normal(&folder.join(file)),
