@@ -447,3 +447,10 @@ arrays-unreadable = die Datei kann nicht als Felder von { $format ->
 
 arrays-too-large = die Felder der Datei sind größer als { $most_mib } MiB
     .hint = nur die Felder der Messung speichern
+
+sheet-not-stated = eine Arbeitsmappe, von der kein Blatt angegeben ist; sie hat { $sheets }
+    .hint = das Blatt (`sheet`) angeben
+
+state-sheet = `sheet = "{ $sheet }"` angeben (Option --sheet)
+
+state-column = ist es die Spalte `{ $heading }`, `columns = {"{"} { $column } = "{ $heading }" {"}"}` angeben (Option --column)

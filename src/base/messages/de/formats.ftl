@@ -197,7 +197,7 @@ state-delimiter = `delimiter = "{ $delimiter }"` und `decimal = "{ $decimal }"` 
 
 state-delimiter-of-rows = `delimiter` und `decimal` der Zeilen angeben
 
-header-holds-numbers = die Kopfzeile enthält nur Zahlen
+header-holds-numbers = die Zeile, die die Spalten nennen soll, enthält Zahlen
     .hint = hat die Datei keinen Kopf, `header = false` angeben und Spalten durch Nummern nennen
 
 column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer genannt werden: { $format ->

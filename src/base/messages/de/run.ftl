@@ -45,7 +45,7 @@ key-above-maximum = `{ $key }` überschreitet { $most }
     .hint = den Wert und seine Einheit prüfen
 
 join-label-missing = eine Verknüpfung über die Bezeichnung braucht die Bezeichnung des Punktes im Protokoll `{ $log }`
-    .hint = `label = "Name oder Nummer der Spalte"` in seinen `columns` ergänzen
+    .hint = `label` in seinen `columns` ergänzen, mit Name oder Nummer der Spalte
 
 key-and-column = `{ $key }` ist zweimal angegeben: als Schlüssel des Exports und als eine seiner Spalten
     .hint = eine der beiden Angaben entfernen
@@ -128,10 +128,10 @@ targets-incomplete = `targets` lässt `{ $target }` aus
     .expected = alle Zielmarken dieses Roboters
 
 travel-missing = der Arbeitsraum braucht den Verfahrweg der Aktoren
-    .hint = [reach] mit `travel_mm = [..., ..., ...]` in robot.toml angeben
+    .hint = `travel_mm` der drei Aktoren in [reach] von robot.toml angeben
 
 z-column-missing = `columns` hat kein z, das ein räumlicher Roboter braucht
-    .hint = `z = "Name oder Nummer der Spalte"` ergänzen
+    .hint = `z` ergänzen, mit Name oder Nummer der Spalte
 
 log-name-invalid = `{ $name }` kann nicht der Name dieses Protokolls sein
     .expected = Buchstaben, Ziffern, `_` und `-`; ein anderer Name für jedes Protokoll
@@ -140,7 +140,7 @@ log-joint-unknown = `{ $key }` ist kein Gelenk dieses Roboters
     .hint = eines von { $joints } verwenden, oder dasselbe mit anderer Einheit
 
 log-joint-missing = Protokoll `{ $log }` hat keine Spalte für Gelenk `{ $joint }`
-    .hint = `{ $column } = "Name oder Nummer der Spalte"` in seinen `columns` ergänzen
+    .hint = `{ $column }` in seinen `columns` ergänzen, mit Name oder Nummer der Spalte
 
 label-form-differs = keine Bezeichnung von `{ $file }` hat die Form `{ $form }`
     .hint = die Form ihrer Bezeichnungen mit {"{"}target{"}"}, {"{"}pose{"}"} und {"{"}cycle{"}"} angeben; die erste ist `{ $first }`
@@ -190,3 +190,8 @@ identify-missing = die Kampagne hat kein [identify], das die Posen zur Beurteilu
 
 clock-rate-without-offset = `clock_rate = "standstills"` braucht `clock_offset_s = "standstills"`
     .hint = `clock_offset_s = "standstills"` angeben oder `clock_rate` weglassen
+
+label-form-missing = die Bezeichnungen von `{ $file }` nennen Zielmarken, und keine Form der Bezeichnungen ist angegeben
+    .hint = `label = "{ $form }"` in diesem [[export]] angeben: alle seine Bezeichnungen haben diese Form
+
+state-targets = `targets = { $targets }` in [join] angeben: die Bezeichnungen nennen sie

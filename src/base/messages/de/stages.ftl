@@ -642,7 +642,7 @@ angle-orders-unfit = keine Reihenfolge der Winkel passt zum Nennroboter: `{ $ord
 
 angle-order-leaves = `{ $order }` lässt { FIXED($left_deg, 3) } deg
 
-angle-orders-fit = `orientation = "zyx"` in [observations] oder --orientation angeben; vom Nennroboter { $orders } (quadratisches Mittel)
+angle-orders-fit = `orientation = "{ $order }"` in [observations] oder --orientation angeben; vom Nennroboter { $orders } (quadratisches Mittel)
 
 ball-missing = Kugel `{ $target }` fehlt (Pose { $pose }, Zyklus { $cycle })
     .hint = sie messen oder den Rest dieser Pose und dieses Zyklus entfernen

@@ -447,3 +447,10 @@ arrays-unreadable = le fichier ne peut pas être lu comme tableaux de { $format 
 
 arrays-too-large = les tableaux du fichier dépassent { $most_mib } MiB
     .hint = enregistrer seulement les tableaux de la mesure
+
+sheet-not-stated = un classeur, dont aucune feuille n’est indiquée ; il a { $sheets }
+    .hint = indiquer la feuille (`sheet`)
+
+state-sheet = indiquer `sheet = "{ $sheet }"` (option --sheet)
+
+state-column = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)

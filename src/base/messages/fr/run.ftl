@@ -45,7 +45,7 @@ key-above-maximum = `{ $key }` dépasse { $most }
     .hint = vérifier la valeur et son unité
 
 join-label-missing = une jointure par étiquette demande l’étiquette du point dans le journal `{ $log }`
-    .hint = ajouter `label = "nom ou numéro de la colonne"` à ses `columns`
+    .hint = ajouter `label` à ses `columns`, avec le nom ou le numéro de la colonne
 
 key-and-column = `{ $key }` est indiqué deux fois : comme clé de l’export et comme une de ses colonnes
     .hint = supprimer l’un des deux
@@ -128,10 +128,10 @@ targets-incomplete = `targets` omet `{ $target }`
     .expected = toutes les cibles de ce robot
 
 travel-missing = l’espace de travail demande la course des actionneurs
-    .hint = indiquer [reach] avec `travel_mm = [..., ..., ...]` dans robot.toml
+    .hint = indiquer `travel_mm` des trois actionneurs dans [reach] de robot.toml
 
 z-column-missing = `columns` n’a pas de z, qu’un robot spatial demande
-    .hint = ajouter `z = "nom ou numéro de la colonne"`
+    .hint = ajouter `z`, avec le nom ou le numéro de la colonne
 
 log-name-invalid = `{ $name }` ne peut pas être le nom de ce journal
     .expected = lettres, chiffres, `_` et `-` ; un nom différent pour chaque journal
@@ -140,7 +140,7 @@ log-joint-unknown = `{ $key }` n’est pas une articulation de ce robot
     .hint = utiliser une de { $joints }, ou la même avec une autre unité
 
 log-joint-missing = le journal `{ $log }` n’a pas de colonne pour l’articulation `{ $joint }`
-    .hint = ajouter `{ $column } = "nom ou numéro de la colonne"` à ses `columns`
+    .hint = ajouter `{ $column }` à ses `columns`, avec le nom ou le numéro de la colonne
 
 label-form-differs = aucune étiquette de `{ $file }` n’a la forme `{ $form }`
     .hint = indiquer la forme de ses étiquettes avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"} ; la première est `{ $first }`
@@ -190,3 +190,8 @@ identify-missing = la campagne n’a pas de [identify], qui nomme les poses pour
 
 clock-rate-without-offset = `clock_rate = "standstills"` exige `clock_offset_s = "standstills"`
     .hint = indiquer `clock_offset_s = "standstills"`, ou omettre `clock_rate`
+
+label-form-missing = les étiquettes de `{ $file }` nomment des cibles, et aucune forme d’étiquettes n’est indiquée
+    .hint = indiquer `label = "{ $form }"` dans ce [[export]] : toutes ses étiquettes ont cette forme
+
+state-targets = indiquer `targets = { $targets }` dans [join] : les étiquettes les nomment

@@ -642,7 +642,7 @@ angle-orders-unfit = aucun ordre des angles ne convient au robot nominal : `{ $o
 
 angle-order-leaves = `{ $order }` laisse { FIXED($left_deg, 3) } deg
 
-angle-orders-fit = indiquer `orientation = "zyx"` dans [observations], ou --orientation ; du robot nominal { $orders } (moyenne quadratique)
+angle-orders-fit = indiquer `orientation = "{ $order }"` dans [observations], ou --orientation ; du robot nominal { $orders } (moyenne quadratique)
 
 ball-missing = la bille `{ $target }` manque (pose { $pose }, cycle { $cycle })
     .hint = la mesurer, ou supprimer le reste de cette pose et de ce cycle
