@@ -12,6 +12,9 @@ use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
+/// Maximum number of targets that a hint states.
+const MOST_TARGETS: usize = 12;
+
 /// Reports labels and features that do not exist: as a warning if an unread export may have them.
 pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) {
     let points = &imported.points;
@@ -121,6 +124,19 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
     }
 }
 
+/// Errors of a robot without targets: with the line that states those that the labels name, and none
+/// if the table that names them does not read.
+pub(super) fn targets_to_state(mut problems: Problems, imported: &Gathered, unread: bool) -> Problems {
+    problems.0.retain(|message| !unread || message.id != "no-target");
+    let at_poses = imported.points.iter().filter(|point| point.pose.is_some());
+    let targets: BTreeSet<&str> = at_poses.filter_map(|point| point.target.as_deref()).collect();
+    for message in problems.0.iter_mut().filter(|message| message.id == "no-target" && !targets.is_empty()) {
+        let targets = format!("{:?}", targets.iter().take(MOST_TARGETS).collect::<Vec<_>>());
+        *message = message.clone().hint(phrase!("state-targets", targets));
+    }
+    problems
+}
+
 /// Checks the logs against the joints of the robot.
 pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
     for (i, log) in campaign.file.logs.iter().enumerate() {
@@ -150,7 +166,10 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
         }
         for joint in robot.joints() {
             let column = joint.column();
-            if !log.columns.keys().any(|k| etalon_formats::is_joint_column(k.get_ref(), joint)) {
+            // a key of the joint in another unit is reported by itself
+            let is_meant = |key: &str| key.rsplit_once('_').is_some_and(|(name, _)| name == joint.name);
+            let keys = || log.columns.keys().map(|key| key.get_ref().as_str());
+            if !keys().any(|key| etalon_formats::is_joint_column(key, joint) || is_meant(key)) {
                 let message = error!("log-joint-missing", log = log.name, joint = joint.name, column);
                 problems.0.push(message.at(campaign.place(&log.file)));
             }
@@ -173,10 +192,28 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
     if missing.peek().is_some() && !odd.is_empty() {
         return problems.0.extend(odd);
     }
+    let unnamed: Vec<Message> =
+        campaign.file.exports.iter().filter_map(|e| unstated_form(campaign, e, imported, robot)).collect();
+    if missing.peek().is_some() && !unnamed.is_empty() {
+        return problems.0.extend(unnamed);
+    }
     for target in missing {
         let message = error!("target-not-exported", target).at(campaign.place_of(&["join"]));
         problems.0.push(message.hint_names(target, measured.iter().copied()));
     }
+}
+
+/// Error if the labels of an export name targets of the robot, and the campaign states no form.
+fn unstated_form(campaign: &Campaign, export: &Export, imported: &Gathered, robot: &dyn Robot) -> Option<Message> {
+    if export.label.is_some() || export.target.is_some() {
+        return None;
+    }
+    let own = imported.points.iter().filter(|p| *p.export == **export.file.get_ref());
+    let labels: Vec<&str> = own.filter(|p| p.target.is_none()).map(|p| &*p.label).collect();
+    let (form, targets) = etalon_formats::label_form(&labels)?;
+    let file = export.file.get_ref();
+    let is_named = targets.iter().any(|target| robot.targets().contains(target));
+    is_named.then(|| error!("label-form-missing", file, form).at(campaign.place(&export.file)))
 }
 
 /// Error if no label of an export has the form that the campaign states.

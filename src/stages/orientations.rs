@@ -166,5 +166,5 @@ pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Sett
     let order =
         |(left_deg, order): &(f64, AngleOrder)| phrase!("angle-order-leaves", order = order.to_string(), left_deg);
     let orders: Vec<_> = fits.map(order).collect();
-    message.hint(phrase!("angle-orders-fit", orders))
+    message.hint(phrase!("angle-orders-fit", order = best.to_string(), orders))
 }

@@ -63,6 +63,7 @@ impl TableFile {
         if form.sheet.is_some() {
             // its cells are read as a text with tabs
             (layout.delimiter, layout.decimal) = (Delimiter::Tab, Decimal::Point);
+            layout.is_sheet = true;
         }
         let text = etalon_formats::text_of(path, bytes, form.encoding, &format)?;
         Self::of(path, text, |name, text| etalon_formats::observations_with(name, text, &layout))

@@ -59,6 +59,10 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     });
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
+    if problems.0.iter().any(|message| message.id == "header-holds-numbers") {
+        // no column has a name
+        return Err(problems);
+    }
     source.rows_read = sheet.rows.len();
     log.kind().0.name_columns(&mut sheet, &mut problems);
     let mut placed = Vec::new();

@@ -14,7 +14,7 @@ mod structure;
 mod table;
 
 pub use lines::JOINTS as JOINTS_REMARK;
-pub use several::{FilesProposal, propose_files};
+pub use several::{FilesProposal, label_form, propose_files};
 
 use super::exports::qif::is_xml;
 use super::exports::{Format, Recognised, head, recognise};

@@ -457,7 +457,7 @@ fn texts(column: &Column) -> Vec<String> {
 }
 
 /// Returns the form that all labels have, and the targets that they name.
-fn label_form(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String>)> {
+pub fn label_form(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String>)> {
     let of = |form: &'static str| {
         let pattern = Pattern::parse(form).ok()?;
         let named: Vec<_> =

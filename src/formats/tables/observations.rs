@@ -4,7 +4,7 @@ use crate::dialect::{
     Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
 };
 use crate::guess::{guesses, two_commas_in};
-use crate::lexer::{Row, WHOLE, column_index, marked, pose_name, split};
+use crate::lexer::{Row, WHOLE, column_index, marked, parsed, pose_name, split};
 use crate::logs::{meaning, one_column, row_width, words_missing};
 use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::cell::is_formula;
@@ -34,6 +34,8 @@ pub struct TableLayout {
     pub columns: BTreeMap<String, ColumnSource>,
     /// `true` if columns that the file lacks are left out, for several tables with one layout.
     pub lenient: bool,
+    /// `true` for a sheet of a workbook, which omits trailing empty cells.
+    pub is_sheet: bool,
     /// `true` for observations, whose columns are known and which have a repeat.
     pub is_of_observations: bool,
     /// Columns with the same cell in all rows.
@@ -61,6 +63,7 @@ impl Default for TableLayout {
             missing: Missing::default(),
             columns: BTreeMap::new(),
             lenient: false,
+            is_sheet: false,
             is_of_observations: true,
             constants: BTreeMap::new(),
             only: BTreeMap::new(),
@@ -261,8 +264,29 @@ fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Opt
     {
         return Err(one_column(layout.delimiter, Some(guess)).at(all[0].place(file)).into());
     }
+    if layout.is_sheet {
+        let width = all.iter().skip(before.saturating_sub(1)).map(|row| row.fields.len()).max().unwrap_or(0);
+        all.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
+    }
     let data = all.split_off(before);
-    Ok((all.pop(), data))
+    let header = all.pop();
+    if let Some(row) = header.as_ref().filter(|row| holds_numbers(row, layout)) {
+        return Err(error!("header-holds-numbers").at(row.place(file)).into());
+    }
+    Ok((header, data))
+}
+
+/// `true` if the row that should name the columns holds numbers, and `columns` names none of them.
+fn holds_numbers(header: &Row, layout: &TableLayout) -> bool {
+    let numbers =
+        header.fields.iter().filter(|field| parsed(field.trim(), layout.decimal, layout.thousands).is_some()).count();
+    let stated = |field: &Cow<str>| {
+        layout
+            .columns
+            .values()
+            .any(|source| matches!(source, ColumnSource::Heading(heading) if heading == field.trim()))
+    };
+    2 * numbers > header.fields.len() && !header.fields.iter().any(stated)
 }
 
 fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {

@@ -448,6 +448,12 @@ arrays-unreadable = die Datei kann nicht als Arrays von { $format ->
 arrays-too-large = die Arrays der Datei sind größer als { $most_mib } MiB
     .hint = nur die Arrays der Messung speichern
 
+sheet-not-stated = eine Arbeitsmappe, von der kein Blatt angegeben ist; sie hat { $sheets }
+    .hint = das Blatt (`sheet`) angeben
+
+state-sheet = `sheet = "{ $sheet }"` angeben (Option --sheet)
+
+state-column = ist es die Spalte `{ $heading }`, `columns = {"{"} { $column } = "{ $heading }" {"}"}` angeben (Option --column)
 row-marked-deleted = ausgelassen: sie ist als gelöscht markiert (`{ $cell }`)
 row-left-out-by-cell = ausgelassen: `{ $column }` ist `{ $cell }`
 row-without-coordinates = nicht gemessen: keine Koordinaten

@@ -197,8 +197,8 @@ state-delimiter = `delimiter = "{ $delimiter }"` und `decimal = "{ $decimal }"` 
 
 state-delimiter-of-rows = `delimiter` und `decimal` der Zeilen angeben
 
-header-holds-numbers = die Kopfzeile enthält nur Zahlen
-    .hint = hat die Datei keinen Kopf, `header = false` angeben und die Spalten mit Nummern angeben
+header-holds-numbers = die Zeile, die die Spalten nennen soll, enthält Zahlen
+    .hint = hat die Datei keinen Kopf, `header = false` angeben und Spalten durch Nummern nennen
 
 column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer angegeben werden: { $format ->
         [galil] Arrays stehen in alphabetischer Reihenfolge, unabhängig von ihrem Gelenk

@@ -633,7 +633,7 @@ angle-orders-unfit = keine Reihenfolge der Winkel passt zum nominalen Roboter: m
 
 angle-order-leaves = { FIXED($left_deg, 3) } deg mit `{ $order }`
 
-angle-orders-fit = `orientation = "zyx"` in [observations] oder --orientation angeben; Abweichung vom nominalen Roboter (quadratischer Mittelwert): { $orders }
+angle-orders-fit = `orientation = "{ $order }"` in [observations] oder --orientation angeben; vom Nennroboter { $orders } (quadratisches Mittel)
 
 ball-missing = Kugel `{ $target }` fehlt (Pose { $pose }, Zyklus { $cycle })
     .hint = sie messen oder den Rest dieser Pose und dieses Zyklus entfernen

@@ -366,7 +366,7 @@ key-missing = the key `{ $key }` is missing{ $has_section ->
        *[no] {""}
     }
 
-state-unit = state the length unit of the file: "mm", "m", "um" or "inch"; it is never guessed
+state-unit = state `unit = "mm"`, or "m", "um" or "inch" as the file was written; it is never guessed
 
 state-instrument = [instrument] states name, expanded_uncertainty_um and coverage_factor: take them from its calibration certificate
 

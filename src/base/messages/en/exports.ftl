@@ -771,6 +771,16 @@ arrays-unreadable = the file cannot be read as arrays of { $format ->
 # Example: a day of joint values at 10 kHz
 arrays-too-large = the arrays of the file are larger than { $most_mib } MiB
     .hint = save the arrays of the measurement alone
+# Means: The file is a workbook, and no sheet is stated.
+# Matters: A workbook may have several sheets.
+# Do: State the sheet: in `format` of an [[export]], otherwise in the section of the table.
+# Example: `file = "joints.xlsx"` without `sheet`
+sheet-not-stated = a workbook, of which no sheet is stated; it has { $sheets }
+    .hint = state the `sheet`
+
+state-sheet = state `sheet = "{ $sheet }"` (option --sheet)
+
+state-column = if it is the column `{ $heading }`, state `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
 row-marked-deleted = left out: it is marked as deleted (`{ $cell }`)
 row-left-out-by-cell = left out: `{ $column }` is `{ $cell }`
 row-without-coordinates = not measured: no coordinates

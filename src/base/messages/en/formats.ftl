@@ -367,7 +367,7 @@ state-delimiter-of-rows = state `delimiter` and `decimal` of the rows
 # Matters: The file has no header: its first row of values would be lost.
 # Do: State `header = false`, and give columns by number.
 # Example: a log whose first line is `1,0.5,0.7`
-header-holds-numbers = the header row holds only numbers
+header-holds-numbers = the row that should name the columns holds numbers
     .hint = if the file has no header, state `header = false` and give columns by number
 
 # Means: A column is given by its number, and its number changes between files of this format.

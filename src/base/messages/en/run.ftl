@@ -98,7 +98,7 @@ key-above-maximum = `{ $key }` exceeds { $most }
 # Do: Name the column of the log that holds the label.
 # Example: `by = "label"` and a [[log]] whose `columns` lack `label`
 join-label-missing = a join by label needs the label of the point in log `{ $log }`
-    .hint = add `label = "name or number of the column"` to its `columns`
+    .hint = add `label` to its `columns`, with the name or the number of the column
 
 # Means: Pose or target of an export is stated by a key and by a column of the same export.
 # Matters: It is undefined which of the two applies.
@@ -289,14 +289,14 @@ targets-incomplete = `targets` omits `{ $target }`
 # Do: State [reach] in robot.toml.
 # Example: [geometric.workspace] without `travel_mm`
 travel-missing = the workspace needs the travel of the actuators
-    .hint = state [reach] with `travel_mm = [..., ..., ...]` in robot.toml
+    .hint = state `travel_mm` of the three actuators in [reach] of robot.toml
 
 # Means: The export of a spatial robot has no z coordinate.
 # Matters: Positions in space have three coordinates.
 # Do: Name the column of z.
 # Example: `columns = { x = "X", y = "Y" }` for a serial arm
 z-column-missing = `columns` has no z, which a spatial robot needs
-    .hint = add `z = "name or number of the column"`
+    .hint = add `z`, with the name or the number of the column
 
 # Means: The name of a log is empty, is used twice or has other characters than letters, digits, `_`
 # and `-`.
@@ -318,7 +318,7 @@ log-joint-unknown = `{ $key }` is not a joint of this robot
 # Do: Name the column of the joint.
 # Example: `q1_deg` to `q5_deg` for a robot of six joints
 log-joint-missing = log `{ $log }` has no column for joint `{ $joint }`
-    .hint = add `{ $column } = "name or number of the column"` to its `columns`
+    .hint = add `{ $column }` to its `columns`, with the name or the number of the column
 
 # Means: No label of an export has the form that `label` states.
 # Matters: Target, pose and cycle of its points are unknown.
@@ -420,6 +420,14 @@ identify-missing = the campaign has no [identify], which names the poses for jud
 # Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
 clock-rate-without-offset = `clock_rate = "standstills"` needs `clock_offset_s = "standstills"`
     .hint = state `clock_offset_s = "standstills"`, or omit `clock_rate`
+# Means: The labels of an export name targets of the robot, and the campaign states no form of labels.
+# Matters: Without targets and poses the points are not joined.
+# Do: State the form of the labels.
+# Example: labels `K_12_3` and no key `label`
+label-form-missing = the labels of `{ $file }` name targets, and no form of labels is stated
+    .hint = state `label = "{ $form }"` in this [[export]]: all of its labels have this form
+
+state-targets = state `targets = { $targets }` in [join]: the labels name them
 # Means: `valid_until` is not a date of the form year-month-day.
 # Matters: Reports and batches compare this day with others.
 # Do: State the last day of validity as 2027-03-02.

@@ -1311,7 +1311,7 @@ angle-orders-unfit = no order of angles fits the nominal robot: `{ $order }` lea
 
 angle-order-leaves = `{ $order }` leaves { FIXED($left_deg, 3) } deg
 
-angle-orders-fit = state `orientation = "zyx"` in [observations], or --orientation; with the nominal robot, { $orders } (root mean square)
+angle-orders-fit = state `orientation = "{ $order }"` in [observations], or --orientation; of the nominal robot { $orders } (root mean square)
 
 # Means: A step of the geometric calibration needs several balls in one cycle, and one ball was not
 # measured.

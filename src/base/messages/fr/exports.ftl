@@ -448,6 +448,12 @@ arrays-unreadable = le fichier ne peut pas être lu comme tableaux de { $format 
 arrays-too-large = les tableaux du fichier dépassent { $most_mib } Mio
     .hint = enregistrer seulement les tableaux de la mesure
 
+sheet-not-stated = un classeur, dont aucune feuille n’est indiquée ; il a { $sheets }
+    .hint = indiquer la feuille (`sheet`)
+
+state-sheet = indiquer `sheet = "{ $sheet }"` (option --sheet)
+
+state-column = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
 row-marked-deleted = écartée : elle est marquée comme supprimée (`{ $cell }`)
 row-left-out-by-cell = écartée : `{ $column }` est `{ $cell }`
 row-without-coordinates = non mesuré : aucune coordonnée

@@ -197,8 +197,8 @@ state-delimiter = indiquer `delimiter = "{ $delimiter }"` et `decimal = "{ $deci
 
 state-delimiter-of-rows = indiquer `delimiter` et `decimal` des lignes
 
-header-holds-numbers = la ligne d’en-tête ne contient que des nombres
-    .hint = si le fichier n’a pas d’en-tête, indiquer `header = false` et désigner les colonnes par leur numéro
+header-holds-numbers = la ligne qui devrait nommer les colonnes contient des nombres
+    .hint = si le fichier n’a pas d’en-tête, indiquer `header = false` et donner les colonnes par leur numéro
 
 column-by-number = une colonne de ce format ne peut pas être désignée par son numéro : { $format ->
         [galil] les tableaux sont en ordre alphabétique, quelle que soit leur articulation

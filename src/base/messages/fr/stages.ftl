@@ -633,7 +633,7 @@ angle-orders-unfit = aucun ordre des angles ne correspond au robot nominal : av
 
 angle-order-leaves = { FIXED($left_deg, 3) } deg avec `{ $order }`
 
-angle-orders-fit = indiquer `orientation = "zyx"` dans [observations], ou --orientation ; écart au robot nominal (moyenne quadratique) : { $orders }
+angle-orders-fit = indiquer `orientation = "{ $order }"` dans [observations], ou --orientation ; du robot nominal { $orders } (moyenne quadratique)
 
 ball-missing = la bille `{ $target }` manque (pose { $pose }, cycle { $cycle })
     .hint = la mesurer, ou supprimer le reste de cette pose et de ce cycle
