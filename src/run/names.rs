@@ -92,6 +92,12 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             problems.0.push(message.hint_names(pattern.get_ref(), names()));
         }
     }
+    let of_pose = campaign.file.identify.as_ref().is_some_and(|identify| identify.residuals == ResidualKind::Pose);
+    if of_pose && robot.platform().is_none() {
+        let message = error!("pose-residuals-not-planar", model = robot.model());
+        let place = campaign.place_of(&["identify", "residuals"]);
+        problems.0.push(message.hint(phrase!("remedy", remedy = "compare-targets")).at(place));
+    }
     let foreign: Vec<_> =
         campaign.file.join_targets().filter(|target| !robot.targets().contains(target.get_ref())).collect();
     for target in &foreign {
