@@ -11,8 +11,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, Statement};
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, PointError, Presentation, WrittenController,
-    WrittenDocument, to_json,
+    AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, PointError, Presentation,
+    WrittenController, WrittenDocument, to_json,
 };
 use etalon_robots::Robot;
 use std::path::{Path, PathBuf};

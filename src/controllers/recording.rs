@@ -50,7 +50,9 @@ impl Exporter for Recording {
         let mut file = File::new(given)?;
         let largest = errors.iter().map(|e| norm(e.before_mm)).fold(0.0, f64::max);
         // a power of ten, so that the scale is read at once
-        let magnification = if largest > 0.0 { 10_f64.powf((LARGEST_DRAWN_M * 1e3 / largest).log10().floor()) } else { 1.0 };
+        let magnification =
+            if largest > 0.0 { 10_f64.powf((LARGEST_DRAWN_M * 1e3 / largest).log10().floor()) } else { 1.0 };
+        file.write("/points", &CLOUD, 0.0, cloud(&errors))?;
         let visits = errors.chunk_by(|a, b| (a.pose, a.cycle) == (b.pose, b.cycle));
         for (number, visit) in visits.enumerate() {
             file.write_visit(given, number, visit, magnification.max(1.0))?;
@@ -116,7 +118,8 @@ impl File {
         let channel_id = match self.channels.get(topic) {
             Some(channel) => *channel,
             None => {
-                let schema = self.writer.add_schema(kind.name, "ros2msg", kind.definition().as_bytes()).map_err(failed)?;
+                let schema =
+                    self.writer.add_schema(kind.name, "ros2msg", kind.definition().as_bytes()).map_err(failed)?;
                 let channel = self.writer.add_channel(schema, topic, "cdr", &BTreeMap::new()).map_err(failed)?;
                 self.channels.insert(topic.to_owned(), channel);
                 channel
@@ -179,6 +182,12 @@ const POINT: Kind = Kind {
     fields: "std_msgs/Header header\ngeometry_msgs/Point point\n",
     parts: &["std_msgs/Header", "builtin_interfaces/Time", "geometry_msgs/Point"],
 };
+const CLOUD: Kind = Kind {
+    name: "sensor_msgs/msg/PointCloud2",
+    fields: "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\nbool is_bigendian\n\
+             uint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n",
+    parts: &["std_msgs/Header", "builtin_interfaces/Time", "sensor_msgs/PointField"],
+};
 const TRANSFORMS: Kind = Kind {
     name: "tf2_msgs/msg/TFMessage",
     fields: "geometry_msgs/TransformStamped[] transforms\n",
@@ -210,7 +219,7 @@ const MARKERS: Kind = Kind {
     ],
 };
 /// Definitions of the types of fields (ROS 2 Humble).
-const PARTS: [(&str, &str); 14] = [
+const PARTS: [(&str, &str); 15] = [
     ("std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"),
     ("builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"),
     ("builtin_interfaces/Duration", "int32 sec\nuint32 nanosec\n"),
@@ -224,6 +233,7 @@ const PARTS: [(&str, &str); 14] = [
         "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/Transform transform\n",
     ),
     ("std_msgs/ColorRGBA", "float32 r\nfloat32 g\nfloat32 b\nfloat32 a\n"),
+    ("sensor_msgs/PointField", "string name\nuint32 offset\nuint8 datatype\nuint32 count\n"),
     ("sensor_msgs/CompressedImage", "std_msgs/Header header\nstring format\nuint8[] data\n"),
     ("visualization_msgs/UVCoordinate", "float32 u\nfloat32 v\n"),
     ("visualization_msgs/MeshFile", "string filename\nuint8[] data\n"),
@@ -296,6 +306,24 @@ fn point(time_s: f64, frame: &str, position_mm: Vector) -> Vec<u8> {
     Cdr::new().header(time_s, frame).numbers(metres(position_mm)).0
 }
 
+/// All measured points (m) with their errors (mm) before and after calibration.
+fn cloud(errors: &[&PointError]) -> Vec<u8> {
+    const FIELDS: [&str; 5] = ["x", "y", "z", "before_mm", "after_mm"];
+    const FLOAT32: u8 = 7;
+    let frame = errors.first().map_or("world", |error| frame(&error.target));
+    let out = Cdr::new().header(0.0, frame).count(1).count(errors.len()).count(FIELDS.len());
+    let field = |out: Cdr, (i, name): (usize, &&str)| out.text(name).count(4 * i).value([FLOAT32]).count(1);
+    let step = 4 * FIELDS.len();
+    let out = FIELDS.iter().enumerate().fold(out, field).value([0]).count(step).count(step * errors.len());
+    let mut out = out.count(step * errors.len());
+    for error in errors {
+        let [x, y, z] = metres(error.at_mm);
+        let values = [x, y, z, norm(error.before_mm), norm(error.after_mm)];
+        out.0.extend(values.iter().flat_map(|value| (*value as f32).to_le_bytes()));
+    }
+    out.value([1]).0
+}
+
 fn joint_state(time_s: f64, joints: &[Joint], logged: &[f64]) -> Vec<u8> {
     let out = Cdr::new().header(time_s, "").count(joints.len());
     let out = joints.iter().fold(out, |out, joint| out.text(&joint.name)).count(joints.len());
@@ -318,17 +346,22 @@ fn tf_message(time_s: f64, transforms: &[(&str, &str, Pose)]) -> Vec<u8> {
 /// Errors as lines that begin at the measured position, magnified.
 fn markers(time_s: f64, number: usize, visit: &[&PointError], magnification: f64) -> Vec<u8> {
     let frame = visit.first().map_or("world", |error| frame(&error.target));
-    COLOURS.into_iter().enumerate().fold(Cdr::new().count(COLOURS.len()), |out, (which, (name, colour))| {
-        let ends = visit.iter().flat_map(|error| {
-            let vector = if which == 0 { error.before_mm } else { error.after_mm };
-            [error.at_mm, minus(error.at_mm, vector.map(|v| v * magnification))]
-        });
-        let out = out.header(time_s, frame).text(&format!("{name}, {magnification} x")).count(number).whole(LINE_LIST);
-        // added at the origin of the frame, kept for good
-        let out = out.whole(0).numbers([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]).numbers([LINE_WIDTH_M, 0.0, 0.0]);
-        let out = out.colour(colour).whole(0).whole(0).value([0]).count(2 * visit.len());
-        let out = ends.fold(out, |out, end| out.numbers(metres(end))).count(0).text("");
-        // no texture, text or mesh
-        out.header(0.0, "").text("").count(0).count(0).text("").text("").text("").count(0).value([0])
-    }).0
+    COLOURS
+        .into_iter()
+        .enumerate()
+        .fold(Cdr::new().count(COLOURS.len()), |out, (which, (name, colour))| {
+            let ends = visit.iter().flat_map(|error| {
+                let vector = if which == 0 { error.before_mm } else { error.after_mm };
+                [error.at_mm, minus(error.at_mm, vector.map(|v| v * magnification))]
+            });
+            let out =
+                out.header(time_s, frame).text(&format!("{name}, {magnification} x")).count(number).whole(LINE_LIST);
+            // added at the origin of the frame, kept for good
+            let out = out.whole(0).numbers([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]).numbers([LINE_WIDTH_M, 0.0, 0.0]);
+            let out = out.colour(colour).whole(0).whole(0).value([0]).count(2 * visit.len());
+            let out = ends.fold(out, |out, end| out.numbers(metres(end))).count(0).text("");
+            // no texture, text or mesh
+            out.header(0.0, "").text("").count(0).count(0).text("").text("").text("").count(0).value([0])
+        })
+        .0
 }
