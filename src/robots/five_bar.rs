@@ -251,7 +251,7 @@ impl FiveBar {
     pub fn violation(&self, p: &[f64], q: [f64; 2], at: &Linkage) -> Option<Phrase> {
         let FiveBarLimits { limits_rad, clearance_mm, type1_margin_rad, type2_margin_rad } = self.limits;
         if !at.e.iter().all(|v| v.is_finite()) {
-            return Some(phrase!("arms-apart"));
+            return Some(phrase!("arms-do-not-meet"));
         }
         let outside = |(_, (q, [least, greatest])): &(usize, (f64, [f64; 2]))| !(*least..=*greatest).contains(q);
         if let Some((i, (q, ends))) = q.into_iter().zip(limits_rad).enumerate().find(outside) {

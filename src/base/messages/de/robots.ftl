@@ -82,7 +82,7 @@ joint-beyond-limits = { $joint } = { $q } { $unit }, die Grenzen sind { $lower }
 angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, die Grenzen sind { $least } und { $greatest } deg
 actuator-beyond-travel = { $actuator } = { $rho } mm, der Verfahrweg ist 0 bis { $end } mm
 legs-apart = die Beine treffen die Plattform nicht
-arms-apart = die Arme treffen sich nicht
+arms-do-not-meet = die Arme treffen sich nicht
 singularity-near = { FIXED($found, 3) } deg von der Singularität vom Typ { $kind } { $kind ->
         [1] (ein Arm gestreckt oder eingefaltet)
        *[2] (die distalen Glieder in einer Linie)

@@ -82,7 +82,7 @@ joint-beyond-limits = { $joint } = { $q } { $unit }, its limits are { $lower } a
 angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, its limits are { $least } and { $greatest } deg
 actuator-beyond-travel = { $actuator } = { $rho } mm, its travel is 0 to { $end } mm
 legs-apart = the legs do not meet the platform
-arms-apart = the arms do not meet
+arms-do-not-meet = the arms do not meet
 singularity-near = { FIXED($found, 3) } deg from the singularity of type { $kind } { $kind ->
         [1] (an arm stretched or folded)
        *[2] (the distal links in line)

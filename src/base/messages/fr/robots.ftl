@@ -82,7 +82,7 @@ joint-beyond-limits = { $joint } = { $q } { $unit }, ses limites sont { $lower }
 angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, ses limites sont { $least } et { $greatest } deg
 actuator-beyond-travel = { $actuator } = { $rho } mm, sa course va de 0 à { $end } mm
 legs-apart = les jambes ne rejoignent pas la plateforme
-arms-apart = les bras ne se rejoignent pas
+arms-do-not-meet = les bras ne se rejoignent pas
 singularity-near = à { FIXED($found, 3) } deg de la singularité de type { $kind } { $kind ->
         [1] (un bras tendu ou replié)
        *[2] (les segments distaux alignés)
