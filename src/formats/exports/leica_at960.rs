@@ -4,13 +4,14 @@
 use super::Recognised;
 use super::delimited::NamedDialect;
 use crate::dialect::{ColumnAt, ColumnRole, Columns, Delimiter, Dialect, Header};
+use etalon_base::phrase;
 
 /// Columns by name; `Q0` is the scalar. The uncertainties are those of 95 % (k = 2).
 pub(super) const LEICA_AT960: NamedDialect = NamedDialect {
     name: "leica-at960",
     recognise: |text| {
         let mark = header(text).is_some();
-        let what = "an export of a Leica AT960 or AT930 in six degrees of freedom, by its header";
+        let what = phrase!("is-leica-at960");
         Recognised::by(mark, 0.9, what).map(|found| Recognised { unit: Some("mm"), ..found })
     },
     dialect: || {
