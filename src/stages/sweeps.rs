@@ -395,18 +395,19 @@ pub(crate) fn not_held(table: &AxisTable, joints: &[String]) -> Vec<Message> {
 /// The robot as a document, with its robot.toml.
 fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messages: &mut Vec<Message>) -> AxesRobot {
     let mut comments = vec![
-        "axes by sweeps of one joint at a time (etalon axes); no nominal model".to_owned(),
-        format!("base by axes 1 and 2, rule `{}`: z along axis 1", rule_name(model.rule)),
+        phrase!("axes-comment-method").to_string(),
+        phrase!("axes-comment-base", rule = rule_name(model.rule)).to_string(),
     ];
     let renamed = (1..).zip(&table.joints).filter(|(i, name)| **name != format!("q{i}"));
-    comments.extend(renamed.map(|(i, name)| format!("q{i} is {name}")));
+    comments.extend(renamed.map(|(number, name)| phrase!("axes-comment-joint", number, name).to_string()));
     if model.measured.iter().any(|m| m.rest.is_empty()) {
-        comments.push("joint values are zero at the start of the sweeps".to_owned());
+        comments.push(phrase!("axes-comment-zero").to_string());
     }
     for (name, at) in table.targets.iter().zip(&model.targets_mm) {
-        comments.push(format!("target {name} on the flange (mm): {:.4} {:.4} {:.4}", at[0], at[1], at[2]));
+        let [x, y, z] = *at;
+        comments.push(phrase!("axes-comment-target", name, x, y, z).to_string());
     }
-    let name = "Robot by its axes";
+    let name = &phrase!("axes-robot-name").to_string();
     let robot_toml = match stated.convention {
         TableConvention::Poe => screws_text(name, &comments, &model.axes, &model.flange),
         convention => {

@@ -466,3 +466,5 @@ xacro-too-many-files = mehr als { $most_files } eingebundene Dateien, oder mehr 
 xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte, oder er braucht mehr als { $most_depth } Eigenschaften ineinander
 
 xacro-too-large = der ersetzte Text ist größer als { $most_mib } MiB
+
+joints-named-as-robots = die Gelenke heißen wie die des Roboters

@@ -1059,3 +1059,15 @@ temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte 
 
 temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Unsicherheit der Längen ist zu klein
     .hint = eine `expanded_temperature_uncertainty_c` angeben, die den Bereich abdeckt
+
+axes-comment-method = Achsen durch Bewegung je eines Gelenks (etalon axes); ohne Nennmodell
+
+axes-comment-base = Basis durch Achsen 1 und 2, Regel `{ $rule }`: z entlang Achse 1
+
+axes-comment-joint = q{ $number } ist { $name }
+
+axes-comment-zero = die Gelenkwerte sind zu Beginn der Bewegungen null
+
+axes-comment-target = Zielmarke { $name } am Flansch (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Roboter nach seinen Achsen

@@ -2135,3 +2135,15 @@ temperature-elsewhere = `temperature_c` = { $stated_c }; the rows of the exports
 # Example: `expanded_temperature_uncertainty_c = 0.5`, and rows with 19.1 to 22.8
 temperature-varies = the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C, more than ±{ $expanded_c } °C; the uncertainty of lengths is too small
     .hint = state an `expanded_temperature_uncertainty_c` that covers the range
+
+axes-comment-method = axes by sweeps of one joint at a time (etalon axes); no nominal model
+
+axes-comment-base = base by axes 1 and 2, rule `{ $rule }`: z along axis 1
+
+axes-comment-joint = q{ $number } is { $name }
+
+axes-comment-zero = joint values are zero at the start of the sweeps
+
+axes-comment-target = target { $name } on the flange (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Robot by its axes

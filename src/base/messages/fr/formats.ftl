@@ -466,3 +466,5 @@ xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $mo
 xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou demande plus de { $most_depth } propriétés les unes dans les autres
 
 xacro-too-large = le texte développé dépasse { $most_mib } Mio
+
+joints-named-as-robots = les articulations portent les noms de celles du robot

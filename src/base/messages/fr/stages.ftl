@@ -1062,3 +1062,15 @@ temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des exports
 
 temperature-varies = les lignes des exports indiquent { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, plus que ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
     .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre l’étendue
+
+axes-comment-method = axes par balayage d’une articulation à la fois (etalon axes) ; sans modèle nominal
+
+axes-comment-base = base par les axes 1 et 2, règle `{ $rule }` : z le long de l’axe 1
+
+axes-comment-joint = q{ $number } est { $name }
+
+axes-comment-zero = les valeurs articulaires sont nulles au début des balayages
+
+axes-comment-target = cible { $name } sur la bride (mm) : { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Robot par ses axes

@@ -33,7 +33,7 @@ impl ExportFormat for Qif {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(is_xml(text) && head(text).contains("QIFDocument"), 1.0, "a QIF document")
+        Recognised::by(is_xml(text) && head(text).contains("QIFDocument"), 1.0, phrase!("is-qif"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
