@@ -38,6 +38,7 @@ struct Page<'a> {
     subtitle: String,
     class: &'static str,
     checks: Vec<String>,
+    counted: Vec<Counted>,
     headings: Vec<String>,
     worst: Vec<Plain<'a>>,
     left_out: usize,
@@ -50,6 +51,7 @@ struct Plain<'a> {
     report: Option<&'a str>,
     robot: &'a str,
     date: &'a str,
+    valid_until: &'a str,
     ended: String,
     grade: &'static str,
     cause: String,
@@ -62,6 +64,13 @@ struct Plain<'a> {
 struct Checked {
     said: String,
     grade: &'static str,
+}
+
+/// Number of campaigns with each verdict on a check: pass, conditional, undecided, fail.
+#[derive(Serialize)]
+struct Counted {
+    check: String,
+    counts: [usize; 4],
 }
 
 #[derive(Clone, Default, Serialize)]
@@ -120,6 +129,8 @@ pub fn write(
             outliers,
             row.badness(),
             checked.into_iter().map(|c| [c.said, c.grade.to_owned()]).collect::<Vec<_>>(),
+            entry.valid_until,
+            limits_of(row, &order, figures),
         ]);
         write!(into, "{}{}", if i > 0 { ",\n" } else { "" }, script_safe(&data)?)?;
     }
@@ -206,6 +217,50 @@ fn check_name(name: &str, words: &Words) -> String {
 fn checked(entry: &BatchEntry, name: &str, words: &Words) -> Checked {
     let check = entry.checks.iter().find(|c| c.name == name);
     check.map_or_else(Checked::default, |c| Checked { said: said(c.verdict, words), grade: grade_of(c.verdict) })
+}
+
+/// Verdicts on each check, counted over all campaigns.
+fn counted(document: &BatchDocument, checks: &[&str], words: &Words) -> Vec<Counted> {
+    const ORDER: [Acceptance; 4] =
+        [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail];
+    let all = |name: &str| -> Vec<Acceptance> {
+        let found = document.campaigns.iter().flat_map(|c| &c.checks).filter(|c| c.name == name);
+        found.map(|c| c.verdict).collect()
+    };
+    let of = |name: &&str| {
+        let found = all(name);
+        let counts = ORDER.map(|verdict| found.iter().filter(|v| **v == verdict).count());
+        Counted { check: check_name(name, words), counts }
+    };
+    checks.iter().map(of).collect()
+}
+
+/// Limits of a campaign by the column of their quantity: of the validation poses if these have a
+/// value, otherwise of the calibration poses.
+fn limits_of(row: &Row, order: &[usize], figures: &BatchFigures) -> Vec<(usize, f64)> {
+    let column = |name: &str| {
+        let named = |k: &usize| figures.quantities.get_index(order[*k]).is_some_and(|q| q.name == name);
+        (0..order.len()).filter(|k| row.figures[order[*k]].is_some()).find(named)
+    };
+    let of = |check: &BatchCheck| {
+        let limit = check.limit?;
+        let quantity = LimitQuantity::ALL.iter().find(|q| q.to_string() == check.name)?;
+        let place = match (quantity.of_errors(), quantity) {
+            (Some((errors, figure)), _) => {
+                let statistic = match figure {
+                    etalon_documents::Figure::Max => "max",
+                    etalon_documents::Figure::Rms => "RMS",
+                    etalon_documents::Figure::Mean => return None,
+                };
+                let of_set = |set: &str| column(&format!("{set} {errors} {statistic}"));
+                of_set("validation").or_else(|| of_set("calibration"))
+            }
+            (None, LimitQuantity::AccuracyMaxMm) => column("AP"),
+            (None, _) => column("RP"),
+        };
+        Some((place?, limit))
+    };
+    row.entry.checks.iter().filter_map(of).collect()
 }
 
 /// Reason of a failure, or checks that are not passed, the worst first.
@@ -337,6 +392,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
         report: row.report.as_deref(),
         robot: row.entry.robot.as_deref().unwrap_or_default(),
         date: row.entry.date.as_deref().unwrap_or_default(),
+        valid_until: row.entry.valid_until.as_deref().unwrap_or_default(),
         ended: ended(row.entry, words),
         grade: grade(row.entry),
         cause: row.cause.clone(),
@@ -359,6 +415,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
             _ => "bad",
         },
         checks: checks.iter().map(|name| check_name(name, words)).collect(),
+        counted: counted(document, &checks, words),
         headings: order.iter().map(heading).collect(),
         worst: worst.iter().map(plain).collect(),
         left_out: rows.len().saturating_sub(WORST),

@@ -2,6 +2,7 @@
 
 mod driver;
 mod pages;
+mod samples;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -935,3 +935,6 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 
 clock-rate-none = bei keinem Versatz der Uhren und keinem Gangunterschied bis ± { $most_ppm } ppm fällt jeder Messpunkt in einen Stillstand des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
+
+limit-not-assessable = Grenze `{ $limit }` ist nicht beurteilbar: die entscheidenden Posen zeigen ihre Größe nicht
+    .hint = die Größe an diesen Posen messen oder die Grenze aus [limits] entfernen

@@ -938,3 +938,6 @@ clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune 
 
 clock-rate-none = à aucun décalage des horloges et à aucune dérive dans ± { $most_ppm } ppm chaque point mesuré ne tombe dans un arrêt du journal
     .hint = vérifier que le journal est celui de cette mesure et retirer les points mesurés en mouvement ; ou indiquer `clock_offset_s` par un nombre
+
+limit-not-assessable = la limite `{ $limit }` ne peut être évaluée : les poses décisives ne montrent pas sa grandeur
+    .hint = mesurer la grandeur à ces poses, ou retirer la limite de [limits]
