@@ -2,8 +2,8 @@
 //! documents of a campaign.
 
 use crate::{
-    AccuracyDocument, CampaignSummary, ControllerErrors, EffectProof, Figure, Judged, LimitQuantity,
-    LimitVerdict, PointError, PoseSet, PositionErrors, Reason, UncertaintySource, VerdictDocument,
+    AccuracyDocument, CampaignSummary, ControllerErrors, EffectProof, Figure, Judged, LimitQuantity, LimitVerdict,
+    PointError, PoseSet, PositionErrors, Reason, UncertaintySource, VerdictDocument,
 };
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Rank};
@@ -375,8 +375,7 @@ impl Evidence<'_> {
 
 /// Effect that proves itself at poses that are left out.
 fn add_effect(proof: &EffectProof) -> Action {
-    let reason =
-        phrase!("action-add-effect-reason", without = length(proof.without_mm), with = length(proof.with_mm));
+    let reason = phrase!("action-add-effect-reason", without = length(proof.without_mm), with = length(proof.with_mm));
     let (file, line) = match &proof.robot_key {
         Some(key) => ("robot.toml", key.clone()),
         None => ("campaign.toml", "effects = \"proven\"".to_owned()),

@@ -1,8 +1,9 @@
 //! Verdict on everything that a report judges, with its reasons.
 
 use crate::{
-    Acceptance, Action, AccuracyDocument, Characteristics, Conditions, Conformity, ControllerErrors, ControllersDocument,
-    Iso9283Document, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic, PositionErrors,
+    Acceptance, AccuracyDocument, Action, Characteristics, Conditions, Conformity, ControllerErrors,
+    ControllersDocument, Iso9283Document, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic,
+    PositionErrors,
 };
 use etalon_base::pose_name::PoseName;
 use etalon_standards::iso9283::pose::CYCLES;

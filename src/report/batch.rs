@@ -221,8 +221,7 @@ fn checked(entry: &BatchEntry, name: &str, words: &Words) -> Checked {
 
 /// Verdicts on each check, counted over all campaigns.
 fn counted(document: &BatchDocument, checks: &[&str], words: &Words) -> Vec<Counted> {
-    const ORDER: [Acceptance; 4] =
-        [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail];
+    const ORDER: [Acceptance; 4] = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail];
     let all = |name: &str| -> Vec<Acceptance> {
         let found = document.campaigns.iter().flat_map(|c| &c.checks).filter(|c| c.name == name);
         found.map(|c| c.verdict).collect()
@@ -512,8 +511,12 @@ mod tests {
             limit,
             unit: limit.map(|_| "mm".to_owned()),
         };
-        let entry =
-            |ended, checks: &[BatchCheck]| BatchEntry { ended, checks: checks.to_vec(), ..BatchEntry::default() };
+        let entry = |ended, checks: &[BatchCheck]| BatchEntry {
+            ended,
+            checks: checks.to_vec(),
+            valid_until: Some("2027-03-02".to_owned()),
+            ..BatchEntry::default()
+        };
         let undecided = check("position_max_mm", Acceptance::Conditional, Some(0.2), Some(0.21));
         let failed = check("position_rms_mm", Acceptance::Fail, Some(0.1368), Some(0.1));
         let document = BatchDocument::new(vec![
@@ -522,14 +525,20 @@ mod tests {
         ]);
         let page = page(&document, &figures, Language::En);
         assert!(page.contains("0 pass, 1 conditional, 0 undecided, 1 fail, 0 not run, 0 skipped"));
-        let heads: Vec<&str> =
-            page.split("<th").skip(2).map(|h| h.split_once('>').unwrap().1.split('<').next().unwrap()).collect();
+        let heads: Vec<&str> = page
+            .split("id=\"campaigns\"")
+            .nth(1)
+            .unwrap()
+            .split("<th")
+            .skip(2)
+            .map(|h| h.split_once('>').unwrap().1.split('<').next().unwrap())
+            .collect();
         let place =
             |head: &str| heads.iter().position(|h| h.starts_with(head)).unwrap_or_else(|| panic!("{head}: {heads:?}"));
         assert_eq!((place("Campaign"), place("Verdict"), place("Cause")), (0, 1, 2));
         assert!(place("Cause") < place("largest position") && place("RMS position") < place("Robot"), "{heads:?}");
         assert!(place("validation") < place("calibration") && place("calibration") < place("d_1"), "{heads:?}");
-        let worst = page.split("<tbody>").nth(1).unwrap().split("</tr>").next().unwrap();
+        let worst = page.split("<tbody>").nth(2).unwrap().split("</tr>").next().unwrap();
         let [verdict, cause] = [0, 1].map(|i| worst.split("<td").nth(i + 1).unwrap());
         assert!(
             verdict.contains(">fail<")
@@ -537,6 +546,25 @@ mod tests {
             "{worst}"
         );
         assert!(!page.contains("position_max"), "keys are no labels");
+        // a row of the first table: pass, conditional, undecided, fail
+        let counts = page.split("id=\"counts\"").nth(1).unwrap();
+        let of = |check: &str| -> Vec<&str> {
+            let row = counts.split(&format!(">{check}</th>")).nth(1).unwrap().split("</tr>").next().unwrap();
+            row.split("<td class=\"num\">").skip(1).map(|cell| cell.split('<').next().unwrap()).collect()
+        };
+        assert_eq!(of("largest position error"), ["0", "2", "0", "0"]);
+        assert_eq!(of("RMS position error"), ["0", "0", "0", "1"]);
+        // the limit is drawn over the validation poses
+        let data: Value =
+            serde_json::from_str(page.split("id=\"data\">").nth(1).unwrap().split("</script>").next().unwrap())
+                .unwrap();
+        let column = data["quantities"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .position(|q| q[0].as_str().unwrap().contains("validation") && q[0].as_str().unwrap().contains("max"));
+        assert_eq!(data["rows"][0][11], json!([[column.unwrap(), 0.21]]));
+        assert_eq!(data["rows"][0][10], "2027-03-02");
     }
 
     #[test]

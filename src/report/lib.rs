@@ -26,9 +26,9 @@ use etalon_base::date::day_of_epoch;
 use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
-    AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument, Evidence,
-    FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument, PlanDocument,
-    PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
+    AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument,
+    Evidence, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument,
+    PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
     VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};

@@ -1,6 +1,5 @@
 //! Identify: observations become parameters, and errors before and after.
 
-use crate::stages::influence::influences;
 use crate::stages::apart::Apart;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
 use crate::stages::commanded::commanded;
@@ -10,6 +9,7 @@ use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
+use crate::stages::influence::influences;
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, RowDefaults};
@@ -27,7 +27,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections, StatedPoses};
 use etalon_documents::parameters_document;
 use etalon_documents::{
-    AccuracyDocument, Conformity, EffectProof, FramePose, FramesDocument, JointTravel, LimitVerdict, ParametersDocument, PointError, WorldFrame,
+    AccuracyDocument, Conformity, EffectProof, FramePose, FramesDocument, JointTravel, LimitVerdict,
+    ParametersDocument, PointError, WorldFrame,
 };
 use etalon_formats::table;
 use etalon_identify::{

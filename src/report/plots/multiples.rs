@@ -36,10 +36,8 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
     let left = 0.5 * (WIDE - columns as f64 * cell);
     let scale = radius / (1.05 * reach);
     for (i, (p, all)) in drawn.iter().enumerate() {
-        let middle = (
-            left + ((i % COLUMNS) as f64 + 0.5) * cell,
-            (i / COLUMNS) as f64 * (cell + 36.0) + 18.0 + 0.5 * cell,
-        );
+        let middle =
+            (left + ((i % COLUMNS) as f64 + 0.5) * cell, (i / COLUMNS) as f64 * (cell + 36.0) + 18.0 + 0.5 * cell);
         let cycles = range(all.iter().map(|(cycle, _)| *cycle as f64))?;
         svg.cross("grid", middle, radius);
         let rp = p.rp_mm.unwrap_or(0.0);
@@ -62,8 +60,7 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
     svg.legend(Look::new(Shape::Circle, "ring"), &tr!(words, "rp-circle"));
     let title = tr!(words, "multiples-title");
     let half = number::fixed(1e3 * 1.05 * reach, 0);
-    let description =
-        tr!(words, "multiples-description", half, count = drawn.len(), total = document.poses.len());
+    let description = tr!(words, "multiples-description", half, count = drawn.len(), total = document.poses.len());
     Some(svg.figure("visits-all", title, description))
 }
 

@@ -76,7 +76,7 @@ fn with_flagged(
             total = d.poses
         )));
     }
-    if let Some(tool) = &accuracy.tool {
+    if let Some(tool) = accuracy.tool.as_ref().filter(|_| whole) {
         push_tool(&mut section, accuracy, tool, words);
     }
     let table = poses(errors, flagged, words);
@@ -105,12 +105,15 @@ fn push_set(section: &mut Section, accuracy: &AccuracyDocument, set: &AccuracySe
     section.push(Block::Table(statistics(accuracy, set, set.name.name(), names, words).on("Errors")));
 }
 
-/// Annex with the errors of the sets that do not decide.
+/// Annex with the errors of the sets that do not decide, and at the tool point.
 pub(super) fn other_sets(report: &Report, words: &Words) -> Option<Section> {
     let accuracy = report.identified?.accuracy;
     let mut section = Section::new("other-errors", tr!(words, "errors-that-do-not-decide"));
     for set in accuracy.sets.iter().filter(|set| !is_deciding(accuracy, set)) {
         push_set(&mut section, accuracy, set, words);
+    }
+    if let Some(tool) = &accuracy.tool {
+        push_tool(&mut section, accuracy, tool, words);
     }
     section.on_terminal().whole()
 }

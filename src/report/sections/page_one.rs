@@ -18,7 +18,8 @@ pub(crate) fn complete(report: &Report, judgement: &VerdictDocument, verdict: Ve
 
 /// Verdict with its limits and headlines in figures.
 pub(crate) fn with_figures(verdict: Verdict, limits: &[&LimitVerdict], words: &Words) -> Verdict {
-    let before_after = bullets::before_after(&verdict.headlines, verdict.about.trim_end_matches([':', ' ', '\u{a0}']), words);
+    let before_after =
+        bullets::before_after(&verdict.headlines, verdict.about.trim_end_matches([':', ' ', '\u{a0}']), words);
     let graphs = bullets::limits(limits, words).into_iter().chain(before_after).collect();
     Verdict { graphs, ..verdict }
 }
@@ -34,11 +35,7 @@ fn step(action: &Action, words: &Words) -> Step {
         (Some(phrase), _) => words.tr(phrase),
         (None, texts) => texts.map_or_else(|| action.reason.clone(), |t| t.what),
     };
-    Step {
-        what: Text::from(sentence(&what)),
-        reason: Text::from(sentence(&reason)),
-        command: action.command.clone(),
-    }
+    Step { what: Text::from(sentence(&what)), reason: Text::from(sentence(&reason)), command: action.command.clone() }
 }
 
 /// Fields without which the report is a draft.

@@ -147,6 +147,7 @@ controlled-by = kontrolliert durch
 controller = Steuerung
 controller-files = Steuerungsdateien
 conventions = Vereinbarungen
+conventions-and-drift = Konventionen, Drift der Aufzeichnung
 cooks-distance = Cook-Abstand
 cooks-distance-description = Ein Balken je Pose der Tabelle; Posen über der Linie sind einflussreich.
 cooks-distance-note = Cook-Abstand: Änderung der Parameter ohne die Pose, bezogen auf ihre Kovarianz. Eine Pose über { $limit } ist einflussreich (Median von F; Cook 1977).
@@ -293,7 +294,7 @@ errors-of-each-pose = Abweichungen je Pose
 errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet: die größte Abweichung jeder Pose nach der Kalibrierung, für alle Validierungsposen, soweit Platz ist, und eine gleichmäßige Auswahl der Kalibrierposen.
 errors-overlaid-description = Anteile von { $count } Punkten ({ $set }); logarithmische Achse.
 errors-overlaid-title = Positionsabweichungen vorher und nachher
-errors-that-do-not-decide = Abweichungen an den Kalibrierposen
+errors-that-do-not-decide = Weitere Abweichungen
 exchangeability = Austauschbarkeit
 exchangeability-between-robots = Austauschbarkeit E = { $distance } µm: größter Abstand zwischen den mittleren Positionen zweier Roboter an derselben Pose (ISO 9283:1998, 7.7).
 expected = erwartet

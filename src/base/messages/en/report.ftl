@@ -147,6 +147,7 @@ controlled-by = controlled by
 controller = controller
 controller-files = Controller files
 conventions = conventions
+conventions-and-drift = Conventions, drift of the recording
 cooks-distance = Cook's distance
 cooks-distance-description = One bar per pose of the table; poses above the line are influential.
 cooks-distance-note = Cook's distance: change of the parameters when the pose is omitted, relative to their covariance. A pose above { $limit } is influential (median of F; Cook 1977).
@@ -293,7 +294,7 @@ errors-of-each-pose = Errors by pose
 errors-of-poses-drawn = { $drawn } of { $total } errors are drawn: the largest error of each pose after calibration, for all validation poses that fit and an even selection of calibration poses.
 errors-overlaid-description = Shares of { $count } points of { $set }; logarithmic axis.
 errors-overlaid-title = Position errors before and after
-errors-that-do-not-decide = Errors at the calibration poses
+errors-that-do-not-decide = Further errors
 exchangeability = Exchangeability
 exchangeability-between-robots = Exchangeability E = { $distance } µm: largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).
 expected = expected

@@ -147,6 +147,7 @@ controlled-by = contrôlé par
 controller = système de commande
 controller-files = Fichiers de commande
 conventions = conventions
+conventions-and-drift = Conventions, dérive de l’enregistrement
 cooks-distance = distance de Cook
 cooks-distance-description = Une barre par pose du tableau ; les poses au-dessus de la ligne sont influentes.
 cooks-distance-note = Distance de Cook : variation des paramètres lorsque la pose est omise, rapportée à leur covariance. Une pose au-dessus de { $limit } est influente (médiane de F ; Cook 1977).
@@ -293,7 +294,7 @@ errors-of-each-pose = Erreurs par pose
 errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées : la plus grande erreur de chaque pose après étalonnage, pour toutes les poses de validation qui tiennent sur la figure et un choix régulier de poses d'étalonnage.
 errors-overlaid-description = Parts de { $count } points ({ $set }) ; axe logarithmique.
 errors-overlaid-title = Erreurs de position avant et après
-errors-that-do-not-decide = Erreurs aux poses d’étalonnage
+errors-that-do-not-decide = Autres erreurs
 exchangeability = Interchangeabilité
 exchangeability-between-robots = Interchangeabilité E = { $distance } µm : plus grande distance entre les positions moyennes de deux robots à une même pose (ISO 9283:1998, 7.7).
 expected = attendu
