@@ -18,13 +18,14 @@ pub const MOST: usize = 5;
 /// Maximum number of poses in one action.
 const POSES: usize = 5;
 /// Ids of warnings that other actions contain.
-const COVERED: [&str; 7] = [
+const COVERED: [&str; 8] = [
     "outliers",
     "robust-fit-disagrees-at-poses",
     "few-cycles",
     "instrument-too-coarse",
     "file-near-nominal",
     "effect-would-prove",
+    "limit-not-assessable",
     "file-worse-than-nominal",
 ];
 
@@ -150,7 +151,7 @@ impl Action {
 /// Length with three significant digits, in µm below 0.1 mm.
 fn length(mm: f64) -> String {
     let (value, unit) = if mm.abs() < 0.1 { (1e3 * mm, "µm") } else { (mm, "mm") };
-    let before = if value.abs() >= 1.0 { value.abs().log10().floor() as i32 } else { 0 };
+    let before = if value.abs() >= 1.0 { value.abs().log10().floor() as i32 } else { -1 };
     format!("{value:.*} {unit}", (2 - before).clamp(0, 3) as usize)
 }
 

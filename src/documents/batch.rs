@@ -38,6 +38,9 @@ pub struct BatchEntry {
     pub robot: Option<String>,
     /// Date of the measurement.
     pub date: Option<String>,
+    /// Last day on which the calibration is valid, as stated: year-month-day.
+    #[serde(default)]
+    pub valid_until: Option<String>,
     /// Outcome.
     pub ended: BatchEnd,
     /// `true` if the campaign was run; `false` if nothing has changed since its last run.

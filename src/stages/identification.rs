@@ -27,7 +27,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections, StatedPoses};
 use etalon_documents::parameters_document;
 use etalon_documents::{
-    AccuracyDocument, EffectProof, FramePose, FramesDocument, JointTravel, ParametersDocument, PointError, WorldFrame,
+    AccuracyDocument, Conformity, EffectProof, FramePose, FramesDocument, JointTravel, LimitVerdict,
+    ParametersDocument, PointError, WorldFrame,
 };
 use etalon_formats::table;
 use etalon_identify::{
@@ -141,6 +142,7 @@ pub fn identify(
     let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: &all, settings: &settings };
     let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
+    found.warnings.extend(accuracy.limits.iter().filter_map(not_assessable).map(Into::into));
     accuracy.placed_apart = placed.documents(robot);
     accuracy.effects = proofs.unwrap_or_else(|| unused(robot, &sets, &settings, &found));
     accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, &sets, &settings, &found));
@@ -179,7 +181,13 @@ pub fn identify(
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })
 }
 
-/// Sets the effects that the data prove, if the campaign requests them, and returns the gain of
+/// Warning about a limit whose quantity the poses that decide do not show.
+fn not_assessable(limit: &LimitVerdict) -> Option<Message> {
+    (limit.conformity == Conformity::NotAssessable)
+        .then(|| warning!("limit-not-assessable", limit = limit.name.to_string()))
+}
+
+/// Sets the effects that the data prove, if the campaign asks for them, and returns the gain of
 /// each.
 fn proven_effects(
     robot: &dyn Robot,

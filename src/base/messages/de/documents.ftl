@@ -82,7 +82,7 @@ action-add-effect = `{ $line }` in robot.toml ergänzen
 action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratisches Mittel)
 action-add-validation = Posen zur Validierung der Parameter messen und unter `validation` in [identify] nennen
 action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als an neuen Posen
-action-finer-instrument = mit einer erweiterten Unsicherheit von höchstens { $uncertainty } messen
+action-finer-instrument = mit einer erweiterten Unsicherheit einer Position von höchstens { $uncertainty } messen
 action-finer-instrument-reason = U = { $uncertainty } ist { $percent } % der Kenngröße an Pose{ $count ->
         [one] {" "}{ $poses }
        *[other] n { $poses }

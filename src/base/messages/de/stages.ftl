@@ -922,6 +922,8 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 
 clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
+limit-not-assessable = Grenze `{ $limit }` ist nicht beurteilbar: die entscheidenden Posen zeigen ihre Größe nicht
+    .hint = die Größe an diesen Posen messen oder die Grenze aus [limits] entfernen
 sweep-joint-unknown = `{ $joint }` ist kein Gelenk dieser Messreihen
     .expected = { $known }
 

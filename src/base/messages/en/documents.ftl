@@ -135,7 +135,7 @@ action-add-effect = add `{ $line }` to robot.toml
 action-add-effect-reason = error at poses that are left out: { $without } → { $with } (root mean square)
 action-add-validation = measure poses that validate the parameters, and name them in `validation` of [identify]
 action-add-validation-reason = errors at the calibration poses alone are smaller than those at new poses
-action-finer-instrument = measure with an expanded uncertainty of at most { $uncertainty }
+action-finer-instrument = measure with an expanded uncertainty of a position of at most { $uncertainty }
 action-finer-instrument-reason = U = { $uncertainty } is { $percent } % of the characteristic at pose{ $count ->
         [one] {" "}{ $poses }
        *[other] s { $poses }

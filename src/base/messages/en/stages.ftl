@@ -1877,6 +1877,12 @@ clock-rate-insignificant = the standstills of log `{ $log }` show no significant
 # Example: the log of yesterday's run
 clock-rate-none = no offset of the clocks and no rate within ± { $most_ppm } ppm put every measured point into a standstill of the log
     .hint = check that the log belongs to this measurement, and remove points measured in motion; or state `clock_offset_s` as a number
+# Means: A limit is stated, and the poses that decide do not show its quantity.
+# Matters: The limit is undecided, and the exit code is 1.
+# Do: Measure the quantity at the validation poses, or remove the limit.
+# Example: `position_max_mm` for a campaign of draw wires
+limit-not-assessable = limit `{ $limit }` cannot be assessed: the poses that decide do not show its quantity
+    .hint = measure the quantity at these poses, or remove the limit from [limits]
 # Means: A joint is named that no row of the table sweeps and no column has values of.
 # Matters: The order of the joints, or what is stated of one, would be wrong.
 # Do: Write the name as in the column `joint`.

@@ -82,7 +82,7 @@ action-add-effect = ajouter `{ $line }` à robot.toml
 action-add-effect-reason = erreur aux poses laissées de côté : { $without } → { $with } (moyenne quadratique)
 action-add-validation = mesurer des poses qui valident les paramètres, et les nommer dans `validation` de [identify]
 action-add-validation-reason = les erreurs aux seules poses d'étalonnage sont plus petites qu'à de nouvelles poses
-action-finer-instrument = mesurer avec une incertitude élargie d'au plus { $uncertainty }
+action-finer-instrument = mesurer avec une incertitude élargie de la position d'au plus { $uncertainty }
 action-finer-instrument-reason = U = { $uncertainty } représente { $percent } % de la caractéristique { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }

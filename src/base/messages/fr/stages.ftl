@@ -925,6 +925,8 @@ clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune 
 
 clock-rate-none = aucun décalage des horloges, même avec une dérive jusqu’à ± { $most_ppm } ppm, ne place tous les points mesurés dans des arrêts du journal
     .hint = vérifier si le journal est celui de cette mesure, et supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique
+limit-not-assessable = la limite `{ $limit }` ne peut être évaluée : les poses décisives ne montrent pas sa grandeur
+    .hint = mesurer la grandeur à ces poses, ou retirer la limite de [limits]
 sweep-joint-unknown = `{ $joint }` n’est pas une articulation de ces balayages
     .expected = { $known }
 
