@@ -172,41 +172,42 @@ fn campaign(c: &Compared) -> ComparedCampaign {
 fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<String> {
     let there = |family| trends.iter().any(|t| t.family == family);
     let mut said = vec![
-        "a change is significant where its probability by chance, corrected for the number of quantities of its family in one pair of \
-         campaigns, is below 5 %: of parameters by the distribution of the largest change, with their covariances (Westfall & Young \
-         1993), of others by Holm (1979); intervals are of 95 %, not corrected"
+        "a change is significant if its p-value, corrected for the number of quantities of its family in one pair \
+         of campaigns, is below 5 %; parameters: correction by the distribution of the largest change, with \
+         covariances (Westfall & Young 1993); other quantities: correction by Holm (1979); intervals of 95 % are \
+         not corrected"
             .to_owned(),
-        "every campaign is compared with the first and with the one before, in the order named".to_owned(),
+        "each campaign is compared with the first and with the previous one, in the stated order".to_owned(),
     ];
     if there(CompareFamily::Robot) || there(CompareFamily::SetUp) {
         said.push(
-            "parameters: change over the root of u1² + u2², by Student's t with Welch's degrees of freedom where \
-             uncertainties are estimated from residuals; both campaigns are taken as independent"
+            "parameters: change over the square root of u1² + u2²; Student's t distribution with Welch's degrees of \
+             freedom if uncertainties are estimated from residuals; both campaigns are assumed independent"
                 .to_owned(),
         );
         said.push(
-            "parameters of base and targets change with every set-up: a change there need not be the robot's"
+            "parameters of base and targets change with every set-up: their change need not be a change of the robot"
                 .to_owned(),
         );
     }
     if between {
         said.push(
-            "where the model misfits: intervals of changes of parameters are enlarged by the Birge ratio of all robot parameters of both \
-             campaigns, at least 1, because parameters take up what the model leaves out at the poses that were measured"
+            "model error: intervals of changes of parameters are enlarged by the Birge ratio (at least 1) of all \
+             robot parameters of both campaigns, because parameters absorb model error at the measured poses"
                 .to_owned(),
         );
     }
     if all.iter().filter_map(|c| c.identified.as_ref()).any(|i| parameters::degrees(i).is_finite()) {
         said.push(
-            "parameters all together: F test; where uncertainties are those that the errors of poses leave it is approximate, and \
-             with one or two coordinates measured a pose it calls too much changed"
+            "all parameters together: F test; it is approximate if uncertainties are estimated from pose errors, \
+             and then too often significant if only one or two coordinates of a pose were measured"
                 .to_owned(),
         );
     }
     if there(CompareFamily::MeanError) {
         said.push(
-            "mean errors: Welch's t test, as many errors as poses; where both campaigns measured the same poses it calls too \
-             little changed rather than too much"
+            "mean errors: Welch's t test with one error for each pose; conservative (too rarely significant) if \
+             both campaigns measured the same poses"
                 .to_owned(),
         );
     }
@@ -221,16 +222,17 @@ fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<
     }
     if there(CompareFamily::MeanPosition) {
         said.push(
-            "mean positions: Welch's t test of each coordinate, from the scatter of the visits alone: how well the frame was \
-             found again is not in it"
+            "mean positions: Welch's t test of each coordinate from the scatter of visits; the uncertainty of the \
+             measurement frames is not included"
                 .to_owned(),
         );
     }
     if there(CompareFamily::PathAccuracy) || there(CompareFamily::PathRepeatability) {
         said.push(
-            "AT: interval of the difference recovered from both intervals, as of AP; RT: the same on the logarithmic scale about \
-             the middles of both intervals, which stand for infinitely many passes; the bootstrap's intervals hold the truth in \
-             90 to 98 % of simulated tests of ten passes, by the kind of scatter, and not in 95 % of all"
+            "AT: interval of the difference recovered from both intervals, as for AP; RT: the same method on the \
+             logarithmic scale about the centres of both intervals, which estimate RT of infinitely many passes; in \
+             simulated tests of ten passes, bootstrap intervals contain the true value in 90 % to 98 % of tests, \
+             depending on the kind of scatter, instead of 95 %"
                 .to_owned(),
         );
     }
@@ -243,13 +245,13 @@ fn shared_instrument(all: &[Compared]) -> String {
     let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.as_deref()).collect();
     match (names.len(), names.first()) {
         (1, Some(Some(name))) => format!(
-            "all campaigns share the instrument {}: errors of it that stay the same are in every value and cancel in the \
-             changes, so that changes are known better than stated where they are part of u; what it drifted by between \
-             campaigns looks like a change of the robot",
+            "all campaigns share the instrument {}: its constant errors cancel in changes, so that uncertainties of \
+             changes are overestimated if u contains these errors; drift of the instrument between campaigns \
+             appears as a change of the robot",
             one_line(name)
         ),
-        _ => "the campaigns have different instruments: a systematic difference between them, which no scatter shows, looks \
-              like a change of the robot"
+        _ => "the campaigns have different instruments: a systematic difference between instruments, which scatter \
+         does not reveal, appears as a change of the robot"
             .to_owned(),
     }
 }

@@ -134,7 +134,10 @@ impl ParametersDocument {
         let identified = self.identified().count();
         let rows = self.covariance.len();
         if rows != 0 && (rows != identified || self.covariance.iter().any(|row| row.len() != rows)) {
-            return Err(format!("its covariance is not square with {identified} rows, one an identified parameter"));
+            return Err(format!(
+                "its covariance is not a square matrix with one row for each of {identified} \
+             identified parameters"
+            ));
         }
         let variances = self.covariance.iter().enumerate().map(|(i, row)| row[i]);
         if !variances.chain(self.parameters.iter().filter_map(|p| p.standard_uncertainty)).all(|u| u >= 0.0) {
@@ -143,7 +146,7 @@ impl ParametersDocument {
         let mut names: Vec<&str> = self.parameters.iter().map(|p| p.name.as_str()).collect();
         names.sort_unstable();
         match names.windows(2).find(|pair| pair[0] == pair[1]) {
-            Some(pair) => Err(format!("it holds the parameter `{}` twice", pair[0])),
+            Some(pair) => Err(format!("it contains the parameter `{}` twice", pair[0])),
             None => Ok(()),
         }
     }

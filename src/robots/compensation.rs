@@ -91,7 +91,7 @@ impl Calibrated<'_> {
     /// Fails if the joint values admit no pose.
     pub fn at_joints(&self, joints: &[f64]) -> Result<Pose, String> {
         let pose = self.arm.tool_pose(&self.identified, joints);
-        pose.ok_or_else(|| "the robot cannot be where the joints put it".to_owned())
+        pose.ok_or_else(|| "the robot has no pose at these joint values".to_owned())
     }
 
     /// Deviation along x, y or z (`axes`) of a robot that is commanded positions (mm): desired

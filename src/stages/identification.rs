@@ -234,7 +234,7 @@ impl Solved {
         Ok(messages)
     }
 
-    /// Returns errors before and after. Warnings that the result cannot be a robot come first, then
+    /// Returns errors before and after. Warnings that the result is implausible come first, then
     /// those in `said`.
     pub fn judge(
         &mut self,

@@ -229,8 +229,8 @@ fn conventions(recording: &Recording, settings: &MotionSettings) -> Vec<String> 
     let mut conventions = vec![
         settings.time.clone(),
         format!(
-            "standing: within {} mm of the mean for {} s or longer; a pose is visited within {} mm; its position is the \
-             mean of the middle half of the standstill",
+            "standstill: within {} mm of the mean for {} s or longer; a standstill within {} mm of a pose is a \
+             visit of it; attained position: mean of the middle half of the standstill",
             settings.still.radius_mm, settings.still.duration_s, settings.near_mm
         ),
         "clauses 7.4, 7.5, 8, 9 and 11 were not compared with a bought copy of the standard".to_owned(),
@@ -240,7 +240,8 @@ fn conventions(recording: &Recording, settings: &MotionSettings) -> Vec<String> 
     }
     if let Some(path) = &settings.path {
         let mut text = format!(
-            "path: normal planes at {} command points, the middles of equal parts; the last crossing of each within {} mm",
+            "path: normal planes at {} commanded points, the centres of equal parts; the last crossing of each \
+             plane within {} mm",
             path.points, settings.near_mm
         );
         if path.velocity_mm_s.is_some() && path.weave.is_none() {
@@ -249,22 +250,24 @@ fn conventions(recording: &Recording, settings: &MotionSettings) -> Vec<String> 
         if !path.path.corners(CORNER_RAD).is_empty() {
             let _ = write!(
                 text,
-                "; none within {} mm of a corner (at most a quarter of its leg), which is reported by itself",
+                "; none within {} mm of a corner (at most a quarter of its leg); corners are reported separately",
                 settings.near_mm
             );
         }
         conventions.push(text);
         if path.weave.is_none() {
             conventions.push(
-                "AT and RT: intervals by parametric bootstrap over the passes, of the AT and RT of infinitely many; in simulated \
-                 tests of ten passes they hold the truth in 90 to 98 % by the kind of scatter"
+                "AT and RT: intervals for infinitely many passes by parametric bootstrap over the passes; in \
+                 simulated tests of ten passes they contain the true value in 90 % to 98 % of tests, depending on \
+                 the kind of scatter"
                     .to_owned(),
             );
         }
     }
     if !recording.angles.is_empty() {
         let names: Vec<&str> = recording.angles.iter().map(|&k| ["a", "b", "c"][k]).collect();
-        conventions.push(format!("angles {} are followed along the motion and treated each alone", names.join(", ")));
+        conventions
+            .push(format!("angles {} are unwrapped along the motion and evaluated separately", names.join(", ")));
     }
     conventions
 }

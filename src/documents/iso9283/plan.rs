@@ -134,8 +134,8 @@ fn named(robot: &dyn Robot, q: &[f64]) -> BTreeMap<String, f64> {
 fn conventions(planar: bool, reach: Option<&Reach>) -> Vec<String> {
     let cube = if planar { "square" } else { "cube" };
     let moves = |reach: &Reach| match reach.all_move {
-        true => "all joints move between P1 to P5",
-        false => "not all joints move between P1 to P5, as the standard asks",
+        true => "all joints move between the poses P1 to P5",
+        false => "not all joints move between the poses P1 to P5; the standard requires it",
     };
     vec![
         format!("the largest {cube} in the stated workspace, edges parallel to the axes; C1 to C4 from the smallest x and y"),
@@ -144,10 +144,10 @@ fn conventions(planar: bool, reach: Option<&Reach>) -> Vec<String> {
          corners were not compared with a bought copy"
             .to_owned(),
         match reach {
-            None => "whether all joints move between poses, and whether the robot reaches them, was not looked at".to_owned(),
+            None => "motion of all joints between poses, and reachability of the poses, were not checked".to_owned(),
             Some(reach) => format!(
-                "reach: nominal parameters and the limits of the robot file; of several working modes one is kept along a list, the one that \
-                 reaches most of it; {}",
+                "reach: nominal parameters and the limits of the robot file; one working mode for each list of \
+                 poses: the one that reaches most of them; {}",
                 moves(reach)
             ),
         },

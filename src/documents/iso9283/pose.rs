@@ -408,38 +408,44 @@ fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<String> {
         "AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter".to_owned(),
         match settings.expanded_uncertainty_mm {
             Some(u) => format!(
-                "intervals contain the sampling and the instrument's expanded uncertainty of a coordinate, {} µm (k = 2)",
+                "intervals include sampling and the instrument's expanded uncertainty of a coordinate, \
+                 {} µm (k = 2)",
                 (u * 1e9).round() / 1e6
             ),
-            None => "intervals contain the sampling alone: no uncertainty of the instrument is stated".to_owned(),
+            None => "intervals include sampling only: no uncertainty of the instrument is stated".to_owned(),
         },
         "RP follows the standard's text (7.2.2); the other clauses were not compared with a bought copy".to_owned(),
     ];
     if visits.poses.iter().all(|p| p.commanded_mm.is_none()) {
-        conventions.push("no commanded poses: AP, distances and drift are not determined, and null".to_owned());
+        conventions.push("no commanded poses: AP, distances and drift are not determined (null)".to_owned());
     }
     if settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
-        conventions.push(match settings.decision_rule {
-            DecisionRule::Guarded => {
-                "conformity: guarded acceptance (ISO 14253-1) with the interval of 95 %: proven only where all of it is on one side"
+        conventions.push(
+            match settings.decision_rule {
+                DecisionRule::Guarded => {
+                    "conformity: guarded acceptance (ISO 14253-1): proven only if the whole interval of 95 % lies on \
+                     one side of the limit"
+                }
+                DecisionRule::SimpleAcceptance => "conformity: simple acceptance (ILAC-G8:09/2019, 4.2.1)",
+                DecisionRule::SharedRisk => {
+                    "conformity: shared risk (JCGM 106:2012, 8.2.1): decided if the expanded uncertainty is at most a \
+                     quarter of the limit"
+                }
             }
-            DecisionRule::SimpleAcceptance => "conformity: simple acceptance (ILAC-G8:09/2019, 4.2.1)",
-            DecisionRule::SharedRisk => {
-                "conformity: shared risk (JCGM 106:2012, 8.2.1): decided where the expanded uncertainty is at most a quarter of the limit"
-            }
-        }.to_owned());
+            .to_owned(),
+        );
     }
     let robots = visits.robots();
     if let (Some(first), true) = (robots.first(), robots.len() > 1) {
         let one = one_line(first);
-        conventions.push(format!("of {} robots: all is of `{one}`, but for exchangeability", robots.len()));
+        conventions.push(format!("{} robots: all results except exchangeability refer to `{one}`", robots.len()));
     }
     if visits.poses.iter().flat_map(|p| &p.attained).any(|v| v.readings_mm.len() > 1) {
         conventions.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
     }
     if !visits.angles.is_empty() {
         let order = settings.rotation_order.as_deref().unwrap_or("not stated");
-        conventions.push(format!("angles a, b, c are unwrapped and treated each alone; order of rotations: {order}"));
+        conventions.push(format!("angles a, b, c are unwrapped and evaluated separately; order of rotations: {order}"));
     }
     conventions
 }
