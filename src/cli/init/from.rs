@@ -103,7 +103,7 @@ fn split(poses: usize) -> String {
              validation = \"rest\"\n"
         ),
         false => format!(
-            "\n[identify]\ncalibration = \"all\"                           # {poses} poses or readings are few: none is kept for a validation\n"
+            "\n[identify]\ncalibration = \"all\"                           # {poses} poses or readings are few: none is left for a validation\n"
         ),
     }
 }
@@ -124,7 +124,7 @@ fn join(log: &Part, exports: &[&Part], targets: &[String]) -> String {
         () if same => ("\"row\"", format!("all have {} rows", log.document.rows), ""),
         () if logged("time") && measured("time") => (
             "\"time\"",
-            "both have times, and other numbers of rows".to_owned(),
+            "both have times and different numbers of rows".to_owned(),
             "clock_offset_s = \"?\"      # time of the measurement minus time of the log, a number without quotes\n\
              tolerance_s = \"?\"         # a number without quotes\n",
         ),

@@ -241,7 +241,7 @@ fn apply(
         let origin = fitted.map_or(Origin::Measured, |fitted| fitted.origin);
         if measured && origin == Origin::Commanded {
             for (axis, at) in points.into_iter().enumerate() {
-                found.take(at, Meaning::Commanded(axis), "the nominal robot computes it to its rounding");
+                found.take(at, Meaning::Commanded(axis), "the nominal robot reproduces it to its rounding");
             }
         } else if measured {
             for (axis, at) in points.into_iter().enumerate() {

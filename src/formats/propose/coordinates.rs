@@ -189,7 +189,7 @@ impl Interpretation {
             .collect();
         if !left.is_empty() && !self.points.is_empty() {
             self.doubts.push(format!(
-                "coordinates of {} are not taken: others have a heading that is closer",
+                "coordinates of {} are not used: headings of other columns match better",
                 left.join(", ")
             ));
         }
@@ -218,7 +218,7 @@ impl Interpretation {
             let (meaning, why) = match () {
                 () if column.texts.is_empty() || column.texts == [""] => (Meaning::Text, "it is empty"),
                 () if i < leading => (Meaning::Label, "a text before the numbers"),
-                () => (Meaning::Text, "a text behind numbers"),
+                () => (Meaning::Text, "a text after numbers"),
             };
             set(self, i, meaning, why);
         }
@@ -278,10 +278,10 @@ impl Interpretation {
             {
                 self.point_at(&[x, y, z]);
                 for (n, at) in [a, b, c].into_iter().enumerate() {
-                    set(self, at, Meaning::Rotation(n), "behind three lengths that are larger than any angle");
+                    set(self, at, Meaning::Rotation(n), "after three lengths that are larger than any angle");
                 }
                 self.doubts.push(
-                    "six numbers without headings: a position and three angles, or joints of which three slide"
+                    "six numbers without headings: a position and three angles, or joints, three of them prismatic"
                         .to_owned(),
                 );
             }
@@ -291,7 +291,7 @@ impl Interpretation {
                         self,
                         *at,
                         Meaning::Joint(k),
-                        "every row is as many numbers as an arm has joints, and no direction among them",
+                        "each row has as many numbers as an arm has joints, without a direction",
                     );
                 }
                 self.doubts.push(format!(
@@ -322,7 +322,7 @@ impl Interpretation {
         for (axis, at) in at.iter().enumerate() {
             columns[axis] = Some(*at);
             self.taken[*at].meaning = Meaning::Point(0, axis);
-            self.taken[*at].why = "its place: nothing names the columns".to_owned();
+            self.taken[*at].why = "its position in the row: no heading names the columns".to_owned();
         }
         self.points.push(PointSet { tag: String::new(), columns });
     }

@@ -128,7 +128,7 @@ impl Proposal<'_> {
                 format!("{said}: {}", names.join(", "))
             }
             false => {
-                format!("every row is {}, and no direction among them", count(columns.len(), "number"))
+                format!("each row is {}, without a direction", count(columns.len(), "number"))
             }
         }
     }

@@ -53,7 +53,7 @@ impl Meaning {
         let axis = |at: usize| AXES.get(at).copied().unwrap_or("?");
         match self {
             Self::Unknown => "not known".to_owned(),
-            Self::Text => "a text that nothing reads".to_owned(),
+            Self::Text => "a text that is not read".to_owned(),
             Self::Label => "label of the point".to_owned(),
             Self::Target => "name of the target".to_owned(),
             Self::Pose => "name of the pose".to_owned(),
@@ -201,9 +201,7 @@ impl Interpretation {
             (false, _) => Meaning::Day,
         };
         if all("/") {
-            self.doubts.push(
-                "dates with `/` do not state whether the day or the month is first: they are not read".to_owned(),
-            );
+            self.doubts.push("dates with `/` are not read: the order of day and month is unknown".to_owned());
             return self.take(at, Meaning::Text, "dates whose day and month could be exchanged");
         }
         self.take(at, meaning, "every cell is a date or a time of day");
@@ -229,9 +227,9 @@ impl Interpretation {
                     self.take(i, Meaning::Label, by_name);
                 }
                 () if heading.has(Word::Cycle) => {
-                    self.take(i, Meaning::Text, "its heading names repeats, and it holds texts")
+                    self.take(i, Meaning::Text, "its heading names repeats, and its values are texts")
                 }
-                () => self.take(i, Meaning::Text, "nothing is known of its heading"),
+                () => self.take(i, Meaning::Text, "its heading is unknown"),
             }
         }
         let named = |meanings: &[Meaning]| self.taken.iter().any(|t| meanings.contains(&t.meaning));
@@ -400,9 +398,7 @@ impl Interpretation {
         let sorted = joints.windows(2).all(|pair| pair[0].2 < pair[1].2);
         if numbered && !sorted {
             joints.sort_by_key(|(.., number)| *number);
-            self.doubts.push(
-                "the joints are in no order in the file: they are taken in the order of their numbers".to_owned(),
-            );
+            self.doubts.push("the joints are not in order in the file: they are taken by ascending number".to_owned());
         }
         for (k, (i, ..)) in joints.into_iter().enumerate() {
             let (low, high) = table.columns[i].range();
@@ -466,7 +462,10 @@ impl Interpretation {
         let one = from_start && found.len() >= 2 && found.iter().all(|(_, letter, _)| *letter == found[0].1);
         if one {
             let names: Vec<String> = found.iter().map(|(i, ..)| table.called(*i)).collect();
-            self.doubts.push(format!("nothing states that {} are joints: nothing else fits", names.join(", ")));
+            self.doubts.push(format!(
+                "{} are taken as joints: no other meaning fits, and no heading states it",
+                names.join(", ")
+            ));
         }
         if one { found } else { Vec::new() }
     }
@@ -573,7 +572,7 @@ impl Interpretation {
                 self.time_unit = heading.unit;
             }
             if meaning == Meaning::Time && !column.is_ordered() && table.rows > 2 {
-                self.doubts.push(format!("{} is called a time and decreases", table.called(i)));
+                self.doubts.push(format!("the heading of {} is a time, but its values decrease", table.called(i)));
             }
         }
         self.directions(table);

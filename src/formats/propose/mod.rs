@@ -126,9 +126,7 @@ fn propose_corrected(path: &Path, correct: Option<Correct>) -> Result<FormatsDoc
     if let Some(encoding) = encoding {
         let line = format!("encoding = {:?}\n", encoding.name());
         document.toml = document.toml.replacen("format = ", &format!("{line}format = "), 1);
-        document
-            .doubts
-            .push(format!("the file is not UTF-8; as {} its letters make sense or not: look at them", encoding.name()));
+        document.doubts.push(format!("the file is not UTF-8: check that its letters are right as {}", encoding.name()));
         document.toml.insert_str(0, &format!("# DOUBT: {}\n", document.doubts.last().map_or("", String::as_str)));
     }
     Ok(document)
@@ -326,7 +324,7 @@ fn reasons(best: &Guess, table: &Table) -> Vec<String> {
     }
     if table.sampled {
         let rows = count(table.rows, "row");
-        reasons.push(format!("the values of the first {rows} were looked at; the file has more"));
+        reasons.push(format!("only the values of the first {rows} were examined; the file has more"));
     }
     if let Some(comment) = &best.dialect.comment {
         reasons.push(format!("lines that start with `{comment}` are comments"));
@@ -351,7 +349,7 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
         .collect();
     let mark = best.dialect.decimal.name();
     if best.fractions == 0 {
-        doubts.push(format!("no number has a decimal mark: that it is `{mark}` is not proved"));
+        doubts.push(format!("no number has a decimal mark: `{mark}` is an assumption"));
     } else if best.threes == best.fractions && best.dialect.thousands.is_none() {
         doubts.push(format!("every `{mark}` is before three digits: it may be a thousands mark"));
     }
