@@ -304,8 +304,10 @@ impl Description for Keys {
                 "flange_xyz",
                 "Position of the flange in the base at zero joints, for screw axes.",
             )),
-            flange_rpy_rad: keys
-                .optional(Key::angle("flange_rpy", "Orientation of the flange at zero joints: rx, ry, rz of Rz Ry Rx.")),
+            flange_rpy_rad: keys.optional(Key::angle(
+                "flange_rpy",
+                "Orientation of the flange at zero joints: rx, ry, rz of Rz Ry Rx.",
+            )),
         }
     }
 

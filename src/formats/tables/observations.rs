@@ -192,7 +192,7 @@ const TEXT_COLUMNS: [&str; 4] = ["approach", "robot", "reading", "direction"];
 /// have numbers (empty cells are missing values), other columns text.
 ///
 /// # Errors
-/// Rows with another number of fields, and cells that cannot be read, with their places.
+/// Reports rows with another number of fields, and unreadable cells, with their places.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     read(file, text, &TableLayout::default())
 }

@@ -772,7 +772,7 @@ robot-ambiguous = the data do not determine order and direction of { $joints }: 
 
 robot-units-ambiguous = the data do not determine the units of the joints: another unit leaves { FIXED($rms_mm, 3) } mm (root mean square)
 
-robot-finds-targets = with a target for each value of { $column } the nominal robot reproduces the coordinates
+robot-finds-targets = the nominal robot reproduces the coordinates if each value of { $column } is a target of its own
 
 robot-contradicts-unit = the heading of { $column } states { $stated }, but the kinematics of the nominal robot fit with { $unit }
 

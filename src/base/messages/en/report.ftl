@@ -672,7 +672,7 @@ preconditions-column = Preconditions
 predicted-target-uncertainty = predicted uncertainty of the target positions over the candidates (k = 1)
 predicted-u = predicted u (k = 1)
 predicted-uncertainty-title = Predicted uncertainty of the parameters
-prediction-behind = Where cells overlap, the largest is drawn.
+prediction-behind = Where cells overlap, the cell with the largest value is drawn.
 prediction-description = One cell every { $spacing } mm in the base frame, within the region of the calibration poses. Colour from 0 to { $colour }, same scale for both figures; largest value { $largest }.
 prediction-difference-title = Tool point: nominal minus identified model, { $plane } plane
 prediction-expected-title = Tool point: expected error with the identified parameters, { $plane } plane

@@ -1125,7 +1125,7 @@ nominal-point-unmeasured = `nominal_mm` names `{ $point }`, which was not measur
 # Do: Add points of the frame, or remove `nominal_mm`.
 # Example: `nominal_mm` of two points
 nominal-few-points = `nominal_mm` needs three points or more
-    .hint = add points of the frame, or remove it
+    .hint = add points of the frame, or remove `nominal_mm`
 
 # Means: The identified base is far from [nominal] of robot.toml, and exchanged axes of the world
 # frame explain the difference.
@@ -1328,9 +1328,9 @@ orientation-missing = the orientation is missing or not a number
 angle-order-missing = the order of the angles is not stated
     .hint = state `orientation = "zyx"` in [observations], or --orientation
 
-angle-orders-unfit = no order of angles fits the nominal robot: `{ $order }` leaves { FIXED($left_deg, 1) } deg (root mean square); check the joints, and that the angles rotate from the body to the world
+angle-orders-unfit = no order of angles fits the nominal robot: the smallest residual is { FIXED($left_deg, 1) } deg (root mean square) with `{ $order }`; check the joints, and that the angles rotate from the body to the world
 
-angle-order-leaves = `{ $order }` leaves { FIXED($left_deg, 3) } deg
+angle-order-leaves = `{ $order }`: residual { FIXED($left_deg, 3) } deg
 
 angle-orders-fit = state `orientation = "zyx"` in [observations], or --orientation; with the nominal robot, { $orders } (root mean square)
 
