@@ -1,6 +1,7 @@
 //! Keys of `campaign.toml`.
 
-use super::{Join, JoinBy, StatedPoses};
+use super::table::{meaningless_beside_sheet, one_row};
+use super::{Join, JoinBy, StatedPoses, TableDefinition};
 use etalon_base::country::Country;
 use etalon_base::pose::{Vector, minus, norm, unit};
 use etalon_documents::{Conditions, DecisionRule, Effect, Language, LimitQuantity};
@@ -38,6 +39,8 @@ pub struct CampaignFile {
     pub notes: Option<String>,
     /// Date of the measurements (ISO 8601), as the report prints it.
     pub date: Option<String>,
+    /// Last day on which the calibration is valid, as the laboratory states it: year-month-day.
+    pub valid_until: Option<String>,
     /// Name of the operator.
     pub operator: Option<String>,
     /// Temperature during the measurements.
@@ -90,8 +93,10 @@ pub struct CampaignFile {
     pub repeatability: Option<super::RepeatabilityDefinition>,
     /// Test by ISO 9283 from tables of poses.
     pub poses: Option<super::PosesDefinition>,
-    /// Test of static compliance.
-    pub compliance: Option<super::ComplianceDefinition>,
+    /// Test of static compliance: a table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, with a row of
+    /// force 0 in each direction and cycle.
+    #[schemars(with = "Option<super::TableKeys>")]
+    pub compliance: Option<TableDefinition>,
     /// Recorded motions.
     #[serde(default, rename = "stream")]
     pub streams: Vec<super::StreamDefinition>,
@@ -126,11 +131,11 @@ impl CampaignFile {
     pub fn inputs(&self) -> impl Iterator<Item = &Spanned<String>> {
         let measured = self.exports.iter().map(|e| &e.file).chain(self.logs.iter().map(|l| &l.file));
         let measured = measured.chain(self.observations.iter().map(|o| &o.file));
-        let streams = self.streams.iter().flat_map(|s| [Some(&s.file), s.commanded.as_ref(), s.path.as_ref()]);
+        let streams = self.streams.iter().flat_map(|s| [s.commanded.as_ref(), s.path.as_ref()]);
         let poses = self.poses.iter().flat_map(|p| [Some(&p.attained), Some(&p.commanded), p.reference.as_ref()]);
-        let others =
-            [self.repeatability.as_ref().and_then(|r| r.commanded.as_ref()), self.compliance.as_ref().map(|c| &c.file)];
-        measured.chain(streams.chain(poses).chain(others).flatten())
+        let others = [self.repeatability.as_ref().and_then(|r| r.commanded.as_ref()), self.compliance.as_ref()];
+        let tables = streams.chain(poses).chain(others).flatten().flat_map(TableDefinition::files);
+        measured.chain(self.streams.iter().map(|s| &s.file)).chain(tables)
     }
 }
 
@@ -282,12 +287,7 @@ pub struct ObservationsDefinition {
 impl ObservationsDefinition {
     /// Key that does not apply to a workbook, stated beside `sheet`.
     pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
-        let text = [
-            ("delimiter", self.delimiter.is_some()),
-            ("decimal", self.decimal.is_some()),
-            ("encoding", self.encoding.is_some()),
-        ];
-        text.into_iter().find(|(_, stated)| self.sheet.is_some() && *stated).map(|(key, _)| key)
+        meaningless_beside_sheet(self.sheet.as_deref(), (self.delimiter, self.decimal, self.encoding))
     }
 
     /// Layout of the table.
@@ -301,19 +301,15 @@ impl ObservationsDefinition {
             comment: self.comment.clone(),
             missing: self.missing.clone(),
             columns: self.columns.clone(),
-            lenient: false,
             constants: self.constants.clone().into_iter().chain(kind).collect(),
             only: self.only.clone(),
             without: self.without.clone(),
             coverage_factor: self.coverage_factor,
             target: self.target.clone(),
             pose: self.pose,
+            ..TableLayout::default()
         }
     }
-}
-
-fn one_row() -> Header {
-    Header::Rows(1)
 }
 
 impl Instrument {

@@ -17,6 +17,7 @@ use etalon_documents::{
 use etalon_robots::{Kinematics, Robot};
 use std::path::Path;
 
+pub use super::capture::{Answer, answer};
 pub use super::given::{Given, Table};
 pub use super::init::{known_names, known_text, urdf_text};
 

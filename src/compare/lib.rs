@@ -10,8 +10,9 @@ mod paths;
 pub mod significance;
 mod trend;
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result, one_line};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use std::collections::{BTreeMap, BTreeSet};
 use trend::judge;
@@ -67,10 +68,12 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     judge(&mut trends, |names, pair| Some(parameters::change(&identified, names, pair)?.correlation()));
     messages.extend(disorder(all));
     messages.extend(paths::doubt(&trends));
+    let conventions = conventions(all, &trends, !between_series.is_empty());
     Ok(CompareDocument {
         schema: "etalon/compare/1".to_owned(),
         robot: identified.first().map(|i| i.0.robot.clone()),
-        conventions: conventions(all, &trends, !between_series.is_empty()),
+        conventions: conventions.iter().map(Phrase::to_string).collect(),
+        convention_phrases: conventions,
         campaigns: all.iter().map(campaign).collect(),
         trends,
         together,
@@ -169,89 +172,43 @@ fn campaign(c: &Compared) -> ComparedCampaign {
     }
 }
 
-fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<String> {
+fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<Phrase> {
     let there = |family| trends.iter().any(|t| t.family == family);
-    let mut said = vec![
-        "a change is significant if its p-value, corrected for the number of quantities of its family in one pair \
-         of campaigns, is below 5 %; parameters: correction by the distribution of the largest change, with \
-         covariances (Westfall & Young 1993); other quantities: correction by Holm (1979); intervals of 95 % are \
-         not corrected"
-            .to_owned(),
-        "each campaign is compared with the first and with the previous one, in the stated order".to_owned(),
-    ];
+    let mut said = vec![phrase!("convention-significance"), phrase!("convention-compared-with")];
     if there(CompareFamily::Robot) || there(CompareFamily::SetUp) {
-        said.push(
-            "parameters: change over the square root of u1² + u2²; Student's t distribution with Welch's degrees of \
-             freedom if uncertainties are estimated from residuals; both campaigns are assumed independent"
-                .to_owned(),
-        );
-        said.push(
-            "parameters of base and targets change with every set-up: their change need not be a change of the robot"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-change-of-parameters"));
+        said.push(phrase!("convention-set-up"));
     }
     if between {
-        said.push(
-            "model error: intervals of changes of parameters are enlarged by the Birge ratio (at least 1) of all \
-             robot parameters of both campaigns, because parameters absorb model error at the measured poses"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-birge"));
     }
     if all.iter().filter_map(|c| c.identified.as_ref()).any(|i| parameters::degrees(i).is_finite()) {
-        said.push(
-            "all parameters together: F test; it is approximate if uncertainties are estimated from pose errors, \
-             and then too often significant if only one or two coordinates of a pose were measured"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-f-test"));
     }
     if there(CompareFamily::MeanError) {
-        said.push(
-            "mean errors: Welch's t test with one error for each pose; conservative (too rarely significant) if \
-             both campaigns measured the same poses"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-mean-errors"));
     }
     if there(CompareFamily::PoseRepeatability) {
-        said.push(
-            "RP: F test of the ratio, with the degrees of freedom of the interval in closed form (Gaussian scatter)"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-rp-ratio"));
     }
     if there(CompareFamily::PoseAccuracy) {
-        said.push("AP: interval of the difference recovered from both intervals (MOVER, Zou & Donner 2008)".to_owned());
+        said.push(phrase!("convention-ap-interval"));
     }
     if there(CompareFamily::MeanPosition) {
-        said.push(
-            "mean positions: Welch's t test of each coordinate from the scatter of visits; the uncertainty of the \
-             measurement frames is not included"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-mean-positions"));
     }
     if there(CompareFamily::PathAccuracy) || there(CompareFamily::PathRepeatability) {
-        said.push(
-            "AT: interval of the difference recovered from both intervals, as for AP; RT: the same method on the \
-             logarithmic scale about the centres of both intervals, which estimate RT of infinitely many passes; in \
-             simulated tests of ten passes, bootstrap intervals contain the true value in 90 % to 98 % of tests, \
-             depending on the kind of scatter, instead of 95 %"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-at-rt"));
     }
     said.push(shared_instrument(all));
     said
 }
 
 /// Effect of a shared instrument, or of different instruments, on changes.
-fn shared_instrument(all: &[Compared]) -> String {
+fn shared_instrument(all: &[Compared]) -> Phrase {
     let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.as_deref()).collect();
     match (names.len(), names.first()) {
-        (1, Some(Some(name))) => format!(
-            "all campaigns share the instrument {}: its constant errors cancel in changes, so that uncertainties of \
-             changes are overestimated if u contains these errors; drift of the instrument between campaigns \
-             appears as a change of the robot",
-            one_line(name)
-        ),
-        _ => "the campaigns have different instruments: a systematic difference between instruments, which scatter \
-         does not reveal, appears as a change of the robot"
-            .to_owned(),
+        (1, Some(Some(name))) => phrase!("convention-shared-instrument", instrument = one_line(name)),
+        _ => phrase!("convention-different-instruments"),
     }
 }

@@ -28,6 +28,7 @@ pub fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &F
         Some(sheet) => workbook::text(bytes, sheet),
         None if magic::arrays(bytes).is_some() => return Err(arrays_not_text(path, bytes).into()),
         None if ros_bag::is_recording(bytes) => Err(topic_not_stated(bytes)),
+        None if workbook::is_workbook(bytes) => Err(sheet_not_stated(bytes)),
         None => decode(bytes.to_vec(), encoding),
     };
     Ok(text.map_err(|message| message.within(phrase!("in-file", file = path.display().to_string())))?)
@@ -47,6 +48,21 @@ fn topic_not_stated(bytes: &[u8]) -> Message {
             error!("topic-not-stated").hint_names("", readable.map(|topic| topic.name.as_str()))
         }
         Err(message) => message,
+    }
+}
+
+/// Error about a workbook without a statement of the sheet; the hint states the first sheet with
+/// more than one row.
+fn sheet_not_stated(bytes: &[u8]) -> Message {
+    let names = match workbook::sheets(bytes) {
+        Ok(names) => names,
+        Err(message) => return message,
+    };
+    let has_rows = |name: &&String| workbook::text(bytes, name).is_ok_and(|text| text.lines().nth(1).is_some());
+    let message = error!("sheet-not-stated", sheets = names);
+    match names.iter().find(has_rows) {
+        Some(sheet) => message.hint(phrase!("state-sheet", sheet)),
+        None => message,
     }
 }
 

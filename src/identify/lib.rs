@@ -2,6 +2,7 @@
 //! uncertainty.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+pub mod axes;
 mod error;
 pub mod geometric;
 mod judgement;

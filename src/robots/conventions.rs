@@ -8,18 +8,17 @@
 use super::chain::Motion;
 use super::keys::{Description, Reader, Stated};
 use super::serial::{ArmBuilder, Drive, Effects, drawn_link};
+use super::tables::{AxisLine, NEAR_PARALLEL_RAD};
 use super::{
     At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
     meaning, wrong_targets,
 };
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, unit};
 use std::cmp::Ordering;
 
 /// Serial arm.
 pub(super) const MODEL: Model = Model::new::<Keys>("serial");
-
-/// Twist below which axes count as near-parallel, so that Hayati's beta replaces d (3 degrees).
-const NEAR_PARALLEL_RAD: f64 = 0.052;
 
 /// Convention of the description of an arm.
 #[derive(Clone, Copy, Debug)]
@@ -224,7 +223,7 @@ impl JointKeys {
     }
 
     /// Joint `i` as a screw axis.
-    fn screw(&self, i: usize) -> Result<Screw, Faults> {
+    fn screw(&self, i: usize) -> Result<AxisLine, Faults> {
         let (mut faults, at) = (Faults::default(), || At::Item("joint", i));
         let table = [self.alpha_rad, self.a_mm, self.theta_rad, self.d_mm];
         if table.iter().any(|stated| !stated.is_missing()) || self.parallel.is_some() {
@@ -248,7 +247,7 @@ impl JointKeys {
                 Vector::default()
             }
         };
-        faults.or(Screw { direction: direction.unwrap_or_default(), point_mm, prismatic: self.prismatic })
+        faults.or(AxisLine { direction: direction.unwrap_or_default(), point_mm, prismatic: self.prismatic })
     }
 }
 
@@ -375,17 +374,6 @@ pub struct SerialJoint {
     pub parallel: bool,
 }
 
-/// Axis of a joint in the base frame at joint values zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Screw {
-    /// Unit direction.
-    direction: Vector,
-    /// Point on the axis (mm).
-    point_mm: Vector,
-    /// `true` if the joint slides along its axis, `false` if it rotates about it.
-    prismatic: bool,
-}
-
 impl Serial {
     /// Creates an arm of `joints` in modified Denavit-Hartenberg parameters, with `targets` on its
     /// last link. `bending` lists the joints (from 1) that bend under gravity; `gravity` is its
@@ -408,11 +396,25 @@ impl Serial {
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }
 
+    /// Creates an arm of `joints` in modified (Craig) or else standard Denavit-Hartenberg
+    /// parameters,
+    /// with `targets` on its last link.
+    pub fn of_axis_table(modified: bool, joints: &[SerialJoint], targets: &[String]) -> Self {
+        let convention = if modified { TableConvention::Modified } else { TableConvention::Standard };
+        Self::of_table(convention, joints, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
+    }
+
+    /// Creates an arm of screw axes in the base frame at joint values zero, with `targets` on its
+    /// flange, whose pose there is `home` (product of exponentials: Brockett 1984).
+    pub fn of_axes(axes: &[AxisLine], home: &Pose, targets: &[String]) -> Self {
+        Self::of_screws(axes, home, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
+    }
+
     /// Arm described by a table of joints, with `targets` on its last link.
     fn of_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String], effects: &Effects) -> Self {
         let other = convention.other();
         let rigid = Effects { gravity: effects.gravity, ..Effects::default() };
-        let what = format!("the table of joints read as {} Denavit-Hartenberg parameters", other.name());
+        let what = phrase!("table-read-as", convention = other.name());
         let as_other = Self::of_one_table(other, joints, targets, &rigid);
         Self::of_one_table(convention, joints, targets, effects).with_other(what, as_other)
     }
@@ -472,7 +474,7 @@ impl Serial {
     /// Arm described by screw axes, with `targets` on its flange; `home` is the pose of the flange
     /// in the base frame at joint values zero. Each axis has small errors in the base frame: two
     /// rotations and, for a revolute joint, two translations.
-    fn of_screws(screws: &[Screw], home: &Pose, targets: &[String], effects: &Effects) -> Self {
+    fn of_screws(screws: &[AxisLine], home: &Pose, targets: &[String], effects: &Effects) -> Self {
         let mut arm = ArmBuilder::new(targets);
         for (i, screw) in screws.iter().enumerate() {
             let at = Pose { translation_mm: screw.point_mm, ..Pose::identity() };

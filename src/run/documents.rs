@@ -2,6 +2,7 @@
 //! folder is refused.
 
 use crate::stages::evaluate;
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
@@ -51,7 +52,7 @@ impl Documents {
     pub fn open(folder: &Path) -> Result<Self> {
         let path = folder.join(ManifestDocument::NAME);
         if !path.is_file() {
-            return Err(error!("not-an-output-folder", file = path.display().to_string()).into());
+            return Err(error!("not-an-output-folder", folder = folder.display().to_string()).into());
         }
         let manifest = parse(&path, &files::read(&path)?, "manifest")?;
         Ok(Self { folder: folder.to_owned(), manifest })
@@ -254,6 +255,6 @@ fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T
     Ok(serde_json::from_value(value).map_err(|e| unreadable(path, &e.to_string()))?)
 }
 
-fn unreadable(path: &Path, reason: &str) -> Message {
+fn unreadable(path: &Path, reason: &impl IntoArgument) -> Message {
     error!("document-unreadable", file = path.display().to_string(), reason)
 }

@@ -4,7 +4,7 @@ use crate::run::output::Output;
 use crate::run::summary::summary;
 use crate::run::walk::{Mode, Walk};
 use crate::stages::controller_files;
-use crate::stages::gather::Gathered;
+use crate::stages::gather::{self, Gathered};
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use crate::stages::kinds;
@@ -14,7 +14,7 @@ use etalon_campaign::Campaign;
 use etalon_controllers::{Description, Exporter, Given};
 use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
-    VerdictDocument,
+    VerdictDocument, WrittenFile,
 };
 use etalon_report::{Renderer, Report};
 use etalon_robots::Robot;
@@ -92,12 +92,29 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     };
     let Walk { gathered, joined, geometric, identified, tested, .. } = walk;
     // formats that leave parameters out hold what is identified without them
-    let summary = summary(campaign, presentation);
+    let temperature_range_c = gather::temperature_range(&gathered.points);
+    let mut summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };
     let controllers = identified.as_ref().filter(|found| found.parameters.is_plausible()).and_then(|found| {
         let given = given(campaign, robot.as_ref(), found, &summary);
         controller_files::identify_again(&given, robot.as_ref(), found, &formats(campaign))
     });
+    if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
+        let given = given(campaign, robot.as_ref(), found, &summary);
+        summary.controller_files = written(&Given { controllers: controllers.as_ref(), ..given }, campaign);
+    }
     Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested })
+}
+
+/// Controller files that are not refused.
+fn written(given: &Given, campaign: &Campaign) -> Vec<WrittenFile> {
+    let is_written = |(name, exporter): &(&str, &dyn Exporter)| {
+        given.statement(*exporter).is_ok_and(|statement| statement.refusal(name).is_none())
+    };
+    let file = |(name, exporter): (&str, &dyn Exporter)| WrittenFile {
+        format: name.to_owned(),
+        file: exporter.file_name().to_owned(),
+    };
+    formats(campaign).into_iter().filter(is_written).map(file).collect()
 }
 
 impl Evaluated {

@@ -58,6 +58,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(error!("key-uncertainty-implausible", key, value, least, most).at(place()));
         }
     }
+    valid_until(campaign, problems);
     common_errors(campaign, problems);
     without_use(campaign, problems);
     limits(campaign, problems);
@@ -78,6 +79,22 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         problems.0.push(message.at(campaign.place(at)));
     }
     file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
+}
+
+/// Checks that the last day of validity is a date, and not before the measurements.
+fn valid_until(campaign: &Campaign, problems: &mut Problems) {
+    let Some(stated) = &campaign.file.valid_until else { return };
+    let place = || campaign.place_of(&["valid_until"]);
+    let Some(last) = date(stated).filter(|_| stated.len() == 10) else {
+        problems.0.push(error!("valid-until-no-date", date = stated).at(place()));
+        return;
+    };
+    let measured = campaign.file.date.as_deref().and_then(date);
+    if let Some(first) = measured.filter(|first| last < *first) {
+        let (year, month, day) = first;
+        let measured = format!("{year:04}-{month:02}-{day:02}");
+        problems.0.push(error!("valid-until-before-measurements", date = stated, measured).at(place()));
+    }
 }
 
 /// Checks that limits are positive and that the campaign determines their quantities.

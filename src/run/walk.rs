@@ -156,7 +156,10 @@ impl Walk {
         problems.0.extend(wrong.0);
         let targets = gathered.observations.as_ref().map(|t| kinds::targets(&t.table).map_err(|more| t.place(more)));
         let targets = targets.and_then(|targets| problems.keep(targets)).unwrap_or_default();
-        walk.robot = problems.keep(campaign.build_robot_with(&targets));
+        let unread = gathered.observations.is_none() && !campaign.file.observations.is_empty();
+        let built =
+            campaign.build_robot_with(&targets).map_err(|more| names::targets_to_state(more, &gathered, unread));
+        walk.robot = problems.keep(built);
         if let Some(robot) = &walk.robot {
             names::robot(campaign, robot.as_ref(), problems);
             let before = problems.0.len();
@@ -263,8 +266,10 @@ impl Walk {
             let first = joined.observations.first();
             poses = first.and_then(|(_, first)| first.poses().ok()).unwrap_or_default();
         }
-        // a join by time may find no pose before the log is read
-        if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) {
+        // a join by time may find no pose before the log is read; without any pose the cause is
+        // reported already
+        let without = poses.is_empty() && self.problems.0.iter().any(|m| m.severity == Severity::Error);
+        if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) && !without {
             self.problems.keep(check_selections(campaign, &poses));
         }
     }

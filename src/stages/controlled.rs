@@ -181,7 +181,7 @@ pub fn not_controlled(
             what: phrase!("unshown-shift").to_string(),
             what_phrase: Some(phrase!("unshown-shift")),
             points: Vec::new(),
-            keys: vec![format!("[nominal] {} of robot.toml", missing.join(", "))],
+            keys: vec![format!("robot.toml: [nominal] {}", missing.join(", "))],
         });
     }
     all

@@ -32,9 +32,9 @@ struct Slip {
     reversed: Option<usize>,
 }
 
-/// Returns an error that names the slip whose correction makes observed orientations fit the robot,
-/// if they are far from it as stated. `written` are the orientations of the table, in the order of
-/// the conditions.
+/// Returns an error that names the slip with which observed orientations fit the robot, where they
+/// are far from it as stated. `written` are the orientations of the table that are in the world, in
+/// the order of the conditions.
 pub fn wrong(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -42,7 +42,7 @@ pub fn wrong(
     written: &[Written],
     order: Option<AngleOrder>,
 ) -> Option<Message> {
-    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
+    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_world_orientation()).collect();
     if conditions.is_empty() || conditions.len() != written.len() || observations.is_empty() {
         return None;
     }
@@ -105,10 +105,10 @@ impl Trial<'_> {
     /// Median angle between these orientations and those of the robot with `values`, rad.
     fn misfit_rad(&self, bodies: &[Option<Pose>], reversed: Option<usize>, values: &[f64]) -> Option<f64> {
         let condition = |(c, body): (&&Condition, &Option<Pose>)| {
-            let Kind::Orientation(Orientation { mounting, .. }) = c.kind else { return None };
+            let Kind::Orientation(observed) = c.kind else { return None };
             let mut joints = c.joints.clone();
             reversed.into_iter().for_each(|joint| joints[joint] = -joints[joint]);
-            let kind = Kind::Orientation(Orientation { world_T_body: (*body)?, mounting });
+            let kind = Kind::Orientation(Orientation { frame_T_body: (*body)?, ..observed });
             Some(Condition { kind, joints, ..(*c).clone() })
         };
         let conditions: Vec<Condition> = self.conditions.iter().zip(bodies).filter_map(condition).collect();

@@ -345,6 +345,7 @@ pub fn evaluate(
         effects: Vec::new(),
         budget: uncertainty.figures,
         trends: Vec::new(),
+        parameter_influences: Vec::new(),
         limits: verdicts,
         tool: None,
         map: None,

@@ -185,7 +185,7 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
     let place = |name: &Spanned<String>| {
         let text = name.get_ref();
         let found = geometry.features.get(text).map(|(point, _)| *point).or_else(|| geometry.places.get(text).copied());
-        found.map(project).ok_or_else(|| error!("frame-name-unknown", name = text).at(campaign.place(name)))
+        found.map(project).ok_or_else(|| error!("point-or-feature-unknown", name = text).at(campaign.place(name)))
     };
     let origin = place(world.origin.as_ref().ok_or_else(|| lacks("origin"))?)?;
     let towards = place(world.towards.as_ref().ok_or_else(|| lacks("towards"))?)?;
@@ -200,7 +200,7 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         _ => [0.0; 3],
     };
     let along = minus(along, normal.map(|n| n * dot(along, normal)));
-    let first = unit(along).ok_or_else(|| error!("world-axis-without-direction").at(campaign.world_place()))?;
+    let first = unit(along).ok_or_else(|| error!("frame-axis-without-direction").at(campaign.world_place()))?;
     let side = minus(towards, origin);
     let off_axis = minus(side, first.map(|v| v * dot(side, first)));
     let other = unit(off_axis)

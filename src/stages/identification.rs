@@ -9,6 +9,7 @@ use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
+use crate::stages::influence::influences;
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, RowDefaults};
@@ -172,6 +173,7 @@ pub fn identify(
         parameters.reliability = reliability_summary(robot, &reliability);
     }
     let base = robot.kinematics().and_then(|k| k.base_in_world(&found.values)).filter(|_| robot.platform().is_none());
+    accuracy.parameter_influences = influences(robot, &all, &found.values, &parameters);
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
     let again = Again { systematic, before, apart };
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })

@@ -142,13 +142,13 @@ impl Written {
 /// in their order.
 pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Settings, angles: &[[f64; 3]]) -> Message {
     let message = error!("angle-order-missing");
-    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
+    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_world_orientation()).collect();
     let positions = Settings { conditions: Vec::new(), known: Vec::new(), ..settings.clone() };
     let Ok(values) = fit_frames(robot, observations, &positions) else { return message };
     let misfit = |order: AngleOrder| {
         let turned = conditions.iter().zip(angles).map(|(c, angles)| match c.kind {
-            Kind::Orientation(Orientation { mounting, .. }) => Condition {
-                kind: Kind::Orientation(Orientation { world_T_body: order.pose(*angles), mounting }),
+            Kind::Orientation(observed) => Condition {
+                kind: Kind::Orientation(Orientation { frame_T_body: order.pose(*angles), ..observed }),
                 ..(*c).clone()
             },
             _ => (*c).clone(),
@@ -166,5 +166,5 @@ pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Sett
     let order =
         |(left_deg, order): &(f64, AngleOrder)| phrase!("angle-order-leaves", order = order.to_string(), left_deg);
     let orders: Vec<_> = fits.map(order).collect();
-    message.hint(phrase!("angle-orders-fit", orders))
+    message.hint(phrase!("angle-orders-fit", order = best.to_string(), orders))
 }

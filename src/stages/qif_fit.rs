@@ -1,5 +1,6 @@
 //! Fits of measured features of a QIF file, compared with the values stated in the file.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
 use etalon_base::{error, phrase};
@@ -40,7 +41,8 @@ pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStat
     let fit = centres.compensated(probe).map_err(named)?;
     let mut document = FitDocument::new(Some(label.to_owned()), &fit);
     if let Some(probe) = &mut document.probe {
-        probe.side_from = side_from;
+        probe.side_from = side_from.as_ref().map(Phrase::to_string);
+        probe.side_from_phrase = side_from;
     }
     document.stated = Some(against(feature, &fit));
     Ok(Some(document))
@@ -51,7 +53,7 @@ fn is_coordinate_axis(d: Vector) -> bool {
 }
 
 /// The probe whose centres the points are, and the source of its side; `None` for contact points.
-fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, String)>> {
+fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, Phrase)>> {
     let Touch::Centre { radius_mm } = feature.touch else { return Ok(None) };
     let label = feature.label();
     let missing =
@@ -59,17 +61,17 @@ fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Re
     let radius_mm = stated.radius_mm.or(radius_mm);
     let radius_mm = radius_mm.ok_or_else(|| missing("radius"))?;
     let (side, from) = match stated.side {
-        Some(side) => (side, "as stated by the user".to_owned()),
+        Some(side) => (side, phrase!("side-stated")),
         None => side_of(feature, centres, radius_mm).ok_or_else(|| missing("side"))?,
     };
     Ok(Some((Probe { radius_mm, side }, from)))
 }
 
 /// The side of the probe as far as the file states it, and its source.
-fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, String)> {
+fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, Phrase)> {
     let known = [(&feature.nominal, "nominal"), (&feature.stated, "stated")];
     let first = |side: &dyn Fn(&FeatureGeometry) -> Option<Side>, of: &str| {
-        known.iter().find_map(|(values, name)| Some((side(values)?, format!("from the {name} {of}"))))
+        known.iter().find_map(|(values, name)| Some((side(values)?, phrase!("side-from-values", values = name, of))))
     };
     match centres.element {
         Element::Plane => first(&|values| values.direction.map(Side::Towards), "normal"),
@@ -85,7 +87,7 @@ fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(S
             let side = |inside: bool| if inside { Side::Inside } else { Side::Outside };
             if let Some(inside) = feature.internal {
                 let stated = if inside { "INTERNAL" } else { "EXTERNAL" };
-                return Some((side(inside), format!("from `InternalExternal`: {stated}")));
+                return Some((side(inside), phrase!("side-from-key", value = stated)));
             }
             let by_size = |values: &FeatureGeometry| {
                 let (size, found) = match element {

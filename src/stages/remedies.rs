@@ -17,14 +17,14 @@ pub fn remedied(error: Error) -> Problems {
         Error::PoseWithoutUncertainty => Some("pose-uncertainty"),
         Error::CommonUncertaintyAlone => Some("contact-uncertainty"),
         Error::UnknownParameter { pattern, names } => {
-            let message = error!("hold-unknown", pattern);
+            let message = error!("parameter-unknown", pattern);
             return message.hint_names(pattern, names.iter().map(String::as_str)).into();
         }
         Error::NotAnArm { .. } => Some("targets"),
         Error::KindsWithoutUncertainty => Some("uncertainty"),
         Error::OwnUncertainties => Some("own-uncertainties"),
         Error::ReadingsWithoutUncertainty { .. } => Some("row-uncertainty"),
-        Error::NotPlanar { model } => return error!("residuals-pose-not-planar", model).into(),
+        Error::NotPlanar { .. } => Some("compare-targets"),
         Error::NoSuchPart { .. } => Some("part"),
         Error::TooFewPoses { .. } => Some("positions"),
         Error::BaseNotFound => Some("base"),

@@ -143,8 +143,8 @@ fn what_does_not_fit_is_told_by_check_and_by_run() {
         ),
         ("exports/visits.txt", "P3-7 ", "P7-7 ", "error[pose-not-in-trajectory]: pose 7 (cycle 7)"),
         ("campaign.toml", "coplanar = [2, 3, 4, 5]", "coplanar = [2, 3, 4, 4]", "error[coplanar-not-four]"),
-        ("campaign.toml", "label = \"P{pose}", "label = \"Q{pose}", "no point has a label of the form"),
-        ("campaign.toml", "\"home-{cycle}\"", "\"house-{cycle}\"", "no point has a label of the form"),
+        ("campaign.toml", "label = \"P{pose}", "label = \"Q{pose}", "[labels-missing]"),
+        ("campaign.toml", "\"home-{cycle}\"", "\"house-{cycle}\"", "[labels-missing]"),
         ("campaign.toml", "trajectory = [1, 2, 1, 3, 1, 4, 1, 5]", "trajectory = []", "error[trajectory-empty]"),
         ("campaign.toml", "repeatability_max_mm = 0.040", "position_max_mm = 0.040", "needs [identify]"),
     ] {

@@ -35,9 +35,13 @@ fn one_pose_names_the_parameters_that_it_does_not_tell() {
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"1\"");
     // pose 1 is K and L at one place: four equations, each five times
     let parts = [
-        "20 residuals from 1 pose, 4 of them independent, do not determine 14 parameters",
-        "the data do not depend on `beta`",
-        "`y_o` is not separately identifiable from",
+        "[parameters-undetermined]",
+        "20",
+        "14",
+        "[parameter-without-effect]",
+        "`beta`",
+        "[parameters-inseparable]",
+        "`y_o`",
         "measure more poses",
     ];
     run(&scratch, 2, &parts);

@@ -303,7 +303,7 @@ impl<'a> File<'a> {
                 None if self.is_group(*index) => {}
                 None => {
                     let line = one.values.first().map_or(one.line, |value| value.line);
-                    let reason = "no coordinate: the name of the characteristic does not end in X, Y or Z";
+                    let reason = phrase!("characteristic-of-no-axis");
                     others.push(text.no_point(line, one.called(), reason));
                 }
             }

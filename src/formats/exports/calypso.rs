@@ -172,7 +172,7 @@ fn features(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems
     for row in &table.rows {
         let name = table.cell(Some(row), label);
         if axes.iter().all(|at| table.cell(Some(row), *at).is_empty()) {
-            points.push(table.text.no_point(row.line, name, "not measured: no coordinates"));
+            points.push(table.text.no_point(row.line, name, phrase!("row-without-coordinates")));
             continue;
         }
         let xyz = axes.map(|at| {

@@ -11,6 +11,7 @@ use crate::lexer::{self, Row, WHOLE, column_index, each_row, marked};
 use crate::points::{Line, Names, Point};
 use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::{error, phrase};
@@ -318,11 +319,11 @@ impl<'a> Filter<'a> {
     }
 
     /// Reason for leaving out a row.
-    fn refuses(&self, row: &Row) -> Option<String> {
+    fn refuses(&self, row: &Row) -> Option<Phrase> {
         let fails =
             |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
         let (column, name, ..) = self.cells.iter().find(fails)?;
-        Some(format!("left out: `{name}` is `{}`", row.field(*column)))
+        Some(phrase!("row-left-out-by-cell", column = name, cell = row.field(*column)))
     }
 }
 
@@ -378,7 +379,8 @@ impl Reader<'_> {
         };
         let left_out = self.filter.refuses(row);
         point.refused = left_out
-            .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))));
+            .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))))
+            .map(Box::new);
         let unmeasured = point.refused.is_some();
         let mut numbers = Numbers::default();
         let (mut names, mut stamp) = (Vec::new(), [None; 2]);
@@ -394,7 +396,7 @@ impl Reader<'_> {
                 ColumnRole::TemperatureC if self.dialect.missing.says(field) => {}
                 ColumnRole::TemperatureC => point.temperature_c = Some(value(i, field)),
                 ColumnRole::Deleted if is_deleted(field) => {
-                    point.refused.get_or_insert(format!("left out: it is marked as deleted (`{field}`)"));
+                    point.refused.get_or_insert_with(|| Box::new(phrase!("row-marked-deleted", cell = field)));
                 }
                 ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}
@@ -516,14 +518,14 @@ impl Reader<'_> {
 
     /// Reason if the row states that it was not measured. Empty cells count only if all coordinates
     /// are empty.
-    fn not_measured<'r>(&self, cells: impl Iterator<Item = (ColumnRole, &'r str)>) -> Option<String> {
+    fn not_measured<'r>(&self, cells: impl Iterator<Item = (ColumnRole, &'r str)>) -> Option<Phrase> {
         let cells: Vec<(ColumnRole, &str)> = cells.collect();
         let says = |cell: &str| self.dialect.missing.says(cell);
         if says("") && cells.iter().all(|(_, cell)| cell.is_empty()) {
-            return Some("not measured: no coordinates".to_owned());
+            return Some(phrase!("row-without-coordinates"));
         }
         let (role, cell) = cells.into_iter().find(|(_, cell)| !cell.is_empty() && says(cell))?;
-        Some(format!("not measured: {} is `{cell}`", role.name()))
+        Some(phrase!("row-not-measured", column = role.name(), cell))
     }
 
     /// Returns an error if points that are stated as Cartesian look like angles and distances.

@@ -130,7 +130,7 @@ fn rows(text: &Text, directions: DirectionNotation, unit: Unit) -> (Vec<Point>, 
         if KINDS.iter().any(|kind| kind.name == feature.kind && kind.located) {
             return text.point(feature.line, &feature.label, feature.point_mm, Unit::Millimetre);
         }
-        let reason = format!("a {}: its point may lie anywhere on it", feature.kind);
+        let reason = phrase!("feature-of-no-point", kind = feature.kind);
         text.no_point(feature.line, &feature.label, reason)
     };
     let mut points: Vec<Point> = features.iter().map(row).chain(unknown).collect();
@@ -161,7 +161,7 @@ fn read(text: &Text, directions: DirectionNotation, unit: Unit) -> (Vec<DmisFeat
                         Ok(found) => features.push(DmisFeature { label: name.to_owned(), ..found }),
                         Err(more) => problems.0.extend(more.0),
                     },
-                    None => unknown.push(text.no_point(record.line(), name, format!("a {kind}: not read"))),
+                    None => unknown.push(text.no_point(record.line(), name, phrase!("feature-not-read", kind))),
                 }
             }
             _ => {}

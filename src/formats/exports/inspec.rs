@@ -10,9 +10,9 @@ use super::{About, ExportFormat, ExportRow, Text, Writing};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number, parsed};
-use etalon_base::error;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 
 /// Exports of Micro-Vu InSpec.
 pub(super) struct Inspec;
@@ -41,7 +41,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
         let at = || text.place(i + 1);
         let Some((label, values)) = labelled(line) else {
             if parsed(line.trim(), Decimal::Point, None).is_some() {
-                points.push(text.no_point(i + 1, "", "a value without a label"));
+                points.push(text.no_point(i + 1, "", phrase!("value-without-label")));
                 continue;
             }
             match (open, numbers(text, i + 1, line)) {

@@ -26,7 +26,7 @@ mod vda_fs;
 use super::lexer::written;
 use super::points::{Line, Point};
 use crate::dialect::{Decimal, Dialect, Unit};
-use etalon_base::catalogue::IntoArgument;
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -197,6 +197,15 @@ impl Format {
     /// Names of all formats.
     pub fn names() -> impl Iterator<Item = &'static str> {
         FORMATS.iter().map(|format| format.about().name)
+    }
+
+    /// Name of the format, or the dialect as a campaign states it.
+    pub fn title(&self) -> Argument {
+        match (self.about().title, self.dialect.decimal) {
+            ("", _) => self.dialect.to_string().argument(),
+            (title, Decimal::Point) => title.argument(),
+            (title, Decimal::Comma) => phrase!("read-with-decimal-comma", format = title).argument(),
+        }
     }
 
     /// `true` if coordinates that are all zero mean "not measured".
@@ -385,9 +394,9 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// A row at a line without a point, with the reason.
-    fn no_point(&self, line: usize, label: &str, reason: impl Into<String>) -> Point {
-        Point { refused: Some(reason.into()), ..self.point(line, label, [0.0; 3], Unit::Millimetre) }
+    /// A row at a line that is not a point, with the reason.
+    fn no_point(&self, line: usize, label: &str, reason: Phrase) -> Point {
+        Point { refused: Some(Box::new(reason)), ..self.point(line, label, [0.0; 3], Unit::Millimetre) }
     }
 }
 

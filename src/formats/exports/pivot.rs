@@ -3,6 +3,7 @@
 use super::Text;
 use crate::Point;
 use crate::dialect::Unit;
+use etalon_base::phrase;
 use std::collections::BTreeMap;
 
 const AXES: [&str; 3] = ["X", "Y", "Z"];
@@ -61,7 +62,7 @@ impl Pivot {
                 let mut found: Vec<String> = has(true).chain(point.other).collect();
                 found.dedup();
                 let missing: Vec<String> = has(false).collect();
-                let reason = format!("no point: {} without {}", found.join(", "), missing.join(", "));
+                let reason = phrase!("point-incomplete", found, missing);
                 text.no_point(point.line, &point.label, reason)
             }
         };

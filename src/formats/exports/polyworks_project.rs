@@ -107,9 +107,9 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
         }),
         None => String::new(),
     };
-    let kind = value("TYPE").unwrap_or("primitive without a type");
+    let kind = value("TYPE").unwrap_or_default();
     let Some((line, stated)) = block.keys.get("POINT").filter(|_| kind == "Point") else {
-        return Some(text.no_point(block.line, &label, format!("a {}, not a point", kind.to_lowercase())));
+        return Some(text.no_point(block.line, &label, phrase!("primitive-no-point", kind)));
     };
     let numbers: Vec<f64> = stated.split_whitespace().filter_map(|n| parsed(n, Decimal::Point, None)).collect();
     let scaled = value("SCALING_FACTOR").is_some_and(|factor| parsed(factor, Decimal::Point, None) != Some(1.0));

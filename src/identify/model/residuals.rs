@@ -493,8 +493,8 @@ impl<'a> Residuals<'a> {
         });
         for c in self.conditions {
             // an orientation that turns by w is observed w less; other conditions are met in the
-            // robot's own world
-            let turned = c.kind.is_orientation() && pose.is_none_or(|key| key == (c.pose, c.cycle));
+            // robot's own world, or in the frame of a station that is identified
+            let turned = c.kind.is_world_orientation() && pose.is_none_or(|key| key == (c.pose, c.cycle));
             let one = if turned { 1.0 / c.standard_uncertainty } else { 0.0 };
             let row = |i: usize| (0..6).map(move |k| if k == 3 + i { one } else { 0.0 });
             rows.extend((0..c.kind.rows()).flat_map(row));

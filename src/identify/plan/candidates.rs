@@ -2,7 +2,7 @@
 
 use crate::Observation;
 use crate::Result;
-use etalon_base::catalogue::{Argument, IntoArgument};
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
@@ -31,7 +31,7 @@ pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidat
         }
     }
     if by_pose.is_empty() {
-        let unreachable = |(pose, reason): &(PoseName, String)| error!("candidates-unreachable", pose, reason);
+        let unreachable = |(pose, reason): &(PoseName, Phrase)| error!("candidates-unreachable", pose, reason);
         return Err(violations.first().map_or_else(|| error!("no-candidates"), unreachable).into());
     }
     let number = |(k, o): (usize, Observation)| Observation { cycle: k as i64 + 1, ..o };
@@ -39,7 +39,7 @@ pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidat
     Ok(Candidates { observations, limit_violations: out_of_reach(&violations) })
 }
 
-fn out_of_reach(violations: &[(PoseName, String)]) -> Option<Message> {
+fn out_of_reach(violations: &[(PoseName, Phrase)]) -> Option<Message> {
     const SHOWN: usize = 5;
     let shown = violations.iter().take(SHOWN);
     let mut candidates: Vec<Argument> =

@@ -4,6 +4,8 @@
 //! Every criterion is the square of an index, larger is better, as a function of the information
 //! JᵀJ.
 
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use nalgebra::{Cholesky, DMatrix, Dyn, SymmetricEigen};
 
 /// A criterion.
@@ -82,19 +84,17 @@ impl Criterion {
     }
 
     /// Scaling of columns and maximised quantity, in words.
-    pub fn definition(self) -> &'static str {
+    pub fn definition(self) -> Phrase {
         match self {
-            Self::O1 => {
-                "O1 = (s1...sm)^(1/m) / sqrt(n), m parameters, n configurations; Jacobian in mm per mm, rad and 1"
-            }
-            Self::O2 => "O2 = smin / smax; Jacobian in mm per mm, rad and 1",
-            Self::O3 => "O3 = smin; Jacobian in mm per mm, rad and 1",
-            Self::O4 => "O4 = smin^2 / smax; Jacobian in mm per mm, rad and 1",
-            Self::O5 => "O5 = 1 / (1/s1 + ... + 1/sm); Jacobian in mm per mm, rad and 1",
-            Self::D => "D = (s1...sm)^(1/m); Jacobian in mm per mm, rad and 1",
-            Self::A => "A = 1 / sqrt(tr((J'J)^-1)); columns of J divided by their norms over all candidates",
-            Self::E => "E = smin; columns of J divided by their norms over all candidates",
-            Self::I => "I = 1 / root mean square standard uncertainty of position over all candidates, per mm of noise",
+            Self::O1 => phrase!("index-o1"),
+            Self::O2 => phrase!("index-o2"),
+            Self::O3 => phrase!("index-o3"),
+            Self::O4 => phrase!("index-o4"),
+            Self::O5 => phrase!("index-o5"),
+            Self::D => phrase!("index-d"),
+            Self::A => phrase!("index-a"),
+            Self::E => phrase!("index-e"),
+            Self::I => phrase!("index-i"),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Targets and fixtures located by their own readings, with the robot and everything else held.
 
-use crate::model::kinds::{Condition, Known, Surface};
+use crate::model::kinds::{Condition, Kind, Known, Orientation, Surface};
 use crate::model::residuals::Residuals;
 use crate::solution::fixtures::place_seen;
 use crate::solution::identifiability::Analysis;
@@ -34,7 +34,12 @@ impl Condition {
     /// Indices of the parameters of the fixture and of the target on which the condition depends.
     pub fn shows(&self, arm: &dyn FreeBase) -> Vec<Vec<usize>> {
         let equation = self.kind.equation();
-        let mut shown = vec![equation.unknowns()];
+        let mut shown = match self.kind {
+            Kind::Orientation(Orientation { mounting, station, .. }) => {
+                vec![three(mounting).collect(), station.into_iter().flat_map(|first| first..first + 6).collect()]
+            }
+            _ => vec![equation.unknowns()],
+        };
         if equation.depends_on_target() {
             shown.push(three(arm.target_place(self.target)).collect());
         }

@@ -27,8 +27,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     }
     section.push(Block::Table(figures));
     section.figures(shares::picture(&named(accuracy), figure, words));
-    section.push(Block::facts(sources(parameters, words)));
-    let of_parameters = vec![Block::Table(table(parameters, words))];
+    let of_parameters = vec![Block::facts(sources(parameters, words)), Block::Table(table(parameters, words))];
     section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
     section.push(Block::text(repeats(parameters, words)));
     Some(section)

@@ -37,8 +37,15 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
         draft,
         sections: sections.into_iter().flatten().collect(),
         statement: format!("{} {}", whole.statement, tr!(words, "certificate-reproduction")),
-        // the table contains them
-        verdict: Verdict { about: String::new(), headlines: Vec::new(), ..whole.verdict },
+        // the table contains the headlines; next steps are opinions that a laboratory states by
+        // itself (ISO/IEC 17025:2017, 7.8.7), and the checklist follows
+        verdict: Verdict {
+            about: String::new(),
+            headlines: Vec::new(),
+            steps: Vec::new(),
+            to_complete: None,
+            ..whole.verdict
+        },
         compact: true,
         ..whole
     }

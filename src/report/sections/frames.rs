@@ -51,7 +51,7 @@ fn elements(features: &[Feature], words: &Words) -> Table {
     let columns = Columns::<Feature>::new()
         .both(phrase!("name"), "", |f| f.name.as_str())
         .both(phrase!("report-element"), "", |f| {
-            names::of_document(&f.element).map_or_else(|| Cell::from(&f.element), |element| term(words, element))
+            names::element(&f.element).map_or_else(|| Cell::from(&f.element), |element| term(words, element))
         })
         .both(phrase!("points"), "", |f| f.points)
         .page(phrase!("point"), "mm", |f| numbers(triple(f.point_mm, 4)))

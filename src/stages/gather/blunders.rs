@@ -72,9 +72,8 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
             let target = point.target.as_deref().unwrap_or("");
             let message = warning!("rigid-row-refused", row = point.row, target, reason);
             problems.0.push(message.at(Place::line(&*point.export, point.line, &point.text)));
-            let reason = reason.to_string();
             if let Some(source) = sources.iter_mut().find(|s| s.file == *point.export) {
-                source.refused.push(Refused { line: point.line, text: (&point.text).into(), reason });
+                source.refused.push(Refused::new(point.line, &point.text, reason));
                 source.refused.sort_by_key(|r| r.line);
             }
         }

@@ -39,14 +39,13 @@ pub(super) fn leave_out(
                 continue;
             }
         };
-        let reason = format!("excluded: {}", rule.reason);
+        let reason = phrase!("row-excluded", reason = rule.reason);
         if let Some(source) =
             sources.iter_mut().find(|source| source.file == *file && source.kind == SourceKind::Export)
         {
             let left_out =
                 columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row));
-            let refused =
-                |p: &etalon_formats::Point| Refused { line: p.line, text: (&p.text).into(), reason: reason.clone() };
+            let refused = |p: &etalon_formats::Point| Refused::new(p.line, &p.text, reason.clone());
             source.refused.extend(left_out.map(refused));
             source.refused.sort_by_key(|refused| refused.line);
         }

@@ -9,14 +9,16 @@ mod excluded;
 mod mislabelling;
 mod points;
 mod rounding;
+mod temperature;
 
 pub(crate) use points::used_labels;
+pub use temperature::range as temperature_range;
 
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::files::Stamp;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::two_spellings;
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, Source, SourceKind};
 use etalon_formats::{Export, JointLog, Log, LogRow, Point};
@@ -52,7 +54,8 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         statement(SourceKind::Campaign, campaign.file_name(), &campaign.stamps[0]),
         statement(SourceKind::Robot, campaign.file.robot.get_ref(), &campaign.stamps[1]),
     ];
-    sources.extend(campaign.robot_description().map(|(file, stamp)| statement(SourceKind::Robot, &file, stamp)));
+    let described = campaign.robot_descriptions().into_iter();
+    sources.extend(described.map(|(file, stamp)| statement(SourceKind::Robot, &file, stamp)));
     let mut columns = PointColumns::default();
     let mut frames = Vec::new();
     let exports = &campaign.file.exports;
@@ -73,17 +76,19 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Ok(_) if !campaign.export_reads(i) => {}
             Ok((text, bytes)) => {
                 let mut source = statement(SourceKind::Export, file, &Stamp::of(&bytes));
-                source.dialect = format!("{}, unit {}", export.format, export.unit.name());
+                let read = phrase!("read-in-unit", format = export.format.title(), unit = export.unit.name());
                 if exports[i + 1..].iter().any(|later| later.file.get_ref() == file) {
                     opened.insert(file, bytes);
                 } else {
                     drop(bytes);
                 }
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
-                if let Some(frame) = export.format.frame(&text) {
-                    source.dialect.push_str(&format!(", relative to `{frame}`"));
-                    frames.push((campaign.place(&export.file), frame.to_owned()));
-                }
+                let frame = export.format.frame(&text);
+                source.read_as(match frame {
+                    Some(frame) => phrase!("read-in-frame", read, frame),
+                    None => read,
+                });
+                frames.extend(frame.map(|frame| (campaign.place(&export.file), frame.to_owned())));
                 sources.push(source);
             }
             Err(more) => problems.0.extend(more.0),
@@ -111,6 +116,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         // of the remaining points
         messages.extend(mislabelling::misplaced(campaign, &columns.points));
         messages.extend(mislabelling::drifting(campaign, &columns.points));
+        messages.extend(temperature::contradicted(campaign, &columns.points));
     }
     let document = ImportDocument {
         schema: "etalon/import/1".to_owned(),
@@ -216,6 +222,7 @@ fn statement(kind: SourceKind, file: &str, stamp: &Stamp) -> Source {
             SourceKind::Export | SourceKind::Log => String::new(),
             _ => "TOML".to_owned(),
         },
+        dialect_phrase: None,
         rows_read: 0,
         refused: Vec::new(),
         standstills: Vec::new(),

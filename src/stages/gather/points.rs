@@ -2,10 +2,9 @@
 
 use crate::stages::resolution;
 use etalon_base::cell::is_formula;
-use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pattern::matches_pattern;
-use etalon_base::warning;
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, JoinBy};
 use etalon_documents::{Refused, Source};
 use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point};
@@ -54,9 +53,9 @@ impl PointColumns {
         // in the memory of the rows: exports have millions
         let kept = rows.into_iter().enumerate().filter_map(|(i, row)| {
             let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
-            let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
+            let reason = row.refused.as_deref().cloned().or_else(|| zero.then(|| phrase!("row-at-origin")));
             if let Some(reason) = reason {
-                source.refused.push(Refused { line: row.line, text: (&row.text).into(), reason });
+                source.refused.push(Refused::new(row.line, &row.text, reason));
                 return None;
             }
             let named = pattern.as_ref().and_then(|p| p.read(&row.label, known)).unwrap_or_default();

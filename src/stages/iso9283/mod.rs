@@ -11,8 +11,9 @@ use crate::stages::gather::Gathered;
 use crate::stages::table_file::CampaignTables;
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
-use etalon_campaign::{Campaign, Limits, PosesDefinition};
+use etalon_campaign::{Campaign, Limits, PosesDefinition, TableDefinition};
 use etalon_documents::*;
 use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
 use pose::{PoseTables, PreparedTest};
@@ -51,7 +52,7 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     }
     // a file that is not named is reported already
     let named = |definition: &&PosesDefinition| {
-        ![&definition.attained, &definition.commanded].into_iter().any(|file| file.get_ref().is_empty())
+        [&definition.attained, &definition.commanded].into_iter().all(TableDefinition::is_named)
     };
     if let Some(definition) = file.poses.as_ref().filter(named) {
         data.poses = problems.keep(read_poses(&mut files, definition));
@@ -59,8 +60,8 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     let (streams, more) = streams::read(&mut files);
     problems.0.extend(more.0);
     data.streams = streams;
-    if let Some(definition) = file.compliance.as_ref().filter(|definition| !definition.file.get_ref().is_empty()) {
-        let table = files.read(&definition.file, "static compliance");
+    if let Some(definition) = file.compliance.as_ref().filter(|definition| definition.is_named()) {
+        let table = files.read(definition, SourceKind::Table, phrase!("table-of-compliance"));
         let found = table.and_then(|table| load::evaluate(table.named()).map_err(|p| table.place(p)));
         data.compliance = problems.keep(found);
     }
@@ -116,7 +117,7 @@ fn drift_sets(campaign: &Campaign) -> Problems {
     if let Some(definition) = &file.poses {
         check(&definition.drift_set, true);
         if file.repeatability.is_some() {
-            problems.0.push(error!("attained-poses-twice").at(campaign.place(&definition.attained)));
+            problems.0.push(error!("attained-poses-twice").at(campaign.place(definition.attained.first())));
         }
     }
     problems
@@ -146,9 +147,7 @@ fn of_tables(
         seed: definition.seed,
         ..settings
     })?;
-    document
-        .conventions
-        .push(format!("the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the frame of the tables"));
+    document.agree(phrase!("convention-tables", k = COVERAGE_FACTOR));
     document.visits = attained.visits();
     Ok(document)
 }

@@ -1,18 +1,18 @@
 //! Tables of a test of poses: read, compensated for the drift of the set-up, and evaluated.
 
-use crate::stages::table_file::{CampaignTables, TableFile};
+use crate::stages::table_file::{CampaignTables, TableFile, TableForm};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
-use etalon_base::warning;
-use etalon_campaign::PosesDefinition;
-use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
+use etalon_base::{error, phrase, warning};
+use etalon_campaign::{PosesDefinition, TableDefinition};
+use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit, SourceKind};
 use etalon_formats::tables::pose_test::pose_test;
 use etalon_formats::tables::reference_targets::{SetupDrift, compensate_setup_drift};
 use etalon_standards::iso9283::pose::PoseTestSettings;
 use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
 use std::path::Path;
-use toml::Spanned;
 
 /// Tables of a test of poses: attained poses, commanded poses, and stationary targets.
 pub(crate) struct PoseTables {
@@ -32,7 +32,7 @@ impl PoseTables {
     /// Tables of a command: attained, commanded and reference, each read by the same reader.
     pub fn read(files: [Option<&Path>; 3], read: &dyn Fn(&Path) -> Result<TableFile>) -> Result<Self> {
         let [attained, commanded, reference] = files;
-        let none = || etalon_base::error!("table-to-evaluate-missing");
+        let none = || error!("table-to-evaluate-missing");
         let (commanded, reference) = (commanded.map(read).transpose()?, reference.map(read).transpose()?);
         Ok(Self::of(read(attained.ok_or_else(none)?)?, commanded, reference))
     }
@@ -44,15 +44,21 @@ impl PoseTables {
 
     /// Tables of a campaign; all unreadable tables are reported.
     pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
+        if let Some(key) = definition.meaningless_beside_sheet() {
+            let place = files.campaign.place_of(&["poses", key]);
+            return Err(error!("key-of-text-table", key).at(place).into());
+        }
         let mut problems = Problems::default();
-        let mut read = |file: &Spanned<String>, holds: &str| {
-            let layout = definition.layout(holds == "attained poses");
-            let table = files.laid_out(file, holds, layout, definition.encoding);
+        let mut read = |table: &TableDefinition, holds: Phrase, attained: bool| {
+            let layout = definition.layout(attained);
+            let form = TableForm { layout, encoding: definition.encoding, sheet: definition.sheet.clone() };
+            let table = files.read_in(table, &form, SourceKind::Table, holds);
             table.map_err(|more| problems.0.extend(more.0)).ok()
         };
-        let attained = read(&definition.attained, "attained poses");
-        let commanded = read(&definition.commanded, "commanded poses");
-        let reference = definition.reference.as_ref().map(|file| read(file, "reference targets"));
+        let attained = read(&definition.attained, phrase!("table-of-attained-poses"), true);
+        let commanded = read(&definition.commanded, phrase!("table-of-commanded-poses"), false);
+        let reference = definition.reference.as_ref();
+        let reference = reference.map(|file| read(file, phrase!("table-of-reference-targets"), false));
         let (Some(attained), Some(commanded)) = (attained, commanded) else { return Err(problems) };
         problems.check()?;
         Ok(Self { attained, commanded: Some(commanded), reference: reference.flatten() })
@@ -117,11 +123,11 @@ impl PreparedTest {
         let mut document = Iso9283Document::evaluate(test, settings)?;
         if !drift.epochs.is_empty() {
             let convention = match (drift.turned, test.angles.is_empty()) {
-                (true, _) => "positions and orientations are carried back by reference targets",
-                (false, true) => "positions are carried back by reference targets",
-                (false, false) => "positions are carried back by reference targets; angles are not",
+                (true, _) => phrase!("convention-drift-compensated"),
+                (false, true) => phrase!("convention-positions-drift-compensated"),
+                (false, false) => phrase!("convention-angles-not-drift-compensated"),
             };
-            document.conventions.push(convention.to_owned());
+            document.agree(convention);
         }
         document.reference.clone_from(&drift.epochs);
         let epochs = drift.epochs.iter();

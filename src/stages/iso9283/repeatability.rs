@@ -4,12 +4,13 @@
 use crate::stages::iso9283::{COVERAGE_FACTOR, settings};
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use crate::stages::table_file::{CampaignTables, TableFile};
+use etalon_base::catalogue::{Argument, IntoArgument};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{Campaign, RepeatabilityDefinition};
-use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
+use etalon_campaign::{Campaign, RepeatabilityDefinition, TableDefinition};
+use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, SourceKind};
 use etalon_formats::Point;
 use etalon_formats::table::ANGLES;
 use etalon_formats::tables::recording::commanded_poses;
@@ -18,7 +19,6 @@ use etalon_standards::iso9283::pose::coplanarity::from_the_others;
 use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
-use toml::Spanned;
 
 /// The characteristics of the campaign's labelled visits, in its world frame, and the files used in
 /// addition to the exports.
@@ -36,15 +36,11 @@ pub fn evaluate(
     let drift_set = definition.drift_set.as_ref().map(|set| *set.get_ref());
     let settings = PoseTestSettings { drift_set, ..settings(campaign) };
     let mut document = Iso9283Document::evaluate(&gathered.visits, &settings)?;
-    document.conventions.push(format!(
-        "approach: the pose before in the trajectory; the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the world \
-         frame ({})",
-        frames.world.definition
-    ));
+    let frame =
+        frames.world.definition_phrase.clone().map_or_else(|| frames.world.definition.argument(), Argument::Phrase);
+    document.agree(phrase!("convention-approach", k = COVERAGE_FACTOR, frame));
     if !gathered.visits.spatial {
-        document.conventions.push(
-            "commanded positions have no z: all characteristics but the coplanarity are in the plane xy".to_owned(),
-        );
+        document.agree(phrase!("convention-planar"));
     }
     if let Some(homings) = &gathered.homings {
         let settings = PoseTestSettings { drift_set: None, ap_limit_mm: None, ..settings };
@@ -116,8 +112,8 @@ pub struct Commanded {
 }
 
 impl Commanded {
-    pub(super) fn read(files: &mut CampaignTables, file: &Spanned<String>) -> Result<Self> {
-        let table = files.read(file, "commanded poses")?;
+    pub(super) fn read(files: &mut CampaignTables, table: &TableDefinition) -> Result<Self> {
+        let table = files.read(table, SourceKind::Table, phrase!("table-of-commanded-poses"))?;
         if let Some(column) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
             return Err(table.place(table.named().place(error!("commanded-angle-unmeasured", column))));
         }

@@ -2,6 +2,7 @@
 
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
+use etalon_base::phrase;
 use etalon_standards::iso9283::motion::MotionSettings;
 use etalon_standards::iso9283::motion::standstill::Stillness;
 use etalon_standards::iso9283::path::PathSettings;
@@ -111,8 +112,8 @@ impl TestStatement<'_> {
             poses,
             path,
             time: match self.rate_hz {
-                Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
-                None => "times: as stamped in the recording".to_owned(),
+                Some(rate) => phrase!("convention-times-by-rate", rate),
+                None => phrase!("convention-times-as-stamped"),
             },
             seed,
         }

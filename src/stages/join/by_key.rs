@@ -2,6 +2,7 @@
 
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
@@ -46,7 +47,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     }
     misspelt(keys, (targets, &measured), (log, &logged))?;
     let mut report =
-        |of: &str, at: &dyn Fn(usize, String, &str) -> Unmatched, here: &Keys, there: &Keys, reason: &str| {
+        |of: &str, at: &dyn Fn(usize, String, &Phrase) -> Unmatched, here: &Keys, there: &Keys, reason: Phrase| {
             let alone: Vec<&Key> = here.keys().filter(|key| !there.contains_key(*key)).collect();
             if !alone.is_empty() {
                 let mut shown: Vec<String> = alone.iter().take(SHOWN).map(|k| format!("[{}]", listed(k))).collect();
@@ -62,14 +63,13 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
                 remarks.messages.push(message.routine());
             }
             for key in alone {
-                remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), reason)));
+                remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), &reason)));
             }
         };
-    let point = |i: usize, key, reason: &str| At::point(targets[i].point).unmatched(key, reason);
-    let lone = format!("no row of log `{name}` has this key");
-    report("points", &point, &measured, &logged, &lone);
-    let row = |i: usize, key, reason: &str| At::log(log, &log.rows[i]).unmatched(key, reason);
-    report("log", &row, &logged, &measured, "no measured point has this key");
+    let point = |i: usize, key, reason: &Phrase| At::point(targets[i].point).unmatched(key, reason);
+    report("points", &point, &measured, &logged, phrase!("no-row-of-key", log = name));
+    let row = |i: usize, key, reason: &Phrase| At::log(log, &log.rows[i]).unmatched(key, reason);
+    report("log", &row, &logged, &measured, phrase!("no-point-of-key"));
     let met = measured.iter().filter_map(|(key, rows)| Some((rows, &log.rows[*logged.get(key)?.first()?])));
     let pairs = met.flat_map(|(rows, met)| rows.iter().map(move |&i| (&targets[i], met)));
     if keys[0] == "row" {

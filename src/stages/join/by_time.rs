@@ -4,8 +4,9 @@
 use super::clock::Clock;
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Problems, Result};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_documents::Unmatched;
 use etalon_formats::{DIRECTION, JointLog};
 use std::collections::{BTreeMap, BTreeSet};
@@ -110,7 +111,7 @@ fn at(t: f64) -> String {
     format!("{t} s")
 }
 
-fn unmatched(target: &Target, reason: &str) -> Unmatched {
+fn unmatched(target: &Target, reason: &Phrase) -> Unmatched {
     At::point(target.point).unmatched(at(target.point.time_s.unwrap_or(f64::NAN)), reason)
 }
 
@@ -122,7 +123,7 @@ fn report_several(targets: &[Target], several: Vec<(usize, usize)>, clocks: Cloc
     }
     remarks.messages.push(warning!("several-rows-near", count = several.len(), log = name, tolerance_s));
     remarks.unmatched.extend(several.into_iter().map(|(i, rows)| {
-        let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest row is used");
+        let reason = phrase!("row-of-several", rows, log = name, tolerance_s);
         unmatched(&targets[i], &reason)
     }));
 }
@@ -130,8 +131,8 @@ fn report_several(targets: &[Target], several: Vec<(usize, usize)>, clocks: Cloc
 /// Points without a row.
 fn report_alone(targets: &[Target], met: &[Option<Met>], clocks: Clocks, name: &str, remarks: &mut Remarks) {
     let reason = match clocks.interpolate {
-        true => format!("no rows of log `{name}` before and after it are within {} s", clocks.tolerance_s),
-        false => format!("no row of log `{name}` is within {} s", clocks.tolerance_s),
+        true => phrase!("no-rows-around", log = name, tolerance_s = clocks.tolerance_s),
+        false => phrase!("no-row-near", log = name, tolerance_s = clocks.tolerance_s),
     };
     let alone: Vec<usize> = (0..met.len()).filter(|&i| met[i].is_none()).collect();
     if !alone.is_empty() {
@@ -148,7 +149,7 @@ fn report_idle(log: &JointLog, used: &BTreeSet<usize>, clocks: Clocks, remarks: 
         return;
     }
     remarks.messages.push(warning!("rows-without-point", count = idle.len(), log = log.name));
-    let reason = "no measured point is nearest to it";
+    let reason = &phrase!("no-point-nearest");
     let row = |i: usize| At::log(log, &log.rows[i]).unmatched(at(log.rows[i].time_s.unwrap_or(f64::NAN)), reason);
     remarks.unmatched.extend(idle.into_iter().map(row));
 }

@@ -17,8 +17,9 @@ pub struct OffsetRange {
     pub half_width_s: f64,
 }
 
-/// Clock of the measurement relative to the clock of the log: `measured = logged + offset_s + rate
-/// * (logged - reference_s)`.
+/// Clock of the measurement relative to the clock of the log.
+///
+/// `measured = logged + offset_s + rate * (logged - reference_s)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock {
     /// Time of the measurement minus time of the log, at the reference.

@@ -20,7 +20,7 @@ use clock::Clock;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, ClockOffset, ClockRate, Join, JoinBy};
 use etalon_documents::{FramesDocument, SourceKind, Unmatched};
 use etalon_formats::{JointLog, LogRow, Point};
@@ -121,7 +121,8 @@ pub fn joined(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument,
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
 fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
     let Some(definition) = &campaign.file.join else {
-        return Err(error!("join-missing").at(Place::file(campaign.path.as_str())).into());
+        let message = error!("key-missing", key = "join", has_section = "no", section = "");
+        return Err(message.at(Place::file(campaign.path.as_str())).into());
     };
     let (mut remarks, mut problems) = (Remarks::default(), Problems::default());
     let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);
@@ -293,7 +294,7 @@ fn targets_in_world<'a>(
         let Some(world_T_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
             lost.extend(point.pose);
             let key = point.pose.map_or_else(String::new, |pose| format!("pose {pose}"));
-            remarks.unmatched.push(At::point(point).unmatched(key, "its pose has no world frame"));
+            remarks.unmatched.push(At::point(point).unmatched(key, &phrase!("row-of-unframed-pose")));
             continue;
         };
         let covariance_mm2 = own_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));

@@ -21,10 +21,11 @@ pub struct Facts {
     pub stated: &'static [&'static str],
     /// `true` if a row contains the position of its target.
     pub has_position: bool,
-    /// `true` if a row is the position of its target: single coordinates and further stations are
-    /// possible.
+    /// A row is the position of its target: single coordinates are possible.
     pub is_position: bool,
-    /// `true` if a row may lack a target.
+    /// A row may be measured by a further station of the instrument.
+    pub has_stations: bool,
+    /// A row may be without a target.
     pub is_of_robot: bool,
 }
 

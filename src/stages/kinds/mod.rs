@@ -208,7 +208,7 @@ pub fn observed(
             problems.0.extend(more.at(&row.place()).0);
         }
         let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
-        written.extend(added.map(|_| row.orientation));
+        written.extend(added.map(|c| (c.kind.is_world_orientation(), row.orientation)));
     }
     problems.check()?;
     let names = robot.parameters();
@@ -227,8 +227,11 @@ pub fn observed(
         }
         false => Vec::new(),
     };
-    let angles: Vec<[f64; 3]> = written.iter().filter_map(Written::angles).collect();
-    if !angles.is_empty() && without.order.is_none() {
+    let any_angles = written.iter().any(|(_, row)| row.angles().is_some());
+    // the nominal robot shows the orientations of the world alone
+    let written: Vec<Written> = written.into_iter().filter(|(in_world, _)| *in_world).map(|(_, row)| row).collect();
+    if any_angles && without.order.is_none() {
+        let angles: Vec<[f64; 3]> = written.iter().filter_map(Written::angles).collect();
         return Err(unstated(robot, &observations, &settings, &angles).at(header()).into());
     }
     let observed = Observed { observations, settings };
@@ -242,7 +245,7 @@ pub fn observed(
 fn unnamed_station(rows: &[Row]) -> Option<Message> {
     let points = rows
         .iter()
-        .filter(|row| row.pose.is_some() && kind(&row.cells.kind).is_ok_and(|kind| kind.facts().is_position));
+        .filter(|row| row.pose.is_some() && kind(&row.cells.kind).is_ok_and(|kind| kind.facts().has_stations));
     let (named, unnamed): (Vec<&Row>, Vec<&Row>) = points.partition(|row| row.cells.station.is_some());
     let poses = |rows: &[&Row]| rows.iter().map(|row| row.pose).collect::<BTreeSet<_>>().len();
     let all_stated = unnamed.iter().all(|row| row.cells.text(STATION).is_some());

@@ -162,13 +162,13 @@ impl Row {
         Ok(())
     }
 
-    /// Returns an error if a row of another station is not a point with all coordinates and one
-    /// uncertainty.
+    /// An error where a row of another station is not a point or a pose with all coordinates and
+    /// one uncertainty.
     fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
         let us = self.u_axes_mm;
         let has_covariance = table::COVARIANCES.iter().any(|name| self.cells.number(name).is_some_and(|v| !v.is_nan()));
         let fault = match self.xyz_mm.iter().all(|v| v.is_finite()) {
-            _ if !kind.facts().is_position => "kind",
+            _ if !kind.facts().has_stations => "kind",
             false => "coordinate",
             true if has_covariance => "covariance",
             true if us[1..].iter().any(|u| u.to_bits() != us[0].to_bits()) => "uncertainties",

@@ -115,10 +115,10 @@ cannot-write-folder = cannot write the folder `{ $folder }`: { $reason }
 # Example: a value that JSON cannot hold
 cannot-encode = cannot write { $format }: { $reason }
 
-# Means: The text is not an order of three angles.
-# Matters: The orientation depends on the order of the three rotations.
-# Do: State three axes in the order of the rotations; `fixed` denotes the axes of the world.
-# Example: `rotation = "zxz fixed"`
+# Means: The text names no order of three angles.
+# Matters: Three angles turn a body differently in each order.
+# Do: State three axes in the order of the turns, with `fixed` for the axes of the world.
+# Example: `orientation = "zxz fixed"`
 angle-order-unknown = `{ $text }` is not an order of three angles
     .expected = "zyx", "xyz", "zyz" .. about the axes of the body, or "fixed xyz" .. about the axes of the world
 
@@ -135,3 +135,12 @@ rotation-not-orthonormal = the rotation matrix is not orthonormal: products of i
 # Example: a matrix with one column negated
 rotation-mirrors = the rotation matrix is a reflection: its determinant is -1
     .hint = check the signs of its columns
+
+factor = { $count } { $of ->
+        [poses] poses
+        [cycles] cycles
+        [repeats] repeats
+        [draws] draws
+       *[runs] runs
+    }
+product = { $first } × { $second }

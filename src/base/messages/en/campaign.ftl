@@ -324,7 +324,7 @@ tolerance-unknown = `tolerance` names `{ $parameter }`, which is not a parameter
 # Means: A selection of poses cannot be read.
 # Matters: It is unknown which poses calibrate and which validate.
 # Do: State names and ranges.
-# Example: `calibration = "1-"`
+# Example: `calibration = "1-8, , 12"`
 selection-empty = `{ $stated }` names no poses
     .expected = names and ranges like "1-8, 12, home", a list of them, "all", "rest" or "index mod 10 < 7"
 
@@ -366,7 +366,7 @@ key-missing = the key `{ $key }` is missing{ $has_section ->
        *[no] {""}
     }
 
-state-unit = state the length unit of the file: "mm", "m", "um" or "inch"; it is never guessed
+state-unit = state `unit = "mm"`, or "m", "um" or "inch" as the file was written; it is never guessed
 
 state-instrument = [instrument] states name, expanded_uncertainty_um and coverage_factor: take them from its calibration certificate
 
@@ -409,14 +409,6 @@ key-remedy = { $key ->
         [observations] instead of exports and log
        *[base_turn_y_deg] delete it: base_rx, base_ry and base_rz are a rotation vector, and no orientation of the base is singular
     }
-
-# Means: The file holds macros of xacro.
-# Matters: etalon reads plain URDF.
-# Do: Expand the file with xacro.
-# Example: `<xacro:macro name="arm">`
-urdf-xacro = the file holds macros of xacro, which are not expanded
-
-expand-xacro = expand it: xacro { $name }.urdf.xacro > { $name }.urdf
 
 # Means: The document element of the file is not <robot>.
 # Matters: The file describes no robot.

@@ -20,12 +20,23 @@ option-not-positive = { $option } must be positive
 option-refused = { $option }: { $reason }
     .hint = `etalon COMMAND --help` lists the values
 
-# Means: `--column` has no `=`, so no heading is stated.
-# Matters: It is unknown which column is meant.
-# Do: State NAME=HEADING.
+# Means: An option that names a column has no `=`.
+# Matters: It is unknown what is stated about the column.
+# Do: State NAME=HEADING, NAME=VALUE or COLUMN=CELL.
 # Example: `--column q1_deg`
-column-option-malformed = --column: `{ $text }` has no `=`
-    .expected = q1_deg=J1
+column-option-malformed = --{ $option }: `{ $text }` has no `=`
+    .expected = { $option ->
+        [column] q1_deg=J1
+        [constant] kind=distance
+       *[other] deleted=1
+    }
+
+# Means: The columns are stated from the left (`--columns`) and by name (`--column`).
+# Matters: The two may differ.
+# Do: Keep one of the two options.
+# Example: `--columns x,y,z --column x=X`
+option-columns-twice = --columns and --column both state the columns
+    .hint = keep one of them
 
 # Means: The length unit of the files is not stated.
 # Matters: Exports carry no unit; a wrong guess falsifies every result.
@@ -272,12 +283,12 @@ enclosing-with-probe = { $element } is not compensated for a probe
 enclosing-minimum-zone = an { $element } has no minimum zone
     .hint = omit --minimum-zone, or fit a circle2d or sphere
 
-# Means: A stated uncertainty cannot be that of a coordinate in micrometres.
-# Matters: The uncertainties of all results depend on it.
+# Means: A stated uncertainty is not one of a coordinate in micrometres.
+# Matters: Uncertainties of all results follow from it.
 # Do: State expanded uncertainty over coverage factor, per coordinate, in µm.
-# Example: `--uncertainty-um 0.0027` for 2.7 µm
-uncertainty-implausible = { $option } cannot be the uncertainty of a coordinate in micrometres
-    .hint = state the expanded uncertainty over the coverage factor, per coordinate: 0.0027 mm is 2.7 um
+# Example: `--standard-uncertainty-um 0.0027` for 2.7 µm
+uncertainty-implausible = { $option } is not an uncertainty of a coordinate in micrometres
+    .hint = expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um
 
 # Means: The named robot is not in the table of `etalon init`.
 # Matters: Geometry is taken from published sources only.
@@ -307,13 +318,6 @@ iso230-no-rows = the table has no rows
 # Example: one run from the negative side
 iso230-few-runs = position { $position } mm has fewer than two runs in direction { $direction }
     .expected = at least two runs in each direction, five by ISO 230-2
-
-# Means: `etalon iso9283` has no input.
-# Matters: There is nothing to evaluate.
-# Do: Name a table of poses, a recording or a table of loads.
-# Example: `etalon iso9283`
-nothing-to-evaluate = no input to evaluate is stated
-    .hint = name poses, a recording or loads: `etalon iso9283 --help`
 
 # Means: `--drift-set` is smaller than two cycles.
 # Matters: Drift compares means and scatter of sets of cycles.
@@ -358,13 +362,6 @@ table-quaternion-length = the quaternion has the length { FIXED($length, 4) }
 not-a-report = `{ $file }` does not end like a report
     .expected = a file that ends in { $endings }
 
-# Means: `etalon report` has no folder.
-# Matters: Reports are written from an output folder.
-# Do: Name the output folder of a run.
-# Example: `etalon report`
-report-folder-missing = no folder is stated
-    .hint = name the output folder of a run
-
 # Means: A run failed, and the output folder holds the results of an earlier one.
 # Matters: Its report and controller files are not those of this run.
 # Do: Do not load controller files from this folder: they belong to the earlier run.
@@ -376,7 +373,7 @@ earlier-run-left = nothing is written: `{ $report }` and the files beside it are
 # Matters: Schemas exist for input files and JSON documents.
 # Do: Use a name that `etalon schema --help` lists.
 # Example: `etalon schema parameter`
-schema-unknown = there is no schema `{ $name }`
+schema-unknown = unknown schema `{ $name }`
 
 # Means: The table of `etalon verify` has columns of other kinds of observations.
 # Matters: Only positions are compared.
@@ -487,11 +484,10 @@ table-options-refused = { $fault ->
 # Matters: A table of corrections needs a value at each position.
 # Do: Use positions that the robot reaches, or that were measured.
 # Example: `--axis rho1_mm=0:500:10` where the lead was measured to 400 mm
-deviation-unknown = no deviation at { $position }: { $reason ->
-        [not-measured] the lead was not measured there
-        [no-error] `{ $axis }` has no errors of its own in this model
-       *[other] { $reason }
-    }
+deviation-unknown = no deviation at { $position }: { $reason }
     .hint = use positions that the robot reaches, or that were measured
 
 robot-file-of-run = run the campaign again, or name the robot.toml of that run
+axis-without-errors = the axis has no errors of its own in this model
+lead-not-measured-there = the lead was not measured there
+table-without-row = the table has no row there

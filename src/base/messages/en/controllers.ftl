@@ -327,3 +327,10 @@ coordinate-unknown = `{ $letter }` has no value yet
 # Example: `[0.7, 0, 0, 0.6]`
 quaternion-length = the quaternion of { $target } has the length { FIXED($length, 4) }
     .expected = length 1
+
+# Means: The URDF of the robot is a xacro file, and elements without kinematics (`visual`, `gazebo`) hold xacro that etalon does not expand.
+# Matters: The calibrated URDF could not be read by other programs.
+# Do: Expand the file with the command `xacro`, and name the URDF in robot.toml.
+# Example: `<visual><xacro:mesh name="arm"/></visual>`
+urdf-holds-xacro = elements without kinematics of `{ $file }` hold xacro
+    .hint = expand the file with the command `xacro`, and name the URDF in robot.toml

@@ -15,7 +15,7 @@ input-is-folder = `{ $folder }` is a folder
 # Matters: The campaign is incomplete.
 # Do: Correct the path, or copy the file. Paths begin at the folder of the campaign.
 # Example: `file = "exports/pose.txt"` where the folder has `poses.txt`
-input-missing = there is no file `{ $file }`
+input-missing = the file `{ $file }` does not exist
 
 simulate-the-file = write it from truth.toml: `etalon simulate { $folder }`
 
@@ -771,3 +771,30 @@ arrays-unreadable = the file cannot be read as arrays of { $format ->
 # Example: a day of joint values at 10 kHz
 arrays-too-large = the arrays of the file are larger than { $most_mib } MiB
     .hint = save the arrays of the measurement alone
+# Means: The file is a workbook, and no sheet is stated.
+# Matters: A workbook may have several sheets.
+# Do: State the sheet: in `format` of an [[export]], otherwise in the section of the table.
+# Example: `file = "joints.xlsx"` without `sheet`
+sheet-not-stated = a workbook, of which no sheet is stated; it has { $sheets }
+    .hint = state the `sheet`
+
+state-sheet = state `sheet = "{ $sheet }"` (option --sheet)
+
+state-column = if it is the column `{ $heading }`, state `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
+row-marked-deleted = left out: it is marked as deleted (`{ $cell }`)
+row-left-out-by-cell = left out: `{ $column }` is `{ $cell }`
+row-without-coordinates = not measured: no coordinates
+row-not-measured = not measured: { $column } is `{ $cell }`
+characteristic-of-no-axis = no coordinate: the name of the characteristic does not end in X, Y or Z
+feature-of-no-point = a feature `{ $kind }`: its point may lie anywhere on it
+feature-not-read = a feature `{ $kind }`: this kind is not read
+point-incomplete = no point: { $found } without { $missing }
+probe-centre-no-point = a probe centre, not a point of the feature
+
+log-delimited = delimited by `{ $delimiter }`, decimal `{ $decimal }`
+log-of-format = { $format }, { $read }
+log-with-start = { $read }, start { $start }
+read-with-decimal-comma = { $format }, decimal `,`
+
+value-without-label = a value without a label
+primitive-no-point = a primitive of type `{ $kind }`, not a point

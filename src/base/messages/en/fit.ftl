@@ -168,7 +168,7 @@ point-counts-differ = { $from } points cannot be paired with { $to }
 # Means: More than one rotation brings one set of points equally close to the other.
 # Matters: The transform is not determined.
 # Do: Check the order of the targets; a mirror image or symmetric targets have no single rotation.
-# Example: targets of a square named in a mirrored order
+# Example: the corners of a tetrahedron and their mirror images
 rotation-ambiguous = no rigid transform can be fitted: more than one rotation fits equally well
     .expected = two sets of points of the same shape
     .hint = check that both lists name the targets in the same order and that neither is a mirror image
@@ -246,3 +246,7 @@ radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } ha
 # Example: a cone through points of a cylinder
 cone-is-cylinder = the apex angle of the cone is not distinguishable from zero (k = 2)
     .hint = fit a cylinder
+
+method-principal-directions = principal directions of the centred points
+method-orthogonal-distance = orthogonal distance, Gauss-Newton in a trust region
+method-circle-in-plane = least-squares plane, projection, circle in the plane by orthogonal distance

@@ -175,7 +175,7 @@ expression-malformed = cannot read the expression `{ $expression }`: { $fault ->
 # Matters: The values of the column are needed.
 # Do: Write the name as in the header of the file.
 # Example: `columns = { rho3_mm = "RP33" }` for a header with RP1, RP2 and RP3
-column-unknown = there is no column `{ $column }`
+column-unknown = unknown column `{ $column }`
 
 # Means: A table could not be built or written.
 # Matters: The command cannot continue.
@@ -367,7 +367,7 @@ state-delimiter-of-rows = state `delimiter` and `decimal` of the rows
 # Matters: The file has no header: its first row of values would be lost.
 # Do: State `header = false`, and give columns by number.
 # Example: a log whose first line is `1,0.5,0.7`
-header-holds-numbers = the header row holds only numbers
+header-holds-numbers = the row that should name the columns holds numbers
     .hint = if the file has no header, state `header = false` and give columns by number
 
 # Means: A column is given by its number, and its number changes between files of this format.
@@ -385,7 +385,7 @@ column-by-number = a column of this format cannot be given by its number: { $for
 # Matters: The column does not exist.
 # Do: Count the columns from 1.
 # Example: `q5_deg = 9` for a file with five columns
-column-number-unknown = there is no column { $number }
+column-number-unknown = column { $number } does not exist
     .expected = a number from 1 to { $columns }
 
 # Means: The header names a column several times, and the campaign does not state which one is
@@ -806,3 +806,81 @@ file-is = `{ $file }`: { $kind }, { $rows ->
 files-join = { $matching } of { $keys } rows of `{ $file }` have a row of `{ $log }` by { $by }
 
 files-not-joined = no key joins all exports with the { $rows } rows of `{ $log }`
+
+expand-xacro = expand the file, and name the URDF instead: { $command }
+
+attribute-malformed = an attribute that cannot be read
+
+# Means: The file holds xacro other than properties, arguments and includes: a call of a macro, a condition, YAML.
+# Matters: etalon does not run xacro. It expands only what has one possible meaning without ROS.
+# Do: Run the command of the hint. robot.toml then names the URDF.
+# Example: `<xacro:arm prefix="left_"/>`
+xacro-construct = `{ $construct }` of xacro is not expanded here
+
+# Means: An expression uses a name that no property of the file has.
+# Matters: The value of the expression is unknown.
+# Do: Correct the name, or include the file that defines it before.
+# Example: `${forearm_length}`
+xacro-undefined = no property `{ $name }` is defined before this line
+
+# Means: The file uses an argument that has no default, and no value is stated.
+# Matters: The value decides on names or dimensions of the robot.
+# Do: State the value in robot.toml, or as an option of `etalon init`.
+# Example: `$(arg prefix)`
+xacro-argument-missing = the argument `{ $argument }` of the xacro file has no value
+    .hint = state `arguments = ["{ $argument }:=VALUE"]` in robot.toml, or `--argument { $argument }:=VALUE` of `etalon init`
+
+# Means: A value is stated for an argument that the file does not have.
+# Matters: A misspelled argument would have no effect.
+# Do: Correct the name.
+# Example: `arguments = ["prefx:=left_"]`
+xacro-argument-unknown = { $file } has no argument `{ $argument }`
+
+# Means: An argument of a xacro file is not stated as xacro takes it.
+# Matters: Its name or value is unknown.
+# Do: Write name, `:=` and value without blanks.
+# Example: `arguments = ["prefix=left_"]`
+xacro-argument-form = `{ $argument }` is not an argument of xacro
+    .expected = NAME:=VALUE
+
+# Means: A file of a ROS package is included, and the package is not beside the file.
+# Matters: The included file may define joints.
+# Do: Run the command of the hint where ROS is installed, or copy the package beside the file.
+# Example: `$(find ur_description)/urdf/ur.xacro`
+xacro-package = the package `{ $package }` is neither above nor beside the file
+
+# Means: An included file cannot be read.
+# Matters: The file may define joints.
+# Do: Copy the file to its place, or run the command of the hint.
+# Example: `<xacro:include filename="common.xacro"/>`
+xacro-include-unreadable = the included file cannot be read: { $reason }
+
+# Means: A file includes itself, directly or by another file.
+# Matters: The expansion never ends.
+# Do: Remove one of the includes.
+# Example: arm.xacro includes common.xacro, and common.xacro includes arm.xacro
+xacro-include-loop = `{ $file }` includes itself
+
+# Means: A property is defined by itself.
+# Matters: It has no value.
+# Do: Correct one of the definitions.
+# Example: `<xacro:property name="a" value="${a + 1}"/>`
+xacro-recursion = the property `{ $name }` is defined by itself
+
+# Means: Includes are nested too deeply, or are too many.
+# Matters: A robot needs fewer; the expansion might never end.
+# Do: Expand the file with xacro.
+# Example: 1000 includes
+xacro-too-many-files = more than { $most_files } included files, or more than { $most_depth } within each other
+
+# Means: The value of an expression is very long, or uses too many others.
+# Matters: Properties that repeat each other could fill the memory.
+# Do: Simplify the properties.
+# Example: sixteen properties, each of them twice the one before
+xacro-value-too-long = the value is longer than { $most_bytes } bytes, or needs more than { $most_depth } properties within each other
+
+# Means: The expanded text is very large.
+# Matters: It would fill the memory.
+# Do: Expand the file with xacro, and check what it includes.
+# Example: a file that is included many times
+xacro-too-large = the expanded text is larger than { $most_mib } MiB

@@ -23,7 +23,7 @@ common-uncertainty-alone = an uncertainty common to several observations needs r
 # Means: A parameter to be held does not exist in the robot model.
 # Matters: Probably another parameter was meant; it would be identified.
 # Do: Use the name of a parameter of the model; `*` stands for any text.
-# Example: the name `d7` for an arm of six joints
+# Example: `hold = ["d_9"]` of a six-axis arm
 parameter-unknown = `{ $pattern }` is not a parameter of this robot
 
 # Means: Orientations, distances, contacts, surfaces or joint values are observed for a robot that
@@ -63,7 +63,7 @@ readings-without-uncertainty = { $without } of { $readings } readings have no un
 # Means: Residuals of the pose are requested for a spatial robot.
 # Matters: They are defined for planar platforms only.
 # Do: Compare targets.
-# Example: residuals of the pose for a serial arm
+# Example: `residuals = "pose"` in [identify] of a six-axis arm
 pose-residuals-not-planar = residuals of the pose are for planar robots, not for `{ $model }`
 
 # Means: A tool point is stated in the frame of a part that the robot lacks.
@@ -509,3 +509,13 @@ set-up-slip = { $first }{ $others ->
         [tolerances] {" "}and keeps parameters within their tolerances
        *[residuals] {" "}instead of { FIXED($stated_mm, 3) } mm
     }: check that first
+
+index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m parameters, n configurations; Jacobian in mm per mm, rad and 1
+index-o2 = O2 = smin / smax; Jacobian in mm per mm, rad and 1
+index-o3 = O3 = smin; Jacobian in mm per mm, rad and 1
+index-o4 = O4 = smin^2 / smax; Jacobian in mm per mm, rad and 1
+index-o5 = O5 = 1 / (1/s1 + ... + 1/sm); Jacobian in mm per mm, rad and 1
+index-d = D = (s1...sm)^(1/m); Jacobian in mm per mm, rad and 1
+index-a = A = 1 / sqrt(tr((J'J)^-1)); columns of J divided by their norms over all candidates
+index-e = E = smin; columns of J divided by their norms over all candidates
+index-i = I = 1 / root mean square standard uncertainty of position over all candidates, per mm of noise

@@ -39,7 +39,7 @@ cannot-read-folder = cannot read the folder `{ $folder }`: { $reason }
 # Matters: The report would not change.
 # Do: Write the built-in templates into the folder, then change them.
 # Example: an empty folder `templates`
-no-templates = there is no template in `{ $folder }`
+no-templates = the folder `{ $folder }` has no template
     .hint = `etalon report --write-templates FOLDER` writes the built-in templates
 
 # Means: The PDF report cannot be typeset.

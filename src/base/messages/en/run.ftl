@@ -98,7 +98,7 @@ key-above-maximum = `{ $key }` exceeds { $most }
 # Do: Name the column of the log that holds the label.
 # Example: `by = "label"` and a [[log]] whose `columns` lack `label`
 join-label-missing = a join by label needs the label of the point in log `{ $log }`
-    .hint = add `label = "name or number of the column"` to its `columns`
+    .hint = add `label` to its `columns`, with the name or the number of the column
 
 # Means: Pose or target of an export is stated by a key and by a column of the same export.
 # Matters: It is undefined which of the two applies.
@@ -150,8 +150,9 @@ world-frame-definition = the world frame must be defined in exactly one way
 key-of-other-frame = `{ $key }` has no effect in this world frame
     .hint = remove it, or define the frame by `{ $definition }`
 
-# Means: `x_axis` or `y_axis` of the world frame names one point, or more than two labels.
-# Matters: The axis has no direction.
+# Means: `x_axis` or `y_axis` of the world frame names one point, more than two labels, two points
+# in one place, or a direction perpendicular to the plane.
+# Matters: The axis has no direction in the plane.
 # Do: Name two labels (from, to), or one feature with a direction.
 # Example: `x_axis = ["P1"]`
 frame-axis-without-direction = the axis of the world frame has no direction
@@ -249,13 +250,13 @@ label-unknown = no point has the label `{ $label }`
 # Matters: The world frame cannot be determined.
 # Do: Define [feature.NAME], or use the name of a defined feature.
 # Example: `plane = "tabel"` beside [feature.table]
-feature-unknown = there is no feature `{ $feature }`
+feature-unknown = unknown feature `{ $feature }`
 
 # Means: The world frame names a point or feature that does not exist.
 # Matters: The world frame cannot be determined.
 # Do: Use a label of the exports or the name of a feature.
 # Example: `origin = "P9"` where the exports have P1 to P4
-point-or-feature-unknown = there is no point or feature `{ $name }`
+point-or-feature-unknown = unknown point or feature `{ $name }`
 
 # Means: No export contains measurements of a target.
 # Matters: The target cannot be used: its positions are unknown.
@@ -288,14 +289,14 @@ targets-incomplete = `targets` omits `{ $target }`
 # Do: State [reach] in robot.toml.
 # Example: [geometric.workspace] without `travel_mm`
 travel-missing = the workspace needs the travel of the actuators
-    .hint = state [reach] with `travel_mm = [..., ..., ...]` in robot.toml
+    .hint = state `travel_mm` of the three actuators in [reach] of robot.toml
 
 # Means: The export of a spatial robot has no z coordinate.
 # Matters: Positions in space have three coordinates.
 # Do: Name the column of z.
 # Example: `columns = { x = "X", y = "Y" }` for a serial arm
 z-column-missing = `columns` has no z, which a spatial robot needs
-    .hint = add `z = "name or number of the column"`
+    .hint = add `z`, with the name or the number of the column
 
 # Means: The name of a log is empty, is used twice or has other characters than letters, digits, `_`
 # and `-`.
@@ -317,7 +318,7 @@ log-joint-unknown = `{ $key }` is not a joint of this robot
 # Do: Name the column of the joint.
 # Example: `q1_deg` to `q5_deg` for a robot of six joints
 log-joint-missing = log `{ $log }` has no column for joint `{ $joint }`
-    .hint = add `{ $column } = "name or number of the column"` to its `columns`
+    .hint = add `{ $column }` to its `columns`, with the name or the number of the column
 
 # Means: No label of an export has the form that `label` states.
 # Matters: Target, pose and cycle of its points are unknown.
@@ -349,7 +350,7 @@ data-elsewhere = its data are in the folder ${ $name }, and this environment var
 # Matters: Results are read only from folders that `etalon run` wrote.
 # Do: Name the output folder, or the campaign after it was run.
 # Example: `etalon report exports`
-not-an-output-folder = there is no file `{ $file }`
+not-an-output-folder = `{ $folder }` is not the output folder of a run: its manifest.json is missing
     .hint = name a folder that `etalon run` wrote, or a campaign that was run
 
 # Means: The manifest of an output folder does not list a file.
@@ -419,3 +420,24 @@ identify-missing = the campaign has no [identify], which names the poses for jud
 # Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
 clock-rate-without-offset = `clock_rate = "standstills"` needs `clock_offset_s = "standstills"`
     .hint = state `clock_offset_s = "standstills"`, or omit `clock_rate`
+# Means: The labels of an export name targets of the robot, and the campaign states no form of labels.
+# Matters: Without targets and poses the points are not joined.
+# Do: State the form of the labels.
+# Example: labels `K_12_3` and no key `label`
+label-form-missing = the labels of `{ $file }` name targets, and no form of labels is stated
+    .hint = state `label = "{ $form }"` in this [[export]]: all of its labels have this form
+
+state-targets = state `targets = { $targets }` in [join]: the labels name them
+# Means: `valid_until` is not a date of the form year-month-day.
+# Matters: Reports and batches compare this day with others.
+# Do: State the last day of validity as 2027-03-02.
+# Example: `valid_until = "next year"`
+valid-until-no-date = `valid_until` is not a date: "{ $date }"
+    .expected = the last day of validity in quotation marks, as "2027-03-02"
+
+# Means: The last day of validity is before the date of the measurements.
+# Matters: The calibration would never have been valid.
+# Do: Correct `valid_until` or `date`.
+# Example: `date = "2026-03-02"` with `valid_until = "2025-03-02"`
+valid-until-before-measurements = `valid_until` ({ $date }) is before the measurements ({ $measured })
+    .hint = correct `valid_until` or `date`

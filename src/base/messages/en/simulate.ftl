@@ -260,3 +260,11 @@ simulated-table-misread = `{ $file }` would be misread: an observation of pose {
 # Example: [geometric] in truth.toml alone
 truth-geometric-without-campaign = the truth has [geometric], but the campaign has no [geometric] or its robot is not a PreXYT
     .hint = state [geometric] in campaign.toml: it states the labels
+study-error-in-base = true pose of the tool in the base frame minus the commanded one
+study-error-in-world = true pose of the tool in the world minus the commanded one
+poses-in-set = poses in the set `{ $set }`
+positions-in-workspace = positions in `workspace`
+counted-calibrations = calibrations
+errors-to-evaluate = errors to evaluate
+poses-to-simulate = poses to simulate
+points-to-simulate = points to simulate

@@ -287,3 +287,5 @@ unloaded-position-missing = direction { $direction }, cycle { $cycle }: no row w
 # Example: a table whose column `force_n` is 0 everywhere
 force-missing = no row has a force
     .hint = state the force of each loaded row
+
+no-working-mode-reaches = no working mode reaches it within the limits

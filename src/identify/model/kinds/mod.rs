@@ -181,6 +181,11 @@ impl Kind {
     pub fn is_orientation(&self) -> bool {
         matches!(self, Self::Orientation(_))
     }
+
+    /// `true` for the orientation of a body in the world, which needs no pose of a station.
+    pub fn is_world_orientation(&self) -> bool {
+        matches!(self, Self::Orientation(Orientation { station: None, .. }))
+    }
 }
 
 /// Weight that selects the shortest solution among equally good ones, for rows of size one.
@@ -312,9 +317,11 @@ mod tests {
         let radius = Fixture::Radius("s").add_to(&mut robot);
         let mounting = Fixture::Mounting("ball").add_to(&mut robot);
         let station = Fixture::Station("t").add_to(&mut robot);
+        let body = Pose::from_rotation_vector([0.3, -0.8, 1.1]);
         let from = |first: usize, last: usize| [first, first + 1, first + 2, last];
         let kinds = [
-            Kind::Orientation(Orientation { world_T_body: Pose::from_rotation_vector([0.3, -0.8, 1.1]), mounting }),
+            Kind::Orientation(Orientation { frame_T_body: body, station: None, mounting }),
+            Kind::Orientation(Orientation { frame_T_body: body, station: Some(station), mounting }),
             Kind::Coordinate(Coordinate { axis: 1, at_mm: 12.0 }),
             Kind::Distance(Distance { to: socket, distance_mm: 300.0 }),
             Kind::Contact(Contact { socket }),
