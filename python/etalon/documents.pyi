@@ -2267,7 +2267,7 @@ class BatchDocument(Document):
     failed: int
     """Number of campaigns that did not run."""
     not_met: int
-    """Number of campaigns that fail a limit, or whose result cannot be the robot."""
+    """Number of campaigns that fail a limit, or whose result is implausible."""
     schema: str
     """Schema and version: `etalon/batch/1`."""
     skipped: int

@@ -335,7 +335,7 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 /// expected beside it.
 ///
 /// # Errors
-/// Those of [`read_robot`].
+/// Fails like [`read_robot`].
 pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
     let (robot, problems) = RobotFile::recover(path, text);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)

@@ -1,7 +1,7 @@
 //! Command line, with one file per command.
 //!
 //! Data go to stdout, messages to stderr. Exit codes: 0 done; 1 done, but a limit of the campaign
-//! is not met, or the result cannot be the robot's; 2 could not run.
+//! is not met, or the result is implausible; 2 not run.
 
 mod axes;
 mod axis_table;
@@ -61,8 +61,8 @@ use std::path::Path;
   etalon run my-campaign                exports and logs in, parameters and report out
   etalon identify --robot robot.toml --observations observations.csv --json
 
-Exit codes: 0 done; 1 done, but a limit that the campaign states is not met, or the result cannot be a robot; \
-2 could not run.")]
+Exit codes: 0 done; 1 done, but a limit of the campaign is not met, or the result is implausible; \
+2 not run.")]
 pub struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -70,7 +70,7 @@ impl Identified {
     /// Errors of all observations with other values of the parameters.
     ///
     /// # Errors
-    /// If targets cannot be placed.
+    /// Fails if targets cannot be placed.
     pub fn errors_with(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<PointError>> {
         let Again { apart, before, .. } = &self.again;
         let mut errors = evaluate::errors(robot, &self.sets, before, values);
@@ -83,7 +83,7 @@ impl Identified {
     /// Identifies again with these parameters held at their nominal values.
     ///
     /// # Errors
-    /// If the solver fails.
+    /// Fails if the solver fails.
     pub fn without(&self, robot: &dyn Robot, held: &[String]) -> Result<Identification> {
         let hold = self.settings.hold.iter().chain(held).cloned().collect();
         let settings = Settings { hold, ..self.settings.clone() };
@@ -94,7 +94,7 @@ impl Identified {
     /// Fits base and targets again to a robot with these parameters.
     ///
     /// # Errors
-    /// If the solver fails.
+    /// Fails if the solver fails.
     pub fn with_frames(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<f64>> {
         etalon_identify::refit_frames(robot, &self.sets.calibration, &self.settings, values).map_err(remedied)
     }
@@ -244,7 +244,7 @@ impl Solved {
         Ok(messages)
     }
 
-    /// Returns errors before and after. Warnings that the result cannot be a robot come first, then
+    /// Returns errors before and after. Warnings that the result is implausible come first, then
     /// those in `said`.
     pub fn judge(
         &mut self,

@@ -32,11 +32,11 @@ column-option-malformed = --{ $option }: `{ $text }` has no `=`
     }
 
 # Means: The columns are stated from the left (`--columns`) and by name (`--column`).
-# Matters: The two may differ.
-# Do: Keep one of the two options.
+# Matters: The two statements may differ.
+# Do: Omit one of the two options.
 # Example: `--columns x,y,z --column x=X`
 option-columns-twice = --columns and --column both state the columns
-    .hint = keep one of them
+    .hint = omit one of the two options
 
 # Means: The length unit of the files is not stated.
 # Matters: Exports carry no unit; a wrong guess falsifies every result.
@@ -283,12 +283,12 @@ enclosing-with-probe = { $element } is not compensated for a probe
 enclosing-minimum-zone = an { $element } has no minimum zone
     .hint = omit --minimum-zone, or fit a circle2d or sphere
 
-# Means: A stated uncertainty is not one of a coordinate in micrometres.
-# Matters: Uncertainties of all results follow from it.
+# Means: A stated uncertainty cannot be that of a coordinate in micrometres.
+# Matters: The uncertainties of all results depend on it.
 # Do: State expanded uncertainty over coverage factor, per coordinate, in µm.
 # Example: `--standard-uncertainty-um 0.0027` for 2.7 µm
-uncertainty-implausible = { $option } is not an uncertainty of a coordinate in micrometres
-    .hint = expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um
+uncertainty-implausible = { $option } cannot be the uncertainty of a coordinate in micrometres
+    .hint = state the expanded uncertainty over the coverage factor, per coordinate: 0.0027 mm is 2.7 um
 
 # Means: The named robot is not in the table of `etalon init`.
 # Matters: Geometry is taken from published sources only.
@@ -489,5 +489,5 @@ deviation-unknown = no deviation at { $position }: { $reason }
 
 robot-file-of-run = run the campaign again, or name the robot.toml of that run
 axis-without-errors = the axis has no errors of its own in this model
-lead-not-measured-there = the lead was not measured there
-table-without-row = the table has no row there
+lead-not-measured-there = the lead was not measured at this position
+table-without-row = the table has no row for this position

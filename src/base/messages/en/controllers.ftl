@@ -328,9 +328,9 @@ coordinate-unknown = `{ $letter }` has no value yet
 quaternion-length = the quaternion of { $target } has the length { FIXED($length, 4) }
     .expected = length 1
 
-# Means: The URDF of the robot is a xacro file, and elements without kinematics (`visual`, `gazebo`) hold xacro that etalon does not expand.
-# Matters: The calibrated URDF could not be read by other programs.
+# Means: The URDF of the robot is a xacro file, and elements without kinematics (`visual`, `gazebo`) contain xacro that etalon does not expand.
+# Matters: Other programs could not read the calibrated URDF.
 # Do: Expand the file with the command `xacro`, and name the URDF in robot.toml.
 # Example: `<visual><xacro:mesh name="arm"/></visual>`
-urdf-holds-xacro = elements without kinematics of `{ $file }` hold xacro
+urdf-holds-xacro = elements without kinematics in `{ $file }` contain xacro
     .hint = expand the file with the command `xacro`, and name the URDF in robot.toml
