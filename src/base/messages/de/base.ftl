@@ -62,3 +62,12 @@ rotation-not-orthonormal = die Rotationsmatrix ist nicht orthonormal: Skalarprod
 
 rotation-mirrors = die Rotationsmatrix enthält eine Spiegelung: ihre Determinante ist -1
     .hint = die Vorzeichen ihrer Spalten prüfen
+
+factor = { $count } { $of ->
+        [poses] Posen
+        [cycles] Zyklen
+        [repeats] Wiederholungen
+        [draws] Ziehungen
+       *[runs] Läufe
+    }
+product = { $first } × { $second }

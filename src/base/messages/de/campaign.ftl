@@ -166,7 +166,7 @@ key-missing = der Schlüssel `{ $key }` fehlt{ $has_section ->
        *[no] {""}
     }
 
-state-unit = die Längeneinheit der Datei angeben: "mm", "m", "um" oder "inch"; sie wird nie geraten
+state-unit = `unit = "mm"` angeben, oder "m", "um" oder "inch", wie die Datei geschrieben wurde; sie wird nie geraten
 
 state-instrument = [instrument] gibt name, expanded_uncertainty_um und coverage_factor an: aus dem Kalibrierschein übernehmen
 
@@ -196,10 +196,6 @@ key-remedy = { $key ->
         [station] Stationen eines Messgeräts sind eine Spalte `station` einer Beobachtungstabelle: {"["}observations] statt Exporten und Protokoll angeben
        *[base_turn_y_deg] den Schlüssel löschen: base_rx, base_ry und base_rz sind ein Rotationsvektor, und keine Orientierung der Basis ist singulär
     }
-
-urdf-xacro = die Datei enthält xacro-Makros, die nicht ersetzt werden
-
-expand-xacro = die Makros ersetzen lassen: xacro { $name }.urdf.xacro > { $name }.urdf
 
 urdf-no-robot = die Datei ist keine URDF-Datei
     .expected = das Element <robot>

@@ -8,8 +8,15 @@ option-not-positive = { $option } muss positiv sein
 option-refused = { $option }: { $reason }
     .hint = `etalon BEFEHL --help` zählt die Werte auf
 
-column-option-malformed = --column: `{ $text }` hat kein `=`
-    .expected = q1_deg=J1
+column-option-malformed = --{ $option }: `{ $text }` hat kein `=`
+    .expected = { $option ->
+        [column] q1_deg=J1
+        [constant] kind=distance
+       *[other] deleted=1
+    }
+
+option-columns-twice = --columns und --column nennen beide die Spalten
+    .hint = eine der beiden behalten
 
 option-unit-missing = die Dateien nennen ihre Längeneinheit nicht
     .hint = die Einheit angeben: --unit mm, m, um oder inch; sie wird nie geraten
@@ -135,9 +142,6 @@ iso230-no-rows = die Tabelle hat keine Zeilen
 iso230-few-runs = Position { $position } mm hat weniger als zwei Anfahrten in Richtung { $direction }
     .expected = Anfahrten von beiden Seiten, fünf nach ISO 230-2
 
-nothing-to-evaluate = es ist nichts zum Auswerten angegeben
-    .hint = Posen, Aufzeichnung oder Lasten angeben: `etalon iso9283 --help`
-
 drift-set-too-small = { $option } muss mindestens 2 sein
     .hint = die Zahl der Zyklen eines Satzes angeben
 
@@ -157,13 +161,10 @@ table-quaternion-length = das Quaternion hat die Länge { FIXED($length, 4) }
 not-a-report = `{ $file }` hat nicht die Endung eines Berichts
     .expected = eine Datei, deren Name auf { $endings } endet
 
-report-folder-missing = kein Ordner ist angegeben
-    .hint = den Ausgabeordner eines Laufs angeben
-
 earlier-run-left = nichts wurde geschrieben: `{ $report }` und die Dateien daneben stammen von einem früheren Lauf
     .hint = seine Steuerungsdateien nicht laden, als stammten sie von diesem Lauf
 
-schema-unknown = es gibt kein Schema `{ $name }`
+schema-unknown = unbekanntes Schema `{ $name }`
 
 verify-other-column = die Beobachtungen haben eine Spalte `{ $column }`: nur Positionen werden verglichen
     .hint = Zeilen anderer Arten und ihre Spalten weglassen
@@ -219,11 +220,10 @@ table-options-refused = { $fault ->
        *[other] die Option berichtigen; `etalon axis-table --help` beschreibt sie
     }
 
-deviation-unknown = keine Abweichung bei { $position }: { $reason ->
-        [not-measured] die Steigung wurde dort nicht gemessen
-        [no-error] `{ $axis }` hat in diesem Modell keine eigenen Abweichungen
-       *[other] { $reason }
-    }
+deviation-unknown = keine Abweichung bei { $position }: { $reason }
     .hint = Positionen verwenden, die der Roboter erreicht oder die gemessen wurden
 
 robot-file-of-run = die Kampagne erneut ausführen oder die robot.toml angeben, mit der sie ausgeführt wurde
+axis-without-errors = die Achse hat in diesem Modell keine eigenen Abweichungen
+lead-not-measured-there = die Steigung wurde dort nicht gemessen
+table-without-row = die Tabelle hat dort keine Zeile

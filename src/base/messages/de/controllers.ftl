@@ -165,3 +165,6 @@ coordinate-unknown = `{ $letter }` hat noch keinen Wert
 
 quaternion-length = das Quaternion von { $target } hat die Länge { FIXED($length, 4) }
     .expected = Länge 1
+
+urdf-holds-xacro = Elemente ohne Kinematik von `{ $file }` enthalten xacro
+    .hint = die Datei mit dem Befehl `xacro` ersetzen lassen und die URDF in robot.toml nennen

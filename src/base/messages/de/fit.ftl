@@ -138,3 +138,7 @@ radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $eleme
 
 cone-is-cylinder = der Kegelwinkel ist nicht signifikant von null verschieden (k = 2)
     .hint = einen Zylinder anpassen
+
+method-principal-directions = Hauptrichtungen der zentrierten Punkte
+method-orthogonal-distance = orthogonaler Abstand, Gauß-Newton im Vertrauensbereich
+method-circle-in-plane = Ausgleichsebene, Projektion, Kreis in der Ebene nach orthogonalem Abstand

@@ -92,7 +92,7 @@ expression-malformed = der Ausdruck `{ $expression }` kann nicht gelesen werden:
     }
     .expected = Überschriften, `$3` für die dritte Spalte und Zahlen, dazwischen + - * / und Klammern
 
-column-unknown = es gibt keine Spalte `{ $column }`
+column-unknown = unbekannte Spalte `{ $column }`
 
 table-failed = die Tabelle kann nicht gebildet werden: { $reason }
 
@@ -197,8 +197,8 @@ state-delimiter = `delimiter = "{ $delimiter }"` und `decimal = "{ $decimal }"` 
 
 state-delimiter-of-rows = `delimiter` und `decimal` der Zeilen angeben
 
-header-holds-numbers = die Kopfzeile enthält nur Zahlen
-    .hint = hat die Datei keinen Kopf, `header = false` angeben und die Spalten mit Nummern angeben
+header-holds-numbers = die Zeile, die die Spalten nennen soll, enthält Zahlen
+    .hint = hat die Datei keinen Kopf, `header = false` angeben und Spalten durch Nummern nennen
 
 column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer angegeben werden: { $format ->
         [galil] Arrays stehen in alphabetischer Reihenfolge, unabhängig von ihrem Gelenk
@@ -207,7 +207,7 @@ column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer angeg
     }
     .hint = ihren Namen angeben
 
-column-number-unknown = es gibt keine Spalte { $number }
+column-number-unknown = Spalte { $number } existiert nicht
     .expected = eine Nummer von 1 bis { $columns }
 
 heading-repeated = der Kopf hat { $times ->
@@ -437,3 +437,32 @@ file-is = `{ $file }`: { $kind }, { $rows ->
 files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine Zeile in `{ $log }` (Schlüssel: { $by })
 
 files-not-joined = kein Schlüssel verknüpft alle Exporte mit den { $rows } Zeilen von `{ $log }`
+expand-xacro = die Datei ersetzen lassen und stattdessen die URDF nennen: { $command }
+
+attribute-malformed = ein Attribut, das nicht lesbar ist
+
+xacro-construct = `{ $construct }` von xacro wird hier nicht ersetzt
+
+xacro-undefined = vor dieser Zeile ist keine Eigenschaft `{ $name }` definiert
+
+xacro-argument-missing = das Argument `{ $argument }` der xacro-Datei hat keinen Wert
+    .hint = `arguments = ["{ $argument }:=VALUE"]` in robot.toml angeben, oder `--argument { $argument }:=VALUE` von `etalon init`
+
+xacro-argument-unknown = { $file } hat kein Argument `{ $argument }`
+
+xacro-argument-form = `{ $argument }` ist kein Argument von xacro
+    .expected = NAME:=VALUE
+
+xacro-package = das Paket `{ $package }` liegt weder über noch neben der Datei
+
+xacro-include-unreadable = die eingebundene Datei ist nicht lesbar: { $reason }
+
+xacro-include-loop = `{ $file }` bindet sich selbst ein
+
+xacro-recursion = die Eigenschaft `{ $name }` ist durch sich selbst definiert
+
+xacro-too-many-files = mehr als { $most_files } eingebundene Dateien, oder mehr als { $most_depth } ineinander
+
+xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte, oder er braucht mehr als { $most_depth } Eigenschaften ineinander
+
+xacro-too-large = der ersetzte Text ist größer als { $most_mib } MiB

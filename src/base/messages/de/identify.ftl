@@ -277,3 +277,13 @@ set-up-slip = { $first }{ $others ->
         [tolerances] {" "}und hält Parameter in ihren Toleranzen
        *[residuals] {" "}statt { FIXED($stated_mm, 3) } mm
     }: das zuerst prüfen
+
+index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m Parameter, n Konfigurationen; Jacobi-Matrix in mm je mm, rad und 1
+index-o2 = O2 = smin / smax; Jacobi-Matrix in mm je mm, rad und 1
+index-o3 = O3 = smin; Jacobi-Matrix in mm je mm, rad und 1
+index-o4 = O4 = smin^2 / smax; Jacobi-Matrix in mm je mm, rad und 1
+index-o5 = O5 = 1 / (1/s1 + ... + 1/sm); Jacobi-Matrix in mm je mm, rad und 1
+index-d = D = (s1...sm)^(1/m); Jacobi-Matrix in mm je mm, rad und 1
+index-a = A = 1 / sqrt(tr((J'J)^-1)); Spalten von J durch ihre Normen über alle Kandidaten geteilt
+index-e = E = smin; Spalten von J durch ihre Normen über alle Kandidaten geteilt
+index-i = I = 1 / quadratisches Mittel der Standardunsicherheit der Position über alle Kandidaten, je mm Rauschen

@@ -19,7 +19,7 @@ logo-unusable = `{ $file }` { $fault ->
 cannot-read-folder = der Ordner `{ $folder }` kann nicht gelesen werden: { $reason }
     .hint = Pfad und Berechtigungen prüfen
 
-no-templates = in `{ $folder }` ist keine Vorlage
+no-templates = der Ordner `{ $folder }` hat keine Vorlage
     .hint = `etalon report --write-templates ORDNER` schreibt die eingebauten Vorlagen
 
 typesetting-failed = report.pdf kann nicht gesetzt werden: { $reason }

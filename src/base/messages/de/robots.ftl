@@ -75,3 +75,24 @@ sketch-table = Tisch von oben, Neigungen übertrieben dargestellt: Schienen, Sch
 measure-all-working-modes = jede Position in allen Arbeitsmodi messen, die sie erreichen, und die Positionen über den ganzen Arbeitsraum verteilen
 
 measure-different-angles = Posen mit verschiedenen |theta| messen, zum Beispiel 0 und dem größten Wert des Tisches
+
+out-of-reach = nicht erreichbar
+out-of-nominal-reach = für den nominalen Roboter nicht erreichbar
+joint-beyond-limits = { $joint } = { $q } { $unit }, die Grenzen sind { $lower } und { $upper } { $unit }
+angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, die Grenzen sind { $least } und { $greatest } deg
+actuator-beyond-travel = { $actuator } = { $rho } mm, der Verfahrweg ist 0 bis { $end } mm
+legs-apart = die Beine treffen die Plattform nicht
+arms-do-not-meet = die Arme treffen sich nicht
+singularity-near = { FIXED($found, 3) } deg von der Singularität vom Typ { $kind } { $kind ->
+        [1] (ein Arm gestreckt oder eingefaltet)
+       *[2] (die distalen Glieder in einer Linie)
+    }, mindestens { $margin } deg sind verlangt
+links-near = Glieder { FIXED($found, 3) } mm auseinander, mehr als { $least } mm sind verlangt
+command-refused = die Steuerung weist den Befehl ab: { $reason }
+joints-admit-no-pose = die Gelenkwerte lassen keine Pose zu
+no-command-leads-there = kein Befehl führt den Roboter dorthin: { SCIENTIFIC($left_mm, 2) } mm bleiben
+table-read-as = die Tabelle der Gelenke, gelesen als { $convention ->
+        [modified] modifizierte
+        [standard] klassische
+       *[other] { $convention }
+    } Denavit-Hartenberg-Parameter

@@ -45,7 +45,7 @@ key-above-maximum = `{ $key }` überschreitet { $most }
     .hint = den Wert und seine Einheit prüfen
 
 join-label-missing = eine Verknüpfung über die Bezeichnung braucht die Bezeichnung des Punktes im Protokoll `{ $log }`
-    .hint = `label = "Name oder Nummer der Spalte"` in seinen `columns` ergänzen
+    .hint = `label` in seinen `columns` ergänzen, mit Name oder Nummer der Spalte
 
 key-and-column = `{ $key }` ist zweimal angegeben: als Schlüssel des Exports und als eine seiner Spalten
     .hint = eine der beiden Angaben entfernen
@@ -113,9 +113,9 @@ section-without-identify = [{ $section }] hat keine Wirkung: die Kampagne hat ke
 
 label-unknown = kein Punkt hat die Bezeichnung `{ $label }`
 
-feature-unknown = es gibt kein Element `{ $feature }`
+feature-unknown = unbekanntes Element `{ $feature }`
 
-point-or-feature-unknown = es gibt keinen Punkt und kein Element `{ $name }`
+point-or-feature-unknown = unbekannter Punkt oder unbekanntes Element `{ $name }`
 
 target-not-exported = kein Export enthält die Zielmarke `{ $target }`
 
@@ -127,11 +127,11 @@ target-not-of-robot = `{ $target }` ist keine Zielmarke dieses Roboters
 targets-incomplete = `targets` lässt `{ $target }` aus
     .expected = alle Zielmarken dieses Roboters
 
-travel-missing = der Arbeitsraum braucht den Verfahrweg der Antriebe
-    .hint = [reach] mit `travel_mm = [..., ..., ...]` in robot.toml angeben
+travel-missing = der Arbeitsraum braucht den Verfahrweg der Aktoren
+    .hint = `travel_mm` der drei Aktoren in [reach] von robot.toml angeben
 
-z-column-missing = in `columns` fehlt z, das ein räumlicher Roboter braucht
-    .hint = `z = "Name oder Nummer der Spalte"` ergänzen
+z-column-missing = `columns` hat kein z, das ein räumlicher Roboter braucht
+    .hint = `z` ergänzen, mit Name oder Nummer der Spalte
 
 log-name-invalid = `{ $name }` kann nicht der Name dieses Protokolls sein
     .expected = Buchstaben, Ziffern, `_` und `-`; ein anderer Name für jedes Protokoll
@@ -140,7 +140,7 @@ log-joint-unknown = `{ $key }` ist kein Gelenk dieses Roboters
     .hint = eines der Gelenke { $joints } verwenden, auch mit anderer Einheit
 
 log-joint-missing = Protokoll `{ $log }` hat keine Spalte für Gelenk `{ $joint }`
-    .hint = `{ $column } = "Name oder Nummer der Spalte"` in seinen `columns` ergänzen
+    .hint = `{ $column }` in seinen `columns` ergänzen, mit Name oder Nummer der Spalte
 
 label-form-differs = keine Bezeichnung von `{ $file }` hat die Form `{ $form }`
     .hint = die Form ihrer Bezeichnungen mit {"{"}target{"}"}, {"{"}pose{"}"} und {"{"}cycle{"}"} angeben; die erste ist `{ $first }`
@@ -156,7 +156,7 @@ threads-failed = die Kampagnen können nicht gleichzeitig ausgeführt werden: { 
 
 data-elsewhere = ihre Daten liegen unter ${ $name }, einer nicht gesetzten Umgebungsvariablen
 
-not-an-output-folder = es gibt keine Datei `{ $file }`
+not-an-output-folder = `{ $folder }` ist kein Ausgabeordner eines Laufs: manifest.json fehlt
     .hint = einen Ordner angeben, den `etalon run` schrieb, oder eine ausgeführte Kampagne
 
 file-not-of-run = der Lauf hat `{ $file }` nicht geschrieben
@@ -190,3 +190,13 @@ identify-missing = die Kampagne hat keinen Abschnitt [identify], der die Posen z
 
 clock-rate-without-offset = `clock_rate = "standstills"` braucht `clock_offset_s = "standstills"`
     .hint = `clock_offset_s = "standstills"` angeben oder `clock_rate` weglassen
+
+label-form-missing = die Bezeichnungen von `{ $file }` nennen Zielmarken, und keine Form der Bezeichnungen ist angegeben
+    .hint = `label = "{ $form }"` in diesem [[export]] angeben: alle seine Bezeichnungen haben diese Form
+
+state-targets = `targets = { $targets }` in [join] angeben: die Bezeichnungen nennen sie
+valid-until-no-date = `valid_until` ist kein Datum: „{ $date }“
+    .expected = der letzte Tag der Gültigkeit in Anführungszeichen, wie "2027-03-02"
+
+valid-until-before-measurements = `valid_until` ({ $date }) liegt vor den Messungen ({ $measured })
+    .hint = `valid_until` oder `date` berichtigen

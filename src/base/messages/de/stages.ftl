@@ -136,9 +136,6 @@ exclusion-matches-nothing = { $of ->
     }
     .hint = den Ausschluss berichtigen oder entfernen
 
-join-missing = Exporte und Protokolle brauchen einen Abschnitt [join]
-    .hint = `by` in [join] angeben: "pose", "pose_and_cycle", "row", "time" oder "label"
-
 join-by-time-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die beiden nächsten Zeitpunkte liegen { FIXED($apart_s, 3) } s auseinander
     .hint = Wert und Vorzeichen von `clock_offset_s` prüfen: Zeit der Messung minus Zeit des Protokolls
 
@@ -335,7 +332,7 @@ station-row-unsupported = { $fault ->
         [covariance] ein von Station `{ $station }` gemessener Punkt gibt eine Kovarianz an
        *[uncertainties] von Station `{ $station }` gemessene Koordinaten haben eigene Unsicherheiten
     }
-    .expected = Zeilen der Art `point` mit x_mm, y_mm, z_mm und einer Unsicherheit `u_mm`, für alle Stationen außer der ersten
+    .expected = Zeilen der Art `point` oder `pose` mit x_mm, y_mm, z_mm und einer Unsicherheit `u_mm`, für alle Stationen außer der ersten
 
 uncertainty-not-positive = `{ $column }` = { $value } ist keine Standardunsicherheit
     .expected = eine positive Zahl
@@ -608,12 +605,6 @@ world-frame-incomplete = das Weltkoordinatensystem { $fault ->
     }
     .hint = `plane`, `origin`, `x_axis` oder `y_axis` und `towards` in [frame.world] angeben
 
-frame-name-unknown = keine Bezeichnung und kein Element heißt `{ $name }`
-    .hint = den Namen berichtigen oder das Element hinzufügen
-
-world-axis-without-direction = die Achse des Weltkoordinatensystems hat keine Richtung
-    .expected = zwei Bezeichnungen (von, nach) oder ein Element mit einer Richtung
-
 world-side-undetermined = `towards` liegt auf der Achse: die Seite der anderen Achse ist damit nicht festgelegt
     .hint = einen Punkt neben der Achse angeben
 
@@ -642,12 +633,12 @@ angle-orders-unfit = keine Reihenfolge der Winkel passt zum nominalen Roboter: m
 
 angle-order-leaves = { FIXED($left_deg, 3) } deg mit `{ $order }`
 
-angle-orders-fit = `orientation = "zyx"` in [observations] oder --orientation angeben; Abweichung vom nominalen Roboter (quadratischer Mittelwert): { $orders }
+angle-orders-fit = `orientation = "{ $order }"` in [observations] oder --orientation angeben; vom Nennroboter { $orders } (quadratisches Mittel)
 
 ball-missing = Kugel `{ $target }` fehlt (Pose { $pose }, Zyklus { $cycle })
     .hint = sie messen oder den Rest dieser Pose und dieses Zyklus entfernen
 
-actuator-unknown = es gibt keinen Antrieb { $actuator }
+actuator-unknown = Antrieb { $actuator } existiert nicht
     .expected = 1, 2 oder 3
 
 lead-position-unknown = Position { $position } von Antrieb { $actuator } ist nicht in `positions_mm`
@@ -771,14 +762,10 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, Grenzwert { FIXED
 parameters-unstable = instabile und daher festgehaltene Parameter; die Werte aus einem Teil der Posen weichen von den Werten aus allen Posen ab (in Standardabweichungen der Differenz): { $parameters }
     .hint = nach Änderungen während der Messung suchen (Temperatur, eine bewegte Zielmarke, ein neu referenziertes Gelenk) und die Residuen prüfen
 
-hold-unknown = `hold` nennt `{ $pattern }`, das kein Parameter dieses Roboters ist
-
-residuals-pose-not-planar = `residuals = "pose"` gilt nur für ebene Roboter, nicht für `{ $model }`
-    .hint = `residuals = "targets"` verwenden
-
 remedy = { $remedy ->
         [pose-uncertainty] sie angeben (--standard-uncertainty-um) oder Zielmarken vergleichen
-        [contact-uncertainty] auch die Wiederholgenauigkeit der Antastung angeben (--standard-uncertainty-um) und Zielmarken vergleichen
+        [contact-uncertainty] auch die Wiederholbarkeit des Kontakts angeben (--standard-uncertainty-um) und Zielmarken vergleichen
+        [compare-targets] `residuals = "targets"` verwenden
         [targets] Positionen seiner Zielmarken angeben: Zeilen der Art `point`
         [uncertainty] sie angeben (--standard-uncertainty-um)
         [own-uncertainties] Zielmarken vergleichen oder die Spalten der Unsicherheiten entfernen
@@ -791,7 +778,7 @@ remedy = { $remedy ->
         [hold] Parameter in [identify] festhalten oder mehr Posen messen
         [unreachable] Einheit (Grad oder Radiant), Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
         [extent] `unit` der Exporte, die Einheiten der Gelenke im Protokoll und die Längen des Roboters prüfen
-        [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann aus der Messung abgeleitet
+        [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann der Messung entnommen
        *[joints] Einheiten, Reihenfolge und Vorzeichen der Gelenke und die Nennparameter prüfen; `hold` in [identify] hält Parameter fest
     }
 
@@ -935,3 +922,140 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 
 clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
+sweep-joint-unknown = `{ $joint }` ist kein Gelenk dieser Messreihen
+    .expected = { $known }
+
+sweep-order-missing = die Reihenfolge der Gelenke { $joints } von der Basis aus ist unbekannt
+    .hint = sie angeben: --joints NAME,...
+
+sweep-joint-column-twice = zwei Spalten haben Werte des Gelenks `{ $joint }`
+    .hint = eine davon entfernen
+
+sweep-values-partial = Gelenkwerte sind unvollständig
+    .expected = Werte aller Gelenke in jeder Zeile oder in keiner Zeile einer Messreihe
+    .hint = eine Zeile ohne bewegtes Gelenk ist eine Prüfpose und braucht die Werte aller Gelenke
+
+sweep-sign-by-values = die Gelenkwerte geben die Richtung jeder Messreihe an
+    .hint = --backwards weglassen
+
+sweep-other-joint = in der Messreihe von `{ $joint }` bewegt sich `{ $moved }`, `{ $joint }` ruht
+    .hint = die Spalte `joint` oder die Überschriften der Gelenkwerte berichtigen
+
+sweep-two-joints = in der Messreihe von `{ $joint }` bewegt sich auch `{ $also }`, um { $by }
+    .hint = die Messreihe wiederholen, während alle anderen Gelenke ruhen
+
+sweep-by-angle = { FIXED($by, 3) } Grad
+
+sweep-by-length = { FIXED($by, 3) } mm
+
+sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte von `{ $joint }`
+    .hint = { $unit ->
+            [deg-as-rad] die Werte sind Grad und werden als Radiant gelesen: die Überschrift berichtigen
+            [rad-as-deg] die Werte sind Radiant und werden als Grad gelesen: die Überschrift berichtigen
+            [inch-as-mm] die Werte sind Zoll und werden als Millimeter gelesen
+            [m-as-mm] die Werte sind Meter und werden als Millimeter gelesen: die Überschrift berichtigen
+            [mm-as-m] die Werte sind Millimeter und werden als Meter gelesen: die Überschrift berichtigen
+           *[none] die Einheit der Spalte berichtigen oder den Gelenkwert aus dem des Motors berechnen
+        }
+
+sweep-target-moved = Zielmarke `{ $target }` hat sich in der Messreihe von `{ $joint }` vor Zeile { $row } bewegt: Abweichung von ihrer Bahn { FIXED($before_um, 1) } um, mit der Bewegung { FIXED($after_um, 1) } um
+    .hint = die Messreihe wiederholen oder die Zielmarke ab dieser Zeile anders nennen
+
+sweep-many-foreign = { $aside } von { $readings } Messwerten der Messreihe von `{ $joint }` liegen nicht auf der Bahn der anderen
+    .hint = nach einem zweiten bewegten Gelenk oder nach Zeilen einer anderen Messreihe suchen
+
+sweep-foreign = { $count ->
+        [one] 1 Messwert der Messreihe von `{ $joint }` ist
+       *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind
+    } beiseitegelegt: Zeile { $lines }
+    .hint = sie liegen weit von der Bahn aller anderen
+
+sweep-smooth = in der Messreihe von `{ $joint }` verlassen die Zielmarken ihre Bahn stetig um { FIXED($rms_um, 1) } um (quadratisches Mittel); von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } um; die Unsicherheit der Achse ist zu klein
+    .hint = prüfen, ob alle anderen Gelenke ruhten, und mit dem Schlag des Lagers vergleichen
+
+sweep-weak = die Richtung der Achse von `{ $joint }` hat eine Standardunsicherheit von { FIXED($u_mrad, 2) } mrad
+    .hint = einen längeren Bogen, eine Zielmarke weiter von der Achse oder mehr Zielmarken messen
+
+sweep-unit = alle Zielmarken liegen innerhalb von { FIXED($radius_mm, 3) } mm um die Achsen: stimmt die Einheit der Koordinaten?
+    .hint = wo nicht, die Spalten berechnen: --column "x_mm=x*1000"
+
+sweep-few = die Messreihe von `{ $joint }` hat { $readings } Messwerte und braucht { $needed }
+    .hint = mehr Messwerte aufnehmen; einige mehr als nötig ergeben eine Unsicherheit
+
+sweep-undetermined = die Messwerte der Messreihe von `{ $joint }` bestimmen keine Achse
+    .hint = einen längeren Bogen oder eine Zielmarke weiter von der Achse messen; ein Schubgelenk wird mit --prismatic angegeben
+
+sweep-joint-missing = { $count ->
+        [one] Gelenk { $joints } hat keine Messreihe
+       *[other] Gelenke { $joints } haben keine Messreihe
+    }: es gibt keine robot.toml
+    .hint = von jedem Gelenk eine Messreihe aufnehmen
+
+sweep-starts-apart = die Messreihen von `{ $first }` und `{ $second }` beginnen an Zielmarke `{ $target }` { FIXED($gap_mm, 3) } mm voneinander: es gibt keine robot.toml
+    .hint = jede Messreihe in derselben Pose mit der Zielmarke an ihrem Platz beginnen oder Spalten der Gelenkwerte ergänzen
+
+sweep-target-unswept = eine Zielmarke ist in keiner Messreihe: es gibt keine robot.toml
+    .hint = in Prüfposen Zielmarken der Messreihen verwenden
+
+sweeps-exchanged = `{ $first }` und `{ $second }` sind vertauscht: Positionen weichen wie angegeben um { FIXED($stated_mm, 3) } mm ab (quadratisches Mittel), mit vertauschten Gelenken um { FIXED($left_mm, 3) } mm
+    .hint = ihre Namen in der Spalte `joint` und in den Überschriften vertauschen
+
+sweep-reversed = `{ $joint }` wurde in negativer Richtung bewegt: Prüfposen weichen wie angegeben um { FIXED($stated_mm, 3) } mm ab (quadratisches Mittel), mit anderem Vorzeichen um { FIXED($left_mm, 3) } mm
+    .hint = es angeben: --backwards { $joint }
+
+sweeps-disagree = { $what ->
+        [checks] Prüfposen weichen vom Roboter um bis zu { FIXED($distance_mm, 3) } mm ab
+       *[sweeps] die Messreihen widersprechen einander um bis zu { FIXED($distance_mm, 3) } mm
+    } (Standardunsicherheit { FIXED($u_mm, 4) } mm)
+    .hint = den Sitz der Zielmarken und die Gelenkwerte prüfen; der Roboter ist ein Anfang für `etalon identify` und `etalon run`
+
+table-base-not-held = die Tabelle hat ihre eigene Basis, gedreht um { FIXED($angle_deg, 4) } Grad und verschoben um { FIXED($shift_mm, 4) } mm
+    .hint = die Basis identifizieren oder `poe` verwenden
+
+table-flange-not-held = die Tabelle hat ihren eigenen Flansch, gedreht um { FIXED($angle_deg, 4) } Grad und verschoben um { FIXED($shift_mm, 4) } mm
+    .hint = die Zielmarken identifizieren oder `poe` verwenden
+
+table-tilt-not-held = die Tabelle nimmt { $joint ->
+        [none] zwei Achsen
+       *[other] die Achsen am Glied von `{ $joint }`
+    } als parallel: { FIXED($angle_mrad, 4) } mrad zwischen ihnen sind nicht enthalten
+    .hint = `etalon identify` bestimmt beta; `poe` enthält es
+row-excluded = ausgeschlossen: { $reason }
+row-at-origin = nicht gemessen: 0 0 0
+row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste zählt
+no-rows-around = dem Protokoll `{ $log }` fehlt davor oder danach eine Zeile innerhalb von { $tolerance_s } s
+no-row-near = keine Zeile des Protokolls `{ $log }` liegt innerhalb von { $tolerance_s } s
+no-point-nearest = kein gemessener Punkt liegt ihr am nächsten
+no-row-of-key = keine Zeile des Protokolls `{ $log }` hat diesen Schlüssel
+no-point-of-key = kein gemessener Punkt hat diesen Schlüssel
+no-row-touches = keine Zeile des Protokolls `{ $log }` berührt ihn
+row-of-unframed-pose = seine Pose hat kein Weltsystem
+
+table-of-observations = Beobachtungen
+table-of-attained-poses = Istposen
+table-of-commanded-poses = Sollposen
+table-of-reference-targets = Referenzmarken
+table-of-commanded-path = Sollbahn
+table-of-compliance = statische Nachgiebigkeit
+recorded-motion-file = aufgezeichnete Bewegung
+read-in-unit = { $format }, Einheit { $unit }
+read-in-frame = { $read }, bezogen auf `{ $frame }`
+
+side-stated = wie vom Benutzer angegeben
+side-from-values = aus { $of ->
+        [normal] der Normalen
+        [location] der Lage
+       *[diameter] dem Durchmesser
+    } ({ $values ->
+        [nominal] Nennwert
+       *[stated] Angabe
+    })
+side-from-key = aus `InternalExternal`: { $value }
+label-orientations-unused = die Orientierungen des Exports werden nicht verwendet: Log `{ $log }` nennt `{ $label }` in { $count } Zeilen
+    .hint = nach Pose, Zeile oder Zeit verbinden, wenn das Messgerät in jeder Pose den Körper am Roboter gemessen hat
+
+temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C
+    .hint = `temperature_c` berichtigen, oder die Spalte: sie ist in Grad Celsius
+
+temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Unsicherheit der Längen ist zu klein
+    .hint = eine `expanded_temperature_uncertainty_c` angeben, die den Bereich abdeckt

@@ -159,3 +159,5 @@ unloaded-position-missing = Richtung { $direction }, Zyklus { $cycle }: keine Ze
 
 force-missing = keine Zeile enthält eine Kraft
     .hint = die Kraft jeder belasteten Zeile angeben
+
+no-working-mode-reaches = kein Arbeitsmodus erreicht sie innerhalb der Grenzen

@@ -62,3 +62,12 @@ rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : le
 
 rotation-mirrors = la matrice de rotation contient une réflexion : son déterminant est -1
     .hint = vérifier les signes de ses colonnes
+
+factor = { $count } { $of ->
+        [poses] poses
+        [cycles] cycles
+        [repeats] répétitions
+        [draws] tirages
+       *[runs] exécutions
+    }
+product = { $first } × { $second }

@@ -166,7 +166,7 @@ key-missing = la clé `{ $key }` manque{ $has_section ->
        *[no] {""}
     }
 
-state-unit = indiquer l’unité de longueur du fichier : "mm", "m", "um" ou "inch" ; elle n’est jamais devinée
+state-unit = indiquer `unit = "mm"`, ou "m", "um" ou "inch", comme le fichier a été écrit ; elle n’est jamais devinée
 
 state-instrument = [instrument] indique name, expanded_uncertainty_um et coverage_factor : les prendre dans son certificat d’étalonnage
 
@@ -196,10 +196,6 @@ key-remedy = { $key ->
         [station] les stations d’un instrument sont une colonne `station` d’un tableau d’observations : indiquer {"["}observations] au lieu d’exports et de journal
        *[base_turn_y_deg] supprimer la clé : base_rx, base_ry et base_rz sont un vecteur rotation, et aucune orientation de la base n’est singulière
     }
-
-urdf-xacro = le fichier contient des macros xacro, qui ne sont pas développées
-
-expand-xacro = développer les macros : xacro { $name }.urdf.xacro > { $name }.urdf
 
 urdf-no-robot = le fichier n’est pas un fichier URDF
     .expected = l’élément <robot>

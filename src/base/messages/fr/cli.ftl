@@ -8,8 +8,15 @@ option-not-positive = { $option } doit être positif
 option-refused = { $option } : { $reason }
     .hint = `etalon COMMANDE --help` énumère les valeurs
 
-column-option-malformed = --column : `{ $text }` n’a pas de `=`
-    .expected = q1_deg=J1
+column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
+    .expected = { $option ->
+        [column] q1_deg=J1
+        [constant] kind=distance
+       *[other] deleted=1
+    }
+
+option-columns-twice = --columns et --column indiquent toutes deux les colonnes
+    .hint = garder l’une des deux
 
 option-unit-missing = les fichiers n’indiquent pas leur unité de longueur
     .hint = indiquer l’unité : --unit mm, m, um ou inch ; elle n’est jamais devinée
@@ -135,9 +142,6 @@ iso230-no-rows = le tableau n’a pas de lignes
 iso230-few-runs = à la position { $position } mm, moins de deux passages dans le sens { $direction }
     .expected = des passages des deux côtés, cinq selon l’ISO 230-2
 
-nothing-to-evaluate = rien n’est indiqué à évaluer
-    .hint = indiquer poses, enregistrement ou charges : `etalon iso9283 --help`
-
 drift-set-too-small = { $option } doit être au moins 2
     .hint = indiquer le nombre de cycles d’une série
 
@@ -157,13 +161,10 @@ table-quaternion-length = le quaternion a pour norme { FIXED($length, 4) }
 not-a-report = `{ $file }` n’a pas l’extension d’un rapport
     .expected = un fichier dont le nom se termine par { $endings }
 
-report-folder-missing = aucun dossier n’est indiqué
-    .hint = indiquer le dossier de sortie d’une exécution
-
 earlier-run-left = rien n’est écrit : `{ $report }` et les fichiers voisins proviennent d’une exécution antérieure
     .hint = ne pas charger ses fichiers de commande comme s’ils provenaient de celle-ci
 
-schema-unknown = il n’y a pas de schéma `{ $name }`
+schema-unknown = schéma inconnu `{ $name }`
 
 verify-other-column = les observations ont une colonne `{ $column }` : seules les positions sont comparées
     .hint = omettre les lignes d’autres types et leurs colonnes
@@ -219,11 +220,10 @@ table-options-refused = { $fault ->
        *[other] corriger l’option ; `etalon axis-table --help` les décrit
     }
 
-deviation-unknown = pas d’écart à { $position } : { $reason ->
-        [not-measured] le pas n’y a pas été mesuré
-        [no-error] `{ $axis }` n’a pas d’erreurs propres dans ce modèle
-       *[other] { $reason }
-    }
+deviation-unknown = pas d’écart à { $position } : { $reason }
     .hint = utiliser des positions que le robot atteint, ou qui ont été mesurées
 
 robot-file-of-run = relancer la campagne, ou indiquer le robot.toml avec lequel elle a été exécutée
+axis-without-errors = l'axe n'a pas d'erreurs propres dans ce modèle
+lead-not-measured-there = le pas n'y a pas été mesuré
+table-without-row = le tableau n'y a pas de ligne

@@ -165,3 +165,6 @@ coordinate-unknown = `{ $letter }` n’a pas encore de valeur
 
 quaternion-length = le quaternion de { $target } a pour norme { FIXED($length, 4) }
     .expected = norme 1
+
+urdf-holds-xacro = des éléments sans cinématique de `{ $file }` contiennent du xacro
+    .hint = développer le fichier avec la commande `xacro`, et nommer l'URDF dans robot.toml

@@ -19,7 +19,7 @@ logo-unusable = `{ $file }` { $fault ->
 cannot-read-folder = impossible de lire le dossier `{ $folder }` : { $reason }
     .hint = vérifier le chemin et les droits
 
-no-templates = il n’y a pas de modèle dans `{ $folder }`
+no-templates = le dossier `{ $folder }` n’a pas de modèle
     .hint = `etalon report --write-templates DOSSIER` écrit les modèles intégrés
 
 typesetting-failed = report.pdf ne peut pas être composé : { $reason }

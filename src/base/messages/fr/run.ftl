@@ -44,8 +44,8 @@ key-negative = `{ $key }` est négatif
 key-above-maximum = `{ $key }` dépasse { $most }
     .hint = vérifier la valeur et son unité
 
-join-label-missing = une jointure par étiquette nécessite l’étiquette du point dans le journal `{ $log }`
-    .hint = ajouter `label = "nom ou numéro de la colonne"` à ses `columns`
+join-label-missing = une jointure par étiquette demande l’étiquette du point dans le journal `{ $log }`
+    .hint = ajouter `label` à ses `columns`, avec le nom ou le numéro de la colonne
 
 key-and-column = `{ $key }` est indiqué deux fois : comme clé de l’export et comme une de ses colonnes
     .hint = supprimer l’un des deux
@@ -113,9 +113,9 @@ section-without-identify = [{ $section }] est sans effet : la campagne n’a pa
 
 label-unknown = aucun point n’a l’étiquette `{ $label }`
 
-feature-unknown = il n’y a pas d’élément `{ $feature }`
+feature-unknown = élément inconnu `{ $feature }`
 
-point-or-feature-unknown = il n’y a pas de point ni d’élément `{ $name }`
+point-or-feature-unknown = point ou élément inconnu `{ $name }`
 
 target-not-exported = aucun export ne contient la cible `{ $target }`
 
@@ -127,11 +127,11 @@ target-not-of-robot = `{ $target }` n’est pas une cible de ce robot
 targets-incomplete = `targets` omet `{ $target }`
     .expected = toutes les cibles de ce robot
 
-travel-missing = l’espace de travail exige la course des actionneurs
-    .hint = indiquer [reach] avec `travel_mm = [..., ..., ...]` dans robot.toml
+travel-missing = l’espace de travail demande la course des actionneurs
+    .hint = indiquer `travel_mm` des trois actionneurs dans [reach] de robot.toml
 
-z-column-missing = `columns` n’indique pas z, nécessaire à un robot tridimensionnel
-    .hint = ajouter `z = "nom ou numéro de la colonne"`
+z-column-missing = `columns` n’a pas de z, qu’un robot spatial demande
+    .hint = ajouter `z`, avec le nom ou le numéro de la colonne
 
 log-name-invalid = `{ $name }` ne peut pas être le nom de ce journal
     .expected = lettres, chiffres, `_` et `-` ; un nom différent pour chaque journal
@@ -140,7 +140,7 @@ log-joint-unknown = `{ $key }` n’est pas une articulation de ce robot
     .hint = utiliser l’une des articulations { $joints }, éventuellement dans une autre unité
 
 log-joint-missing = le journal `{ $log }` n’a pas de colonne pour l’articulation `{ $joint }`
-    .hint = ajouter `{ $column } = "nom ou numéro de la colonne"` à ses `columns`
+    .hint = ajouter `{ $column }` à ses `columns`, avec le nom ou le numéro de la colonne
 
 label-form-differs = aucune étiquette de `{ $file }` n’a la forme `{ $form }`
     .hint = indiquer la forme de ses étiquettes avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"} ; la première est `{ $first }`
@@ -156,7 +156,7 @@ threads-failed = les campagnes ne peuvent pas être exécutées en parallèle :
 
 data-elsewhere = ses données sont sous ${ $name }, variable d’environnement non définie
 
-not-an-output-folder = il n’y a pas de fichier `{ $file }`
+not-an-output-folder = `{ $folder }` n’est pas le dossier de sortie d’une exécution : manifest.json y manque
     .hint = indiquer un dossier écrit par `etalon run`, ou une campagne exécutée
 
 file-not-of-run = l’exécution n’a pas écrit `{ $file }`
@@ -190,3 +190,13 @@ identify-missing = la campagne n’a pas de section [identify], qui désigne les
 
 clock-rate-without-offset = `clock_rate = "standstills"` exige `clock_offset_s = "standstills"`
     .hint = indiquer `clock_offset_s = "standstills"`, ou omettre `clock_rate`
+
+label-form-missing = les étiquettes de `{ $file }` nomment des cibles, et aucune forme d’étiquettes n’est indiquée
+    .hint = indiquer `label = "{ $form }"` dans ce [[export]] : toutes ses étiquettes ont cette forme
+
+state-targets = indiquer `targets = { $targets }` dans [join] : les étiquettes les nomment
+valid-until-no-date = `valid_until` n’est pas une date : « { $date } »
+    .expected = le dernier jour de validité entre guillemets, comme "2027-03-02"
+
+valid-until-before-measurements = `valid_until` ({ $date }) précède les mesures ({ $measured })
+    .hint = corriger `valid_until` ou `date`

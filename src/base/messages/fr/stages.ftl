@@ -136,9 +136,6 @@ exclusion-matches-nothing = { $of ->
     }
     .hint = corriger l’exclusion, ou la supprimer
 
-join-missing = des exports et des journaux nécessitent une section [join]
-    .hint = indiquer `by` dans [join] : "pose", "pose_and_cycle", "row", "time" ou "label"
-
 join-by-time-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : les deux instants les plus proches sont distants de { FIXED($apart_s, 3) } s
     .hint = vérifier la valeur et le signe de `clock_offset_s` : instant de la mesure moins instant du journal
 
@@ -608,12 +605,6 @@ world-frame-incomplete = le référentiel atelier { $fault ->
     }
     .hint = indiquer `plane`, `origin`, `x_axis` ou `y_axis`, et `towards` dans [frame.world]
 
-frame-name-unknown = aucune étiquette ni aucun élément ne s’appelle `{ $name }`
-    .hint = corriger le nom, ou ajouter l’élément
-
-world-axis-without-direction = l’axe du référentiel atelier n’a pas de direction
-    .expected = deux étiquettes (de, à), ou un élément qui a une direction
-
 world-side-undetermined = `towards` est sur l’axe : il ne détermine pas de quel côté va l’autre axe
     .hint = indiquer un point hors de l’axe
 
@@ -642,12 +633,12 @@ angle-orders-unfit = aucun ordre des angles ne correspond au robot nominal : av
 
 angle-order-leaves = { FIXED($left_deg, 3) } deg avec `{ $order }`
 
-angle-orders-fit = indiquer `orientation = "zyx"` dans [observations], ou --orientation ; écart au robot nominal (moyenne quadratique) : { $orders }
+angle-orders-fit = indiquer `orientation = "{ $order }"` dans [observations], ou --orientation ; du robot nominal { $orders } (moyenne quadratique)
 
 ball-missing = la bille `{ $target }` manque (pose { $pose }, cycle { $cycle })
     .hint = la mesurer, ou supprimer le reste de cette pose et de ce cycle
 
-actuator-unknown = il n’y a pas d’actionneur { $actuator }
+actuator-unknown = l’actionneur { $actuator } n’existe pas
     .expected = 1, 2 ou 3
 
 lead-position-unknown = la position { $position } de l’actionneur { $actuator } n’est pas dans `positions_mm`
@@ -771,28 +762,24 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limite { FIXED($l
 parameters-unstable = paramètres instables et donc fixés ; les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes les poses (en écarts-types de la différence) : { $parameters }
     .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et examiner les résidus
 
-hold-unknown = `hold` mentionne `{ $pattern }`, qui n’est pas un paramètre de ce robot
-
-residuals-pose-not-planar = `residuals = "pose"` ne s’applique qu’aux robots plans, et non à `{ $model }`
-    .hint = utiliser `residuals = "targets"`
-
 remedy = { $remedy ->
         [pose-uncertainty] l’indiquer (--standard-uncertainty-um), ou comparer des cibles
         [contact-uncertainty] indiquer aussi la répétabilité du contact (--standard-uncertainty-um), et comparer des cibles
-        [targets] donner les positions de ses cibles : des lignes de type `point`
+        [compare-targets] utiliser `residuals = "targets"`
+        [targets] donner les positions de ses cibles : des lignes de type `point`
         [uncertainty] l’indiquer (--standard-uncertainty-um)
         [own-uncertainties] comparer des cibles, ou supprimer les colonnes d’incertitudes
         [row-uncertainty] l’indiquer à chaque ligne, ou par --standard-uncertainty-um
         [part] `frame` est `flange` pour un bras, `platform` pour un PreXYT, `targets` pour tout robot
-        [positions] choisir plus de positions, ou fixer des paramètres par `--hold`
-        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier de robot
-        [hold-fewer] fixer moins de paramètres, et mesurer plus de poses
-        [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou fixer des paramètres par `hold` dans [identify] ou --hold
-        [hold] fixer des paramètres dans [identify], ou mesurer plus de poses
-        [unreachable] vérifier l’unité (degrés ou radians), le signe et le décalage des articulations, et les paramètres nominaux
+        [positions] choisir plus de positions, ou imposer des paramètres par `--hold`
+        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier du robot
+        [hold-fewer] imposer moins de paramètres, et mesurer plus de poses
+        [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou imposer des paramètres par `hold` dans [identify] ou --hold
+        [hold] imposer des paramètres dans [identify], ou mesurer plus de poses
+        [unreachable] vérifier unité (degrés ou radians), signe et décalage des articulations, et les paramètres nominaux
         [extent] vérifier `unit` des exports, les unités des articulations dans le journal, et les longueurs du robot
-        [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors déduit de la mesure
-       *[joints] vérifier les unités, l’ordre et les signes des articulations, et les paramètres nominaux ; `hold` dans [identify] fixe des paramètres
+        [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors tiré de la mesure
+       *[joints] vérifier unités, ordre et signes des articulations et les paramètres nominaux ; `hold` dans [identify] impose des paramètres
     }
 
 reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
@@ -938,3 +925,140 @@ clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune 
 
 clock-rate-none = aucun décalage des horloges, même avec une dérive jusqu’à ± { $most_ppm } ppm, ne place tous les points mesurés dans des arrêts du journal
     .hint = vérifier si le journal est celui de cette mesure, et supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique
+sweep-joint-unknown = `{ $joint }` n’est pas une articulation de ces balayages
+    .expected = { $known }
+
+sweep-order-missing = l’ordre des articulations { $joints } à partir de la base est inconnu
+    .hint = l’indiquer : --joints NOM,...
+
+sweep-joint-column-twice = deux colonnes donnent des valeurs de l’articulation `{ $joint }`
+    .hint = en supprimer une
+
+sweep-values-partial = les valeurs articulaires sont incomplètes
+    .expected = les valeurs de toutes les articulations à chaque ligne, ou à aucune ligne d’un balayage
+    .hint = une ligne sans articulation balayée est une pose de contrôle et exige les valeurs de toutes les articulations
+
+sweep-sign-by-values = les valeurs articulaires donnent le sens de chaque balayage
+    .hint = omettre --backwards
+
+sweep-other-joint = `{ $moved }` bouge dans le balayage de `{ $joint }`, qui est au repos
+    .hint = corriger la colonne `joint` ou les en-têtes des valeurs articulaires
+
+sweep-two-joints = dans le balayage de `{ $joint }`, `{ $also }` bouge aussi, de { $by }
+    .hint = refaire le balayage avec toutes les autres articulations au repos
+
+sweep-by-angle = { FIXED($by, 3) } deg
+
+sweep-by-length = { FIXED($by, 3) } mm
+
+sweep-ratio = les cibles se déplacent de { FIXED($ratio, 5) } × les valeurs de `{ $joint }`
+    .hint = { $unit ->
+            [deg-as-rad] les valeurs sont en degrés et lues en radians : corriger l’en-tête
+            [rad-as-deg] les valeurs sont en radians et lues en degrés : corriger l’en-tête
+            [inch-as-mm] les valeurs sont en pouces et lues en millimètres
+            [m-as-mm] les valeurs sont en mètres et lues en millimètres : corriger l’en-tête
+            [mm-as-m] les valeurs sont en millimètres et lues en mètres : corriger l’en-tête
+           *[none] corriger l’unité de la colonne, ou calculer la valeur articulaire à partir de celle du moteur
+        }
+
+sweep-target-moved = la cible `{ $target }` a bougé dans le balayage de `{ $joint }` avant la ligne { $row } : écart à sa trajectoire { FIXED($before_um, 1) } um, { FIXED($after_um, 1) } um avec le déplacement
+    .hint = refaire le balayage, ou donner un autre nom à la cible à partir de cette ligne
+
+sweep-many-foreign = { $aside } mesures sur { $readings } du balayage de `{ $joint }` ne sont pas sur la trajectoire des autres
+    .hint = chercher une deuxième articulation qui bouge, ou des lignes d’un autre balayage
+
+sweep-foreign = { $count ->
+        [one] 1 mesure du balayage de `{ $joint }` est écartée
+       *[other] { $count } mesures du balayage de `{ $joint }` sont écartées
+    } : ligne { $lines }
+    .hint = elles sont loin de la trajectoire de toutes les autres
+
+sweep-smooth = dans le balayage de `{ $joint }`, les cibles quittent leur trajectoire de { FIXED($rms_um, 1) } um (moyenne quadratique) de façon continue ; d’une mesure à l’autre le bruit est de { FIXED($noise_um, 1) } um ; l’incertitude de l’axe est trop petite
+    .hint = vérifier que toutes les autres articulations étaient au repos, et comparer avec le faux-rond du palier
+
+sweep-weak = la direction de l’axe de `{ $joint }` a une incertitude-type de { FIXED($u_mrad, 2) } mrad
+    .hint = mesurer un arc plus long, une cible plus éloignée de l’axe, ou plus de cibles
+
+sweep-unit = toutes les cibles sont à moins de { FIXED($radius_mm, 3) } mm des axes : l’unité des coordonnées est-elle juste ?
+    .hint = sinon, calculer les colonnes : --column "x_mm=x*1000"
+
+sweep-few = le balayage de `{ $joint }` a { $readings } mesures, il en faut { $needed }
+    .hint = prendre plus de mesures ; quelques-unes de plus donnent une incertitude
+
+sweep-undetermined = les mesures du balayage de `{ $joint }` ne déterminent aucun axe
+    .hint = mesurer un arc plus long ou une cible plus éloignée de l’axe ; une articulation prismatique s’indique par --prismatic
+
+sweep-joint-missing = { $count ->
+        [one] l’articulation { $joints } n’a pas de balayage
+       *[other] les articulations { $joints } n’ont pas de balayage
+    } : il n’y a pas de robot.toml
+    .hint = mesurer un balayage de chaque articulation
+
+sweep-starts-apart = les balayages de `{ $first }` et `{ $second }` commencent à { FIXED($gap_mm, 3) } mm l’un de l’autre pour la cible `{ $target }` : il n’y a pas de robot.toml
+    .hint = commencer chaque balayage à la même pose avec la cible à sa place, ou ajouter les colonnes de valeurs articulaires
+
+sweep-target-unswept = une cible n’est dans aucun balayage : il n’y a pas de robot.toml
+    .hint = utiliser les cibles des balayages dans les poses de contrôle
+
+sweeps-exchanged = `{ $first }` et `{ $second }` sont permutées : les positions diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) telles qu’indiquées, et de { FIXED($left_mm, 3) } mm avec les articulations permutées
+    .hint = permuter leurs noms dans la colonne `joint` et dans les en-têtes
+
+sweep-reversed = `{ $joint }` a été balayée dans le sens négatif : les poses de contrôle diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) telles qu’indiquées, et de { FIXED($left_mm, 3) } mm avec l’autre signe
+    .hint = l’indiquer : --backwards { $joint }
+
+sweeps-disagree = { $what ->
+        [checks] les poses de contrôle diffèrent du robot de { FIXED($distance_mm, 3) } mm au plus
+       *[sweeps] les balayages se contredisent de { FIXED($distance_mm, 3) } mm au plus
+    } (incertitude-type { FIXED($u_mm, 4) } mm)
+    .hint = vérifier le siège des cibles et les valeurs articulaires ; le robot est un départ pour `etalon identify` et `etalon run`
+
+table-base-not-held = le tableau a sa propre base, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
+    .hint = identifier la base, ou utiliser `poe`
+
+table-flange-not-held = le tableau a sa propre bride, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
+    .hint = identifier les cibles, ou utiliser `poe`
+
+table-tilt-not-held = le tableau prend { $joint ->
+        [none] deux axes
+       *[other] les axes du segment de `{ $joint }`
+    } pour parallèles : { FIXED($angle_mrad, 4) } mrad entre eux ne sont pas représentés
+    .hint = `etalon identify` trouve bêta ; `poe` le représente
+row-excluded = exclue : { $reason }
+row-at-origin = non mesuré : 0 0 0
+row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
+no-rows-around = le journal `{ $log }` n'a pas de ligne avant ou après à moins de { $tolerance_s } s
+no-row-near = aucune ligne du journal `{ $log }` n'est à moins de { $tolerance_s } s
+no-point-nearest = aucun point mesuré n'en est le plus proche
+no-row-of-key = aucune ligne du journal `{ $log }` n'a cette clé
+no-point-of-key = aucun point mesuré n'a cette clé
+no-row-touches = aucune ligne du journal `{ $log }` ne le touche
+row-of-unframed-pose = sa pose n'a pas de repère monde
+
+table-of-observations = observations
+table-of-attained-poses = poses atteintes
+table-of-commanded-poses = poses commandées
+table-of-reference-targets = cibles de référence
+table-of-commanded-path = trajectoire commandée
+table-of-compliance = souplesse statique
+recorded-motion-file = mouvement enregistré
+read-in-unit = { $format }, unité { $unit }
+read-in-frame = { $read }, par rapport à `{ $frame }`
+
+side-stated = comme indiqué par l'utilisateur
+side-from-values = d'après { $of ->
+        [normal] la normale
+        [location] la position
+       *[diameter] le diamètre
+    } { $values ->
+        [nominal] nominal
+       *[stated] indiqué
+    }
+side-from-key = d'après `InternalExternal` : { $value }
+label-orientations-unused = les orientations de l’export ne sont pas utilisées : le journal `{ $log }` nomme `{ $label }` dans { $count } lignes
+    .hint = joindre par pose, ligne ou temps si l’instrument a mesuré à chaque pose le corps sur le robot
+
+temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des exports indiquent { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C
+    .hint = corriger `temperature_c`, ou la colonne : elle est en degrés Celsius
+
+temperature-varies = les lignes des exports indiquent { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, plus que ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
+    .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre l’étendue
