@@ -140,5 +140,5 @@ cone-is-cylinder = der Kegelwinkel ist nicht signifikant von null verschieden (k
     .hint = einen Zylinder anpassen
 
 method-principal-directions = Hauptrichtungen der zentrierten Punkte
-method-orthogonal-distance = orthogonaler Abstand, Gauß-Newton im Vertrauensbereich
-method-circle-in-plane = Ausgleichsebene, Projektion, Kreis in der Ebene nach orthogonalem Abstand
+method-orthogonal-distance = orthogonaler Abstand, Gauß-Newton mit Trust-Region
+method-circle-in-plane = Ebene nach kleinsten Quadraten, Projektion, Kreis in der Ebene nach orthogonalem Abstand

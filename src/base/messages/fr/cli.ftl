@@ -8,7 +8,7 @@ option-not-positive = { $option } doit être positif
 option-refused = { $option } : { $reason }
     .hint = `etalon COMMANDE --help` énumère les valeurs
 
-column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
+column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
     .expected = { $option ->
         [column] q1_deg=J1
         [constant] kind=distance
@@ -16,7 +16,7 @@ column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
     }
 
 option-columns-twice = --columns et --column indiquent toutes deux les colonnes
-    .hint = garder l’une des deux
+    .hint = en garder une
 
 option-unit-missing = les fichiers n’indiquent pas leur unité de longueur
     .hint = indiquer l’unité : --unit mm, m, um ou inch ; elle n’est jamais devinée
@@ -220,10 +220,10 @@ table-options-refused = { $fault ->
        *[other] corriger l’option ; `etalon axis-table --help` les décrit
     }
 
-deviation-unknown = pas d’écart à { $position } : { $reason }
+deviation-unknown = pas d’écart à { $position } : { $reason }
     .hint = utiliser des positions que le robot atteint, ou qui ont été mesurées
 
 robot-file-of-run = relancer la campagne, ou indiquer le robot.toml avec lequel elle a été exécutée
-axis-without-errors = l'axe n'a pas d'erreurs propres dans ce modèle
-lead-not-measured-there = le pas n'y a pas été mesuré
-table-without-row = le tableau n'y a pas de ligne
+axis-without-errors = l’axe n’a pas d’erreurs propres dans ce modèle
+lead-not-measured-there = le pas n’y a pas été mesuré
+table-without-row = le tableau n’y a pas de ligne
