@@ -28,6 +28,7 @@ mod plan;
 mod progress;
 mod recommend;
 mod report;
+mod robot;
 mod run;
 mod schema;
 mod simulate;
@@ -82,6 +83,7 @@ enum Command {
     Verify(verify::Verify),
     Uncertainty(uncertainty::Uncertainty),
     Kinematics(kinematics::KinematicsCommand),
+    Robot(robot::RobotCommand),
     Compensate(Box<compensate::Compensate>),
     AxisTable(axis_table::AxisTable),
     Plan(plan::PlanCommand),
@@ -147,6 +149,7 @@ fn run(command: Command) -> u8 {
         Command::Verify(command) => command.run(),
         Command::Uncertainty(command) => command.run(),
         Command::Kinematics(command) => command.run(),
+        Command::Robot(command) => command.run(),
         Command::Compensate(command) => command.run(),
         Command::AxisTable(command) => command.run(),
         Command::Plan(command) => command.run(),

@@ -3,7 +3,7 @@
 use super::table_file::TableFile;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{screws_text, table_text};
+use etalon_campaign::{RobotHead, screws_text, table_text};
 use etalon_documents::{AxesCheck, AxesDocument, AxesRobot, AxesTarget, AxisEntry, AxisPath, Provenance, ZeroAxis};
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::axes::{
@@ -406,9 +406,9 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
     for (name, at) in table.targets.iter().zip(&model.targets_mm) {
         comments.push(format!("target {name} on the flange (mm): {:.4} {:.4} {:.4}", at[0], at[1], at[2]));
     }
-    let name = "Robot by its axes";
+    let head = RobotHead { name: "Robot by its axes", comments: &comments, limits: &[] };
     let robot_toml = match stated.convention {
-        TableConvention::Poe => screws_text(name, &comments, &model.axes, &model.flange),
+        TableConvention::Poe => screws_text(head, &model.axes, &model.flange),
         convention => {
             let modified = convention == TableConvention::Mdh;
             let rows = if modified {
@@ -417,7 +417,7 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
                 standard_table(&model.axes, &model.flange)
             };
             messages.extend(not_held(&rows, &table.joints));
-            table_text(name, &comments, modified, &rows)
+            table_text(head, modified, &rows)
         }
     };
     let zero = model.axes.iter().zip(&model.uncertainties).zip(&table.joints).map(|((axis, u), joint)| ZeroAxis {

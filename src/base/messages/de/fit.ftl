@@ -138,3 +138,6 @@ radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $elemen
 
 cone-is-cylinder = der Kegelwinkel ist nicht von null unterscheidbar (k = 2)
     .hint = einen Zylinder anpassen
+
+robust-few-points = ein robuster Ausgleich des Elements { $element } braucht { $needed } Punkte, nicht { $points }
+    .hint = mehr Punkte messen oder alle ausgleichen, ohne welche beiseitezulegen

@@ -246,3 +246,10 @@ radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } ha
 # Example: a cone through points of a cylinder
 cone-is-cylinder = the apex angle of the cone is not distinguishable from zero (k = 2)
     .hint = fit a cylinder
+
+# Means: A robust fit has fewer points than three times the minimum of the element.
+# Matters: Which points are foreign cannot be told from so few.
+# Do: Measure more points, or fit without `--robust`.
+# Example: a sphere through eight points with `--robust`
+robust-few-points = a robust fit of the { $element } needs { $needed } points, not { $points }
+    .hint = measure more points, or fit all of them without setting any aside

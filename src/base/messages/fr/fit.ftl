@@ -138,3 +138,6 @@ radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $elem
 
 cone-is-cylinder = l’angle au sommet du cône ne se distingue pas de zéro (k = 2)
     .hint = ajuster un cylindre
+
+robust-few-points = un ajustement robuste de l’élément { $element } exige { $needed } points, et non { $points }
+    .hint = mesurer plus de points, ou les ajuster tous sans en écarter
