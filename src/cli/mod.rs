@@ -29,6 +29,7 @@ mod plan;
 mod progress;
 mod recommend;
 mod report;
+mod robot;
 mod run;
 mod schema;
 mod simulate;
@@ -83,6 +84,7 @@ enum Command {
     Verify(verify::Verify),
     Uncertainty(uncertainty::Uncertainty),
     Kinematics(kinematics::KinematicsCommand),
+    Robot(robot::RobotCommand),
     Compensate(Box<compensate::Compensate>),
     AxisTable(axis_table::AxisTable),
     Plan(plan::PlanCommand),
@@ -148,6 +150,7 @@ fn run(command: Command) -> u8 {
         Command::Verify(command) => command.run(),
         Command::Uncertainty(command) => command.run(),
         Command::Kinematics(command) => command.run(),
+        Command::Robot(command) => command.run(),
         Command::Compensate(command) => command.run(),
         Command::AxisTable(command) => command.run(),
         Command::Plan(command) => command.run(),

@@ -265,7 +265,8 @@ pub struct Renderer {
 impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
         let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.trim().parse().ok());
-        let contents = Contents { built: epoch.and_then(day_of_epoch), ..contents.explained(&words).in_language(&words) };
+        let contents =
+            Contents { built: epoch.and_then(day_of_epoch), ..contents.explained(&words).in_language(&words) };
         Self { contents, attachments, presentation, words }
     }
 

@@ -3,7 +3,7 @@
 use super::table_file::TableFile;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{screws_text, table_text};
+use etalon_campaign::{RobotHead, screws_text, table_text};
 use etalon_documents::{AxesCheck, AxesDocument, AxesRobot, AxesTarget, AxisEntry, AxisPath, Provenance, ZeroAxis};
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::axes::{
@@ -407,9 +407,10 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
         let [x, y, z] = *at;
         comments.push(phrase!("axes-comment-target", name, x, y, z).to_string());
     }
-    let name = &phrase!("axes-robot-name").to_string();
+    let name = phrase!("axes-robot-name").to_string();
+    let head = RobotHead { name: &name, comments: &comments, limits: &[] };
     let robot_toml = match stated.convention {
-        TableConvention::Poe => screws_text(name, &comments, &model.axes, &model.flange),
+        TableConvention::Poe => screws_text(head, &model.axes, &model.flange),
         convention => {
             let modified = convention == TableConvention::Mdh;
             let rows = if modified {
@@ -418,7 +419,7 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
                 standard_table(&model.axes, &model.flange)
             };
             messages.extend(not_held(&rows, &table.joints));
-            table_text(name, &comments, modified, &rows)
+            table_text(head, modified, &rows)
         }
     };
     let zero = model.axes.iter().zip(&model.uncertainties).zip(&table.joints).map(|((axis, u), joint)| ZeroAxis {

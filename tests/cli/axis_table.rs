@@ -228,7 +228,10 @@ fn leads_and_measured_errors_become_tables() {
     }
     for (arguments, why) in [
         (&["geometric.json", "--axis", "rho1_mm=0:100:50"][..], "error[lead-not-measured]: no lead of `rho1_mm` "),
-        (&["geometric.json", "--axis", "rho3_mm=0:400:50"], "rho3_mm = 350: the lead was not measured at this position"),
+        (
+            &["geometric.json", "--axis", "rho3_mm=0:400:50"],
+            "rho3_mm = 350: the lead was not measured at this position",
+        ),
         (&["geometric.json", "--axis", "rho3_mm"], "error[axis-without-positions]"),
         (&["errors.csv", "--axis", "x"], "error[not-a-grid]"),
         (&["um.csv", "--axis", "x"], "changes by 3.5 from 0 to 50"),

@@ -21,6 +21,7 @@ mod plan;
 mod platforms;
 mod report;
 mod reports;
+mod robot;
 mod streams;
 mod study;
 mod tables;

@@ -447,7 +447,6 @@ mod tests {
             sets: vec![set.clone()],
             placed_apart: Vec::new(),
             effects: Vec::new(),
-            parameter_influences: Vec::new(),
             validation_distance: None,
             budget: Vec::new(),
             limits: vec![],

@@ -488,6 +488,56 @@ deviation-unknown = no deviation at { $position }: { $reason }
     .hint = use positions that the robot reaches, or that were measured
 
 robot-file-of-run = run the campaign again, or name the robot.toml of that run
+# Means: The robot model is no chain of joints.
+# Matters: Only chains have screw axes, Denavit-Hartenberg parameters or a URDF.
+# Do: Convert arms alone.
+# Example: `etalon robot convert` for a five-bar
+convert-no-chain = `{ $model }` is no chain of joints, and has no other convention
+
+# Means: Joint values move several axes of the chain.
+# Matters: robot.toml of a serial arm has one joint value for each axis.
+# Do: Keep the URDF, where `mimic` states it.
+# Example: a gripper or a parallelogram with `mimic`
+convert-shared-joints = { $axes } axes share { $joints } joint values
+    .hint = keep the URDF, where `mimic` states it
+
+# Means: The robot has bending, harmonics, backlash or coupling.
+# Matters: A description of axes alone has no place for them; the converted robot lacks them.
+# Do: State them in the new robot.toml, and identify them again.
+# Example: an arm with `bending = [2, 3]`
+convert-left-out = { $count ->
+        [one] 1 parameter is
+       *[other] { $count } parameters are
+    } no geometry and left out: { $names }
+    .hint = state `bending`, `harmonics`, `backlash` and `coupling` in the new file, and identify them again
+
+# Means: Joint values are multiplied by a gain.
+# Matters: A URDF has no gains: its joint values are those of the axes.
+# Do: Multiply the joint values, or convert to `poe`.
+# Example: a joint logged in motor angles
+convert-gains-not-held = a URDF has no gain of { $joints }: its joint values are those of the axes
+    .hint = multiply the joint values, or convert to `poe`
+
+# Means: The travel of a sliding joint is not stated, and a URDF demands one.
+# Matters: The file states one metre to either side.
+# Do: Correct `limit` in the file.
+# Example: a linear axis without `travel_mm`
+convert-travel-unknown = the travel of { $joints } is not stated: the URDF has 1 m to either side
+    .hint = correct `limit` in the file, or state `travel_mm` in robot.toml
+
+# Means: A smallest enclosing element is asked for together with setting points aside.
+# Matters: An enclosing element is held by its extreme points, which a robust fit would set aside.
+# Do: Fit a circle or sphere by least squares with `--robust`.
+# Example: `etalon fit enclosing-circle points.txt --robust`
+enclosing-robust = `{ $element }` is held by its extreme points: none can be set aside
+    .hint = fit circle2d or sphere with --robust
+
+# Means: A robust fit is asked for the features of a QIF file.
+# Matters: A feature of the file is compared with the fit of all its points.
+# Do: Leave `--robust` out, or fit the points from a table.
+# Example: `etalon fit results.qif --robust`
+qif-robust = features of a QIF file are fitted to all their points
+    .hint = leave --robust out, or fit the points from a table
 axis-without-errors = the axis has no errors of its own in this model
 lead-not-measured-there = the lead was not measured at this position
 table-without-row = the table has no row for this position
