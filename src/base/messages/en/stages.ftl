@@ -23,7 +23,7 @@ rigid-targets = a rigid part needs two or more targets, each named once
     .hint = name each target of the part once in `targets`
 
 # Means: `tolerance_mm` of [[rigid]] or `drift_mm` of [[fixed]] is zero, negative or not finite.
-# Matters: Every row would violate the limit, or no row.
+# Matters: With such a limit, either all rows or none would be refused.
 # Do: State the largest permitted deviation of a distance, or motion of a target.
 # Example: `tolerance_mm = 0`
 limit-not-positive = `{ $key }` must be a positive number
@@ -326,7 +326,7 @@ join-contradicts = { $count ->
         [one] 1 measured point has
        *[other] { $count } measured points have
     } a different { $column } in the joined row of log `{ $log }`: { $measured } and { $logged } (line { $line } of the log)
-    .hint = join by pose; or remove `{ $column }` from `columns` of the log, if it counts something else there
+    .hint = join by pose; or remove `{ $column }` from `columns` of the log, if this column has another meaning in the log
 
 # Means: A join by row needs one row of the log for each row of the export, and the counts differ.
 # Matters: From the first missing row on, joint values would belong to other points.
@@ -1390,7 +1390,7 @@ given-without-covariance = the parameters have no covariance
     .hint = identify again from more data: the identification had no degrees of freedom
 
 # Means: The given parameters lack the base or targets of the observations.
-# Matters: The positions of these are unknown.
+# Matters: The positions of this base or of these targets are unknown.
 # Do: Observe the targets of the calibration, at the same positions on the moving part.
 # Example: a new reflector on the flange
 calibrated-targets-missing = the parameters lack { $names }: the observations have another base or other targets
