@@ -4,8 +4,8 @@ use etalon_base::pose::Pose;
 use etalon_robots::{AxisLine, AxisTable};
 use std::fmt::Write;
 
-/// Decimals of lengths (mm), and of angles (deg) and directions: below the resolution of any
-/// measuring system, so that the text holds the numbers exactly.
+/// Decimals of lengths (mm), of angles (deg) and of directions: below the resolution of any
+/// measuring system, so that the text is exact.
 const DECIMALS: [usize; 2] = [9, 13];
 
 /// Number without trailing zeros.

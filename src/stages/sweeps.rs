@@ -17,7 +17,7 @@ use std::f64::consts::SQRT_2;
 /// Convention of the robot file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum TableConvention {
-    /// Screw axes in the base at zero joints: holds every arm exactly.
+    /// Screw axes in the base at zero joints: represents every arm exactly.
     #[default]
     Poe,
     /// Modified Denavit-Hartenberg parameters (Craig).
@@ -52,7 +52,7 @@ pub(crate) struct SweepsStated {
     pub convention: TableConvention,
 }
 
-/// Direction that is known worse than this gives predictions of little use (rad).
+/// Uncertainty of a direction (rad) above which predictions are of little use.
 const WEAK_RAD: f64 = 1e-3;
 /// Radius (mm) below which all paths indicate another unit.
 const SMALL_MM: f64 = 5.0;
@@ -178,7 +178,7 @@ fn read(file: &TableFile, stated: &SweepsStated) -> Result<SweepTable> {
     Ok(SweepTable { prismatic: prismatic.collect(), joints, targets, sweeps, checks })
 }
 
-/// Axes of all joints of a table, and the robot that they give.
+/// Axes of all joints of a table, and the robot that follows from them.
 pub(crate) fn axes(file: &TableFile, stated: &SweepsStated) -> Result<AxesDocument> {
     let table = read(file, stated).map_err(|problems| file.place(problems))?;
     derive(&table, stated, file).map_err(|problems| file.place(problems))
@@ -293,7 +293,7 @@ fn slip_message(table: &SweepTable, joint: usize, slip: Slip) -> Message {
     }
 }
 
-/// The robot by its axes, and check poses; `None` with the reason among the messages.
+/// The robot from its axes, and check poses; `None` with the reason among the messages.
 fn robot(
     table: &SweepTable,
     stated: &SweepsStated,
@@ -337,7 +337,7 @@ fn robot(
     Ok((Some(described(table, stated, &model, messages)), checks))
 }
 
-/// Reports sweeps or check poses that the robot does not explain.
+/// Reports sweeps or check poses that contradict the robot.
 fn disagreement(table: &SweepTable, found: &Agreement, checks: bool, messages: &mut Vec<Message>) -> Result<()> {
     let ratio = |p: &&etalon_identify::axes::CheckedPose| p.distance_mm / p.standard_uncertainty_mm;
     let Some(worst) = found.poses.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { return Ok(()) };

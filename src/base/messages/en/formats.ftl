@@ -811,7 +811,8 @@ expand-xacro = expand the file, and name the URDF instead: { $command }
 
 attribute-malformed = an attribute that cannot be read
 
-# Means: The file holds xacro other than properties, arguments and includes: a call of a macro, a condition, YAML.
+# Means: The file holds xacro other than properties, arguments and includes: a call of a macro, a
+# condition, YAML.
 # Matters: etalon does not run xacro. It expands only constructs that are unambiguous without ROS.
 # Do: Run the command of the hint, and name the resulting URDF in robot.toml.
 # Example: `<xacro:arm prefix="left_"/>`

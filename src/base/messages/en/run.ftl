@@ -420,7 +420,8 @@ identify-missing = the campaign has no [identify], which names the poses for jud
 # Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
 clock-rate-without-offset = `clock_rate = "standstills"` needs `clock_offset_s = "standstills"`
     .hint = state `clock_offset_s = "standstills"`, or omit `clock_rate`
-# Means: The labels of an export name targets of the robot, and the campaign states no form of labels.
+# Means: The labels of an export name targets of the robot, and the campaign states no form of
+# labels.
 # Matters: Without targets and poses the points are not joined.
 # Do: State the form of the labels.
 # Example: labels `K_12_3` and no key `label`

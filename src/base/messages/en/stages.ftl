@@ -23,7 +23,7 @@ rigid-targets = a rigid part needs two or more targets, each named once
     .hint = name each target of the part once in `targets`
 
 # Means: `tolerance_mm` of [[rigid]] or `drift_mm` of [[fixed]] is zero, negative or not finite.
-# Matters: Every row would violate the limit, or no row.
+# Matters: With such a limit, either all rows or none would be refused.
 # Do: State the largest permitted deviation of a distance, or motion of a target.
 # Example: `tolerance_mm = 0`
 limit-not-positive = `{ $key }` must be a positive number
@@ -326,7 +326,7 @@ join-contradicts = { $count ->
         [one] 1 measured point has
        *[other] { $count } measured points have
     } a different { $column } in the joined row of log `{ $log }`: { $measured } and { $logged } (line { $line } of the log)
-    .hint = join by pose; or remove `{ $column }` from `columns` of the log, if it counts something else there
+    .hint = join by pose; or remove `{ $column }` from `columns` of the log, if this column has another meaning in the log
 
 # Means: A join by row needs one row of the log for each row of the export, and the counts differ.
 # Matters: From the first missing row on, joint values would belong to other points.
@@ -1390,7 +1390,7 @@ given-without-covariance = the parameters have no covariance
     .hint = identify again from more data: the identification had no degrees of freedom
 
 # Means: The given parameters lack the base or targets of the observations.
-# Matters: The positions of these are unknown.
+# Matters: The positions of this base or of these targets are unknown.
 # Do: Observe the targets of the calibration, at the same positions on the moving part.
 # Example: a new reflector on the flange
 calibrated-targets-missing = the parameters lack { $names }: the observations have another base or other targets
@@ -1871,8 +1871,8 @@ clock-rate-insignificant = the standstills of log `{ $log }` show no significant
     .hint = omit `clock_rate`: only the offset is used
 
 # Means: No offset and rate of the clocks put every measured point into a standstill.
-# Matters: A point was measured in motion, the log lacks a standstill, or it is the log of another run.
-# Quartz clocks differ by less than the stated rate.
+# Matters: A point was measured in motion, the log lacks a standstill, or it is the log of another
+# run. Quartz clocks differ by less than the stated rate.
 # Do: Check that the log belongs to the measurement, and remove points measured in motion.
 # Example: the log of yesterday's run
 clock-rate-none = no offset of the clocks and no rate within ± { $most_ppm } ppm put every measured point into a standstill of the log
@@ -1978,8 +1978,8 @@ sweep-foreign = { $count ->
 
 # Means: Readings deviate from their path by much more than neighbouring readings differ: the
 # deviation is smooth, not noise.
-# Matters: Possible causes are run-out of the bearing, motion of another joint, or bending of a part.
-# The uncertainty of the axis treats the deviations as noise, and is too small.
+# Matters: Possible causes are run-out of the bearing, motion of another joint, or bending of a
+# part. The uncertainty of the axis treats the deviations as noise, and is too small.
 # Do: Check that all other joints were at rest; compare the deviations with the run-out of the
 # bearing.
 # Example: a sweep during which a second joint creeps by a tenth of a degree
@@ -2027,8 +2027,8 @@ sweep-joint-missing = { $count ->
 
 # Means: The first readings of a target differ between sweeps, although sweeps without joint values
 # must start from the same pose.
-# Matters: The zeros of the joints are undefined; robot.toml is not written. Each axis applies to the
-# pose in which it was measured.
+# Matters: The zeros of the joints are undefined; robot.toml is not written. Each axis applies to
+# the pose in which it was measured.
 # Do: Start every sweep from the same pose, or add the joint values.
 # Example: a target that was removed between two sweeps
 sweep-starts-apart = the sweeps of `{ $first }` and `{ $second }` start { FIXED($gap_mm, 3) } mm apart at target `{ $target }`: robot.toml is not written
@@ -2056,8 +2056,8 @@ sweep-reversed = `{ $joint }` was swept in negative direction: check poses diffe
     .hint = state it: --backwards { $joint }
 
 # Means: Measured positions differ from those of the robot by more than their uncertainty.
-# Matters: Possible causes are a target that moved between sweeps, bending of a joint, or errors of a
-# transmission. The uncertainty of the robot is too small.
+# Matters: Possible causes are a target that moved between sweeps, bending of a joint, or errors of
+# a transmission. The uncertainty of the robot is too small.
 # Do: Check the seats of the targets and the joint values; start a calibration from this robot
 # (`etalon identify`, `etalon run`).
 # Example: an arm whose second joint bends by 0.1 mm under its weight
@@ -2117,16 +2117,16 @@ side-stated = as stated by the user
 side-from-values = from the { $values } { $of }
 side-from-key = from `InternalExternal`: { $value }
 # Means: An export joined by label has orientations, and the log names a label in several rows.
-# Matters: The robot then touches a point that was measured once; the measured orientation is not that
-# of the body on the robot. Only positions are used.
+# Matters: The robot then touches a point that was measured once; the measured orientation is not
+# that of the body on the robot. Only positions are used.
 # Do: Nothing, or join by pose, row or time if the instrument measured the body at each pose.
 # Example: nests of a plate measured by a probe of six degrees of freedom
 label-orientations-unused = orientations of the export are not used: log `{ $log }` names `{ $label }` in { $count } rows
     .hint = join by pose, row or time if the instrument measured the body on the robot at each pose
 
 # Means: Temperatures in the rows of the exports differ from `temperature_c` of the campaign.
-# Matters: Identified lengths apply at the stated temperature; a robot of aluminium expands by 23 µm/m
-# for each degree.
+# Matters: Identified lengths apply at the stated temperature; a robot of aluminium expands by 23
+# µm/m for each degree.
 # Do: Correct `temperature_c`, or the unit of the column (degrees Celsius).
 # Example: `temperature_c = 20.0`, and rows with 24.6 to 25.3
 temperature-elsewhere = `temperature_c` = { $stated_c }; the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C
