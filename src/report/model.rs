@@ -30,6 +30,7 @@ pub(crate) struct Contents {
     /// Date of issue.
     pub issued: Option<String>,
     /// Date of files without a stated date, from `SOURCE_DATE_EPOCH`.
+    #[cfg_attr(not(feature = "pdf"), expect(dead_code, reason = "pages and workbooks print stated dates alone"))]
     #[serde(skip)]
     pub built: Option<(i32, u8, u8)>,
     /// Mark across every page of a document that must not be used as a certificate.
