@@ -12,10 +12,10 @@ use std::path::{Path, PathBuf};
 const FREE: [(&str, usize); 1] = [("report", 1)];
 
 /// Messages that no test names. The number may only fall.
-const UNTESTED: usize = 163;
+const UNTESTED: usize = 143;
 
 /// Texts in `tests` that repeat words of a message instead of its id. The number may only fall.
-const PROSE: usize = 64;
+const PROSE: usize = 59;
 
 /// Calls in a file.
 #[derive(Debug, Default, PartialEq)]
