@@ -82,7 +82,7 @@ impl FitCommand {
         let first = PathBuf::from(&self.element);
         let paths = if self.all_features() { [&[first], &self.files[..]].concat() } else { self.files.clone() };
         let format = self.format()?;
-        let texts = paths.iter().map(|path| Ok((path.display().to_string(), etalon_formats::text_in(path, &format)?)));
+        let texts = paths.iter().map(|path| Ok((path.display().to_string(), self.text.text(path, &format)?)));
         let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
         if texts.is_empty() {
             return Err(error!("fit-file-missing", element = self.element).into());
@@ -193,7 +193,8 @@ impl FitCommand {
 
     /// Points of all files, if all are plain tables and no label matters.
     fn plain(&self) -> Result<Option<PackedPoints>, Problems> {
-        if self.by_label || self.all_features() || self.text.stated_unit()?.is_none() {
+        let is_plain = self.text.is_of_plain_text() && self.text.stated_unit()?.is_some();
+        if self.by_label || self.all_features() || !is_plain {
             return Ok(None);
         }
         let (unit, format) = (self.text.unit()?, self.format()?);

@@ -3,6 +3,7 @@
 //! Data go to stdout, messages to stderr. Exit codes: 0 done; 1 done, but a limit of the campaign
 //! is not met, or the result cannot be the robot's; 2 could not run.
 
+mod axes;
 mod axis_table;
 mod batch;
 mod capture;
@@ -73,6 +74,7 @@ enum Command {
     Check(check::Check),
     Formats(formats::Formats),
     Fit(fit::FitCommand),
+    Axes(axes::AxesCommand),
     Run(run::Run),
     Batch(batch::Batch),
     Identify(identify::IdentifyCommand),
@@ -137,6 +139,7 @@ fn run(command: Command) -> u8 {
         Command::Check(command) => command.run(),
         Command::Formats(command) => command.run(),
         Command::Fit(command) => command.run(),
+        Command::Axes(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),
@@ -275,7 +278,7 @@ fn say(text: impl Display) {
     progress::beside(|| drop(writeln!(std::io::stderr().lock(), "{text}")));
 }
 
-/// Says on stderr which command comes next; a program that asked for JSON is told nothing.
+/// Names the next command on stderr, unless the caller asked for JSON.
 fn next_step(json: bool, step: impl Display) {
     if !json {
         say(format_args!("next: {step}"));

@@ -29,7 +29,7 @@ pub(crate) struct Contents {
     pub date: Option<String>,
     /// Date of issue.
     pub issued: Option<String>,
-    /// Mark across every page of what must not be used as a certificate.
+    /// Mark across every page of a document that must not be used as a certificate.
     pub draft: Option<String>,
     /// Number of the report, shown on every page.
     pub number: Option<String>,
@@ -81,6 +81,9 @@ impl Contents {
         for headline in &mut self.verdict.headlines {
             (headline.before, headline.after) = (words.number(&headline.before), words.number(&headline.after));
         }
+        for figure in &mut self.verdict.graphs {
+            figure.svg = svg_numbers(&figure.svg, words);
+        }
         for section in &mut self.sections {
             section.blocks.iter_mut().for_each(|block| block.numbers(words));
             let cells = section.data.iter_mut().flat_map(|table| table.rows.iter_mut().flatten());
@@ -91,7 +94,7 @@ impl Contents {
 }
 
 /// Adds a capital at the beginning and a full stop at the end.
-fn sentence(text: &str) -> String {
+pub(super) fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
     let end = if text.ends_with(|c: char| c.is_alphanumeric() || c == ')') { "." } else { "" };
@@ -109,6 +112,28 @@ pub(crate) struct Verdict {
     /// Subject of the headlines.
     pub about: String,
     pub headlines: Vec<Headline>,
+    /// Limits and headlines in figures.
+    pub graphs: Vec<Figure>,
+    /// Next steps, the most useful first.
+    pub steps: Vec<Step>,
+    /// Fields to complete before signing.
+    pub to_complete: Option<ToComplete>,
+}
+
+/// A next step with its reason.
+#[derive(Debug, Serialize)]
+pub(crate) struct Step {
+    pub what: Text,
+    pub reason: Text,
+    /// Command to run in the folder of the campaign.
+    pub command: Option<String>,
+}
+
+/// Fields without which a report is a draft.
+#[derive(Debug, Serialize)]
+pub(crate) struct ToComplete {
+    pub title: String,
+    pub fields: Vec<String>,
 }
 
 /// Style of a verdict.
@@ -148,6 +173,9 @@ pub(crate) struct Headline {
     pub before: String,
     pub after: String,
     pub unit: &'static str,
+    /// Unit of the documents, and both values in it.
+    #[serde(skip)]
+    pub in_documents: (&'static str, [f64; 2]),
 }
 
 /// A section; its `id` names it in links and templates.
@@ -165,6 +193,8 @@ pub(crate) struct Section {
     /// `true` if the terminal shows the section.
     #[serde(skip)]
     pub on_terminal: bool,
+    /// `true` for a section behind the evidence: folded on a page, after the signatures on paper.
+    pub annex: bool,
 }
 
 /// A name with its value.
@@ -249,7 +279,7 @@ enum Mark {
 }
 
 impl Text {
-    /// A text; what stands between backticks in a sentence is a key or a name.
+    /// A text; parts between backticks in a sentence are keys or names.
     fn of(text: String, mark: Mark) -> Self {
         let is_sentence = matches!(mark, Mark::Own | Mark::English);
         if !is_sentence || !text.contains('`') || !text.matches('`').count().is_multiple_of(2) {
@@ -273,15 +303,9 @@ impl Text {
         Self::of(text.to_owned(), Mark::English)
     }
 
-    /// A text of a document in the language of the report; texts without translation are marked as
-    /// English.
-    pub fn document(text: &str, words: &Words) -> Self {
-        words.of_document(text).map_or_else(|| Self::english(text), Self::from)
-    }
-
     /// A text of a document in the language of the report; English without a catalogue entry.
     pub fn worded(text: &str, phrase: Option<&Phrase>, words: &Words) -> Self {
-        phrase.map_or_else(|| Self::document(text, words), |phrase| words.tr(phrase).into())
+        phrase.map_or_else(|| Self::english(text), |phrase| words.tr(phrase).into())
     }
 
     /// A line of a file, or a checksum.
@@ -302,8 +326,9 @@ impl Text {
     }
 
     /// Joins sentences without full stops to one sentence.
-    pub fn conventions(all: &[String], words: &Words) -> Self {
-        let joined = all.iter().map(|c| Self::document(c, words)).reduce(|a, b| a.and("; ").and(b));
+    pub fn conventions(all: &[String], phrases: &[Phrase], words: &Words) -> Self {
+        let worded = |(i, text): (usize, &String)| Self::worded(text, phrases.get(i), words);
+        let joined = all.iter().enumerate().map(worded).reduce(|a, b| a.and("; ").and(b));
         joined.map_or_else(Self::default, |text| text.and("."))
     }
 
@@ -801,7 +826,7 @@ impl Table {
         self.laid_out(self.on_page())
     }
 
-    /// Layout for a page: what decides is beside the name.
+    /// Layout for a page: the deciding column is beside the name.
     fn laid_on_page(&self) -> Laid<'_> {
         let mut places = self.on_page();
         if let Some(i) = places.iter().position(|i| self.columns[*i].decisive).filter(|i| *i > 1) {
@@ -984,6 +1009,11 @@ impl Section {
     /// Shows the section on the terminal too.
     pub fn on_terminal(self) -> Self {
         Self { on_terminal: true, ..self }
+    }
+
+    /// Moves the section behind the evidence.
+    pub fn annex(self) -> Self {
+        Self { annex: true, ..self }
     }
 
     /// Inserts a block before all others.

@@ -404,7 +404,7 @@ fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
 
     // slips: the same poses twice, other joints for one file, and a file whose joints are those of another
     let (code, said) = run(&(both.clone() + &export("b.csv", 1, "LR", "")));
-    assert!(code == Some(2) && said.contains("is there twice at pose 1") && said.contains("row + 100"), "{said}");
+    assert!(code == Some(2) && said.contains("occurs twice at pose 1") && said.contains("row + 100"), "{said}");
     let (code, said) = run(&(export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "").replace("\"J2\"", "\"J3\"")));
     assert!(code == Some(2) && said.contains("[joints-differ]"), "{said}");
     let (code, said) = run(&export("a.csv", 1, "LR", "").replace("target = \"LR\"\n", ""));

@@ -139,7 +139,7 @@ fn what_does_not_fit_is_told_by_check_and_by_run() {
             "exports/visits.txt",
             "P1-7 ",
             "P1-8 ",
-            "error[visit-count-differs]: pose 1 was measured 8 times in cycle 8, the trajectory passes it 4 times",
+            "error[visit-count-differs]: pose 1 was measured 8 times in cycle 8, but the trajectory passes it 4 times",
         ),
         ("exports/visits.txt", "P3-7 ", "P7-7 ", "error[pose-not-in-trajectory]: pose 7 (cycle 7)"),
         ("campaign.toml", "coplanar = [2, 3, 4, 5]", "coplanar = [2, 3, 4, 4]", "error[coplanar-not-four]"),

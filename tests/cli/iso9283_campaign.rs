@@ -281,8 +281,9 @@ fn a_limit_that_a_pose_cannot_be_judged_by_is_an_error() {
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(done.status.code(), Some(2), "{}", text_of(&done));
     assert!(
-        text_of(&done)
-            .contains("error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: pose 1"),
+        text_of(&done).contains(
+            "error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: it has no value at pose 1"
+        ),
         "{}",
         text_of(&done)
     );

@@ -1,5 +1,6 @@
 //! The command line: what README.md and docs/ show is what the program prints, and every command does what it says.
 
+mod axes;
 mod axis_table;
 mod book;
 mod checklist;

@@ -104,7 +104,7 @@ fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
             "weave_stroke_mm = 2\nweave_hz = 3\nweave_across = [0, 1]",
             &["error[path-not-stated]: `weave_stroke_mm`", "error[weave-direction-count]"],
         ),
-        ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["needs its `unit`"]),
+        ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["`format` and `unit` of a recording belong together"]),
         ("path.csv", "250,50\n", "250,fifty\n", &["path.csv", "fifty"]),
         ("exports/motion.csv", "0.03,", "0.01,", &["motion.csv:5", "error[time-not-increasing]"]),
     ] {

@@ -130,7 +130,10 @@ fn simulated_backlash_is_identified_by_the_times_of_the_log() {
         &scratch,
         "run",
         2,
-        &["error[approach-direction-unknown]", "`log`", "`shoulder_pan`", "`time_s` in `columns`"],
+        &[
+            "error[approach-direction-unknown]: log `log` does not show the direction of approach of joint `shoulder_pan`",
+            "`time_s` in `columns`",
+        ],
     );
     edit("campaign.toml", &|text| text.replace("[identify]\n", "[identify]\nprior = \"none\"\n"));
     edit("campaign.toml", &|text| text.replace("[log.columns]", "[log.columns]\ntime_s = \"time_s\""));

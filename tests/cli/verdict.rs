@@ -72,7 +72,8 @@ fn every_output_has_the_same_sentence() {
     {
         assert!(words.split_whitespace().collect::<Vec<_>>().join(" ").contains(sentence), "{words}");
     }
-    for (language, part) in [("fr", "limite 44 µm\u{a0}: conforme."), ("de", "Grenzwert 44 µm: bestanden.")] {
+    for (language, part) in [("fr", "limite 44\u{a0}µm\u{a0}: conforme."), ("de", "Grenzwert 44\u{a0}µm: bestanden.")]
+    {
         let written = etalon(scratch.root(), &["report", "campaign/out", "--language", language]);
         assert!(written.status.success(), "{}", text_of(&written));
         let page = std::fs::read_to_string(out.join("report.html")).unwrap();

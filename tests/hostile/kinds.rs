@@ -55,9 +55,9 @@ fn slips_are_refused_with_their_line() {
         ),
         ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,,12.7,0.02,", &["error[surface-axis-missing]", "`table`"]),
         ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,z,,0.02,", &["error[number-missing]: `offset_mm`"]),
-        ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["error[row-without-pose]", "`contact`"]),
-        ("distance,,,A,,,,,,,,,,,300,A,,,,,0.02,", &["error[distance-to-itself]", "`A`"]),
-        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["error[place-missing]", "`A`"]),
+        ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["error[row-without-pose]: a row of kind `contact`"]),
+        ("distance,,,A,,,,,,,,,,,300,A,,,,,0.02,", &["error[distance-to-itself]: the distance is from `A`"]),
+        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["error[place-missing]: the position of `A`"]),
     ] {
         let error = error(HEADER, &format!("{good}\n{row}"), &[]);
         for part in parts.iter().chain(&["o.csv:3"]) {
@@ -70,10 +70,22 @@ fn slips_are_refused_with_their_line() {
 fn what_a_further_station_cannot_state_is_refused_with_its_line() {
     let header = "kind,station,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,u_mm,ux_mm,uy_mm,uz_mm,cxx_mm2,cxy_mm2,cxz_mm2,cyy_mm2,cyz_mm2,czz_mm2,urot_deg";
     for (row, what) in [
-        ("pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01", "error[station-row-unsupported]"),
-        ("point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,", "error[station-row-unsupported]"),
-        ("point,T2,2,1,ball,1,2,3,1,2,3,,,,,,0.01,0.02,0.01,,,,,,,", "error[station-row-unsupported]"),
-        ("point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,", "error[station-row-unsupported]"),
+        (
+            "pose,T2,2,1,ball,1,2,3,1,2,,1,0,0,0,0.02,,,,,,,,,,0.01",
+            "error[station-row-unsupported]: a coordinate measured by station `T2`",
+        ),
+        (
+            "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,",
+            "error[station-row-unsupported]: a point measured by station `T2` states a covariance",
+        ),
+        (
+            "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,0.01,0.02,0.01,,,,,,,",
+            "error[station-row-unsupported]: coordinates measured by station `T2` have separate uncertainties",
+        ),
+        (
+            "point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,",
+            "error[station-row-unsupported]: a coordinate measured by station `T2`",
+        ),
     ] {
         let good = "point,T1,1,1,ball,1,2,3,1,2,3,,,,,0.02,,,,,,,,,,";
         let error = error(header, &format!("{good}\n{row}"), &[]);
@@ -133,7 +145,7 @@ fn slips_in_surfaces_and_joints_are_refused_with_their_line() {
         ("joints,1,1,,1,2,3,,,,,,,q4,1.0,,,,0.01", &["error[not-of-this-robot]: `q4`"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,,,,,0.01", &["`value_deg` is missing"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,1.0,,,,", &["error[uncertainty-missing]", "--rotation-uncertainty-deg"]),
-        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["error[place-missing]", "`a`"]),
+        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["error[place-missing]: the position of `a`"]),
         ("sphere,,,dome,,,,,,,,dome,,,,-5,,0.02,", &["error[distance-not-positive]"]),
     ] {
         let error = error(header, &format!("{good}\n{row}"), &[]);

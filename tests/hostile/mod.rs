@@ -279,7 +279,7 @@ fn a_target_measured_twice_points_at_both_rows() {
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(2));
     for part in [
-        "error[target-twice]: target `K` is there twice at pose 1, cycle 1",
+        "error[target-twice]: target `K` occurs twice at pose 1, cycle 1",
         "exports/poses.txt:591",
         "exports/poses.txt:1;",
     ] {

@@ -188,7 +188,7 @@ fn a_ball_that_bears_the_coordinates_of_another_is_named() {
         scratch.replace("exports/plate.txt", &ball.join(","), &[&ball[..3], &other[3..]].concat().join(","));
         let (found, _) = etalon::run::walk::everything(&Campaign::read(&scratch.path()).unwrap());
         let said: String = found.messages.iter().map(|m| m.what.clone() + "\n").collect();
-        let named = |a: &str, b: &str| said.contains(&format!("`{a}` lies where `{b}` is"));
+        let named = |a: &str, b: &str| said.contains(&format!("`{a}` has the position of `{b}`"));
         assert!(named(&ball[2], &other[2]) || named(&other[2], &ball[2]), "{}: {said}", ball[2]);
     }
 }
@@ -208,7 +208,7 @@ fn as_many_parameters_as_coordinates_are_said_to_be_unchecked() {
             .unwrap();
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(code), "{prior}: {said}");
-        let unchecked = "[no-coordinates-to-check]: 6 coordinates of the calibration poses determine 6 parameters";
+        let unchecked = "[no-coordinates-to-check]: 6 coordinates of the calibration poses for 6 parameters";
         assert!(said.contains(unchecked), "{prior}: {said}");
     }
 }

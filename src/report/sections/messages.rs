@@ -79,7 +79,7 @@ fn notice(m: &Message, words: &Words) -> Block {
     let text = |text: &str| match [Some(&english.what), english.expected.as_ref(), english.hint.as_ref()]
         .contains(&Some(&text.to_owned()))
     {
-        true => Text::document(text, words),
+        true => Text::english(text),
         false => Text::from(text.to_owned()),
     };
     let mut lines = vec![Text::from(severity + " ").and(text(&texts.what))];

@@ -13,7 +13,7 @@ fn html(report: &Report) -> Result<String> {
 
 /// Page alone.
 fn page(documents: &Documents) -> String {
-    let words = &Words::of(documents.campaign.report.language).unwrap();
+    let words = &Words::of(documents.campaign.report.language);
     super::super::html::html(&documents.report().contents(words), &documents.campaign.report, words).unwrap()
 }
 
@@ -167,7 +167,7 @@ pub(crate) fn with_text(text: &str) -> Documents {
     d.import.messages = vec![message()];
     for s in &mut d.import.sources {
         (s.file, s.dialect, s.sha256) = (t(), t(), t());
-        s.refused = vec![Refused { line: 1, text: t(), reason: t() }];
+        s.refused = vec![Refused { line: 1, text: t(), reason: t(), reason_phrase: None }];
     }
     d.features.features.iter_mut().for_each(|f| (f.name, f.element) = (t(), t()));
     d.frames.world.definition = t();
