@@ -13,6 +13,7 @@ use super::{
     At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
     meaning, wrong_targets,
 };
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, unit};
 use std::cmp::Ordering;
 
@@ -28,12 +29,11 @@ enum Convention {
     Poe,
 }
 
-const CONVENTION: &str = "What the joints of a serial arm state: modified (`mdh`) or standard (`dh`) Denavit-Hartenberg parameters, or screw axes (`poe`).";
+const CONVENTION: &str = "Parameters of the joints of a serial arm: modified (`mdh`) or standard (`dh`) Denavit-Hartenberg parameters, or screw axes (`poe`).";
 const MDH: &str = "Modified Denavit-Hartenberg parameters (Craig): Rx(alpha) Tx(a) Rz(theta + q) Tz(d).";
 const DH: &str = "Standard Denavit-Hartenberg parameters: Rz(theta + q) Tz(d) Tx(a) Rx(alpha).";
 const POE: &str = "Screw axes in the base at zero joints (product of exponentials).";
-const JOINT: &str = "A joint of a serial arm, from the base. In Denavit-Hartenberg parameters alpha, a, theta and d must be stated, each in one of its two\n\
-                     units; of a screw axis its direction, and a point on it where it turns.";
+const JOINT: &str = "A joint of a serial arm, from the base. Denavit-Hartenberg parameters need alpha, a, theta and d, each in one of its two units. A screw axis needs its direction and, if it is revolute, a point on it.";
 
 /// Description of a serial arm.
 struct Keys {
@@ -78,7 +78,7 @@ impl EffectKeys {
             backlash: keys.or(
                 Key::plain(
                     "backlash",
-                    "Joints of an arm with backlash: their numbers, from 1, or names. The direction from which each came is needed: `NAME_direction`.",
+                    "Joints of an arm with backlash: their numbers, from 1, or names. The direction of approach of each is needed: `NAME_direction`.",
                 ),
                 Vec::new(),
             ),
@@ -165,16 +165,15 @@ impl JointKeys {
                 Key::plain("direction", "Direction of a screw axis in the base at zero joints, of any length.")
                     .essential(),
             ),
-            point_mm: keys.in_two_units(Key::length("point", "A point on it.").essential()),
+            point_mm: keys.in_two_units(Key::length("point", "A point on the screw axis.").essential()),
             prismatic: keys.or(Key::plain("prismatic", "The joint is prismatic."), false),
             parallel: keys.optional(Key::plain(
                 "parallel",
-                "Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. By default so below 3 degrees of\n\
-                 twist.",
+                "Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. The default is `true` below 3 degrees of twist.",
             )),
             limits_rad: keys.optional(Key::angle(
                 "limits",
-                "Smallest and largest value of a joint that turns. Where they are not stated, joint values beyond two turns are refused.",
+                "Smallest and largest value of a revolute joint. Without limits, joint values beyond two turns are refused.",
             )),
             travel_mm: keys.optional(Key::length("travel", "Smallest and largest value of a prismatic joint.")),
         }
@@ -302,10 +301,12 @@ impl Description for Keys {
             effects: EffectKeys::read(keys),
             flange_xyz_mm: keys.optional(Key::length(
                 "flange_xyz",
-                "Place of the flange in the base at zero joints, where the joints are screw axes.",
+                "Position of the flange in the base at zero joints, for screw axes.",
             )),
-            flange_rpy_rad: keys
-                .optional(Key::angle("flange_rpy", "Orientation of the flange there: rx, ry, rz of Rz Ry Rx.")),
+            flange_rpy_rad: keys.optional(Key::angle(
+                "flange_rpy",
+                "Orientation of the flange at zero joints: rx, ry, rz of Rz Ry Rx.",
+            )),
         }
     }
 
@@ -395,7 +396,8 @@ impl Serial {
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }
 
-    /// Creates an arm of `joints` in modified (Craig) or else standard Denavit-Hartenberg parameters,
+    /// Creates an arm of `joints` in modified (Craig) or else standard Denavit-Hartenberg
+    /// parameters,
     /// with `targets` on its last link.
     pub fn of_axis_table(modified: bool, joints: &[SerialJoint], targets: &[String]) -> Self {
         let convention = if modified { TableConvention::Modified } else { TableConvention::Standard };
@@ -412,7 +414,7 @@ impl Serial {
     fn of_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String], effects: &Effects) -> Self {
         let other = convention.other();
         let rigid = Effects { gravity: effects.gravity, ..Effects::default() };
-        let what = format!("the table of joints read as {} Denavit-Hartenberg parameters", other.name());
+        let what = phrase!("table-read-as", convention = other.name());
         let as_other = Self::of_one_table(other, joints, targets, &rigid);
         Self::of_one_table(convention, joints, targets, effects).with_other(what, as_other)
     }

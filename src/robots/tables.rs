@@ -169,7 +169,8 @@ pub fn frame(x: Vector, z: Vector, origin: Vector) -> Pose {
     Pose { rotation: [0, 1, 2].map(|i| [x[i], y[i], z[i]]), translation_mm: origin }
 }
 
-/// Consecutive links between lines. Returns them with the normal and the point after them. A sliding
+/// Consecutive links between lines. Returns them with the normal and the point after them. A
+/// sliding
 /// joint, whose axis may be anywhere, is placed where the previous link ended.
 fn links(lines: &mut [AxisLine], start: Vector, before: Vector) -> Vec<Link> {
     let (mut reached, mut before) = (start, before);

@@ -9,12 +9,13 @@ use crate::exports::delimited::point_rows;
 use crate::guess::{Guess, names};
 use crate::logs::LogKind;
 use crate::table::QUATERNION;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::count;
 use etalon_documents::FormatsDocument;
 use std::fmt::Write;
 
 /// Remark to complete the columns of a proposed log.
-pub(super) const JOINTS: &str =
+pub const JOINTS: &str =
     "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
 /// Maximum number of problems of a trial that are repeated as doubts.
@@ -321,7 +322,11 @@ impl Proposal<'_> {
         );
         if let Some(p) = refused.first() {
             let more = if refused.len() > 1 { format!(", and {} more", refused.len() - 1) } else { String::new() };
-            doubts.push(format!("line {}: {}{more}", p.line, p.refused.as_deref().unwrap_or("")));
+            doubts.push(format!(
+                "line {}: {}{more}",
+                p.line,
+                p.refused.as_deref().map_or_else(String::new, Phrase::to_string)
+            ));
         }
         doubts
     }
