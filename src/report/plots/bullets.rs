@@ -122,7 +122,8 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         let bottom = top + 40.0 * of_unit.len() as f64 + 6.0;
         for (v, label) in axis.ticks(5) {
             svg.line("grid", (at(v), top + 18.0), (at(v), bottom));
-            let inside = at(v).clamp(0.5 * width(&label), NARROW - 0.5 * width(&label));
+            let half = 0.5 * width(&label) + 2.0;
+            let inside = at(v).clamp(half, NARROW - half);
             svg.text("mid", (inside, bottom + 14.0), &label);
         }
         svg.line("axis", (SIDE, bottom), (NARROW - SIDE, bottom));
