@@ -1,5 +1,6 @@
 //! Page one in figures: each limit with its value, uncertainty, guard band and risk as a bullet
-//! graph (S. Few, Bullet Graph Design Specification, 2013), and errors before and after on one axis.
+//! graph (S. Few, Bullet Graph Design Specification, 2013), and errors before and after on one
+//! axis.
 
 use super::layer::*;
 use super::svg::{LETTER, width};
@@ -12,6 +13,8 @@ use etalon_documents::Conformity;
 const ROW_HEIGHT: f64 = 62.0;
 /// Height of a bar.
 const BAR: f64 = 14.0;
+/// Width of a bold letter.
+const BOLD: f64 = 1.1 * LETTER;
 /// Margin at both sides.
 const SIDE: f64 = 10.0;
 /// Smallest right end of the scale, over the limit.
@@ -70,14 +73,14 @@ fn limit(svg: &mut Svg, l: &LimitVerdict, (top, end): (f64, f64), words: &Words)
     svg.line("limit", (at(1.0), y - 4.0), (at(1.0), y + BAR + 4.0));
     let verdict = judged(l, words).shown().plain();
     let room = NARROW - 2.0 * SIDE - width(&verdict) - 10.0;
-    svg.text("start name-of", (SIDE, top + 12.0), &cut(&words.tr(&names::limit(l.name)), room));
+    svg.text("start name-of", (SIDE, top + 12.0), &cut(&words.tr(&names::limit(l.name)), room, BOLD));
     svg.text("end name-of", (NARROW - SIDE, top + 12.0), &verdict);
-    svg.text("start", (SIDE, y + BAR + 15.0), &cut(&text, NARROW - 2.0 * SIDE));
+    svg.text("start", (SIDE, y + BAR + 15.0), &cut(&text, NARROW - 2.0 * SIDE, LETTER));
 }
 
-/// Shortens a text to a width.
-fn cut(text: &str, room: f64) -> String {
-    let most = (room / (0.92 * LETTER)) as usize;
+/// Shortens a text to a width; letters of names are bold.
+fn cut(text: &str, room: f64, letter: f64) -> String {
+    let most = (room / letter) as usize;
     if text.chars().count() <= most {
         return text.to_owned();
     }
@@ -132,7 +135,7 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         for (i, h) in of_unit.iter().enumerate() {
             let ([before, after], y) = (h.in_documents.1, top + 40.0 * i as f64 + 28.0);
             let numbers = format!("{} → {} {}", h.before, h.after, h.unit);
-            svg.text("start name-of", (SIDE, y - 14.0), &cut(&h.what, NARROW - 30.0 - width(&numbers)));
+            svg.text("start name-of", (SIDE, y - 14.0), &cut(&h.what, NARROW - 30.0 - width(&numbers), BOLD));
             svg.text("end", (NARROW - SIDE, y - 14.0), &numbers);
             svg.line("leader", (at(before), y), (at(after), y));
             svg.mark(Look::new(Shape::Circle, "before"), (at(before), y), 5.0, &numbers);

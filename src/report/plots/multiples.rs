@@ -1,5 +1,5 @@
-//! Visits of all poses of a test as small multiples on one scale, coloured by cycle, with the circle
-//! of RP (ISO 9283:1998, 7.2).
+//! Visits of all poses of a test as small multiples on one scale, coloured by cycle, with the
+//! circle of RP (ISO 9283:1998, 7.2).
 
 use super::layer::*;
 use super::visits::of_pose;

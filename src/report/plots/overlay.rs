@@ -55,7 +55,7 @@ mod tests {
     use super::*;
     use crate::tests::demo::point;
 
-    /// All errors before are of 1 mm and all after of 0.01 mm: one bar each, at its end of the axis.
+    /// All errors before are of 1 mm and all after of 0.01 mm: one bar each.
     #[test]
     fn before_and_after_share_an_axis() {
         let errors: Vec<_> = (0..10).map(|i| point(i, [0.0; 3], [1.0, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();

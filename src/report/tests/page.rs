@@ -40,7 +40,8 @@ fn the_demo_page_has_what_a_reader_needs() {
     {
         assert!(page.contains(&format!("<section id=\"{id}\"")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
     }
-    // two of page one, nine figures of errors, three of parameters, two of residuals, one of singular values
+    // two of page one, nine of errors, three of parameters, two of residuals, one of singular
+    // values
     assert_eq!(page.matches("<svg").count(), 17);
 }
 
