@@ -20,8 +20,8 @@ pub fn date(text: &str) -> Option<(i32, u8, u8)> {
 }
 
 /// Year, month and day of a time in seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` states it;
-/// `None` outside the years 1 to 9999 (H. Hinnant, chrono-compatible low-level date algorithms,
-/// 2021).
+/// `None` outside the years 1 to 9999. H. Hinnant, chrono-compatible low-level date algorithms,
+/// 2021.
 pub fn day_of_epoch(seconds: i64) -> Option<(i32, u8, u8)> {
     let days = seconds.div_euclid(86_400) + 719_468;
     let (era, of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));

@@ -57,7 +57,8 @@ pub struct Action {
     /// Command to run in the folder of the campaign.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command: Option<String>,
-    /// Expected decrease of the error (mm), by which actions are ordered; absent if unknown.
+    /// Expected decrease of the error (mm), which determines the order of actions; absent if
+    /// unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gain_mm: Option<f64>,
 }
@@ -68,7 +69,7 @@ pub struct Action {
 pub enum ActionKind {
     /// Load a controller file.
     Load,
-    /// Keep the nominal parameters: a controller file is hardly better.
+    /// Keep the nominal parameters: a controller file is hardly better than nominal.
     KeepNominal,
     /// Measure poses again that disagree with the others.
     MeasureAgain,

@@ -41,6 +41,9 @@ pub struct CampaignSummary {
     pub contact: Option<ContactSummary>,
     /// Temperature during the campaign.
     pub temperature_c: Option<f64>,
+    /// Lowest and highest temperature (°C) that rows of the exports state.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub temperature_range_c: Option<[f64; 2]>,
     /// Conditions of a test.
     #[serde(default)]
     pub conditions: Conditions,

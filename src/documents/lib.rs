@@ -7,6 +7,7 @@
 mod accuracy;
 mod actions;
 mod answer;
+mod axes;
 mod axis;
 mod batch;
 mod campaign;
@@ -39,6 +40,7 @@ mod verification;
 pub use accuracy::*;
 pub use actions::{Action, ActionKind, Evidence, WrittenFile};
 pub use answer::*;
+pub use axes::*;
 pub use axis::*;
 pub use batch::*;
 pub use campaign::*;

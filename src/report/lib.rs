@@ -265,21 +265,22 @@ pub struct Renderer {
 impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
         let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.trim().parse().ok());
-        let contents = Contents { built: epoch.and_then(day_of_epoch), ..contents.in_language(&words) };
+        let contents =
+            Contents { built: epoch.and_then(day_of_epoch), ..contents.explained(&words).in_language(&words) };
         Self { contents, attachments, presentation, words }
     }
 
     /// Creates the report of a campaign.
     pub fn campaign(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         Ok(Self::new(report.contents(&words), report.attachments()?, presentation, words))
     }
 
     /// Creates the report of a comparison of campaigns.
     pub fn comparison(document: &CompareDocument, presentation: Presentation) -> Result<Self> {
         use sections::changes::{lead, sections, verdict};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let synthetic = document
             .campaigns
             .iter()
@@ -301,7 +302,7 @@ impl Renderer {
     /// Creates the report of a plan.
     pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::plan::{sections, verdict};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let robot = words.model(&document.robot);
         let contents = Contents {
             title: tr!(words, "poses-to-measure"),
@@ -325,7 +326,7 @@ impl Renderer {
 
     /// Creates the report of given parameters that were judged on the data of a campaign.
     pub fn validation(document: &AccuracyDocument, presentation: Presentation) -> Result<Self> {
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let verdict = sections::verdict::of_validation(document, &words);
         let limits: Vec<_> = document.limits.iter().collect();
         let limits = sections::limits::of(&limits, false, &words);
@@ -343,7 +344,7 @@ impl Renderer {
     /// Creates the report on whether given parameters still apply.
     pub fn verification(document: &VerificationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{still_valid, verification};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "verification-of-identified-parameters"),
             subtitle: named(&document.robot, &words),
@@ -360,7 +361,7 @@ impl Renderer {
     /// Creates the report of poses that verify parameters.
     pub fn verification_plan(document: &VerificationPlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{chosen, poses_to_verify};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "poses-to-verify-identified-parameters"),
             subtitle: named(&document.robot, &words),
@@ -375,7 +376,7 @@ impl Renderer {
     /// Creates the report of recommended parameters.
     pub fn recommendation(document: &RecommendationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{recommendation, recommended};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "recommendation-title"),
             subtitle: named(&document.robot, &words),
@@ -398,7 +399,7 @@ impl Renderer {
     /// Creates the certificate of a campaign for the customer: a draft until all fields are stated.
     pub fn certificate(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = sections::certificate::contents(report, report.contents(&words), &words);
         Ok(Self::new(contents, report.attachments()?, presentation, words))
     }

@@ -1,4 +1,4 @@
-//! Statements of a campaign that contradict each other or have no effect, whatever the files hold.
+//! Statements of a campaign that contradict each other or have no effect, independent of its files.
 
 use etalon_base::date::date;
 use etalon_base::message::{Message, Problems};
@@ -313,7 +313,7 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
 /// Plausible coefficients of thermal expansion (1/°C); a value outside is in another unit.
 const PER_C: std::ops::RangeInclusive<f64> = 0.0..=2e-4;
 
-/// Checks uncertainties that all readings have in common, and those of range and angle.
+/// Checks uncertainties common to all readings, and those of range and angle.
 fn common_errors(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     let mut wrong = |path: &[&str], value: f64, range: std::ops::RangeInclusive<f64>, quantity: &str| {

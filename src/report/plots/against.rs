@@ -18,7 +18,7 @@ struct Along<'a> {
 /// Significance level of a trend.
 pub(crate) const SIGNIFICANCE: f64 = 0.05;
 
-/// Errors of a campaign with what they are drawn against.
+/// Errors of a campaign with the quantities against which they are drawn.
 pub(crate) struct Data<'a> {
     pub errors: &'a [&'a PointError],
     /// Names of the joints' columns.

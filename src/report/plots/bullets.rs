@@ -107,7 +107,7 @@ fn stated(l: &LimitVerdict, words: &Words) -> String {
     }
 }
 
-/// Errors before and after calibration, those of one unit on one axis.
+/// Errors before and after calibration; errors of the same unit are on one axis.
 pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Option<Figure> {
     let units = ["mm", "deg"].into_iter().filter(|unit| all.iter().any(|h| h.in_documents.0 == *unit));
     if all.is_empty() {

@@ -7,7 +7,7 @@ const BINS: usize = 24;
 /// Maximum number of decades; smaller errors are in the first bin.
 const DECADES: f64 = 4.0;
 
-/// Shares of the points of the deciding set by size of the position error.
+/// Shares of the points of the deciding set, by size of their position error.
 pub(crate) fn picture(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Option<Figure> {
     let deciding = errors.iter().map(|e| e.set).max()?;
     let of: Vec<&&PointError> = errors.iter().filter(|e| e.set == deciding).collect();
@@ -41,7 +41,7 @@ pub(crate) fn picture(errors: &[&PointError], limits: &[LimitVerdict], words: &W
     }
     chart.limit(limits, ErrorQuantity::Position, (true, words));
     let title = tr!(words, "errors-overlaid-title");
-    let set = words.tr(&names::set(deciding));
+    let set = words.tr(&deciding.phrase());
     let description = tr!(words, "errors-overlaid-description", count = of.len(), set);
     Some(chart.figure("errors-overlaid", title, description))
 }
@@ -55,7 +55,7 @@ mod tests {
     use super::*;
     use crate::tests::demo::point;
 
-    /// All errors before are of 1 mm and all after of 0.01 mm: one bar each.
+    /// All errors before are 1 mm and all after are 0.01 mm: one bar each, at its end of the axis.
     #[test]
     fn before_and_after_share_an_axis() {
         let errors: Vec<_> = (0..10).map(|i| point(i, [0.0; 3], [1.0, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();

@@ -93,7 +93,7 @@ fn largest(budget: &[BudgetSource], k: usize) -> Option<Source> {
     Some(budget.iter().max_by(|a, b| of(a).total_cmp(&of(b)))?.source)
 }
 
-/// Figures that have a name: not those along single axes.
+/// Named figures: not those along single axes.
 fn named(document: &AccuracyDocument) -> Vec<FigureBudget> {
     document.budget.iter().filter(|f| is_named(f)).cloned().collect()
 }

@@ -120,7 +120,7 @@ pub(super) fn other_sets(report: &Report, words: &Words) -> Option<Section> {
 
 /// Heading of the errors of a set.
 fn heading(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> String {
-    let name = words.tr(&names::set(set.name));
+    let name = words.tr(&set.name.phrase());
     match accuracy.point.as_str() {
         "" => tr!(words, "set-summary", set = name, poses = set.poses, errors = set.count),
         point => {
@@ -136,7 +136,7 @@ fn heading(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Str
     }
 }
 
-/// Sentence on targets that are placed by validation poses alone.
+/// Sentence on targets that are located by validation poses alone.
 fn placed_by_validation(placed: &[PlacedApart], words: &Words) -> String {
     let of = |p: &PlacedApart| match p.is_assessed {
         true => tr!(
@@ -280,7 +280,7 @@ fn statistics(
         .sheet("errors", "", |_| set.count)
         .sheet("quantity", "", |e| e.quantity.as_ref())
         .sheet("unit", "", |e| e.unit.as_str())
-        .page(phrase!("error"), "", |e| Text::name(&words.tr(&names::quantity(e.quantity))))
+        .page(phrase!("error"), "", |e| Text::name(&words.tr(&e.quantity.phrase())))
         .page(phrase!("unit"), "", unit)
         .both(phrase!("mean"), "", move |e| cell(e, e.before.mean))
         .both(phrase!("rms"), "", move |e| cell(e, e.before.rms))
@@ -296,7 +296,7 @@ fn statistics(
     Table::of(words, &set.errors, columns)
 }
 
-/// Benefit of each effect at poses that are left out.
+/// Benefit of each effect at left-out poses.
 fn effects(all: &[EffectProof], words: &Words) -> Table {
     let yes_no = |yes: bool| term(words, if yes { phrase!("yes") } else { phrase!("no") });
     let columns = Columns::<EffectProof>::new()
@@ -368,7 +368,7 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
     let columns = Columns::<OfPose>::new()
         .sheet("set", "", |r| r.set.name())
         .both(phrase!("pose"), "", |r| r.pose)
-        .page(phrase!("set"), "", |r| Text::name(&words.tr(&names::set(r.set))))
+        .page(phrase!("set"), "", |r| Text::name(&words.tr(&r.set.phrase())))
         .both(phrase!("errors"), "", |r| r.errors.len())
         .sheet("position before, mean", "mm", |r| r.mean(before_mm))
         .both(phrase!("position-before-max"), "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))

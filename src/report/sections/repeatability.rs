@@ -4,7 +4,7 @@
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
 use crate::number;
 use crate::plots::multiples;
-use crate::plots::visits::{self, approach, of_pose};
+use crate::plots::visits::{self, Approaches, of_pose};
 use crate::words::{Words, isolated, tr};
 use etalon_base::phrase;
 use etalon_base::pose::{Vector, centroid, minus};
@@ -35,7 +35,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let figures = vec![Block::Figures { figures: visits::pictures(document, words) }];
     section.push(Block::Aside { title: tr!(words, "visits-by-plane"), blocks: figures });
     let details = vec![
-        Block::note(Text::conventions(&document.conventions, words)),
+        Block::note(Text::conventions(&document.conventions, &document.convention_phrases, words)),
         Block::Table(spheres(&poses, words).detail()),
     ];
     section.push(Block::Aside { title: tr!(words, "spheres-and-conventions"), blocks: details });
@@ -219,7 +219,7 @@ fn by_approach(document: &Iso9283Document, words: &Words) -> Vec<Block> {
     let mut section = Section::new("", "");
     section.push(Block::note(tr!(words, "definition-vap")));
     for v in &document.approaches {
-        let [a, b] = v.between.each_ref().map(|name| isolated(&approach(name, words)));
+        let [a, b] = v.between.each_ref().map(|name| isolated(&Approaches::of(document, words).name(name)));
         let um = number::fixed(1e3 * v.vap_mm, 1);
         section.push(Block::text(tr!(words, "vap-farthest", pose = v.pose, first = a, second = b, distance = um)));
     }
@@ -247,10 +247,11 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
         let spatial = document.poses.iter().any(|p| p.pose == v.pose && p.rp_z_mm.is_some());
         rows.extend(v.approaches.iter().map(|approach| OfApproach { pose: v.pose, approach, middle, spatial }));
     }
+    let named = Approaches::of(document, words);
     let off = |r: &OfApproach, axis: usize| um(minus(r.approach.mean_mm, r.middle)[axis]);
     let columns = Columns::<OfApproach>::new()
         .both(phrase!("pose"), "", |r| r.pose)
-        .page(phrase!("approached"), "", |r| Text::name(&approach(&r.approach.name, words)))
+        .page(phrase!("approached"), "", move |r| Text::name(&named.name(&r.approach.name)))
         .sheet("approached", "", |r| r.approach.name.as_str())
         .both(phrase!("visits"), "", |r| r.approach.cycles)
         .page("x", "", move |r| off(r, 0))

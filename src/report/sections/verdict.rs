@@ -23,7 +23,7 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     }
 }
 
-/// Verdict on everything that is judged: plausibility of the result, characteristics of ISO 9283,
+/// Verdict on all judged items: plausibility of the result, characteristics of ISO 9283,
 /// instrument, and all limits of the campaign.
 pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     let (identified, tested) = (report.identified.as_ref(), report.tested);
@@ -43,9 +43,9 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
         .filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
-            tr!(words, "errors-before-after-of", point, set = words.tr(&names::set(s.name)))
+            tr!(words, "errors-before-after-of", point, set = words.tr(&s.name.phrase()))
         }
-        None => tr!(words, "errors-before-after", set = words.tr(&names::set(s.name))),
+        None => tr!(words, "errors-before-after", set = words.tr(&s.name.phrase())),
     });
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
     let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| headlines(i.accuracy, set, words));
@@ -145,7 +145,7 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// Sentences on the errors that are limited; without limits, on the largest leading error.
+/// Sentences on the limited errors; without limits, on the largest leading error.
 fn errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<String> {
     let limited: Vec<String> = accuracy.limits.iter().filter_map(|l| limited(l, set, words)).collect();
     if accuracy.limits.is_empty() { largest_error(set, words).into_iter().collect() } else { limited }
@@ -168,7 +168,7 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
         "limited-error",
         quantity = words.tr(&names::limit(l.name)),
         count = set.poses,
-        set = words.tr(&names::set(set.name)),
+        set = words.tr(&set.name.phrase()),
         before = number::fixed(before * factor, decimals),
         after = reached,
         unit,
@@ -202,7 +202,7 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
         "error-at-poses",
         quantity = words.tr(&names::error(e.quantity, Figure::Max)),
         count = set.poses,
-        set = words.tr(&names::set(set.name)),
+        set = words.tr(&set.name.phrase()),
         before = number::fixed(before, decimals),
         after = reached,
         unit
@@ -295,7 +295,7 @@ fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
 /// Limited errors; without limits, maximum and RMS of the leading error and of orientations.
 fn headlines(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<Headline> {
     let of = |quantity: ErrorQuantity, figure: Figure| {
-        let name = words.tr(&names::quantity(quantity));
+        let name = words.tr(&quantity.phrase());
         let what = match figure {
             Figure::Mean => tr!(words, "mean-of", quantity = name),
             Figure::Rms => tr!(words, "rms-of", quantity = name),

@@ -101,6 +101,7 @@ impl Documents {
                 decision_rule: None,
                 contact: None,
                 temperature_c: Some(20.1),
+                temperature_range_c: None,
                 conditions: Conditions::default(),
                 valid_until: None,
                 controller_files: Vec::new(),
@@ -178,6 +179,7 @@ fn import() -> ImportDocument {
         bytes: 48_211,
         kind,
         dialect: dialect.to_owned(),
+        dialect_phrase: None,
         rows_read: 590,
         refused,
         standstills: Vec::new(),
@@ -186,6 +188,7 @@ fn import() -> ImportDocument {
         line: 17,
         text: "K_12_3;412,331;n/a;20,001".to_owned(),
         reason: "`n/a` is not a number (column y)".to_owned(),
+        reason_phrase: None,
     };
     ImportDocument {
         schema: "etalon/import/1".to_owned(),
@@ -290,6 +293,7 @@ fn parameters() -> ParametersDocument {
         observability: Some(observability()),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".to_owned(),
+            method_phrase: None,
             iterations: 6,
             termination,
             meaning: termination.to_string(),

@@ -94,6 +94,7 @@ pub(crate) fn identified(
         observability: None,
         solver: SolverSummary {
             method: String::new(),
+            method_phrase: None,
             iterations: 1,
             termination: etalon::documents::Termination::ResidualsZero,
             meaning: String::new(),
@@ -108,6 +109,7 @@ pub(crate) fn identified(
         robot: None,
         synthetic: Some("drawn for a test".to_owned()),
         notes: None,
+        temperature_range_c: None,
         date: None,
         operator: None,
         instrument: None,
