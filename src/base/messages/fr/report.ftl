@@ -521,10 +521,7 @@ limited-error = { $quantity } sur { $count ->
        *[other] { $count } poses
     } ({ $set }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
 limits = Limites
-limits-all-met = { $count ->
-        [one] La limite de la campagne est respectée.
-       *[other] Les { $count } limites de la campagne sont toutes respectées.
-    }
+limits-all-met = Les { $count } limites de la campagne sont toutes respectées.
 limits-both-met = Les deux limites de la campagne sont respectées.
 limits-not-assessable = Non évaluable (grandeur non mesurée) : { $limits }.
 limits-not-met = { $count ->
