@@ -227,7 +227,7 @@ fn is_numeric(name: &str) -> bool {
 /// have numbers (empty cells are missing values), other columns text.
 ///
 /// # Errors
-/// Rows with another number of fields, and cells that cannot be read, with their places.
+/// Reports rows with another number of fields, and unreadable cells, with their places.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     read(file, text, &TableLayout::default())
 }

@@ -105,15 +105,14 @@ fn stated(l: &LimitVerdict, words: &Words) -> String {
     }
 }
 
-/// Errors before and after calibration, those of one unit on one axis.
+/// Errors before and after calibration; errors of the same unit are on one axis.
 pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Option<Figure> {
-    let mut units: Vec<&str> = all.iter().map(|h| h.in_documents.0).collect();
-    units.dedup();
+    let units = ["mm", "deg"].into_iter().filter(|unit| all.iter().any(|h| h.in_documents.0 == *unit));
     if all.is_empty() {
         return None;
     }
     let rows = |unit: &str| all.iter().filter(|h| h.in_documents.0 == unit).count() as f64;
-    let height = units.iter().map(|unit| 40.0 * rows(unit) + 44.0).sum();
+    let height = units.clone().map(|unit| 40.0 * rows(unit) + 44.0).sum();
     let mut svg = Svg::new(NARROW, height);
     let mut top = 0.0;
     for unit in units {
@@ -182,5 +181,25 @@ mod tests {
         assert_eq!(svg.matches("class=\"value\"").count(), 1, "{svg}");
         assert!(svg.contains("not measured, limit 100 µm"), "{svg}");
         assert!(limits(&[], &Words::default()).is_none());
+    }
+
+    /// Two lengths and an angle: one axis for each unit, and two marks for each error.
+    #[test]
+    fn errors_of_one_unit_share_an_axis() {
+        let of = |unit: &'static str, before, after| Headline {
+            what: "error".to_owned(),
+            before: "1".to_owned(),
+            after: "2".to_owned(),
+            unit,
+            in_documents: (unit, [before, after]),
+        };
+        let all = [of("mm", 0.4, 0.1), of("deg", 0.2, 0.1), of("mm", 0.2, 0.1)];
+        let svg = before_after(&all, "title", &Words::default()).unwrap().svg;
+        assert_eq!(svg.matches("class=\"axis\"").count(), 2, "{svg}");
+        let places = numbers(&svg, "circle", "cx");
+        // 0.4 and 0.1, 0.2 and 0.1 mm on one scale; then the angle, then the legend
+        let share = |k: usize| places[k] - SIDE;
+        assert!((share(0) / share(1) - 4.0).abs() < 0.02 && (share(2) / share(3) - 2.0).abs() < 0.02, "{places:?}");
+        assert_eq!(places.len(), 8);
     }
 }

@@ -55,6 +55,17 @@ set-up-origin = { $origin ->
 
 check-rigid-part = Einheit und Namen in `places_mm` prüfen und ob das Teil seit ihrer Bestimmung verändert wurde
 
+points-set-aside = { $count ->
+        [one] 1 Punkt ist beiseitegelegt
+       *[other] { $count } Punkte sind beiseitegelegt
+    }: { $points }
+    .hint = sie liegen weiter vom Element aller anderen, als Rauschen erklärt
+
+foreign-points = { $count ->
+        [one] 1 Punkt liegt weit vom Element aller anderen ({ $points }) und verschiebt
+       *[other] { $count } Punkte liegen weit vom Element aller anderen ({ $points }) und verschieben
+    } den Ausgleich um { FIXED($shift, 1) } Standardunsicherheiten
+    .hint = sie ansehen; `--robust` legt sie beiseite
 plan-cube = { $shape ->
         [square] das größte Quadrat
        *[cube] der größte Würfel

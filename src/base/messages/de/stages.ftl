@@ -922,6 +922,8 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 
 clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
+limit-not-assessable = Grenze `{ $limit }` ist nicht beurteilbar: die entscheidenden Posen zeigen ihre Größe nicht
+    .hint = die Größe an diesen Posen messen oder die Grenze aus [limits] entfernen
 sweep-joint-unknown = `{ $joint }` ist kein Gelenk dieser Messreihen
     .expected = { $known }
 
@@ -1059,3 +1061,15 @@ temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte 
 
 temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Messunsicherheit der Längen ist zu klein
     .hint = eine `expanded_temperature_uncertainty_c` angeben, die den Bereich abdeckt
+
+axes-comment-method = Achsen durch Bewegung je eines Gelenks (etalon axes); ohne Nennmodell
+
+axes-comment-base = Basis durch Achsen 1 und 2, Regel `{ $rule }`: z entlang Achse 1
+
+axes-comment-joint = q{ $number } ist { $name }
+
+axes-comment-zero = die Gelenkwerte sind zu Beginn der Bewegungen null
+
+axes-comment-target = Zielmarke { $name } am Flansch (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Roboter nach seinen Achsen
