@@ -140,7 +140,7 @@ convention-angles-of-motion = Die Winkel { $angles } sind entlang der Bewegung v
 convention-angles-of-unknown-order = Die Winkel a, b, c sind stetig fortgesetzt und je für sich ausgewertet; Reihenfolge der Drehungen: nicht angegeben
 convention-ap-interval = AP: Intervall der Differenz aus beiden Intervallen zurückgewonnen (MOVER, Zou & Donner 2008)
 convention-ap-rp = AP: Mittel minus Sollwert; RP: mittlerer Radius + 3 s, s mit n - 1; Intervalle 95 %, normalverteilte Streuung
-convention-approach = Anfahrrichtung: die Pose davor im Ablauf; 25-%-Regel mit U bei k = { $k }; Positionen im Weltsystem ({ $frame })
+convention-approach = Anfahrrichtung: die Pose davor im Ablauf; 25-%-Regel mit U bei k = { $k }; Positionen im Weltkoordinatensystem ({ $frame })
 convention-at-rt = AT: Intervall der Differenz aus beiden Intervallen zurückgewonnen, wie bei AP; RT: ebenso auf der logarithmischen Skala um die Mitten beider Intervalle, die für unendlich viele Durchläufe stehen; die Intervalle des Bootstraps enthalten den wahren Wert in 90 bis 98 % simulierter Prüfungen mit zehn Durchläufen, je nach Art der Streuung, und nicht in 95 % aller
 convention-birge = wo das Modell nicht passt: Intervalle der Änderungen von Parametern sind um das Birge-Verhältnis aller Roboterparameter beider Kampagnen vergrößert, mindestens 1, denn Parameter nehmen auf, was das Modell an den gemessenen Posen auslässt
 convention-change-of-parameters = Parameter: Änderung durch die Wurzel aus u1² + u2², nach der t-Verteilung mit den Freiheitsgraden von Welch, wenn Unsicherheiten aus Residuen geschätzt sind; beide Kampagnen gelten als unabhängig

@@ -85,7 +85,7 @@ legs-apart = die Beine treffen die Plattform nicht
 arms-do-not-meet = die Arme treffen sich nicht
 singularity-near = { FIXED($found, 3) } deg von der Singularität vom Typ { $kind } { $kind ->
         [1] (ein Arm gestreckt oder eingefaltet)
-       *[2] (die distalen Glieder in einer Linie)
+       *[2] (die äußeren Glieder in einer Linie)
     }, mindestens { $margin } deg sind verlangt
 links-near = Glieder { FIXED($found, 3) } mm auseinander, mehr als { $least } mm sind verlangt
 command-refused = die Steuerung weist den Befehl ab: { $reason }

@@ -120,8 +120,8 @@ simulated-table-misread = `{ $file }` würde falsch gelesen: eine Beobachtung vo
 truth-geometric-without-campaign = die Wahrheit hat [geometric], die Kampagne nicht oder ihr Roboter ist kein PreXYT
     .hint = [geometric] in campaign.toml angeben: es nennt die Bezeichnungen
 
-study-error-in-base = wahre Pose des Werkzeugs im Basissystem minus Sollpose
-study-error-in-world = wahre Pose des Werkzeugs in der Welt minus Sollpose
+study-error-in-base = wahre Pose des Werkzeugs im Basiskoordinatensystem minus Sollpose
+study-error-in-world = wahre Pose des Werkzeugs im Weltkoordinatensystem minus Sollpose
 poses-in-set = Posen im Satz `{ $set }`
 positions-in-workspace = Positionen in `workspace`
 counted-calibrations = Kalibrierungen

@@ -945,7 +945,7 @@ no-point-nearest = kein gemessener Punkt liegt ihr am nächsten
 no-row-of-key = keine Zeile des Protokolls `{ $log }` hat diesen Schlüssel
 no-point-of-key = kein gemessener Punkt hat diesen Schlüssel
 no-row-touches = keine Zeile des Protokolls `{ $log }` berührt ihn
-row-of-unframed-pose = seine Pose hat kein Weltsystem
+row-of-unframed-pose = seine Pose hat kein Weltkoordinatensystem
 
 table-of-observations = Beobachtungen
 table-of-attained-poses = Istposen

@@ -221,6 +221,6 @@ deviation-unknown = pas d’écart à { $position } : { $reason }
 
 robot-file-of-run = exécuter de nouveau la campagne, ou indiquer le robot.toml avec lequel elle a été exécutée
 
-axis-without-errors = l'axe n'a pas d'erreurs propres dans ce modèle
-lead-not-measured-there = le pas n'y a pas été mesuré
-table-without-row = le tableau n'y a pas de ligne
+axis-without-errors = l’axe n’a pas d’erreurs propres dans ce modèle
+lead-not-measured-there = le pas n’y a pas été mesuré
+table-without-row = le tableau n’y a pas de ligne

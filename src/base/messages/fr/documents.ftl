@@ -58,16 +58,16 @@ check-rigid-part = vérifier l’unité et les noms dans `places_mm`, et si la p
 plan-cube = le plus grand { $shape ->
         [square] carré
        *[cube] cube
-    } dans l'espace de travail indiqué, arêtes parallèles aux axes ; C1 à C4 à partir des plus petits x et y
-plan-poses = P1 : centre ; P2 à P5 : à 10 % des diagonales des sommets du plan d'essai, dans leur ordre
-plan-clauses = P1 à P5, charges, vitesses et 30 cycles suivent le texte de la norme ; les trajectoires, les autres nombres et l'ordre des sommets n'ont pas été comparés avec un exemplaire acheté
-plan-reach-not-examined = non examiné : si le robot atteint les poses, et si tous les axes bougent entre elles
-plan-reach = atteinte : paramètres nominaux et limites du fichier du robot ; de plusieurs modes, celui qui atteint le plus d'une liste est gardé le long de celle-ci ; { $moves ->
-        [all] tous les axes bougent entre P1 et P5
-       *[some] tous les axes ne bougent pas entre P1 et P5, comme la norme l'exige
+    } dans l’espace de travail indiqué, arêtes parallèles aux axes ; C1 à C4 à partir des plus petits x et y
+plan-poses = P1 : centre ; P2 à P5 : à 10 % des diagonales des sommets du plan d’essai, dans leur ordre
+plan-clauses = P1 à P5, charges, vitesses et 30 cycles suivent le texte de la norme ; les trajectoires, les autres nombres et l’ordre des sommets n’ont pas été comparés avec un exemplaire acheté
+plan-reach-not-examined = non examiné : si le robot atteint les poses, et si toutes les articulations bougent entre elles
+plan-reach = atteinte : paramètres nominaux et limites du fichier du robot ; de plusieurs modes, celui qui atteint le plus d’une liste est gardé le long de celle-ci ; { $moves ->
+        [all] toutes les articulations bougent entre P1 et P5
+       *[some] toutes les articulations ne bougent pas entre P1 et P5, comme la norme l’exige
     }
-covariance-not-square = sa covariance n'est pas carrée avec { $identified } lignes, une par paramètre identifié
-uncertainty-negative = une incertitude-type ou variance est négative ou n'est pas un nombre
+covariance-not-square = sa covariance n’est pas carrée avec { $identified } lignes, une par paramètre identifié
+uncertainty-negative = une incertitude-type ou variance est négative ou n’est pas un nombre
 parameter-listed-twice = il contient deux fois le paramètre `{ $parameter }`
 
 method-levenberg-marquardt = Levenberg-Marquardt par QR par blocs à colonnes normées, fin par Gauss-Newton

@@ -453,10 +453,10 @@ row-left-out-by-cell = écartée : `{ $column }` est `{ $cell }`
 row-without-coordinates = non mesuré : aucune coordonnée
 row-not-measured = non mesuré : { $column } est `{ $cell }`
 characteristic-of-no-axis = aucune coordonnée : le nom de la caractéristique ne se termine pas par X, Y ou Z
-feature-of-no-point = un élément `{ $kind }` : son point peut se trouver n'importe où sur lui
-feature-not-read = un élément `{ $kind }` : ce type n'est pas lu
+feature-of-no-point = un élément `{ $kind }` : son point peut se trouver n’importe où sur lui
+feature-not-read = un élément `{ $kind }` : ce type n’est pas lu
 point-incomplete = aucun point : { $found } sans { $missing }
-probe-centre-no-point = un centre de palpeur, non un point de l'élément
+probe-centre-no-point = un centre de palpeur, non un point de l’élément
 
 log-delimited = séparé par `{ $delimiter }`, marque décimale `{ $decimal }`
 log-of-format = { $format }, { $read }

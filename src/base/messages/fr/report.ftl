@@ -140,7 +140,7 @@ convention-angles-of-motion = les angles { $angles } sont suivis le long du mouv
 convention-angles-of-unknown-order = les angles a, b, c sont déroulés et traités chacun à part ; ordre des rotations : non indiqué
 convention-ap-interval = AP : intervalle de la différence retrouvé à partir des deux intervalles (MOVER, Zou & Donner 2008)
 convention-ap-rp = AP : moyenne moins commandé ; RP : rayon moyen + 3 s, s avec n - 1 ; intervalles à 95 %, dispersion gaussienne
-convention-approach = approche : la pose précédente du parcours ; règle des 25 % avec U à k = { $k } ; positions dans le repère du monde ({ $frame })
+convention-approach = approche : la pose précédente du parcours ; règle des 25 % avec U à k = { $k } ; positions dans le référentiel atelier ({ $frame })
 convention-at-rt = AT : intervalle de la différence retrouvé à partir des deux intervalles, comme pour AP ; RT : de même sur l'échelle logarithmique autour des milieux des deux intervalles, qui représentent une infinité de passages ; les intervalles du bootstrap contiennent la vraie valeur dans 90 à 98 % des essais simulés de dix passages, selon la dispersion, et non dans 95 % de tous
 convention-birge = si le modèle ne convient pas : les intervalles des modifications des paramètres sont élargis par le rapport de Birge de tous les paramètres du robot des deux campagnes, au moins 1, car les paramètres absorbent ce que le modèle omet aux poses mesurées
 convention-change-of-parameters = paramètres : modification sur la racine de u1² + u2², selon la loi de Student avec les degrés de liberté de Welch si les incertitudes sont estimées des résidus ; les deux campagnes sont prises comme indépendantes
@@ -156,7 +156,7 @@ convention-intervals-instrument = les intervalles contiennent l'échantillonnage
 convention-intervals-sampling = les intervalles ne contiennent que l'échantillonnage : aucune incertitude de l'instrument n'est déclarée
 convention-limit-band = bande limite : { $band } mm autour de la moyenne de l'arrêt
 convention-mean-errors = erreurs moyennes : test t de Welch, autant d'erreurs que de poses ; si les deux campagnes ont mesuré les mêmes poses il déclare plutôt trop peu que trop de modifications
-convention-mean-positions = positions moyennes : test t de Welch de chaque coordonnée, d'après la seule dispersion des visites : la qualité avec laquelle le repère a été retrouvé n'y est pas
+convention-mean-positions = positions moyennes : test t de Welch de chaque coordonnée, d'après la seule dispersion des visites : la qualité avec laquelle le référentiel a été retrouvé n'y est pas
 convention-motion-clauses = les articles 7.4, 7.5, 8, 9 et 11 n'ont pas été comparés à un exemplaire acheté de la norme
 convention-no-commanded-poses = aucune pose commandée : AP, distances et dérive ne sont pas déterminées
 convention-path = trajectoire : plans normaux à { $points } points commandés, milieux de parts égales ; le dernier passage de chacun à moins de { $near } mm
@@ -174,7 +174,7 @@ convention-shared-risk = conformité : risque partagé (JCGM 106:2012, 8.2.1) : 
 convention-significance = une modification est significative si sa probabilité par hasard, corrigée pour le nombre de grandeurs de sa famille dans une paire de campagnes, est inférieure à 5 % : pour les paramètres selon la loi de la plus grande modification, avec leurs covariances (Westfall & Young 1993), pour les autres selon Holm (1979) ; les intervalles sont à 95 %, non corrigés
 convention-simple-acceptance = conformité : acceptation simple (ILAC-G8:09/2019, 4.2.1)
 convention-standing = arrêt : à moins de { $radius } mm de la moyenne pendant { $duration } s ou plus ; une pose est visitée à moins de { $near } mm ; sa position est la moyenne de la moitié centrale de l'arrêt
-convention-tables = règle des 25 % avec U à k = { $k } ; positions dans le repère des tableaux
+convention-tables = règle des 25 % avec U à k = { $k } ; positions dans le référentiel des tableaux
 convention-times-as-stamped = temps : horodatage de l'enregistrement
 convention-times-by-rate = temps : échantillons à la cadence indiquée de { $rate } Hz
 conventions = conventions

@@ -76,12 +76,12 @@ measure-all-working-modes = mesurer chaque position dans tous les modes de trava
 
 measure-different-angles = mesurer des poses avec des |theta| différents, par exemple 0 et la plus grande valeur de la table
 
-out-of-reach = hors d'atteinte
-out-of-nominal-reach = hors d'atteinte du robot nominal
+out-of-reach = hors d’atteinte
+out-of-nominal-reach = hors d’atteinte du robot nominal
 joint-beyond-limits = { $joint } = { $q } { $unit }, ses limites sont { $lower } et { $upper } { $unit }
 angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, ses limites sont { $least } et { $greatest } deg
 actuator-beyond-travel = { $actuator } = { $rho } mm, sa course va de 0 à { $end } mm
-legs-apart = les jambes ne rejoignent pas la plateforme
+legs-apart = les jambes ne rejoignent pas la plate-forme
 arms-do-not-meet = les bras ne se rejoignent pas
 singularity-near = à { FIXED($found, 3) } deg de la singularité de type { $kind } { $kind ->
         [1] (un bras tendu ou replié)
@@ -89,9 +89,9 @@ singularity-near = à { FIXED($found, 3) } deg de la singularité de type { $kin
     }, au moins { $margin } deg sont requis
 links-near = segments distants de { FIXED($found, 3) } mm, plus de { $least } mm sont requis
 command-refused = la commande du robot refuse la consigne : { $reason }
-joints-admit-no-pose = les valeurs articulaires n'admettent aucune pose
-no-command-leads-there = aucune consigne n'y mène le robot : il reste { SCIENTIFIC($left_mm, 2) } mm
-table-read-as = le tableau des axes lu comme paramètres de Denavit-Hartenberg { $convention ->
+joints-admit-no-pose = les valeurs articulaires n’admettent aucune pose
+no-command-leads-there = aucune consigne n’y mène le robot : il reste { SCIENTIFIC($left_mm, 2) } mm
+table-read-as = le tableau des articulations lu comme paramètres de Denavit-Hartenberg { $convention ->
         [modified] modifiés
         [standard] standard
        *[other] { $convention }

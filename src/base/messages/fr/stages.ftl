@@ -942,13 +942,13 @@ clock-rate-none = à aucun décalage des horloges et à aucune dérive dans ± {
 row-excluded = exclue : { $reason }
 row-at-origin = non mesuré : 0 0 0
 row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
-no-rows-around = le journal `{ $log }` n'a pas de ligne avant ou après à moins de { $tolerance_s } s
-no-row-near = aucune ligne du journal `{ $log }` n'est à moins de { $tolerance_s } s
-no-point-nearest = aucun point mesuré n'en est le plus proche
-no-row-of-key = aucune ligne du journal `{ $log }` n'a cette clé
-no-point-of-key = aucun point mesuré n'a cette clé
+no-rows-around = le journal `{ $log }` n’a pas de ligne avant ou après à moins de { $tolerance_s } s
+no-row-near = aucune ligne du journal `{ $log }` n’est à moins de { $tolerance_s } s
+no-point-nearest = aucun point mesuré n’en est le plus proche
+no-row-of-key = aucune ligne du journal `{ $log }` n’a cette clé
+no-point-of-key = aucun point mesuré n’a cette clé
 no-row-touches = aucune ligne du journal `{ $log }` ne le touche
-row-of-unframed-pose = sa pose n'a pas de repère monde
+row-of-unframed-pose = sa pose n’a pas de référentiel atelier
 
 table-of-observations = observations
 table-of-attained-poses = poses atteintes
@@ -960,8 +960,8 @@ recorded-motion-file = mouvement enregistré
 read-in-unit = { $format }, unité { $unit }
 read-in-frame = { $read }, par rapport à `{ $frame }`
 
-side-stated = comme indiqué par l'utilisateur
-side-from-values = d'après { $of ->
+side-stated = comme indiqué par l’utilisateur
+side-from-values = d’après { $of ->
         [normal] la normale
         [location] la position
        *[diameter] le diamètre
@@ -969,4 +969,4 @@ side-from-values = d'après { $of ->
         [nominal] nominal
        *[stated] indiqué
     }
-side-from-key = d'après `InternalExternal` : { $value }
+side-from-key = d’après `InternalExternal` : { $value }

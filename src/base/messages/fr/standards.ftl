@@ -160,4 +160,4 @@ unloaded-position-missing = direction { $direction }, cycle { $cycle } : aucune 
 force-missing = aucune ligne n’a de force
     .hint = indiquer la force de chaque ligne chargée
 
-no-working-mode-reaches = aucun mode d'assemblage ne l'atteint dans les limites
+no-working-mode-reaches = aucun mode d’assemblage ne l’atteint dans les limites
