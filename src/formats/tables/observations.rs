@@ -212,8 +212,8 @@ impl TableLayout {
     }
 }
 
-/// Constant of the column `cycle` of tables whose rows are in the order of measurement: the n-th row
-/// of a pose and target is cycle n.
+/// Constant of the column `cycle` of tables whose rows are in the order of measurement: the n-th
+/// row of a pose and target is cycle n.
 const VISIT: &str = "visit";
 
 /// Counts the rows of each pose and target from 1.

@@ -289,6 +289,8 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = no measured point has a partner in log `{ $log }`: the two nearest times are { FIXED($apart_s, 3) } s apart
     .hint = check value and sign of `clock_offset_s`: time of the measurement minus time of the log
 
+both-rows-near = a point between two rows needs both within `tolerance_s`: state at least the time from row to row
+
 # Means: No measured point and no row of the log have the same pose, cycle or row.
 # Matters: No observations remain.
 # Do: Compare the names in exports and log, or choose another key with `by` in [join].
