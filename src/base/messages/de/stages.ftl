@@ -139,7 +139,7 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die beiden nächsten Zeitpunkte liegen { FIXED($apart_s, 3) } s auseinander
     .hint = Wert und Vorzeichen von `clock_offset_s` prüfen: Zeit der Messung minus Zeit des Protokolls
 
-both-rows-near = ein Punkt zwischen zwei Zeilen braucht beide innerhalb von `tolerance_s`: mindestens die Zeit von Zeile zu Zeile angeben
+both-rows-near = ein Punkt zwischen zwei Zeilen braucht beide innerhalb von `tolerance_s`: mindestens den Zeitabstand zweier Zeilen angeben
 
 join-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die erste Pose der Punkte ist `{ $measured }`, die erste des Protokolls `{ $logged }`
     .hint = Posen und Zyklen von Exporten und Protokoll vergleichen oder mit `by` in [join] einen anderen Schlüssel wählen

@@ -139,7 +139,7 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : les deux instants les plus proches sont distants de { FIXED($apart_s, 3) } s
     .hint = vérifier la valeur et le signe de `clock_offset_s` : instant de la mesure moins instant du journal
 
-both-rows-near = un point entre deux lignes les demande toutes deux à moins de `tolerance_s` : indiquer au moins le temps d’une ligne à l’autre
+both-rows-near = un point entre deux lignes exige que les deux soient à moins de `tolerance_s` : indiquer au moins l’intervalle de temps entre deux lignes
 
 join-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : la première pose des points est `{ $measured }`, celle du journal `{ $logged }`
     .hint = comparer les poses et cycles des exports et du journal, ou choisir une autre clé par `by` dans [join]
