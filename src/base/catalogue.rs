@@ -135,7 +135,7 @@ impl fmt::Display for Phrase {
 }
 
 impl Argument {
-    /// Text in a language, as it stands in lists.
+    /// Text in a language, in the form for lists.
     fn text(&self, language: &str) -> String {
         match self {
             Self::Whole(value) => value.to_string(),
@@ -395,7 +395,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// `true` if the entry is a message of its own, not a part of other texts.
+    /// `true` if the entry is a complete message rather than a part of other texts.
     pub fn is_message(&self) -> bool {
         !self.meaning.is_empty()
     }
@@ -477,7 +477,7 @@ mod tests {
         };
         assert_eq!(beyond(-0.99959, "1").to_string(), "`p` = -0.9996 (nominal 1, tolerance 0.050)");
         assert_eq!(beyond(1.2, "mm").to_string(), "`p` = 1.200 mm (nominal 1 mm, tolerance 0.050 mm)");
-        assert!(beyond(-2.5e300, "mm").text("de").starts_with("`p` = -2,5e300 mm ("));
+        assert!(beyond(-2.5e300, "mm").text("de").starts_with("`p` = -2,5e300\u{a0}mm ("));
         let step = |step: f64| crate::phrase!("column-step", column = "x", step, unit = "mm").to_string();
         let written = [1e300, 1e-300, 1e15, 0.000001, 0.0].map(step);
         let shown = ["1e300", "1e-300", "1000000000000000", "0.000001", "0"].map(|step| format!("x to {step} mm"));

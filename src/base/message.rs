@@ -14,7 +14,7 @@ use std::fmt;
 pub enum Severity {
     /// The work stops.
     Error,
-    /// The work goes on; the report repeats it.
+    /// The command continues; the report repeats the message.
     Warning,
 }
 
@@ -71,7 +71,7 @@ pub struct Message {
     pub rank: Rank,
     /// Error or remark, in one English sentence without a full stop.
     pub what: String,
-    /// Where.
+    /// Place of the problem.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<Box<Place>>,
     /// Expected value.
@@ -150,7 +150,7 @@ impl Place {
     }
 }
 
-/// A text that states values, and the file that it is shown as: the place of each value.
+/// A text that states values, and the file name under which it is shown: the place of each value.
 #[derive(Clone, Copy, Debug)]
 pub struct SourceText<'a> {
     /// File as the user named it.
@@ -229,7 +229,7 @@ impl Message {
         Texts { what, expected: part("expected", &self.expected), hint: part("hint", &self.hint) }
     }
 
-    /// `true` if a caller changed the English sentence: the catalogue then lacks what was added.
+    /// `true` if a caller changed the English sentence: the catalogue then lacks the addition.
     fn is_reworded(&self) -> bool {
         !self.what.is_empty() && self.sentence("en").is_some_and(|english| english != self.what)
     }
@@ -254,7 +254,7 @@ impl Message {
         self.id == id && arguments.iter().all(is_stated)
     }
 
-    /// Puts the message within a text that has the argument `message`, for example its place.
+    /// Inserts the message into a text with the argument `message`, for example its place.
     pub fn within(mut self, around: Phrase) -> Self {
         self.what = around.clone().with("message", &self.what).to_string();
         self.around.push(around);
@@ -359,7 +359,7 @@ impl From<Phrase> for Remark {
     }
 }
 
-/// Units of names, by what is measured: mm, rad.
+/// Units in names, by quantity: mm, rad.
 const UNITS: [(&str, f64, bool); 8] = [
     ("deg", std::f64::consts::PI / 180.0, true),
     ("rad", 1.0, true),
@@ -371,7 +371,7 @@ const UNITS: [(&str, f64, bool); 8] = [
     ("inch", 25.4, false),
 ];
 
-/// Units of two names that differ in nothing else, and the factor between them: rad, 57.29577951,
+/// Units of two names that differ only in the unit, and the factor between them: rad, 57.29577951,
 /// deg.
 fn other_unit(wrong: &str, name: &str) -> Option<(&'static str, f64, &'static str)> {
     let split = |name: &str| {
@@ -383,7 +383,7 @@ fn other_unit(wrong: &str, name: &str) -> Option<(&'static str, f64, &'static st
     (stem == other && from.0 != to.0 && from.2 == to.2).then_some((from.0, factor, to.0))
 }
 
-/// Lines of a file that a message may be repeated in before one takes the place of the others.
+/// Number of lines of a file in which a message may be repeated before one represents the others.
 const LISTED: usize = 3;
 
 /// Shapes of texts: id and arguments without what differs from row to row, which is numbers, and
@@ -425,7 +425,7 @@ pub fn count(n: usize, noun: &str) -> String {
     format!("{n} {noun}{}", if n == 1 { "" } else { plural })
 }
 
-/// Longer ones are not compared with others, bytes.
+/// Maximum length (bytes) of a text that is compared with others.
 const LONGEST_NAME: usize = 200;
 
 /// The name that `wrong` may be meant as, if one is like it.
@@ -433,8 +433,16 @@ pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Opt
     if wrong.len() > LONGEST_NAME {
         return None;
     }
-    let likeness = names.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name));
+    let names = names.into_iter().filter(|name| !are_other_letters(wrong, name));
+    let likeness = names.map(|name| (strsim::jaro_winkler(wrong, name), name));
     likeness.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(likeness, _)| *likeness > 0.8).map(|(_, name)| name)
+}
+
+/// `true` if names with one suffix begin with different single letters: `z_mm` is not a misspelt
+/// `y_mm`.
+fn are_other_letters(wrong: &str, name: &str) -> bool {
+    let letter = |name: &str| name.split('_').next().filter(|stem| stem.chars().count() == 1).map(str::to_lowercase);
+    letter(wrong).zip(letter(name)).is_some_and(|(a, b)| a != b)
 }
 
 impl fmt::Display for Message {
@@ -468,8 +476,8 @@ impl fmt::Display for Message {
     }
 }
 
-/// A character as it may reach a terminal within a line: controls are replaced, and marks that turn
-/// the way a text reads (UAX #9), with which a name leaves its place.
+/// Replaces a character that is not safe in a line of a terminal: a control character, or a mark of
+/// the direction of text (UAX #9), which could move a name to another place in the line.
 pub fn printable_character(c: char) -> char {
     match c {
         '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{2028}' | '\u{2029}' => '\u{fffd}',
@@ -501,7 +509,7 @@ pub fn one_line(text: &str) -> String {
     text.chars().take(200).map(without_control).collect::<String>() + cut
 }
 
-/// Everything that is wrong, found in one pass: what a stage returns instead of its document.
+/// All problems found in one pass: returned by a stage instead of its document.
 ///
 /// # Examples
 ///
@@ -525,7 +533,7 @@ impl Problems {
         if self.0.iter().any(|m| m.severity == Severity::Error) { Err(self) } else { Ok(self.0) }
     }
 
-    /// Puts all messages within a text that has the argument `message`.
+    /// Inserts each message into a text with the argument `message`.
     pub fn within(self, around: &Phrase) -> Self {
         Self(self.0.into_iter().map(|message| message.within(around.clone())).collect())
     }
@@ -537,7 +545,7 @@ impl Problems {
 
     /// Merges messages that are repeated in more than three rows of a data file: the first remains,
     /// with the next two lines and the number of others. Names and numbers in a message may differ.
-    /// Statements are no rows, and neither are several messages about one line.
+    /// Statements are not rows, and several messages about one line are not merged.
     pub fn grouped(self) -> Self {
         let mut lines: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
         let mut shapes = Shapes::default();
@@ -621,6 +629,14 @@ pub type Result<T> = std::result::Result<T, Problems>;
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn another_axis_is_not_a_misspelt_name() {
+        assert_eq!(nearest("z_mm", ["x_mm", "y_mm"]), None);
+        assert_eq!(nearest("z_mm", ["x_mm", "Z_mm"]), Some("Z_mm"));
+        assert_eq!(nearest("y_mn", ["x_mm", "y_mm"]), Some("y_mm"));
+        assert_eq!(nearest("coverage_facter", ["name", "coverage_factor"]), Some("coverage_factor"));
+    }
 
     #[test]
     fn a_span_is_shown_with_its_line_and_a_hint() {

@@ -68,7 +68,7 @@ impl KinematicsCommand {
             robot.definition_mut().set_nominal(&values);
         }
         let arm = whole_pose(robot.as_ref())?;
-        let file = self.format.read_poses(&self.table)?;
+        let file = self.format.read_other(&self.table)?;
         let mut document = KinematicsDocument {
             schema: "etalon/kinematics/1".to_owned(),
             robot: arm.model().to_owned(),

@@ -20,6 +20,7 @@ pub(crate) mod ros_bag;
 pub mod table;
 pub mod tables;
 mod workbook;
+pub mod xacro;
 pub mod xml;
 
 pub use cloud::{Cloud, cloud, packed_points};
@@ -30,7 +31,7 @@ pub use input::{bytes_of, read_text, text_of};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Line, Names, Point, table, to_parquet};
-pub use propose::{FilesProposal, label_form, propose, propose_file, propose_file_for, propose_files};
+pub use propose::{FilesProposal, JOINTS_REMARK, label_form, propose, propose_file, propose_file_for, propose_files};
 pub use tables::observations::{TableLayout, observations, observations_with};
 
 use crate::dialect::{Encoding, Unit};

@@ -11,7 +11,8 @@ use std::fmt::{self, Debug, Formatter};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// Row of an export. The reader fills in what the row states; statements of the campaign follow.
+/// Row of an export. The reader fills in the contents of the row; statements of the campaign
+/// follow.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File as named in the campaign.

@@ -26,8 +26,8 @@ use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
     AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument,
-    FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument, PlanDocument,
-    PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
+    Evidence, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument,
+    PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
     VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};
@@ -69,7 +69,8 @@ pub struct Identified<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Verdict on everything that the report judges, with its reasons. Creates no report.
+    /// Verdict on everything that the report judges, with its reasons and next steps. Creates no
+    /// report.
     pub fn judgement(&self) -> VerdictDocument {
         let judged = Judged {
             parameters: self.identified.map(|i| i.parameters),
@@ -78,7 +79,8 @@ impl<'a> Report<'a> {
             controllers: self.controllers,
             conditions: Some(&self.campaign.conditions),
         };
-        judged.verdict()
+        let errors = self.identified.map_or(&[][..], |i| i.errors);
+        Evidence { judged, campaign: self.campaign, errors, messages: self.messages() }.verdict()
     }
 
     /// `true` if the verdict allows the answer to be loaded. Creates no report.
@@ -124,7 +126,7 @@ impl<'a> Report<'a> {
             synthetic: self.campaign.synthetic.iter().cloned().collect(),
             date: self.campaign.date.clone(),
             issued: self.campaign.issue.issued.clone(),
-            draft: None,
+            draft: sections::checklist::mark(self, words),
             version: self.provenance().version,
             verdict: self.verdict(words),
             sections: sections::all(self, words),
@@ -260,7 +262,7 @@ pub struct Renderer {
 
 impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
-        Self { contents: contents.in_language(&words), attachments, presentation, words }
+        Self { contents: contents.explained(&words).in_language(&words), attachments, presentation, words }
     }
 
     /// Creates the report of a campaign.

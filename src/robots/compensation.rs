@@ -122,7 +122,7 @@ impl Calibrated<'_> {
     }
 
     /// Deviation of a joint by its own errors (mm or rad): commanded value minus the value at which
-    /// the joint moves by the commanded amount. `None` for a joint without errors of its own.
+    /// the joint moves by the commanded amount. `None` for a joint without its own errors.
     pub fn joint_deviation(&self, commanded: &[f64], joint: usize) -> Option<f64> {
         let mut q = commanded.to_vec();
         for _ in 0..MOST_CORRECTIONS {

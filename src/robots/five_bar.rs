@@ -52,16 +52,16 @@ impl Description for FiveBarLimits {
             ];
             let clearance_mm = keys.optional(Key::length(
                 "clearance",
-                "Smallest distance between the proximal link of one arm and the distal link of the other; 0 excludes that they cross.",
+                "Smallest distance between the proximal link of one arm and the distal link of the other; 0 forbids crossing links.",
             ));
             let margins = [
                 keys.optional(Key::angle(
                     "type1_margin",
-                    "Smallest angle of an arm from being stretched or folded (type 1 singularity).",
+                    "Smallest angle of an arm from the stretched or folded position (type 1 singularity).",
                 )),
                 keys.optional(Key::angle(
                     "type2_margin",
-                    "Smallest angle of the distal links from being in line (type 2 singularity).",
+                    "Smallest angle between the distal links and a common line (type 2 singularity).",
                 )),
             ];
             (limits, clearance_mm, margins)

@@ -18,6 +18,7 @@ mod keys;
 mod parallel;
 mod prexyt;
 mod serial;
+mod tables;
 mod urdf;
 
 pub use compensation::{Calibrated, Compensated};
@@ -28,6 +29,7 @@ pub use five_bar::{FiveBar, FiveBarLimits, InverseSolution, Linkage, Singularity
 pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
 pub use prexyt::Prexyt;
 pub use serial::Serial;
+pub use tables::{AxisLine, AxisTable, LostTilt, NEAR_PARALLEL_RAD, frame, modified_table, standard_table};
 pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
 use etalon_base::catalogue::Phrase;

@@ -215,7 +215,7 @@ impl ArmBuilder {
         self.moved.push(Vec::new());
     }
 
-    /// Declares the current frame to be the frame behind the last axis.
+    /// Declares the current frame to be the frame after the last axis.
     pub fn frame(&mut self) {
         let frame = self.elements.len();
         if let Some(axis) = self.axes.last_mut() {
@@ -541,7 +541,7 @@ impl Serial {
         Self { other: Some((what, Box::new(other))), ..self }
     }
 
-    /// Frames behind all axes, and the flange, in the base frame under these loads.
+    /// Frames after all axes, and the flange, in the base frame under these loads.
     fn frames<T: Scalar>(&self, parameters: &[T], state: State<T>) -> (Vec<Pose<T>>, Pose<T>) {
         let (mut frames, mut pose) = (Vec::with_capacity(self.axes.len()), Pose::identity());
         for (i, element) in self.elements.iter().enumerate().skip(self.based) {

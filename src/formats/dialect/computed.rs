@@ -33,6 +33,16 @@ struct Parser<'a> {
 }
 
 impl Expression {
+    /// Adds the indices of the columns that the expression names.
+    pub fn add_columns(&self, to: &mut Vec<usize>) {
+        match self {
+            Self::Number(_) => {}
+            Self::Column(at) => to.push(*at),
+            Self::Negative(inner) => inner.add_columns(to),
+            Self::Pair(left, _, right) => [left, right].iter().for_each(|part| part.add_columns(to)),
+        }
+    }
+
     /// Parses an expression. A name is the longest heading that begins at its place; `$3` is the
     /// third column.
     ///

@@ -1,4 +1,4 @@
-//! Delimited text: rows of columns in a dialect that the campaign states, or that has a name.
+//! Delimited text: rows of columns in a dialect, which the campaign states or names.
 
 use super::stamps;
 use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
@@ -55,7 +55,7 @@ impl ExportFormat for Delimited {
     }
 }
 
-/// A dialect that has a name.
+/// A named dialect.
 pub struct NamedDialect {
     pub name: &'static str,
     pub recognise: fn(&str) -> Option<Recognised>,
@@ -89,7 +89,7 @@ impl ExportFormat for NamedDialect {
 }
 
 impl NamedDialect {
-    /// Columns that nothing but the name states.
+    /// Columns that only the name of the dialect states.
     const fn simple(name: &'static str, dialect: fn() -> Dialect) -> Self {
         Self { name, recognise: |_| None, dialect }
     }
@@ -190,7 +190,7 @@ fn points<'t>(
     Ok((points, problems.0))
 }
 
-/// The last row of the header, which is taken off the rows.
+/// Removes the last row of the header from the rows, and returns it.
 fn header<'t>(
     file: &str,
     rows: &mut impl Iterator<Item = Row<'t>>,
@@ -296,10 +296,10 @@ fn computed_cells(
     row.fields.extend(cells.into_iter().map(|text| Cow::Owned(mark(text))));
 }
 
-/// Rows that are left out by the cells of their columns.
+/// Rows that are excluded by the cells of their columns.
 #[derive(Default)]
 struct Filter<'a> {
-    /// Column, its name, its cells, and whether a row with one of them is read.
+    /// Column, its name, its cells, and `true` if rows with one of these cells are read.
     cells: Vec<(usize, &'a str, &'a Cells, bool)>,
 }
 
@@ -327,7 +327,7 @@ impl<'a> Filter<'a> {
     }
 }
 
-/// Numbers of a row, with what they are; coordinates with their columns, in mm or rad.
+/// Numbers of a row with their roles; coordinates with their columns, in mm or rad.
 #[derive(Default)]
 struct Numbers {
     coordinates: Vec<(usize, ColumnRole, f64)>,
@@ -347,7 +347,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Reads one point. Invalid numbers are reported and leave the point without a place; a row
+    /// Reads one point. Invalid numbers are reported and leave the point without a position; a row
     /// with other columns than the stated ones is reported and gives no point.
     fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
         let line = || row.place(self.file);
@@ -455,7 +455,7 @@ impl Reader<'_> {
         wrong
     }
 
-    /// Place, uncertainty, orientation and direction of a point from the numbers of its row.
+    /// Position, uncertainty, orientation and direction of a point from the numbers of its row.
     fn place(&self, row: &Row, point: &mut Point, numbers: Numbers, problems: &mut Problems) {
         // u1 is of the first coordinate from the left, or of c1
         let Numbers { mut coordinates, mut uncertain, mut direction, mut turned } = numbers;
@@ -528,7 +528,7 @@ impl Reader<'_> {
         Some(phrase!("row-not-measured", column = role.name(), cell))
     }
 
-    /// An error if points that are stated as Cartesian look like angles and distances.
+    /// Returns an error if points that are stated as Cartesian look like angles and distances.
     fn looks_spherical(&self, points: &[Point]) -> Option<Message> {
         let roles: Vec<ColumnRole> = self.roles.iter().copied().filter(|r| r.is_coordinate()).collect();
         if self.dialect.coordinates.is_some() || coordinate_type(&roles) != Some(CoordinateType::Cartesian) {
@@ -553,7 +553,7 @@ fn is_deleted(cell: &str) -> bool {
     ["1", "true", "yes", "y", "x", "deleted", "ja", "oui", "si"].iter().any(|mark| cell.eq_ignore_ascii_case(mark))
 }
 
-/// The quaternion of an orientation; `None` where none of its cells is there.
+/// Quaternion of an orientation; `None` if all of its cells are missing.
 fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Result<Option<[f64; 4]>, Message> {
     numbers.sort_by_key(|(role, _)| *role as usize);
     let Some((first, _)) = numbers.first() else { return Ok(None) };
@@ -589,9 +589,9 @@ fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Res
 /// Largest difference from 1 of the length of a quaternion with three digits.
 const QUATERNION: f64 = 2e-3;
 
-/// Place of a point (mm) from coordinates (mm and rad) in the order of their columns, and its
+/// Position of a point (mm) from coordinates (mm and rad) in the order of their columns, and its
 /// standard uncertainties in x, y and z. Coordinates are independent, to first order; covariances
-/// of x, y and z are left out.
+/// of x, y and z are omitted.
 fn cartesian(of: &[(ColumnRole, f64)], uncertain: Option<&[f64]>) -> (Vector, Option<Vector>) {
     let get = |role: ColumnRole| of.iter().find(|(r, _)| *r == role).map(|(_, value)| *value);
     let turn = if get(ColumnRole::AzimuthClockwise).is_some() { -1.0 } else { 1.0 };

@@ -31,7 +31,7 @@ impl ExportFormat for Inspec {
     }
 }
 
-/// The points that were measured, and those that were computed.
+/// The measured points, and the computed ones.
 fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let (mut points, mut computed) = (Vec::new(), Pivot::default());
@@ -88,7 +88,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// Label in quotes, and what follows its comma.
+/// Label in quotes, and the text after its comma.
 fn labelled(line: &str) -> Option<(&str, &str)> {
     let (label, rest) = line.trim().strip_prefix('"')?.split_once('"')?;
     Some((label, rest.trim().strip_prefix(',').unwrap_or(rest).trim()))

@@ -33,7 +33,7 @@ pub(super) enum Said {
 }
 
 impl Pivot {
-    /// Adds a row. A coordinate that is there already begins the point of another piece.
+    /// Adds a row. A repeated coordinate begins the point of another piece.
     pub fn add(&mut self, line: usize, label: &str, kind: &str, said: Said) {
         let key = (label.to_owned(), kind.to_owned());
         let axis = if let Said::Coordinate(axis, _) = said { Some(axis) } else { None };
@@ -51,7 +51,7 @@ impl Pivot {
         }
     }
 
-    /// The points; one that lacks a coordinate is refused.
+    /// The points; a point without all coordinates is refused.
     pub fn rows(self, text: &Text, unit: Unit) -> Vec<Point> {
         let row = |point: Pivoted| match point.xyz {
             [Some(x), Some(y), Some(z)] => text.point(point.line, &point.label, [x, y, z], unit),

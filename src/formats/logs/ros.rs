@@ -59,7 +59,7 @@ fn position_unit(wanted: &Wanted) -> Option<Message> {
     let stated = wanted.unit().filter(|_| column.starts_with(POSITION) && wanted.column.per_count.is_none())?;
     let known = match stated {
         "deg" => "rad",
-        "mm" | "um" => "m",
+        "mm" | "um" | "inch" => "m",
         _ => return None,
     };
     other_unit(wanted, column, stated, known)

@@ -15,7 +15,7 @@ use etalon_documents::FormatsDocument;
 use std::fmt::Write;
 
 /// Remark to complete the columns of a proposed log.
-pub(super) const JOINTS: &str =
+pub const JOINTS: &str =
     "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
 /// Maximum number of problems of a trial that are repeated as doubts.

@@ -13,6 +13,7 @@ mod several;
 mod structure;
 mod table;
 
+pub use lines::JOINTS as JOINTS_REMARK;
 pub use several::{FilesProposal, label_form, propose_files};
 
 use super::exports::qif::is_xml;
@@ -82,8 +83,8 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
 /// If the file is missing, empty or not text, or no reading gives rows of numbers.
 pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<FormatsDocument> {
     match robot {
-        Some(robot) => propose_corrected(path, Some(&mut |table, found| against::correct(robot, table, found))),
-        None => propose_corrected(path, None),
+        Some(known) => propose_corrected(path, robot, Some(&mut |table, found| against::correct(known, table, found))),
+        None => propose_corrected(path, None, None),
     }
 }
 
@@ -95,7 +96,7 @@ fn reborrowed<'a>(correct: &'a mut Option<Correct<'_>>) -> Option<Correct<'a>> {
     correct.as_mut().map(|correct| &mut **correct as Correct<'a>)
 }
 
-fn propose_corrected(path: &Path, correct: Option<Correct>) -> Result<FormatsDocument> {
+fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Correct>) -> Result<FormatsDocument> {
     let name = path.display().to_string();
     let bytes = bytes_of(path)?;
     let here = |message: Message| message.at(Place::file(name.as_str()));
@@ -103,7 +104,7 @@ fn propose_corrected(path: &Path, correct: Option<Correct>) -> Result<FormatsDoc
         return Err(here(error!("file-empty")).into());
     }
     if ros_bag::is_recording(&bytes) {
-        return recording::of_recording(&name, &bytes).map_err(|message| here(message).into());
+        return recording::of_recording(&name, &bytes, robot).map_err(|message| here(message).into());
     }
     if let Some(format) = LogKind::of_arrays(&bytes) {
         return arrays::of_arrays(&name, &bytes, format).map_err(|message| here(message).into());

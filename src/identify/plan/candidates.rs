@@ -1,4 +1,4 @@
-//! Candidates: configurations that may be measured, as far as the robot reaches them.
+//! Candidates: configurations that may be measured, within the reach of the robot.
 
 use crate::Observation;
 use crate::Result;
@@ -12,14 +12,14 @@ use std::collections::BTreeMap;
 /// Configurations that may be measured.
 #[derive(Clone, Debug)]
 pub struct Candidates {
-    /// In the order of the table; those of one pose stand together.
+    /// Configurations in the order of the table; those of one pose are consecutive.
     pub observations: Vec<Observation>,
     /// Message for candidates that violate a limit of the nominal robot
     /// ([`Robot::limit_violation`]).
     pub limit_violations: Option<Message>,
 }
 
-/// The configurations that are within reach of the nominal robot, those of one pose numbered.
+/// The configurations within reach of the nominal robot, with those of one pose numbered.
 pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidates> {
     let nominal = robot.nominal();
     let mut violations = Vec::new();

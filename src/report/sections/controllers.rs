@@ -1,5 +1,5 @@
-//! Controller files with formats that leave identified parameters out: their values, and errors
-//! with these values.
+//! Controller files of formats that omit identified parameters: their values, and errors with these
+//! values.
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text, significant};

@@ -87,7 +87,7 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
     Table::of(words, &world.poses, columns).on("Frames")
 }
 
-/// Errors that no reading would show.
+/// Errors that no reading can detect.
 fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
     let columns = Columns::<Uncontrolled>::new()
         .page(phrase!("what-no-reading-shows"), "", |u| Text::worded(&u.what, u.what_phrase.as_ref(), words))

@@ -1,4 +1,4 @@
-//! Names of what documents enumerate.
+//! Names of enumerated values in documents.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -20,18 +20,7 @@ pub(crate) fn model(key: &str) -> Option<Phrase> {
 
 /// Name of a limited quantity.
 pub(crate) fn limit(quantity: LimitQuantity) -> Phrase {
-    match quantity {
-        LimitQuantity::DistanceMaxMm => phrase!("limit-distance-max"),
-        LimitQuantity::SurfaceMaxMm => phrase!("limit-surface-max"),
-        LimitQuantity::ContactMaxMm => phrase!("limit-contact-max"),
-        LimitQuantity::CoordinateMaxMm => phrase!("limit-coordinate-max"),
-        LimitQuantity::PositionMaxMm => phrase!("limit-position-max"),
-        LimitQuantity::PositionMeanMm => phrase!("limit-position-mean"),
-        LimitQuantity::PositionRmsMm => phrase!("limit-position-rms"),
-        LimitQuantity::OrientationMaxDeg => phrase!("limit-orientation-max"),
-        LimitQuantity::RepeatabilityMaxMm => phrase!("limit-repeatability-max"),
-        LimitQuantity::AccuracyMaxMm => phrase!("limit-accuracy-max"),
-    }
+    quantity.phrase()
 }
 
 /// Name of a figure of errors.
@@ -75,21 +64,7 @@ pub(crate) fn kind(kind: SourceKind) -> Phrase {
 
 /// Source of uncertainty.
 pub(crate) fn source(source: UncertaintySource) -> Phrase {
-    match source {
-        UncertaintySource::Instrument => phrase!("instrument"),
-        UncertaintySource::Contact => phrase!("contact"),
-        UncertaintySource::RigidParts => phrase!("rigid-parts"),
-        UncertaintySource::KnownPoints => phrase!("known-points"),
-        UncertaintySource::NominalValues => phrase!("nominal-values"),
-        UncertaintySource::Repeatability => phrase!("repeatability"),
-        UncertaintySource::Model => phrase!("model"),
-        UncertaintySource::Residuals => phrase!("residuals"),
-        UncertaintySource::Frame => phrase!("world-frame"),
-        UncertaintySource::FrameOfPoses => phrase!("frames-of-poses"),
-        UncertaintySource::Scale => phrase!("scale"),
-        UncertaintySource::Temperature => phrase!("temperature"),
-        UncertaintySource::Homing => phrase!("homing"),
-    }
+    source.phrase()
 }
 
 /// Kind of an element.

@@ -1,4 +1,4 @@
-//! Rows of exports that a campaign leaves out by their numbers.
+//! Rows of exports that a campaign excludes by their numbers.
 
 use super::points::PointColumns;
 use crate::stages::exclusions::excluded_rows;
@@ -7,7 +7,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{Refused, Source, SourceKind};
 
-/// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones,
+/// Excludes the rows that `[[identify.exclude]]` names: they are listed among the refused rows,
 /// with their reasons.
 pub(super) fn leave_out(
     campaign: &Campaign,

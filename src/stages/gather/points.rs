@@ -1,4 +1,4 @@
-//! Points of all exports, and what a campaign states of them.
+//! Points of all exports, and the statements of a campaign about them.
 
 use crate::stages::resolution;
 use etalon_base::cell::is_formula;
@@ -34,7 +34,7 @@ impl PointColumns {
         problems
     }
 
-    /// Adds the rows of an export; rows that were not measured go to the refused rows of the
+    /// Adds the rows of an export; rows that were not measured are added to the refused rows of the
     /// source. Returns the errors of the other rows.
     fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<Point>, source: &mut Source) -> Problems {
         let mut problems = Problems::default();
@@ -94,7 +94,7 @@ impl PointColumns {
         problems
     }
 
-    /// Errors about points that have the same target, pose and cycle as one before them.
+    /// Errors about points with the same target, pose and cycle as a previous one.
     pub fn measured_twice(&self, campaign: &Campaign) -> Vec<Message> {
         let mut first = std::collections::BTreeMap::new();
         let mut errors = Vec::new();
@@ -119,7 +119,7 @@ impl PointColumns {
         errors
     }
 
-    /// Warnings about labels that name no target and that no feature or frame uses.
+    /// Warnings about labels that name no target and are not used by a feature or frame.
     pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
         let used = used_labels(campaign);
         let geometric = campaign.file.geometric.iter().flat_map(|g| g.patterns());
@@ -138,7 +138,8 @@ impl PointColumns {
     }
 }
 
-/// Targets of the robot and of the world frame: labels that name them may name a pose by a text.
+/// Targets of the robot and of the world frame: labels with these targets may name a pose by a
+/// text.
 fn known_targets(campaign: &Campaign) -> BTreeSet<String> {
     let of_robot = campaign.build_robot().map_or_else(|_| Vec::new(), |robot| robot.targets().to_vec());
     let of_frame = campaign.file.world().and_then(|world| world.targets.as_deref()).unwrap_or_default();

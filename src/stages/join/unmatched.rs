@@ -1,4 +1,4 @@
-//! Rows that a join leaves alone, or that have two partners, each with its place.
+//! Rows without a partner, or with two, each with its place.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Place;

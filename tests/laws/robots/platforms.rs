@@ -243,8 +243,11 @@ impl Design<'_> {
             let flange = Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| flange[i][j]));
             let body = turn([0; 3].map(|_| errors * noise.gaussian(U_RAD))) * flange * turn([0.3; 3]);
             let rotation = std::array::from_fn(|i| std::array::from_fn(|j| body[(i, j)]));
-            let kind =
-                Kind::Orientation(Orientation { world_T_body: Pose { rotation, translation_mm: [0.0; 3] }, mounting });
+            let kind = Kind::Orientation(Orientation {
+                frame_T_body: Pose { rotation, translation_mm: [0.0; 3] },
+                station: None,
+                mounting,
+            });
             conditions.push(Condition { pose, cycle: 1, joints, target: 0, kind, standard_uncertainty: U_RAD });
         }
         let settings = Settings { standard_uncertainty_mm: Some(U_MM), conditions, ..Settings::default() };

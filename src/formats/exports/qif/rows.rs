@@ -46,7 +46,7 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
     (rows.chain(said).collect(), Problems::default())
 }
 
-/// The stated location of a feature that is where it is.
+/// The stated location of a feature.
 fn located(feature: &MeasuredFeature) -> Option<Vector> {
     let kinds =
         ["Point", "EdgePoint", "Circle", "CircularArc", "Sphere", "SphericalSegment", "Torus", "ToroidalSegment"];
