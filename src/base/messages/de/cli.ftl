@@ -249,3 +249,6 @@ qif-robust = die Elemente einer QIF-Datei werden an alle ihre Punkte angepasst
 axis-without-errors = die Achse hat in diesem Modell keine eigenen Abweichungen
 lead-not-measured-there = die Steigung wurde dort nicht gemessen
 table-without-row = die Tabelle hat dort keine Zeile
+
+test-point-unreached = Punkt { $point } der Liste `{ $list }` wird nicht erreicht: { $reason }
+    .hint = den Arbeitsraum verschieben oder verkleinern (--workspace-mm) oder eine andere Orientierung angeben (--orientation-deg)

@@ -249,3 +249,6 @@ qif-robust = les éléments d’un fichier QIF sont ajustés à tous leurs point
 axis-without-errors = l’axe n’a pas d’erreurs propres dans ce modèle
 lead-not-measured-there = le pas n’y a pas été mesuré
 table-without-row = le tableau n’y a pas de ligne
+
+test-point-unreached = le point { $point } de la liste `{ $list }` n’est pas atteint : { $reason }
+    .hint = déplacer ou réduire l’espace de travail (--workspace-mm), ou indiquer une autre orientation (--orientation-deg)
