@@ -9,6 +9,7 @@ mod cloud;
 pub mod dialect;
 mod export;
 pub mod exports;
+mod filter;
 mod guess;
 mod input;
 mod lexer;

@@ -3,11 +3,12 @@
 use super::stamps;
 use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
 use crate::dialect::{
-    Cells, ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
+    ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
     coordinate_type,
 };
+use crate::filter::Filter;
 use crate::lexer::pose_name;
-use crate::lexer::{self, Row, WHOLE, column_index, each_row, marked};
+use crate::lexer::{self, Row, WHOLE, each_row, marked};
 use crate::points::{Line, Names, Point};
 use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
@@ -157,7 +158,7 @@ fn points<'t>(
     let header = header(file, &mut rows, dialect)?;
     let mut rows = rows.peekable();
     let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, rows.peek())?;
-    let filter = Filter::of(file, dialect, header.as_ref())?;
+    let filter = Filter::of(file, [&dialect.only, &dialect.without], header.as_ref())?;
     let mut problems = Problems::default();
     if let Some(header) = &header {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
@@ -293,37 +294,6 @@ fn computed_cells(
     }
     let mark = |text: String| if dialect.decimal == Decimal::Comma { text.replace('.', ",") } else { text };
     row.fields.extend(cells.into_iter().map(|text| Cow::Owned(mark(text))));
-}
-
-/// Rows that are left out by the cells of their columns.
-#[derive(Default)]
-struct Filter<'a> {
-    /// Column, its name, its cells, and whether a row with one of them is read.
-    cells: Vec<(usize, &'a str, &'a Cells, bool)>,
-}
-
-impl<'a> Filter<'a> {
-    fn of(file: &str, dialect: &'a Dialect, header: Option<&Row>) -> Result<Self, Vec<Message>> {
-        let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
-        let (mut cells, mut wrong) = (Vec::new(), Vec::new());
-        for (stated, read) in [(&dialect.only, true), (&dialect.without, false)] {
-            for (name, of) in stated {
-                match column_index(name, header) {
-                    Ok(column) => cells.push((column, name.as_str(), of, read)),
-                    Err(message) => wrong.push(message.at(at())),
-                }
-            }
-        }
-        if wrong.is_empty() { Ok(Self { cells }) } else { Err(wrong) }
-    }
-
-    /// Reason for leaving out a row.
-    fn refuses(&self, row: &Row) -> Option<String> {
-        let fails =
-            |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
-        let (column, name, ..) = self.cells.iter().find(fails)?;
-        Some(format!("left out: `{name}` is `{}`", row.field(*column)))
-    }
 }
 
 /// Numbers of a row, with what they are; coordinates with their columns, in mm or rad.
