@@ -347,6 +347,7 @@ impl Reader<'_> {
             read.map_err(|message| wrong(hinted(message), i)).unwrap_or(f64::NAN)
         };
         let left_out = self.filter.refuses(row);
+        point.is_left_out = left_out.is_some();
         point.refused = left_out
             .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))));
         let unmeasured = point.refused.is_some();
@@ -365,6 +366,7 @@ impl Reader<'_> {
                 ColumnRole::TemperatureC => point.temperature_c = Some(value(i, field)),
                 ColumnRole::Deleted if is_deleted(field) => {
                     point.refused.get_or_insert(format!("left out: it is marked as deleted (`{field}`)"));
+                    point.is_left_out = true;
                 }
                 ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}

@@ -93,6 +93,8 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
         let values = cells(&sheet, log, wanted, at, &mut problems);
         columns.columns.push((wanted.name.clone(), values));
     }
+    // row by row, so that one cause in many rows is one message
+    problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.file != sheet.file, p.line, p.column)));
     problems.check()?;
     columns.said.extend(log.kind().0.remark(sheet.file, &columns));
     Ok(columns)
