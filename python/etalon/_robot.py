@@ -25,7 +25,7 @@ class Robot:
     """A kinematic model with nominal parameters.
 
     Args:
-        source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``); otherwise a name of :func:`robots`, such as ``"ur5e"``.
+        source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``, ``.xacro``); otherwise a name of :func:`robots`, such as ``"ur5e"``.
 
     Raises:
         Error: The file does not read, or there is no robot of this name.
@@ -35,8 +35,8 @@ class Robot:
         path = os.fspath(source)
         if path in robots():
             self._native = _etalon.Robot.named(path)
-        elif path.endswith((".urdf", ".xml")):
-            self._native = _etalon.Robot.urdf(path, None, None)
+        elif path.endswith((".urdf", ".xml", ".xacro")):
+            self._native = _etalon.Robot.urdf(path, None, None, [])
         elif path.endswith(".toml") or os.path.isfile(path):
             self._native = _etalon.Robot.read(path)
         else:
@@ -54,9 +54,19 @@ class Robot:
         return cls._of(_etalon.Robot.parse(text))
 
     @classmethod
-    def from_urdf(cls, path: str | os.PathLike[str], base_link: str | None = None, tool_link: str | None = None) -> Robot:
-        """Return a chain of a URDF, by default the one with the most moving joints."""
-        return cls._of(_etalon.Robot.urdf(os.fspath(path), base_link, tool_link))
+    def from_urdf(
+        cls,
+        path: str | os.PathLike[str],
+        base_link: str | None = None,
+        tool_link: str | None = None,
+        arguments: dict[str, str] | None = None,
+    ) -> Robot:
+        """Return a chain of a URDF, by default the one with the most moving joints.
+
+        ``arguments`` are those of a xacro file.
+        """
+        stated = [f"{name}:={value}" for name, value in (arguments or {}).items()]
+        return cls._of(_etalon.Robot.urdf(os.fspath(path), base_link, tool_link, stated))
 
     @property
     def model(self) -> str:

@@ -1385,7 +1385,7 @@ class MethodErrors(Record):
     """Root mean square position error."""
 
 class Movement(Record):
-    """A movement, and the residuals that it leaves."""
+    """A movement, and the remaining residuals."""
     by: list[MovementValue]
     """Displacement. Base: shift of its origin and rotation vector, in the world. Joint: change of its zero. Target:
     shift on the moving part.
@@ -1531,7 +1531,7 @@ class PlacedApart(Record):
     name: str
     """Name of the target or fixture."""
     readings: int
-    """Number of readings that place the target."""
+    """Number of readings that locate the target."""
     redundancy: float
     """Mean redundancy number r of the readings: the share of an error that its reading shows. For n positions of a
     target, r = 1 − 1/n.
@@ -2182,9 +2182,7 @@ class WrittenParameter(Record):
 class AccuracyDocument(Document):
     """Errors before and after calibration, separately for calibration and validation poses."""
     budget: list[FigureBudget]
-    """Standard uncertainties of the errors after calibration that the limits judge: of the validation poses, or of
-    the calibration poses in a campaign without validation. The parameters are what is judged, and add nothing.
-    Empty if no uncertainty is stated.
+    """Standard uncertainties of the limited errors after calibration: of the validation poses, or of the calibration poses in a campaign without validation. The parameters are under test and contribute nothing. Empty if no uncertainty is stated.
     """
     campaign: CampaignReference | None
     """Campaign whose data judge given parameters; absent in the output folder of a run."""

@@ -46,7 +46,7 @@ impl RepeatabilityDefinition {
     }
 }
 
-/// A test of poses from tables, in a frame of its own.
+/// A test of poses from tables, in its own frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(transform = etalon_formats::dialect::accept_topic)]
@@ -99,7 +99,7 @@ pub struct PosesDefinition {
     /// columns.
     #[serde(default)]
     pub without: BTreeMap<String, Cells>,
-    /// Number of cycles in one set of a drift test; without it there is no drift.
+    /// Number of cycles in one set of a drift test; without it drift is not evaluated.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
     /// Order of the rotations a, b, c; if stated, reference targets also compensate orientations.

@@ -9,6 +9,7 @@ mod paths;
 mod robot_faults;
 mod robot_file;
 mod robot_keys;
+mod robot_text;
 mod selection;
 mod table;
 mod toml_file;
@@ -19,6 +20,7 @@ pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};
 pub use robot_file::RobotFile;
+pub use robot_text::{screws_text, table_text};
 pub use selection::{Selection, Selections, StatedPoses};
 pub use table::{TableDefinition, TableFiles, TableKeys};
 pub use toml_file::UnreadKeys;
@@ -29,6 +31,7 @@ use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result, SourceText};
 use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
+use etalon_formats::xacro::Expanded;
 use etalon_identify::{FrameError, Settings, Systematic};
 use etalon_robots::{Joint, LongestChain, Quantity, Robot};
 use std::collections::BTreeMap;
@@ -63,7 +66,7 @@ pub struct Campaign {
     pub folder: PathBuf,
     /// Path of `campaign.toml`.
     pub location: PathBuf,
-    /// Path of `campaign.toml` in messages, with replacement characters where it is not UTF-8.
+    /// Path of `campaign.toml` in messages, with replacement characters if it is not UTF-8.
     pub path: String,
     /// Text of `campaign.toml`.
     pub text: String,
@@ -119,7 +122,11 @@ impl Campaign {
         problems.0.extend(more.0);
         let robot = robot.unwrap_or_else(RobotFile::unreadable);
         let stamps = [stamp, robot_stamp];
-        Ok((Some(Self { file, robot, folder, location: path, path: name, text, stamps, unread }), problems))
+        let campaign = Self { file, robot, folder, location: path, path: name, text, stamps, unread };
+        let described = campaign.robot_descriptions();
+        let outside = described.iter().skip(1).filter_map(|(file, _)| paths::resolve(&campaign.folder, file).err());
+        problems.0.extend(outside.map(|message| message.at(here.clone())));
+        Ok((Some(campaign), problems))
     }
 
     /// Path of a file that the campaign names: inside its folder, or below `$NAME/` of the
@@ -141,13 +148,17 @@ impl Campaign {
         self.resolve(&self.file.output)
     }
 
-    /// File that describes the robot beside robot.toml, as a path from the campaign's folder, and
-    /// its stamp.
-    pub fn robot_description(&self) -> Option<(String, &Stamp)> {
-        let (file, stamp) = self.robot.description_file()?;
+    /// File that describes the robot beside robot.toml, and the files that it includes, as paths
+    /// from the campaign's folder, with their stamps.
+    pub fn robot_descriptions(&self) -> Vec<(String, &Stamp)> {
+        let Some((file, stamp)) = self.robot.description_file() else { return Vec::new() };
         let robot = self.file.robot.get_ref();
         let folder = robot.rsplit_once('/').map(|(folder, _)| format!("{folder}/")).unwrap_or_default();
-        Some((if file.starts_with('$') { file.to_owned() } else { folder + file }, stamp))
+        let named = if file.starts_with('$') { file.to_owned() } else { folder + file };
+        let included = self.robot.included().iter();
+        let included: Vec<_> =
+            included.map(|(path, stamp)| (paths::named(&self.folder, &named, path), stamp)).collect();
+        std::iter::once((named, stamp)).chain(included).collect()
     }
 
     /// `true` if parameters are identified, even if `[identify]` itself could not be read; `false`
@@ -261,7 +272,7 @@ impl Campaign {
     }
 }
 
-/// The first line that a proposal leaves open: a value `"?"`, or a joint in `UNIT`.
+/// The first incomplete line of a proposal: a value `"?"`, or a joint in `UNIT`.
 fn open_question(name: &str, text: &str) -> Option<etalon_base::message::Message> {
     let open = |line: &str| {
         let stated = line.split(" #").next().unwrap_or(line);
@@ -321,7 +332,7 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 }
 
 /// Reads the text of a robot.toml. `path` stands for its file: messages name it, and a URDF is
-/// looked for beside it.
+/// expected beside it.
 ///
 /// # Errors
 /// Those of [`read_robot`].
@@ -330,10 +341,11 @@ pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
-/// Reads a URDF file: its chain with the most moving joints, and its text.
-pub fn read_urdf(path: &Path) -> Result<(LongestChain, String)> {
-    let (name, text) = (path.display().to_string(), files::read_text(path)?);
-    Ok((urdf::read(&name, &text)?.longest_chain()?, text))
+/// Reads a URDF file: its chain with the most moving joints, and its text without xacro.
+/// `arguments` are those of a xacro file: NAME:=VALUE.
+pub fn read_urdf(path: &Path, arguments: &[String]) -> Result<(LongestChain, Expanded)> {
+    let expanded = urdf::expand(path, files::read_text(path)?, arguments)?;
+    Ok((urdf::read(&expanded)?.longest_chain()?, expanded))
 }
 
 /// Reads only the true parameters of a simulation, by name (mm, deg or 1), from a truth or from a

@@ -6,6 +6,7 @@ use super::{paths, robot_faults, robot_keys};
 use etalon_base::error;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_formats::xacro::Expanded;
 use etalon_robots::{
     At, Definition, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value, Values,
 };
@@ -39,10 +40,9 @@ pub struct RobotFile {
 /// A file that robot.toml names.
 #[derive(Clone, Debug)]
 struct Beside {
-    /// Name, as the user wrote it.
-    name: String,
     path: PathBuf,
-    text: String,
+    /// Its text without xacro.
+    expanded: Expanded,
     stamp: Stamp,
 }
 
@@ -69,6 +69,9 @@ struct CommonKeys {
 }
 
 const COMMON: [&str; 4] = ["name", "model", "nominal", "tolerance"];
+
+/// Key of the arguments of a xacro file.
+const ARGUMENTS: &str = "arguments";
 
 /// Keys of `tolerance` that apply to all parameters of a kind.
 const KINDS: [(&str, Quantity); 3] =
@@ -244,7 +247,11 @@ impl RobotFile {
         let path = paths::resolve(folder, file).map_err(Problems::from);
         let read = path.and_then(|path| Ok((files::read_statement(&path)?, path)));
         let ((text, stamp), path) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
-        Ok(Some(Beside { name: path.display().to_string(), path, text, stamp }))
+        let stated = self.description.as_ref().and_then(|(_, values)| values.get(ARGUMENTS));
+        let arguments = if let Some(Value::Words(words)) = stated { &words[..] } else { &[] };
+        let expanded = urdf::expand(&path, text, arguments);
+        let expanded = expanded.map_err(|problems| problems.at(&self.place(&[ARGUMENTS])))?;
+        Ok(Some(Beside { path, expanded, stamp }))
     }
 
     /// Key and name of the file that describes the robot.
@@ -259,14 +266,24 @@ impl RobotFile {
         Some(self.tree_key()?.1)
     }
 
-    /// Name, as in robot.toml, and text of the file that describes the robot.
+    /// Name, as in robot.toml, and text of the file that describes the robot, without xacro.
     pub fn description(&self) -> Option<(&str, &str)> {
-        Some((self.description_file()?.0, self.beside.as_ref()?.text.as_str()))
+        Some((self.description_file()?.0, self.beside.as_ref()?.expanded.text.as_str()))
     }
 
-    /// Path of the file that describes the robot, if there is one.
-    pub fn description_path(&self) -> Option<PathBuf> {
-        Some(self.beside.as_ref()?.path.clone())
+    /// Paths of the file that describes the robot, if there is one, and of the files that it
+    /// includes.
+    pub fn description_paths(&self) -> Vec<PathBuf> {
+        let of = |beside: &Beside| {
+            let included = beside.expanded.included.iter().map(|(path, _)| path.clone());
+            std::iter::once(beside.path.clone()).chain(included).collect()
+        };
+        self.beside.as_ref().map_or_else(Vec::new, of)
+    }
+
+    /// Paths and stamps of the files that the file that describes the robot includes.
+    pub(super) fn included(&self) -> &[(PathBuf, Stamp)] {
+        self.beside.as_ref().map_or(&[], |beside| &beside.expanded.included)
     }
 
     /// Name, as in robot.toml, and stamp of the file that describes the robot.
@@ -326,8 +343,8 @@ impl RobotFile {
         let mut urdf = None;
         if let Some((key, _)) = self.tree_key() {
             // an unreadable file is already reported
-            let Some(Beside { name, text, .. }) = &self.beside else { return Err(Problems::default()) };
-            let file = urdf.insert(urdf::read(name, text)?);
+            let Some(Beside { expanded, .. }) = &self.beside else { return Err(Problems::default()) };
+            let file = urdf.insert(urdf::read(expanded)?);
             values.insert(key, Value::Tree(file.tree.clone()));
         }
         model.build(&values, targets).map_err(|faults| self.worded(&faults, &model.keys(), urdf.as_ref()))

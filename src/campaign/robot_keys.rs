@@ -109,6 +109,7 @@ fn schema_of(key: &Key, generator: &mut SchemaGenerator) -> Schema {
         Shape::Triple => of::<[f64; 3]>(key, generator),
         Shape::Flag => of::<bool>(key, generator),
         Shape::Text | Shape::Tree => of::<String>(key, generator),
+        Shape::Words => of::<Vec<String>>(key, generator),
         Shape::Joints => of::<Vec<StatedJoint>>(key, generator),
         Shape::JointPairs => of::<Vec<(StatedJoint, StatedJoint)>>(key, generator),
         Shape::Choice(choices) => {
@@ -241,6 +242,7 @@ impl<'de> DeserializeSeed<'de> for ValueOf<'_> {
             Shape::Flag => Value::Flag(bool::deserialize(d)?),
             Shape::Text | Shape::Tree => Value::Text(String::deserialize(d)?),
             Shape::Choice(choices) => Value::Choice(d.deserialize_enum("", &[], ChoiceOf(choices))?),
+            Shape::Words => Value::Words(Vec::deserialize(d)?),
             Shape::Joints => Value::Joints(Vec::<StatedJoint>::deserialize(d)?.into_iter().map(Into::into).collect()),
             Shape::JointPairs => {
                 Value::JointPairs(Vec::<(StatedJoint, StatedJoint)>::deserialize(d)?.into_iter().map(pair).collect())

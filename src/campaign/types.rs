@@ -39,6 +39,8 @@ pub struct CampaignFile {
     pub notes: Option<String>,
     /// Date of the measurements (ISO 8601), as the report prints it.
     pub date: Option<String>,
+    /// Last day on which the calibration is valid, as the laboratory states it: year-month-day.
+    pub valid_until: Option<String>,
     /// Name of the operator.
     pub operator: Option<String>,
     /// Temperature during the measurements.
@@ -120,7 +122,7 @@ impl CampaignFile {
         Some(self.join.as_ref()?.by)
     }
 
-    /// Targets that `[join]` names; empty if it names none.
+    /// Targets named in `[join]`; empty if none are named.
     pub fn join_targets(&self) -> impl Iterator<Item = &Spanned<String>> + Clone {
         self.join.iter().flat_map(|join| join.targets.iter().flatten())
     }
@@ -212,7 +214,7 @@ impl Expansion {
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Homing {
-    /// Expanded uncertainty of sliding joints.
+    /// Expanded uncertainty of prismatic joints.
     pub expanded_uncertainty_um: Option<f64>,
     /// Expanded uncertainty of revolute joints.
     pub expanded_uncertainty_deg: Option<f64>,
@@ -250,7 +252,7 @@ pub struct ObservationsDefinition {
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
+    /// Cells that mean "not measured", in addition to empty cells.
     #[serde(default)]
     pub missing: Missing,
     /// Source of each column that has another name in the file: a heading, a number from 1, or an
@@ -260,20 +262,20 @@ pub struct ObservationsDefinition {
     /// Columns with the same value in all rows, e.g. `kind = "distance"`.
     #[serde(default)]
     pub constants: BTreeMap<String, Constant>,
-    /// Rows that are read: those with one of these cells in each of these columns.
+    /// Filter of the rows: only rows with one of these cells in each of these columns are read.
     #[serde(default)]
     pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
+    /// Filter of the rows: rows with one of these cells in one of these columns are left out.
     #[serde(default)]
     pub without: BTreeMap<String, Cells>,
-    /// Coverage factor of the columns of uncertainties, where they are expanded.
+    /// Coverage factor of the columns of uncertainties, if they are expanded.
     pub coverage_factor: Option<f64>,
-    /// Kind of all observations, of a table without such a column.
+    /// Kind of all observations, for a table without the column.
     pub kind: Option<String>,
-    /// The target of all rows, of a table without such a column.
+    /// Target of all rows, for a table without the column.
     pub target: Option<String>,
-    /// `row`: the number of the data row is the number of the pose, for a table without such a
-    /// column; `row + 100` adds an offset.
+    /// Pose number from the number of the data row, for a table without the column: `row`, or `row
+    /// + 100` with an offset.
     pub pose: Option<FromRow>,
     /// Order of the rotations by the three angles of an orientation (columns `a_deg`, `b_deg`,
     /// `c_deg`): successively about the axes of the body or, with `fixed`, about those of the
@@ -283,7 +285,7 @@ pub struct ObservationsDefinition {
 }
 
 impl ObservationsDefinition {
-    /// Key beside `sheet` that does not apply to a workbook.
+    /// Key that does not apply to a workbook, stated beside `sheet`.
     pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
         meaningless_beside_sheet(self.sheet.as_deref(), (self.delimiter, self.decimal, self.encoding))
     }
@@ -688,7 +690,7 @@ pub struct Limits {
     pub surface_max_mm: Option<f64>,
     /// Largest distance of a target from the socket that it touches.
     pub contact_max_mm: Option<f64>,
-    /// Largest error of a coordinate that was measured by itself.
+    /// Largest error of a coordinate that was measured singly.
     pub coordinate_max_mm: Option<f64>,
     /// Largest repeatability RP of all poses.
     pub repeatability_max_mm: Option<f64>,

@@ -2,12 +2,14 @@
 //! skipped.
 
 use super::robot_faults;
+use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
-use etalon_base::{error, phrase};
+use etalon_formats::xacro::{self, Expanded};
 use etalon_formats::xml::{Elements, Node};
 use etalon_robots::{At, Fault, Faults, Link, LongestChain, Mimic, Tree, TreeJoint};
 use std::f64::consts::TAU;
+use std::path::Path;
 use std::sync::Arc;
 
 /// Elements without information about kinematics and masses.
@@ -43,12 +45,20 @@ impl Urdf {
     }
 }
 
+/// Expands xacro in a text, as far as kinematics and masses need it.
+pub(super) fn expand(path: &Path, text: String, arguments: &[String]) -> Result<Expanded> {
+    xacro::expand(path, text, arguments, |name| SKIPPED.contains(&name))
+}
+
 /// Reads links and joints of a file.
-pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
+pub(super) fn read(expanded: &Expanded) -> Result<Urdf> {
+    let mut urdf = read_plain(&expanded.name, &expanded.text).map_err(|problems| expanded.relocate(problems))?;
+    urdf.places = urdf.places.into_iter().map(|place| expanded.place(place)).collect();
+    Ok(urdf)
+}
+
+fn read_plain(file: &str, text: &str) -> Result<Urdf> {
     let xml = Elements::read(file, text, |name| SKIPPED.contains(&name))?;
-    if let Some(at) = without_comments(text).find("<xacro:") {
-        return Err(xacro(error!("urdf-xacro").at(xml.place(at)), file).into());
-    }
     let root = xml.root().filter(|root| root.name() == "robot");
     let Some(root) = root else {
         return Err(error!("urdf-no-robot").at(xml.place(0)).into());
@@ -57,9 +67,9 @@ pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     let (mut tree, mut places) = (Tree::default(), Vec::new());
     for node in root.children() {
         match node.name() {
-            "link" => tree.links.extend(problems.keep(link(node, file))),
+            "link" => tree.links.extend(problems.keep(link(node))),
             "joint" => {
-                if let Some(joint) = problems.keep(joint(node, file)) {
+                if let Some(joint) = problems.keep(joint(node)) {
                     tree.joints.push(joint);
                     places.push(node.place());
                 }
@@ -82,47 +92,26 @@ pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     problems.check().map(|_| Urdf { tree: Arc::new(tree), name: file.to_owned(), places })
 }
 
-/// An error about macros, with the command that expands them.
-/// The text with blanks in place of its comments, so that places stay.
-fn without_comments(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(at) = rest.find("<!--") {
-        let end = rest[at..].find("-->").map_or(rest.len(), |end| at + end + 3);
-        out.push_str(&rest[..at]);
-        out.extend(std::iter::repeat_n(' ', end - at));
-        rest = &rest[end..];
-    }
-    out + rest
-}
-
-fn xacro(message: Message, file: &str) -> Message {
-    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
-    let name = name.strip_suffix(".xacro").unwrap_or(name);
-    let name = name.strip_suffix(".urdf").unwrap_or(name);
-    message.hint(phrase!("expand-xacro", name))
-}
-
-fn link(node: Node, file: &str) -> Result<Link> {
+fn link(node: Node) -> Result<Link> {
     let inertial = node.child("inertial");
     let mass = inertial.and_then(|inertial| inertial.child("mass"));
-    let mass_kg = mass.map_or(Ok(0.0), |mass| number(mass, "value", file, 0.0))?;
-    let center_mm = inertial.map_or(Ok(Pose::identity()), |inertial| origin(inertial, file))?.translation_mm;
+    let mass_kg = mass.map_or(Ok(0.0), |mass| number(mass, "value", 0.0))?;
+    let center_mm = inertial.map_or(Ok(Pose::identity()), |inertial| origin(inertial))?.translation_mm;
     Ok(Link { name: text(node, "name")?, mass_kg, center_mm })
 }
 
-fn joint(node: Node, file: &str) -> Result<TreeJoint> {
+fn joint(node: Node) -> Result<TreeJoint> {
     let name = text(node, "name")?;
     let of = |child: &str| {
         let missing = || error!("urdf-joint-without-link", joint = name, child).at(node.place());
         text(node.child(child).ok_or_else(missing)?, "link")
     };
-    let axis = node.child("axis").map_or(Ok([1.0, 0.0, 0.0]), |axis| vector(axis, "xyz", file, [1.0, 0.0, 0.0]));
+    let axis = node.child("axis").map_or(Ok([1.0, 0.0, 0.0]), |axis| vector(axis, "xyz", [1.0, 0.0, 0.0]));
     let kind = text(node, "type")?;
     // limits of a continuous joint apply to its effort only
     let limited = ["revolute", "prismatic"].contains(&kind.as_str());
     let limits = node.child("limit").filter(|_| limited).map(|limit| -> Result<[f64; 2]> {
-        let [lower, upper] = [number(limit, "lower", file, 0.0)?, number(limit, "upper", file, 0.0)?];
+        let [lower, upper] = [number(limit, "lower", 0.0)?, number(limit, "upper", 0.0)?];
         if lower > upper {
             return Err(error!("urdf-limits-exchanged", joint = name, lower, upper).at(limit.place()).into());
         }
@@ -131,15 +120,15 @@ fn joint(node: Node, file: &str) -> Result<TreeJoint> {
     let mimic = node.child("mimic").map(|mimic| -> Result<Mimic> {
         Ok(Mimic {
             joint: text(mimic, "joint")?,
-            multiplier: number(mimic, "multiplier", file, 1.0)?,
-            offset: number(mimic, "offset", file, 0.0)?,
+            multiplier: number(mimic, "multiplier", 1.0)?,
+            offset: number(mimic, "offset", 0.0)?,
         })
     });
     Ok(TreeJoint {
         kind,
         parent: of("parent")?,
         child: of("child")?,
-        origin: origin(node, file)?,
+        origin: origin(node)?,
         axis: axis?,
         limits: limits.transpose()?,
         mimic: mimic.transpose()?,
@@ -148,9 +137,9 @@ fn joint(node: Node, file: &str) -> Result<TreeJoint> {
 }
 
 /// Pose of an element's `<origin xyz rpy>` (mm).
-fn origin(node: Node, file: &str) -> Result<Pose> {
+fn origin(node: Node) -> Result<Pose> {
     let Some(origin) = node.child("origin") else { return Ok(Pose::identity()) };
-    let [xyz, rpy] = [vector(origin, "xyz", file, [0.0; 3])?, vector(origin, "rpy", file, [0.0; 3])?];
+    let [xyz, rpy] = [vector(origin, "xyz", [0.0; 3])?, vector(origin, "rpy", [0.0; 3])?];
     if rpy.iter().any(|angle| angle.abs() > TAU + 1e-3) {
         return Err(error!("urdf-angles-beyond-turn").at(origin.place()).into());
     }
@@ -164,26 +153,25 @@ fn text(node: Node, name: &str) -> Result<String> {
 }
 
 /// Numbers of an attribute, separated by blanks.
-fn numbers(node: Node, name: &str, file: &str) -> Result<Option<Vec<f64>>> {
+fn numbers(node: Node, name: &str) -> Result<Option<Vec<f64>>> {
     let Some(value) = node.attribute(name) else { return Ok(None) };
     let number = |word: &str| {
         let wrong = error!("urdf-not-number", attribute = name, word).at(node.place());
-        let wrong = if word.contains('$') { xacro(wrong, file) } else { wrong };
         word.parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(|| Problems::from(wrong))
     };
     value.split_ascii_whitespace().map(number).collect::<Result<_>>().map(Some)
 }
 
-fn number(node: Node, name: &str, file: &str, absent: f64) -> Result<f64> {
-    match numbers(node, name, file)?.as_deref() {
+fn number(node: Node, name: &str, absent: f64) -> Result<f64> {
+    match numbers(node, name)?.as_deref() {
         None => Ok(absent),
         Some([value]) => Ok(*value),
         Some(all) => Err(other_count(node, name, all.len(), 1).into()),
     }
 }
 
-fn vector(node: Node, name: &str, file: &str, absent: Vector) -> Result<Vector> {
-    match numbers(node, name, file)?.as_deref() {
+fn vector(node: Node, name: &str, absent: Vector) -> Result<Vector> {
+    match numbers(node, name)?.as_deref() {
         None => Ok(absent),
         Some([x, y, z]) => Ok([*x, *y, *z]),
         Some(all) => Err(other_count(node, name, all.len(), 3).into()),

@@ -2,7 +2,7 @@
 
 use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
-use super::{Verdict, print, print_text, remark, say};
+use super::{Verdict, print, print_text, remark, say_message};
 use crate::stages::qif_fit::{ProbeStated, refit};
 use etalon_base::error;
 use etalon_base::message::{Place, Problems};
@@ -68,9 +68,7 @@ impl FitCommand {
                 (if qif { self.measured_features(&texts)? } else { self.groups(&texts)? }, qif)
             }
         };
-        for message in documents.iter().flat_map(|d| &d.messages) {
-            say(format_args!("{message}\n"));
-        }
+        documents.iter().flat_map(|d| &d.messages).for_each(say_message);
         match (&documents[..], self.json) {
             ([one], true) if !self.by_label && !qif => print(to_json(one)?)?,
             (all, true) => print(to_json(&all)?)?,
@@ -139,7 +137,7 @@ impl FitCommand {
                 }
                 match refit(feature, &self.settings(None), probe) {
                     Ok(document) => documents.extend(document),
-                    Err(problems) => say(format_args!("{problems}\n")),
+                    Err(problems) => problems.0.iter().for_each(say_message),
                 }
             }
         }
@@ -187,7 +185,7 @@ impl FitCommand {
         let mut all = Vec::new();
         for (file, text) in texts {
             let (points, refused) = etalon_formats::points_and_refused(file, text, &format, unit)?;
-            refused.into_iter().for_each(|message| say(format_args!("{message}\n")));
+            refused.iter().for_each(say_message);
             all.extend(points);
         }
         Ok(all)

@@ -17,6 +17,7 @@ use etalon_documents::{
 use etalon_robots::{Kinematics, Robot};
 use std::path::Path;
 
+pub use super::capture::{Answer, answer};
 pub use super::given::{Given, Table};
 pub use super::init::{known_names, known_text, urdf_text};
 
@@ -31,7 +32,7 @@ pub fn whole_pose(robot: &dyn Robot) -> std::result::Result<&dyn Kinematics, Pro
     super::kinematics::whole_pose(robot)
 }
 
-/// Takes the parameters of a `parameters.json`, where one is given, as the nominal ones.
+/// Uses the parameters of a `parameters.json`, if given, as the nominal ones.
 ///
 /// # Errors
 /// Parameters of another robot.
@@ -105,7 +106,7 @@ pub fn iso230(table: &Table) -> Result<AxisDocument> {
     Ok(super::iso230::evaluate(&table.parse()?)?.0)
 }
 
-/// Finds everything that is wrong with a campaign, as `etalon check`.
+/// Finds all errors of a campaign, like `etalon check`.
 pub fn check(campaign: &Path) -> CheckDocument {
     let (checked, problems) = find(campaign);
     let (imported, joints) = checked.map(|checked| (checked.inputs, checked.joints)).unzip();

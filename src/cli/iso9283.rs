@@ -190,11 +190,11 @@ impl ByOptions {
             _ if self.plan => self.layout.run(self.json),
             (_, Some(table), _) => compliance(self.motion.form().read(table)?, self.json),
             (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
-            (.., Some(poses)) => {
+            (.., poses) => {
+                let poses = poses.as_deref().unwrap_or(Path::new("")); // clap requires one of these
                 let read = |path: &Path| self.motion.form().read(path);
                 self.pose.run((poses, commanded), &read, self.seed, self.json)
             }
-            _ => Err(Problems::from(error!("nothing-to-evaluate")).into()),
         }
     }
 }

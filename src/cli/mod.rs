@@ -3,8 +3,10 @@
 //! Data go to stdout, messages to stderr. Exit codes: 0 done; 1 done, but a limit of the campaign
 //! is not met, or the result cannot be the robot's; 2 could not run.
 
+mod axes;
 mod axis_table;
 mod batch;
+mod capture;
 mod check;
 mod compare;
 mod compensate;
@@ -72,6 +74,7 @@ enum Command {
     Check(check::Check),
     Formats(formats::Formats),
     Fit(fit::FitCommand),
+    Axes(axes::AxesCommand),
     Run(run::Run),
     Batch(batch::Batch),
     Identify(identify::IdentifyCommand),
@@ -136,6 +139,7 @@ fn run(command: Command) -> u8 {
         Command::Check(command) => command.run(),
         Command::Formats(command) => command.run(),
         Command::Fit(command) => command.run(),
+        Command::Axes(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),
@@ -165,7 +169,10 @@ fn run(command: Command) -> u8 {
         Ok(Verdict::NotRun) => 2,
         Err(error) => {
             match error.downcast_ref::<etalon_base::message::Problems>() {
-                Some(problems) => say(problems),
+                Some(problems) => {
+                    capture::add(|answer| answer.messages.extend_from_slice(&problems.0));
+                    say(problems);
+                }
                 None => say(format_args!("error: {error:#}")),
             }
             2
@@ -177,6 +184,9 @@ fn run(command: Command) -> u8 {
 /// terminal.
 fn refuse(error: &clap::Error) -> u8 {
     let text = error.render().to_string();
+    if capture::add(|answer| answer.stderr.push_str(&text)) {
+        return u8::try_from(error.exit_code()).unwrap_or(2);
+    }
     match printable_lines(&text) {
         shown if shown == text => drop(error.print()),
         shown => drop(write!(std::io::stderr().lock(), "{shown}")),
@@ -186,6 +196,9 @@ fn refuse(error: &clap::Error) -> u8 {
 
 /// Prints data to stdout; a reader who has closed it is not an error.
 fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
+    if capture::add(|answer| answer.stdout.extend_from_slice(data.as_ref())) {
+        return Ok(());
+    }
     let write = || {
         let mut out = std::io::stdout().lock();
         out.write_all(data.as_ref()).and_then(|()| out.flush())
@@ -239,7 +252,7 @@ fn pose_table<'a, P: Display>(columns: &[&str], rows: impl Iterator<Item = (P, &
 fn remark(messages: &[Message]) {
     let mut grouped = Problems(messages.to_vec()).grouped().0;
     grouped.sort_by_key(|message| message.rank);
-    grouped.iter().for_each(|message| say(format_args!("{message}\n")));
+    grouped.iter().for_each(say_message);
 }
 
 /// Prints the names of written files, as lines or as JSON.
@@ -250,13 +263,22 @@ fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     print_text(&files.iter().map(|file| format!("{}\n", printable(file))).collect::<String>())
 }
 
+/// Prints a message to stderr.
+fn say_message(message: &Message) {
+    capture::add(|answer| answer.messages.push(message.clone()));
+    say(format_args!("{message}\n"));
+}
+
 /// Prints text to stderr; names in it cannot control the terminal. A closed stderr is not an error.
 fn say(text: impl Display) {
     let text = printable_lines(&text.to_string());
+    if capture::add(|answer| answer.stderr += &format!("{text}\n")) {
+        return;
+    }
     progress::beside(|| drop(writeln!(std::io::stderr().lock(), "{text}")));
 }
 
-/// Says on stderr which command comes next; a program that asked for JSON is told nothing.
+/// Names the next command on stderr, unless the caller asked for JSON.
 fn next_step(json: bool, step: impl Display) {
     if !json {
         say(format_args!("next: {step}"));

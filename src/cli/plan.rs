@@ -52,7 +52,7 @@ impl clap::ValueEnum for Index {
     }
 
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        Some(clap::builder::PossibleValue::new(self.0.name()).help(self.0.definition()))
+        Some(clap::builder::PossibleValue::new(self.0.name()).help(self.0.definition().to_string()))
     }
 }
 
@@ -264,11 +264,13 @@ impl PlanCommand {
         });
         let mut messages = etalon_documents::warning_messages(&planned.sensitivity.messages);
         messages.extend(planned.prediction.messages.clone());
+        let definition = self.index.0.definition();
         Ok(PlanDocument {
             schema: "etalon/plan/1".to_owned(),
             robot: robot.model().to_owned(),
             index: self.index.0.name().to_owned(),
-            definition: self.index.0.definition().to_owned(),
+            definition: definition.to_string(),
+            definition_phrase: Some(definition),
             grouped: !self.single,
             candidates: planned.members.len(),
             configurations: observations.len(),

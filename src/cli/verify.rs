@@ -77,7 +77,7 @@ impl Verify {
         let (document, run) = read_parameters_and_run(&self.parameters)?;
         let Some(observations) = &self.observations else { return self.plan(&robot_file, &document) };
         let observed = self.format.read(observations)?;
-        let described = robot_file.description_path();
+        let described = robot_file.description_paths();
         let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;
         let mut found = self.verified(&robot_file, &document, &observed, inputs)?;
         let campaign = run.and_then(|run| run.json::<CampaignSummary>("campaign.json").ok());
@@ -128,7 +128,7 @@ impl Verify {
         let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
         let table = self.format.read_other(candidates)?;
         let (mut robot, Candidates { observations, limit_violations }) = candidates_of(robot_file, &table)?;
-        let described = robot_file.description_path();
+        let described = robot_file.description_paths();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
         let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;

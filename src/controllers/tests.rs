@@ -75,7 +75,13 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             held_singular_values: vec![],
             rank_cut: 1e-9,
         }),
-        solver: SolverSummary { method: "lm".to_owned(), iterations: 3, termination, meaning: termination.to_string() },
+        solver: SolverSummary {
+            method: "lm".to_owned(),
+            method_phrase: None,
+            iterations: 3,
+            termination,
+            meaning: termination.to_string(),
+        },
         messages: vec![],
         provenance: Provenance {
             version: "0.1.0".to_owned(),

@@ -9,7 +9,8 @@ use etalon_robots::{ChainJoint, Parameter};
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-/// Largest shift (mm) and turn (cells of the rotation matrix) of a flange that rounding leaves.
+/// Largest shift (mm) and rotation (cells of the rotation matrix) of a flange that is attributed to
+/// rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// YAML with the frame of each joint in the previous one (m, rad).
@@ -69,7 +70,7 @@ impl Exporter for UniversalRobots {
     }
 }
 
-/// Position (mm) and angles (deg) of a flange that is not at its nominal place behind the last
+/// Position (mm) and angles (deg) of a flange that is not at its nominal position after the last
 /// joint: the file has no frame for it.
 fn moved(nominal: &Pose, flange: &Pose) -> Option<(String, String)> {
     let shift = norm(minus(flange.translation_mm, nominal.translation_mm));

@@ -1,9 +1,10 @@
 //! Answer of `etalon fit`: an element, the probe, and the values that a file states.
 
 use super::Termination;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -170,6 +171,9 @@ impl FitContacts {
 pub struct FitSolver {
     /// Algorithm.
     pub method: String,
+    /// Text of the catalogue that is `method` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub method_phrase: Option<Phrase>,
     /// Number of steps; 0 for closed-form solutions.
     pub iterations: usize,
     /// Reason of the termination.
@@ -215,7 +219,8 @@ impl FitDocument {
             probe: fit.compensation.as_ref().map(FitProbe::new),
             stated: None,
             solver: FitSolver {
-                method: fit.method.to_owned(),
+                method: fit.method.to_string(),
+                method_phrase: Some(fit.method.clone()),
                 iterations: fit.iterations,
                 termination: fit.termination.into(),
                 degrees_of_freedom: fit.degrees_of_freedom,
@@ -230,7 +235,7 @@ impl FitDocument {
     pub fn enclosing(element: &str, label: Option<String>, points: &[Vector], found: &Enclosing) -> Self {
         let residuals: Vec<f64> = points.iter().map(|p| norm(minus(*p, found.center_mm)) - found.radius_mm).collect();
         let depth = -residuals.iter().fold(0.0f64, |m, r| m.min(*r));
-        let method = format!("smallest enclosing, held by {} points", found.support.len());
+        let method = phrase!("method-enclosing", points = found.support.len());
         Self {
             center_mm: Some(found.center_mm),
             radius_mm: Some(found.radius_mm),
@@ -273,7 +278,7 @@ impl FitDocument {
                 found.element.name(),
                 label,
                 &found.residuals_mm,
-                "minimum zone (Chebyshev)".to_owned(),
+                phrase!("method-minimum-zone"),
                 found.iterations,
             )
         }
@@ -281,7 +286,7 @@ impl FitDocument {
 
     /// Document of an element that is defined by a few extreme points; their scatter yields no
     /// uncertainty.
-    fn of_extremes(element: &str, label: Option<String>, residuals: &[f64], method: String, iterations: usize) -> Self {
+    fn of_extremes(element: &str, label: Option<String>, residuals: &[f64], method: Phrase, iterations: usize) -> Self {
         let (low, high) = residuals.iter().fold((0.0f64, 0.0f64), |(low, high), r| (low.min(*r), high.max(*r)));
         let squares: f64 = residuals.iter().map(|r| r * r).sum();
         Self {
@@ -307,7 +312,8 @@ impl FitDocument {
             probe: None,
             stated: None,
             solver: FitSolver {
-                method,
+                method: method.to_string(),
+                method_phrase: Some(method),
                 iterations,
                 termination: Termination::StepVanished,
                 degrees_of_freedom: 0,
@@ -332,6 +338,9 @@ pub struct FitProbe {
     /// Statement of the file from which the side was derived.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub side_from: Option<String>,
+    /// Text of the catalogue that is `side_from` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub side_from_phrase: Option<Phrase>,
     /// Point or centre before compensation.
     pub uncompensated_point_mm: Vector,
     /// Radius before compensation.
@@ -355,6 +364,7 @@ impl FitProbe {
             side: side.to_owned(),
             towards,
             side_from: None,
+            side_from_phrase: None,
             uncompensated_point_mm: compensation.point_mm,
             uncompensated_radius_mm: compensation.radius_mm,
             uncompensated_minor_radius_mm: compensation.minor_radius_mm,

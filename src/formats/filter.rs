@@ -2,7 +2,9 @@
 
 use crate::dialect::Cells;
 use crate::lexer::{Row, column_index};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place};
+use etalon_base::phrase;
 use std::collections::BTreeMap;
 
 /// Rows that are left out by the cells of their columns.
@@ -36,10 +38,10 @@ impl<'a> Filter<'a> {
     }
 
     /// Returns the reason for leaving out a row.
-    pub fn refuses(&self, row: &Row) -> Option<String> {
+    pub fn refuses(&self, row: &Row) -> Option<Phrase> {
         let fails =
             |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
         let (column, name, ..) = self.cells.iter().find(fails)?;
-        Some(format!("left out: `{name}` is `{}`", row.field(*column)))
+        Some(phrase!("row-left-out-by-cell", column = name, cell = row.field(*column)))
     }
 }

@@ -11,7 +11,7 @@ use etalon_base::{error, files, phrase};
 use std::io::{self, Read as _};
 use std::path::Path;
 
-/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
+/// Text of an input file and its bytes; if it cannot be read, the message points at the campaign.
 pub fn read_text(path: &Path, encoding: Option<Encoding>, place: &Place) -> Read<(String, Vec<u8>)> {
     let bytes = bytes_of(path).map_err(|problems| problems.at(place))?;
     let text = text_of(path, &bytes, encoding, &Format::default()).map_err(|problems| problems.at(place))?;
@@ -191,7 +191,7 @@ fn coding(encoding: Encoding) -> &'static encoding_rs::Encoding {
     }
 }
 
-/// The encoding that the first bytes name, and how many they are.
+/// The encoding that the first bytes state, and the number of these bytes.
 fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
     let (marked, length) = encoding_rs::Encoding::for_bom(bytes)?;
     let all = [Encoding::Utf8, Encoding::Utf16Le, Encoding::Utf16Be];
@@ -233,7 +233,7 @@ fn line_of(bytes: &[u8], at: usize) -> usize {
     bytes[..at].iter().filter(|b| **b == b'\n').count() + 1
 }
 
-/// Error for the byte `at` of the text behind a byte-order mark of `skipped` bytes.
+/// Error for the byte `at` of the text after a byte-order mark of `skipped` bytes.
 fn not_in_encoding(bytes: &[u8], at: usize, skipped: usize, encoding: Encoding) -> Message {
     let hex = format!("0x{:02X}", bytes.get(at).copied().unwrap_or_default());
     error!("encoding-invalid", byte = skipped + at, line = line_of(bytes, at), hex, encoding = encoding.name())
@@ -247,7 +247,7 @@ fn not_utf8(bytes: &[u8], at: usize) -> Message {
     }
 }
 
-/// The text of bytes; or the first byte that does not belong to the encoding.
+/// The text of bytes, or the first byte that does not belong to the encoding.
 fn decoded(bytes: &[u8], encoding: Encoding) -> Result<String, usize> {
     let mut decoder = coding(encoding).new_decoder_without_bom_handling();
     let mut text = String::with_capacity(decoder.max_utf8_buffer_length(bytes.len()).unwrap_or(0));
@@ -275,7 +275,7 @@ fn line_ends(text: String) -> String {
 mod tests {
     use super::*;
 
-    /// So many bytes, then `end`; counts what was taken.
+    /// Reader of this number of bytes, followed by `end`; counts the bytes taken.
     struct Endless {
         left: usize,
         taken: usize,

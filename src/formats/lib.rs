@@ -21,6 +21,7 @@ pub(crate) mod ros_bag;
 pub mod table;
 pub mod tables;
 mod workbook;
+pub mod xacro;
 pub mod xml;
 
 pub use cloud::{Cloud, cloud, packed_points};
@@ -35,6 +36,7 @@ pub use propose::{FilesProposal, JOINTS_REMARK, label_form, propose, propose_fil
 pub use tables::observations::{TableLayout, observations, observations_with};
 
 use crate::dialect::{Encoding, Unit};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
@@ -83,7 +85,7 @@ pub fn points_and_refused(
     problems.check()?;
     let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some() && !row.is_left_out).collect();
     let said = refused.first().map(|first| {
-        let reason = first.refused.as_deref().unwrap_or_default();
+        let reason = first.refused.as_deref().map_or_else(|| "".argument(), IntoArgument::argument);
         warning!("rows-left-out", count = refused.len(), reason).at(Place::line(file, first.line, &first.text))
     });
     let points = rows.iter().filter(|row| row.refused.is_none()).map(|row| (row.label.to_string(), row.xyz_mm));

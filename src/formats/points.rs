@@ -1,6 +1,7 @@
 //! Points of exports.
 
 use crate::table::{RowGroups, frame, pose_column_as};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -10,7 +11,8 @@ use std::fmt::{self, Debug, Formatter};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// Row of an export. The reader fills in what the row states; statements of the campaign follow.
+/// Row of an export. The reader fills in the contents of the row; statements of the campaign
+/// follow.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File as named in the campaign.
@@ -43,7 +45,7 @@ pub struct Point {
     /// Temperature during the measurement (°C), if the file states it.
     pub temperature_c: Option<f64>,
     /// Rule that rejects the row.
-    pub refused: Option<String>,
+    pub refused: Option<Box<Phrase>>,
     /// `true` if the campaign leaves the row out: by a filter, or as marked as deleted.
     pub is_left_out: bool,
 }

@@ -7,7 +7,8 @@ use super::number::{apart, decimals, quantile, significant, stated, with_uncerta
 use super::words::{Words, names, tr};
 use etalon_base::message::one_line;
 use etalon_documents::{
-    Acceptance, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, LimitQuantity, Presentation,
+    Acceptance, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchQuantity, BatchValue,
+    LimitQuantity, Presentation,
 };
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -92,7 +93,7 @@ pub fn write(
     presentation: &Presentation,
     into: &mut impl Write,
 ) -> anyhow::Result<()> {
-    let words = Words::of(presentation.language)?;
+    let words = Words::of(presentation.language);
     let rows = rows(document, figures, (folder, &words));
     let (order, checks) = (order(figures), check_names(document));
     let page = html::batch(&contents(document, figures, &rows, &words), presentation, &words)?;
@@ -101,7 +102,7 @@ pub fn write(
     let quantities: Vec<Value> = order
         .iter()
         .filter_map(|i| figures.quantities.get_index(*i))
-        .map(|q| json!([named(&q.name, &words), q.unit]))
+        .map(|q| json!([named(q, &words), q.unit]))
         .collect();
     write!(into, "{{\"quantities\":{},\"rows\":[", script_safe(&quantities)?)?;
     for (i, row) in rows.iter().enumerate() {
@@ -252,9 +253,9 @@ fn digits(value: BatchValue) -> String {
     }
 }
 
-/// Translates the name of a quantity word by word: "validation position max".
-fn named(quantity: &str, words: &Words) -> String {
-    quantity.split(' ').map(|word| words.named(word)).collect::<Vec<_>>().join(" ")
+/// Name of a quantity.
+fn named(quantity: &BatchQuantity, words: &Words) -> String {
+    words.worded(&quantity.name, quantity.name_phrase.as_ref())
 }
 
 impl Row<'_> {
@@ -347,7 +348,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     let counts = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail].map(count);
     let [pass, conditional, undecided, fail] = counts;
     let heading = |i: &usize| {
-        figures.quantities.get_index(*i).map_or_else(String::new, |q| format!("{} [{}]", named(&q.name, words), q.unit))
+        figures.quantities.get_index(*i).map_or_else(String::new, |q| format!("{} [{}]", named(q, words), q.unit))
     };
     Page {
         version: env!("CARGO_PKG_VERSION"),
@@ -393,12 +394,17 @@ mod tests {
     use etalon_documents::Language;
 
     /// A hundred campaigns of two robots with one outlier and one failure; names resemble markup.
+    fn figure(name: &str, value: f64) -> (BatchQuantity, f64, Option<f64>) {
+        let quantity = BatchQuantity { name: name.to_owned(), name_phrase: None, unit: "mm".to_owned() };
+        (quantity, value, None)
+    }
+
     fn batch() -> (BatchDocument, BatchFigures) {
         let mut figures = BatchFigures::default();
         let campaigns = (0..100).map(|i| {
             let ended = if i == 7 { BatchEnd::Failed } else { BatchEnd::Done };
             let value = if i == 42 { 9.0 } else { f64::from(i % 10) / 100.0 };
-            figures.add([("validation position max", "mm", value, None)].into_iter().filter(|_| i != 7));
+            figures.add([figure("validation position max", value)].into_iter().filter(|_| i != 7));
             BatchEntry {
                 campaign: format!("c{i}</script><b>"),
                 robot: Some(format!("R{}", i % 2)),
@@ -445,9 +451,9 @@ mod tests {
     #[test]
     fn every_check_has_a_column_the_cause_is_beside_the_verdict_and_validation_comes_first() {
         let mut figures = BatchFigures::default();
-        let errors = [("calibration position max", "mm", 0.1, None), ("validation position max", "mm", 0.2, None)];
-        figures.add([("d_1", "mm", 1.0, None)].into_iter().chain(errors));
-        figures.add(errors.into_iter());
+        let errors = || [figure("calibration position max", 0.1), figure("validation position max", 0.2)];
+        figures.add([figure("d_1", 1.0)].into_iter().chain(errors()));
+        figures.add(errors().into_iter());
         let check = |name: &str, verdict, value, limit| BatchCheck {
             name: name.to_owned(),
             verdict,
@@ -494,7 +500,7 @@ mod tests {
         };
         (0..20).for_each(|i| {
             let value = if i == 7 { 3.0 } else { 0.1 + 0.001 * f64::from(i) };
-            figures.add([("validation position max", "mm", value, None)].into_iter());
+            figures.add([figure("validation position max", value)].into_iter());
         });
         let outliers = |large: &str| {
             let campaigns = (0..20).map(|i| entry(i, if i == 7 { large } else { "small" })).collect();
@@ -509,7 +515,7 @@ mod tests {
         let mut figures = BatchFigures::default();
         let names: Vec<String> = (0..30).map(|k| format!("quantity {k}")).collect();
         let campaigns = (0..10_000u32).map(|i| {
-            figures.add(names.iter().zip(0u32..).map(|(name, k)| (&**name, "mm", f64::from(i * 31 + k).sin(), None)));
+            figures.add(names.iter().zip(0u32..).map(|(name, k)| figure(name, f64::from(i * 31 + k).sin())));
             BatchEntry { campaign: format!("campaigns/{i}"), ended: BatchEnd::Done, ..BatchEntry::default() }
         });
         let document = BatchDocument::new(campaigns.collect());

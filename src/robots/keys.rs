@@ -44,6 +44,8 @@ pub enum Shape {
     Joints,
     /// Pairs of references to joints.
     JointPairs,
+    /// List of words.
+    Words,
     /// Tree of links and joints.
     Tree,
     /// A table with these keys.
@@ -80,6 +82,8 @@ pub enum Value {
     Joints(Vec<JointRef>),
     /// A [`Shape::JointPairs`].
     JointPairs(Vec<(JointRef, JointRef)>),
+    /// A [`Shape::Words`].
+    Words(Vec<String>),
     /// A [`Shape::Tree`].
     Tree(Arc<Tree>),
     /// A [`Shape::Table`].
@@ -161,6 +165,7 @@ setting!(bool, Flag, Flag);
 setting!(String, Text, Text);
 setting!(Vec<JointRef>, Joints, Joints);
 setting!(Vec<(JointRef, JointRef)>, JointPairs, JointPairs);
+setting!(Vec<String>, Words, Words);
 setting!(Arc<Tree>, Tree, Tree);
 
 impl Setting for f64 {

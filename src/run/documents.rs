@@ -1,7 +1,8 @@
-//! The output folder of a run as others read it: every document is what that run wrote, or the
+//! The output folder of a run for readers: every document is the one that the run wrote, or the
 //! folder is refused.
 
 use crate::stages::evaluate;
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
@@ -51,7 +52,7 @@ impl Documents {
     pub fn open(folder: &Path) -> Result<Self> {
         let path = folder.join(ManifestDocument::NAME);
         if !path.is_file() {
-            return Err(error!("not-an-output-folder", file = path.display().to_string()).into());
+            return Err(error!("not-an-output-folder", folder = folder.display().to_string()).into());
         }
         let manifest = parse(&path, &files::read(&path)?, "manifest")?;
         Ok(Self { folder: folder.to_owned(), manifest })
@@ -103,7 +104,7 @@ impl Documents {
         named.then(|| checked(&self.path(PARAMETERS), &self.bytes(PARAMETERS)?)).transpose()
     }
 
-    /// Writes files beside the others of the run, or in their place; gives their paths.
+    /// Writes files beside the others of the run, or in their place; returns their paths.
     ///
     /// # Errors
     /// If the folder is of another run by now: the files are made from the earlier one.
@@ -204,7 +205,7 @@ impl Run {
 /// Files of an output folder, by name.
 type Files = Vec<(String, Vec<u8>)>;
 
-/// These files and the manifest, which lists them and those that are `listed` already.
+/// These files and the manifest, which lists them in addition to the files in `listed`.
 pub(super) fn with_manifest(mut listed: BTreeMap<String, String>, mut files: Files) -> Result<Files> {
     listed.extend(files.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
     files.push((ManifestDocument::NAME.to_owned(), to_json(&ManifestDocument::new(listed))?));
@@ -254,6 +255,6 @@ fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T
     Ok(serde_json::from_value(value).map_err(|e| unreadable(path, &e.to_string()))?)
 }
 
-fn unreadable(path: &Path, reason: &str) -> Message {
+fn unreadable(path: &Path, reason: &impl IntoArgument) -> Message {
     error!("document-unreadable", file = path.display().to_string(), reason)
 }

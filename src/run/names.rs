@@ -5,6 +5,7 @@ use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, JoinBy};
+use etalon_documents::ResidualKind;
 use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
 use etalon_robots::Robot;
@@ -90,6 +91,12 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             let message = error!("parameter-unknown", pattern = pattern.get_ref()).at(campaign.place(pattern));
             problems.0.push(message.hint_names(pattern.get_ref(), names()));
         }
+    }
+    let of_pose = campaign.file.identify.as_ref().is_some_and(|identify| identify.residuals == ResidualKind::Pose);
+    if of_pose && robot.platform().is_none() {
+        let message = error!("pose-residuals-not-planar", model = robot.model());
+        let place = campaign.place_of(&["identify", "residuals"]);
+        problems.0.push(message.hint(phrase!("remedy", remedy = "compare-targets")).at(place));
     }
     let foreign: Vec<_> =
         campaign.file.join_targets().filter(|target| !robot.targets().contains(target.get_ref())).collect();

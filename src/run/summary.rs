@@ -24,6 +24,8 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
         temperature_c: file.temperature_c,
         temperature_range_c: None,
         conditions: file.conditions.clone(),
+        valid_until: file.valid_until.clone(),
+        controller_files: Vec::new(),
         issue: issue(&file.report),
         report,
     }

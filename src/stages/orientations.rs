@@ -22,20 +22,21 @@ const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (["a_rad", "b_rad", "c_rad"], 1.0, true),
 ];
 const DEG: f64 = std::f64::consts::PI / 180.0;
-/// Largest deviation of the length of a measured quaternion from one: it has a few decimals.
+/// Largest deviation of the length of a measured quaternion from one: quaternions in files have a
+/// few decimals.
 const LENGTH_ONE: f64 = 1e-3;
-/// Orders that a message names.
+/// Maximum number of orders in a message.
 const NAMED: usize = 4;
-/// Orders whose misfit is at most this many times the least are named beside it.
+/// Orders whose misfit is at most this multiple of the smallest are named beside it.
 const AS_GOOD: f64 = 3.0;
 /// Largest misfit (deg) of an order of angles that fits the robot.
 const MISFIT_DEG: f64 = 10.0;
 
-/// An orientation as the row of a table states it.
+/// An orientation in the form of the row of a table.
 #[derive(Clone, Copy)]
 pub struct Written {
     pub(super) form: Form,
-    /// Numbers of the form, of three or four the others are 0: rad.
+    /// Numbers of the form (rad); unused ones are 0.
     pub(super) numbers: [f64; 9],
 }
 
@@ -109,13 +110,13 @@ impl Written {
         self.form != Form::None && self.numbers[..count].iter().any(|v| !v.is_nan())
     }
 
-    /// The angles, where they need their order (rad).
+    /// The angles (rad), if they need their order.
     pub fn angles(&self) -> Option<[f64; 3]> {
         let [a, b, c, ..] = self.numbers;
         (self.form == Form::Angles).then_some([a, b, c])
     }
 
-    /// The body in the world; angles without an order in any.
+    /// Orientation of the body in the world; angles without an order in an arbitrary one.
     ///
     /// # Errors
     /// A number that is missing, or a quaternion that is not of length one.
@@ -136,8 +137,8 @@ impl Written {
     }
 }
 
-/// The error about angles whose order is not stated, with those that fit the nominal robot where
-/// positions place it: `angles` are those of the orientations among the conditions of `settings`,
+/// The error about angles without a stated order, with the orders that fit the nominal robot
+/// located by positions: `angles` are those of the orientations among the conditions of `settings`,
 /// in their order.
 pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Settings, angles: &[[f64; 3]]) -> Message {
     let message = error!("angle-order-missing");

@@ -1,8 +1,9 @@
-//! A table that a command is given, or a campaign names: every one is read here.
+//! Tables of commands and campaigns: all are read here.
 
-use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result};
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition, TableKeys};
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
@@ -13,10 +14,10 @@ use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
 use std::path::Path;
 use toml::Spanned;
 
-/// A table with the text that it was read from.
+/// A table with its text.
 #[derive(Clone, Debug)]
 pub(crate) struct TableFile {
-    /// The file as the user named it.
+    /// File name stated by the user.
     pub name: String,
     text: String,
     pub table: DataFrame,
@@ -25,10 +26,10 @@ pub(crate) struct TableFile {
     more: Vec<(String, String)>,
 }
 
-/// Lines of the second file of several begin behind this, those of the third behind twice of it.
+/// Offset of the line numbers of each further file.
 const FILE: usize = 1_000_000_000;
 
-/// Problems of the rows of several files, with the file and the line that each is about.
+/// Problems of the rows of several files, each with its file and line.
 pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
     for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
         if let Some(line) = place.line.filter(|line| *line >= FILE) {
@@ -40,7 +41,7 @@ pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
     if files.len() > 1 { problems } else { problems.at(&Place::file(first)) }
 }
 
-/// Problems of rows that a join made, which are in no file: about the campaign.
+/// Problems of rows of a join, which belong to no file: about the campaign.
 pub(crate) fn in_campaign(mut problems: Problems, path: &str) -> Problems {
     for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
         if place.file.is_empty() {
@@ -90,7 +91,7 @@ impl TableFile {
         &self.text
     }
 
-    /// Takes the rows out for which `left_out` is true.
+    /// Removes the rows for which `left_out` is true.
     pub fn leave_out(&mut self, left_out: &[bool]) -> Result<()> {
         if left_out.contains(&true) {
             let kept: Vec<bool> = left_out.iter().map(|out| !out).collect();
@@ -115,7 +116,7 @@ impl TableFile {
         NamedTable { file: &self.name, frame: &self.table }
     }
 
-    /// Problems of the table, with the lines they are about.
+    /// Problems of the table, each with its line.
     pub fn place(&self, problems: Problems) -> Problems {
         if self.more.is_empty() {
             return problems.in_text(&self.name, &self.text);
@@ -132,7 +133,7 @@ impl TableFile {
         })
     }
 
-    /// This table and the rows of another behind its own.
+    /// This table, followed by the rows of another one.
     fn followed_by(mut self, other: Self) -> Result<Self> {
         let number = self.more.len() + 1;
         let lines: Vec<i64> =
@@ -176,7 +177,7 @@ pub(crate) struct CampaignTables<'a> {
 impl CampaignTables<'_> {
     /// A table in the form that the campaign states, of one file or of several; `holds` describes
     /// it in the list of inputs.
-    pub fn read(&mut self, table: &TableDefinition, kind: SourceKind, holds: &str) -> Result<TableFile> {
+    pub fn read(&mut self, table: &TableDefinition, kind: SourceKind, holds: Phrase) -> Result<TableFile> {
         self.read_in(table, &TableForm::default(), kind, holds)
     }
 
@@ -186,7 +187,7 @@ impl CampaignTables<'_> {
         table: &TableDefinition,
         form: &TableForm,
         kind: SourceKind,
-        holds: &str,
+        holds: Phrase,
     ) -> Result<TableFile> {
         if let Some(key) = table.keys().and_then(TableKeys::meaningless_beside_sheet) {
             return Err(error!("key-of-text-table", key).at(self.campaign.place(table.first())).into());
@@ -196,7 +197,8 @@ impl CampaignTables<'_> {
         let mut problems = Problems::default();
         let mut all: Option<TableFile> = None;
         for file in table.files() {
-            let read = self.listed(file, kind, holds, |path, bytes| TableFile::observations(path, &bytes, form));
+            let read =
+                self.listed(file, kind, holds.clone(), |path, bytes| TableFile::observations(path, &bytes, form));
             let Some(read) = problems.keep(read) else { continue };
             all = match all {
                 Some(before) => problems.keep(before.followed_by(read)),
@@ -207,7 +209,7 @@ impl CampaignTables<'_> {
         all.ok_or_else(|| error!("data-rows-missing").at(self.campaign.place(table.first())).into())
     }
 
-    /// The tables of observations, one behind the other.
+    /// The tables of observations, one after the other.
     pub fn all_observations(&mut self, stated: &[ObservationsDefinition]) -> Result<Option<TableFile>> {
         let mut all: Option<TableFile> = None;
         for definition in stated {
@@ -226,7 +228,7 @@ impl CampaignTables<'_> {
             let place = self.campaign.place_of(&["observations", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
-        self.listed(&stated.file, SourceKind::Table, "observations", |path, bytes| {
+        self.listed(&stated.file, SourceKind::Table, phrase!("table-of-observations"), |path, bytes| {
             let form = TableForm { layout: stated.layout(), encoding: stated.encoding, sheet: stated.sheet.clone() };
             TableFile::observations(path, &bytes, &form)
         })
@@ -234,7 +236,7 @@ impl CampaignTables<'_> {
 
     /// A recorded motion: an export in its format, or a table of etalon.
     pub fn recording(&mut self, stream: &StreamDefinition) -> Result<TableFile> {
-        self.listed(&stream.file, SourceKind::Stream, "recorded motion", |path, bytes| {
+        self.listed(&stream.file, SourceKind::Stream, phrase!("recorded-motion-file"), |path, bytes| {
             match (&stream.format, stream.unit) {
                 (Some(format), Some(unit)) => {
                     let text = etalon_formats::text_of(path, &bytes, stream.encoding, format)?;
@@ -252,7 +254,7 @@ impl CampaignTables<'_> {
         &mut self,
         file: &Spanned<String>,
         kind: SourceKind,
-        holds: &str,
+        holds: Phrase,
         read: impl FnOnce(&Path, Vec<u8>) -> Result<TableFile>,
     ) -> Result<TableFile> {
         let here = self.campaign.place(file);
@@ -265,7 +267,8 @@ impl CampaignTables<'_> {
             sha256: stamp.sha256,
             bytes: stamp.size,
             kind,
-            dialect: holds.to_owned(),
+            dialect: holds.to_string(),
+            dialect_phrase: Some(holds),
             rows_read: table.table.height(),
             refused: Vec::new(),
             standstills: Vec::new(),

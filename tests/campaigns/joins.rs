@@ -91,7 +91,7 @@ fn two_points_for_one_log_row_are_an_error() {
     let said = problems.to_string();
     assert!(
         said.contains(
-            "error[log-row-met-twice]: row 5 of log `log` is nearest to 2 points of target `K` (lines 9, 10)"
+            "error[log-row-met-twice]: row 5 of log `log` is the nearest row of 2 points of target `K` (lines 9, 10)"
         ),
         "{said}"
     );
@@ -149,7 +149,7 @@ fn points_and_log_rows_that_meet_and_bear_different_poses_are_an_error() {
     let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     numbered("encoders.csv", &pose(99));
     let said = run(&scratch).unwrap_err().to_string();
-    let expected = "error[join-contradicts]: 2 measured points have another pose than the row of log `log` ";
+    let expected = "error[join-contradicts]: 2 measured points have a different pose in the joined row of log `log`";
     assert!(
         said.contains(expected)
             && said.contains("5 and 99 (line 6 of the log)")

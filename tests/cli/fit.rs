@@ -121,7 +121,7 @@ fn qif_features_are_set_against_what_the_file_states() {
     // other texts do not say their element
     std::fs::write(folder.path().join("b.txt"), ball()).unwrap();
     let said = text(&etalon(folder.path(), &["fit", "b.txt"]).stderr);
-    assert!(said.contains("the element is not stated") && said.contains("hint:"), "{said}");
+    assert!(said.contains("[fit-element-missing]") && said.contains("hint:"), "{said}");
 }
 
 #[test]

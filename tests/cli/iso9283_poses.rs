@@ -43,7 +43,7 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
         assert_eq!((status, format!("{proved:?}").as_str()), (Some(code), expected));
     }
     for (options, said) in
-        [(" --rp-limit-mm 0", "--rp-limit-mm must be positive"), (" --ap-limit-mm NaN", "must be positive")]
+        [(" --rp-limit-mm 0", "--rp-limit-mm must be positive"), (" --ap-limit-mm NaN", "[option-not-positive]")]
     {
         let refused = run(here, &format!("{line}{options}"));
         assert_eq!(refused.status.code(), Some(2));
@@ -96,9 +96,5 @@ fn robots_approaches_and_cycles_are_told_apart() {
     // a typing error in a title is told
     let typed = table(&[("A", 0.0)], &[("east", 0.0)]).replacen("approach", "aproach", 1);
     let (_, said) = answer(&typed);
-    assert!(
-        said.contains("warning[columns-not-read]: not read: column `aproach`")
-            && said.contains("did you mean `approach`?"),
-        "{said}"
-    );
+    assert!(said.contains("warning[columns-not-read]") && said.contains("did you mean `approach`?"), "{said}");
 }

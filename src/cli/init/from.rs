@@ -17,7 +17,7 @@ pub(super) struct RobotFiles {
     pub path: PathBuf,
     /// `q1_deg`, `lift_m` ...
     pub joints: Vec<String>,
-    /// Targets that the robot has by itself.
+    /// Targets that belong to the robot model.
     pub targets: Vec<String>,
     /// As the campaign states them.
     pub controllers: &'static str,

@@ -441,7 +441,7 @@ impl JsonSchema for FromRow {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let description = "The number of the data row, counted from 1, refused rows included, or so many more.";
+        let description = "Number of the data row, from 1 (refused rows count), with an optional offset.";
         json_schema!({ "description": description, "type": "string", "pattern": "^row( *\\+ *[0-9]{1,9})?$" })
     }
 }

@@ -56,9 +56,9 @@ pub struct Control {
     pub name: String,
     /// `X`, `Diameter`, `Y Distance` ...
     pub control: String,
-    /// Nominal value, where it is a number.
+    /// Nominal value, if it is a number.
     pub nominal: Option<f64>,
-    /// Measured value; none where a word is in its place.
+    /// Measured value; `None` if there is a word instead.
     pub measured: Option<f64>,
     /// Upper and lower tolerance.
     pub tolerance: Option<(f64, f64)>,

@@ -46,7 +46,7 @@ struct Entity<'a> {
 }
 
 impl Entity<'_> {
-    /// Numbers of each point: its coordinates, of an MDI its direction too.
+    /// Numbers of each point: its coordinates, and the direction of an MDI.
     fn per_point(&self) -> usize {
         if self.kind == "MDI" { 6 } else { 3 }
     }

@@ -74,11 +74,11 @@ fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) 
     }
     let ended = |i: usize| {
         let short = wanted.iter().zip(&ends).filter(|(_, end)| **end <= i).map(|((_, w), _)| w.key.get_ref().as_str());
-        phrase!("galil-array-ended", columns = short.collect::<Vec<_>>()).to_string()
+        phrase!("galil-array-ended", columns = short.collect::<Vec<_>>())
     };
     let refused = (shortest..longest).map(|i| {
         let row = &sheet.rows[i];
-        Refused { line: row.line, text: row.text.to_owned(), reason: ended(i) }
+        Refused::new(row.line, row.text, ended(i))
     });
     let refused = refused.collect();
     sheet.rows.truncate(shortest);

@@ -74,8 +74,8 @@ fn of_other_joints(sheet: &mut Sheet, wanted: &[(usize, &Wanted)]) -> Option<Ref
     let others = |row: &crate::lexer::Row| !joints.is_empty() && joints.iter().all(|at| row.field(*at).is_empty());
     let count = sheet.rows.iter().filter(|row| others(row)).count();
     let first = sheet.rows.iter().find(|row| others(row))?;
-    let reason = phrase!("ros-messages-of-other-joints", count).to_string();
-    let refused = Refused { line: first.line, text: first.text.to_owned(), reason };
+    let reason = phrase!("ros-messages-of-other-joints", count);
+    let refused = Refused::new(first.line, first.text, reason);
     sheet.rows.retain(|row| !others(row));
     Some(refused)
 }

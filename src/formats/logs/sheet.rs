@@ -54,12 +54,11 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
         return Err(two_commas_in(text).at(stated.place(&log.file)).into());
     }
-    source.dialect = format!(
-        "{}delimited by `{}`, decimal `{}`",
-        if log.kind().about().title.is_empty() { String::new() } else { format!("{}, ", log.kind().about().title) },
-        log.delimiter().name(),
-        log.decimal.name()
-    );
+    let delimited = phrase!("log-delimited", delimiter = log.delimiter().name(), decimal = log.decimal.name());
+    source.read_as(match log.kind().about().title {
+        "" => delimited,
+        title => phrase!("log-of-format", format = title, read = delimited),
+    });
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
     if problems.0.iter().any(|message| message.id == "header-holds-numbers") {
@@ -106,7 +105,7 @@ fn filtered(sheet: &mut Sheet, log: &Log) -> Result<Vec<Refused>> {
     let mut left_out = Vec::new();
     sheet.rows.retain(|row| match filter.refuses(row) {
         Some(reason) => {
-            left_out.push(Refused { line: row.line, text: row.text.to_owned(), reason });
+            left_out.push(Refused::new(row.line, row.text, reason));
             false
         }
         None => true,

@@ -1,4 +1,4 @@
-//! A proposal that the nominal robot corrects: its joints, units, targets, and commanded points.
+//! Correction of a proposal by the nominal robot: joints, units, targets, and commanded points.
 
 use super::kinematics::{FEWEST, Origin, Outcome, Reading, Sample, confirmed, test};
 use super::meaning::{Interpretation, Meaning, PointSet};

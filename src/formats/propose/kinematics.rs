@@ -61,7 +61,7 @@ pub(super) struct Reading {
     pub origin: Origin,
 }
 
-/// Origin of coordinates, as their residuals show it.
+/// Origin of coordinates, by their residuals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Origin {
     Measured,
@@ -156,8 +156,8 @@ struct Residual {
     unit_mm: f64,
 }
 
-/// Tests the columns of joints against the coordinates.
-/// A thorough test tries other orders and directions than those of the file too.
+/// Tests the columns of joints against the coordinates. A thorough test also tries orders and
+/// directions other than those of the file.
 pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcome {
     let count = robot.joints().len();
     if robot.free_base().is_none() || sample.joints.len() < count || count < 2 || !sample.spans_space() {

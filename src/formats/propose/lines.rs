@@ -9,6 +9,7 @@ use crate::exports::delimited::point_rows;
 use crate::guess::{Guess, names};
 use crate::logs::LogKind;
 use crate::table::QUATERNION;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::count;
 use etalon_documents::FormatsDocument;
 use std::fmt::Write;
@@ -321,7 +322,11 @@ impl Proposal<'_> {
         );
         if let Some(p) = refused.first() {
             let more = if refused.len() > 1 { format!(", and {} more", refused.len() - 1) } else { String::new() };
-            doubts.push(format!("line {}: {}{more}", p.line, p.refused.as_deref().unwrap_or("")));
+            doubts.push(format!(
+                "line {}: {}{more}",
+                p.line,
+                p.refused.as_deref().map_or_else(String::new, Phrase::to_string)
+            ));
         }
         doubts
     }

@@ -91,6 +91,13 @@ fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> ser
         }
         section["blocks"] = kept.into();
     }
+    if let Some(sections) = data["sections"].as_array_mut() {
+        let (mut behind, before): (Vec<Value>, Vec<Value>) =
+            sections.drain(..).partition(|section| section["annex"] == true);
+        *sections = before;
+        behind.append(&mut annexes);
+        annexes = behind;
+    }
     data["annexes"] = annexes.into();
     data["labels"] = labels(presentation, words);
     Ok(data)
@@ -108,6 +115,7 @@ fn labels(presentation: &Presentation, words: &Words) -> Value {
         "logo": presentation.logo.as_ref().map(|_| tr!(words, "logo-of-the-laboratory")),
         "end": tr!(words, "end-of-report"),
         "signatures": tr!(words, "signatures"),
+        "steps": tr!(words, "next-steps"),
         "signs": [tr!(words, "tested-by"), tr!(words, "approved-by")],
         "line": tr!(words, "name-date-signature"),
         "note": if lang == "en" { String::new() } else { note },

@@ -55,6 +55,7 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "date-of-receipt"), given.robot_received.clone()),
         (tr!(words, "measurement-dates"), c.date.clone()),
         (tr!(words, "date-of-issue"), issue.issued.clone()),
+        (tr!(words, "valid-until"), Some(c.valid_until.clone().unwrap_or_else(|| tr!(words, "not-stated")))),
         (tr!(words, "method"), Some(method(report, words))),
         (tr!(words, "decision-rule"), rule.or_else(|| Some(default()))),
         (tr!(words, "results-of-external-providers"), issue.external_results.clone()),

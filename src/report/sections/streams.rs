@@ -35,7 +35,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         section.push(Block::Table(corners(named, words)));
         let figures = [path_picture(i, stream.path.as_ref(), words), drift(i, &stream.standstills, words)];
         section.figures(figures.into_iter().flatten());
-        section.push(Block::note(Text::conventions(&stream.conventions, words)));
+        section.push(Block::note(Text::conventions(&stream.conventions, &stream.convention_phrases, words)));
         section.push(Block::Table(standstills(named, words)));
         section.push(Block::Table(points(named, words)));
     }

@@ -4,6 +4,7 @@ use super::demo::{Documents, point};
 use super::{demo_iso9283, demo_streams, texts_of};
 use crate::*;
 use etalon_base::message::Place;
+use etalon_base::warning;
 use etalon_documents::{Language, PoseSet, Refused, Statistics};
 
 fn html(report: &Report) -> Result<String> {
@@ -12,7 +13,7 @@ fn html(report: &Report) -> Result<String> {
 
 /// Page alone.
 fn page(documents: &Documents) -> String {
-    let words = &Words::of(documents.campaign.report.language).unwrap();
+    let words = &Words::of(documents.campaign.report.language);
     super::super::html::html(&documents.report().contents(words), &documents.campaign.report, words).unwrap()
 }
 
@@ -73,6 +74,25 @@ fn the_page_needs_no_network_and_runs_no_script_but_its_own() {
     assert!(page.contains(&format!("<script>{}</script>", super::super::html::SCRIPT)));
     let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'sha256-";
     assert!(page.contains(policy) && !page.contains("unsafe-inline' 'unsafe") && !page.contains("unsafe-eval"));
+}
+
+/// Offline an id leads to its explanation on the same page; the meaning is its tooltip.
+#[test]
+fn every_id_of_a_message_leads_to_its_explanation() {
+    let mut documents = Documents::demo();
+    let several = [3, 4].map(|pose| warning!("few-cycles", least = 30, poses = pose));
+    documents.parameters.messages.extend(several);
+    let page = html(&documents.report()).unwrap();
+    assert!(page.matches("<a href=\"#message-few-cycles\" title=\"").count() >= 1, "{page}");
+    assert_eq!(page.matches("<code id=\"message-few-cycles\">").count(), 1);
+    let links: Vec<&str> = page.split("<a href=\"#").skip(1).filter_map(|rest| Some(rest.split_once('"')?.0)).collect();
+    for link in links {
+        assert_eq!(page.matches(&format!("id=\"{link}\"")).count(), 1, "{link}");
+    }
+    let explained = etalon_base::catalogue::entries().into_iter().find(|entry| entry.id == "few-cycles").unwrap();
+    assert!(page.contains(&explained.meaning) && page.contains(&explained.action), "{page}");
+    // what does not occur is not explained
+    assert!(!page.contains("message-unit-missing"));
 }
 
 #[test]
@@ -147,7 +167,7 @@ pub(crate) fn with_text(text: &str) -> Documents {
     d.import.messages = vec![message()];
     for s in &mut d.import.sources {
         (s.file, s.dialect, s.sha256) = (t(), t(), t());
-        s.refused = vec![Refused { line: 1, text: t(), reason: t() }];
+        s.refused = vec![Refused { line: 1, text: t(), reason: t(), reason_phrase: None }];
     }
     d.features.features.iter_mut().for_each(|f| (f.name, f.element) = (t(), t()));
     d.frames.world.definition = t();

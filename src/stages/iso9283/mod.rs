@@ -1,4 +1,4 @@
-//! Tests of a campaign by ISO 9283: tables, labelled points and recorded motions become
+//! Tests of a campaign by ISO 9283: from tables, labelled points and recorded motions to
 //! characteristics.
 
 pub mod load;
@@ -11,6 +11,7 @@ use crate::stages::gather::Gathered;
 use crate::stages::table_file::CampaignTables;
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_campaign::{Campaign, Limits, PosesDefinition, TableDefinition};
 use etalon_documents::*;
@@ -19,9 +20,9 @@ use pose::{PoseTables, PreparedTest};
 use repeatability::Commanded;
 use toml::Spanned;
 
-/// The 25 % rule takes the expanded uncertainty with this coverage factor.
+/// Coverage factor of the expanded uncertainty in the 25 % rule.
 pub(crate) const COVERAGE_FACTOR: f64 = 2.0;
-/// Seed of the bootstrap where the campaign states none: intervals are the same on every run.
+/// Default seed of the bootstrap: intervals are the same on every run.
 const SEED: u64 = 1;
 
 /// Tables and recordings of the tests of a campaign, read once.
@@ -35,7 +36,7 @@ pub struct TestData {
     streams: Vec<streams::Ready>,
     /// `[compliance]`, evaluated.
     compliance: Option<Iso9283ComplianceDocument>,
-    /// The files.
+    /// The files that were read.
     pub sources: Vec<Source>,
 }
 
@@ -60,7 +61,7 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     problems.0.extend(more.0);
     data.streams = streams;
     if let Some(definition) = file.compliance.as_ref().filter(|definition| definition.is_named()) {
-        let table = files.read(definition, SourceKind::Table, "static compliance");
+        let table = files.read(definition, SourceKind::Table, phrase!("table-of-compliance"));
         let found = table.and_then(|table| load::evaluate(table.named()).map_err(|p| table.place(p)));
         data.compliance = problems.keep(found);
     }
@@ -146,9 +147,7 @@ fn of_tables(
         seed: definition.seed,
         ..settings
     })?;
-    document
-        .conventions
-        .push(format!("the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the frame of the tables"));
+    document.agree(phrase!("convention-tables", k = COVERAGE_FACTOR));
     document.visits = attained.visits();
     Ok(document)
 }
@@ -169,12 +168,12 @@ fn settings(campaign: &Campaign) -> PoseTestSettings {
     }
 }
 
-/// The limits that the campaign states, judged.
+/// The limits of the campaign, judged.
 fn judged(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
     limits(&campaign.file.limits, poses).map_err(|problems| problems.at(&campaign.place_of(&["limits"])))
 }
 
-/// Limits of the largest values: what the decision rule says of every pose.
+/// Limits of the largest values: the decision of the rule on every pose.
 pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
     let rule = limits.decision_rule.unwrap_or_default();
     let mut all = Vec::new();

@@ -1,11 +1,11 @@
-//! The log states which measured point the robot touches: a plate measured once, then encoders
-//! alone.
+//! Join by label: the log states the measured point that the robot touches. A plate is measured
+//! once; after that, only encoders are read.
 
 use super::unmatched::At;
 use super::{Remarks, Row, own_covariance};
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Pose, Vector};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::FramesDocument;
 use etalon_fit::rotation_onto;
@@ -16,7 +16,7 @@ use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One observation for every row of the log: the robot's only target is at the point that the row
-/// names. The mean counts of a point that was measured several times; all its observations then
+/// names. A point that was measured several times counts as its mean; all its observations then
 /// have the very same coordinates.
 pub(super) fn by_label(
     campaign: &Campaign,
@@ -65,7 +65,7 @@ pub(super) fn by_label(
     let idle: BTreeSet<&str> = measured.keys().copied().filter(idle).collect();
     if let Some(first) = idle.first() {
         remarks.messages.push(warning!("points-untouched", log = name, count = idle.len(), label = first));
-        let reason = format!("no row of log `{name}` touches it");
+        let reason = phrase!("no-row-touches", log = name);
         let alone = points.iter().filter(|p| idle.contains(&*p.label));
         remarks.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.to_string(), &reason)));
     }

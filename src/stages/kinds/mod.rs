@@ -58,7 +58,7 @@ pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
     })?)
 }
 
-/// Poses at which the station of the world sees the robot, at least.
+/// Minimum number of poses at which the station of the world observes the robot.
 const FEWEST_SEEN: usize = 3;
 /// Statements on all rows: standard uncertainties of rows without their own, and the order of
 /// angles.
@@ -89,8 +89,8 @@ impl Observed {
     }
 }
 
-/// The names in the column `target` that are on the robot, each once, in their order: those of rows
-/// with a pose.
+/// The names in the column `target` that are on the robot (of rows with a pose), each once, in
+/// their order.
 pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
     let mut targets: Vec<String> = Vec::new();
     let fixed = fixed_rows(observations)?;
@@ -108,16 +108,16 @@ pub fn poses(observations: &DataFrame) -> Result<BTreeSet<PoseName>> {
     Ok(row_poses(observations)?.into_iter().flatten().collect())
 }
 
-/// Columns of names of what many rows share, and the most rows that do not determine more than a
-/// place of their own.
+/// Columns of shared names, and the maximum number of rows that determine only the position of
+/// their own item.
 const SHARED: [(&str, usize); 7] =
     [("target", 1), ("socket", 1), ("other", 2), ("plane", 2), ("line_name", 2), ("sphere", 2), (STATION, 2)];
-/// Rows of the name that is meant, at least.
+/// Minimum number of rows with a name before it is suggested as a correction.
 const MEANT_ROWS: usize = 6;
 
-/// Errors about names that a row or two bear, and that are spelt almost as one of many rows: what
-/// they name would be identified from these rows alone, which then say nothing of the robot. Names
-/// that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
+/// Errors about names in one or two rows that are spelt almost like a name in many rows: the named
+/// item would be identified from these rows alone, which then contribute nothing to the robot.
+/// Names that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
 fn misspelt(observations: &DataFrame) -> Result<Problems> {
     let mut problems = Problems::default();
     let line = table::lines(observations)?;
@@ -130,14 +130,14 @@ fn misspelt(observations: &DataFrame) -> Result<Problems> {
     Ok(problems)
 }
 
-/// An error where a target of measured positions is misspelt, as of a table.
+/// Returns an error if a target of measured positions is misspelt, as for a table.
 pub(super) fn misspelt_targets(measured: &[Measured], targets: &[String]) -> Result<()> {
     let names: Vec<&str> = measured.iter().map(|m| targets[m.target].as_str()).collect();
     Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| None)).check().map(drop)
 }
 
-/// Errors about the names of rows that at most `most` rows bear; those of `fixed` rows state a
-/// place, and need no more rows.
+/// Errors about names in at most `most` rows; those of `fixed` rows state a position, and need no
+/// more rows.
 fn misspelt_names(
     names: &[&str],
     most: usize,
@@ -170,15 +170,15 @@ fn letters_wrong(name: &str, meant: &str) -> Option<usize> {
     (wrong == 0 || wrong <= most && words(name) != words(meant)).then_some(wrong)
 }
 
-/// A warning where an instrument measured positions, and joints move the base of the chain.
+/// Returns a warning if an instrument measured positions and joints move the base of the chain.
 pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
     let joints = robot.joints_of_base();
     (!joints.is_empty()).then(|| warning!("base-moves", joints).to_decide())
 }
 
-/// Observations of `robot` from a table of any kinds; what they refer to is added to its
-/// parameters, and what is not the position of a target to `settings`. What was taken from the
-/// measurement is in `messages`.
+/// Observations of `robot` from a table of any kinds; fixed points and surfaces are added to its
+/// parameters, and observations other than positions of targets to `settings`. Values derived from
+/// the measurement are in `messages`.
 pub fn observed(
     robot: &mut dyn Robot,
     observations: &DataFrame,
@@ -241,8 +241,7 @@ pub fn observed(
     }
 }
 
-/// An error about a few rows without a station, which would be the world, beside many that have
-/// one.
+/// Returns an error about a few rows without a station beside many that have one.
 fn unnamed_station(rows: &[Row]) -> Option<Message> {
     let points = rows
         .iter()

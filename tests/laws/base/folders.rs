@@ -304,7 +304,7 @@ fn a_template_that_does_not_end_is_stopped() {
     scratch.replace("campaign.toml", "[instrument]", "[report]\ntemplates = \"own\"\n\n[instrument]");
     let template = |name: &str, text: &str| {
         std::fs::write(scratch.path().join("own").join(name), text).unwrap();
-        ends(&scratch, "run", 2, &[&format!("[template-failed]: the template `{name}` takes more than 2 GiB")]);
+        ends(&scratch, "run", 2, &[&format!("[template-failed]: the template `{name}` needs more than 2 GiB")]);
         assert!(!scratch.path().join("out").exists());
         std::fs::remove_file(scratch.path().join("own").join(name)).unwrap();
     };

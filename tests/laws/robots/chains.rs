@@ -154,7 +154,9 @@ fn comes_back(keys: &str, effect: Effect, count: usize, first: &str) {
 #[test]
 fn joints_that_slide_have_no_harmonics() {
     let turning = "[[joint]]\nalpha_deg = 0.0\na_mm = 0.0\ntheta_deg = 0.0\nd_mm = 0.0\n";
-    for (keys, what) in [("[1]", "joint q1 slides: it has no turn"), ("[2, 2]", "twice"), ("[8]", "no joint 8")] {
+    for (keys, what) in
+        [("[1]", "joint q1 is prismatic: it does not rotate"), ("[2, 2]", "twice"), ("[8]", "no joint 8")]
+    {
         let scratch = Scratch::with(&[(
             "robot.toml",
             &format!("model = \"serial\"\nharmonics = {keys}\n{turning}prismatic = true\n{turning}"),
@@ -324,7 +326,7 @@ fn wrong_chains_between_hands_are_refused_by_name() {
         ("left_hand", "right_hnd", "", "has no link `right_hnd`"),
         ("left_hand", "torso", "", "no joints lead from `left_hand` to `torso`"),
         ("left_hand", "left_hand", "", "no joint moves between"),
-        ("left_hand", "right_hand", "bending = [1]", "needs a fixed direction of gravity, and joints move `left_hand`"),
+        ("left_hand", "right_hand", "bending = [1]", "needs a fixed direction of gravity, but joints move `left_hand`"),
     ] {
         let message = of_two(base, tool, more).err().unwrap();
         assert!(message.contains(what) && message.contains("robot.toml:"), "{message}");
@@ -458,7 +460,7 @@ impl ProbeStations {
             let flange = self.robot.free_base().unwrap().flange(&self.truth, &joints);
             let body = turn.then(&flange.then(&mounted));
             let (station, frame) = if i % 2 == 1 { (Some(self.station), station) } else { (None, Pose::identity()) };
-            let frame_T_body = Pose { translation_mm: [0.0; 3], ..frame.then(&body) };
+            let in_frame = Pose { translation_mm: [0.0; 3], ..frame.then(&body) };
             let pose = (i as i64).into();
             let mut add = |kind, standard_uncertainty| {
                 let joints = joints.clone();
@@ -471,7 +473,7 @@ impl ProbeStations {
                     observations.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });
                 }
             }
-            add(Kind::Orientation(Orientation { frame_T_body, station, mounting: self.mounting }), U_RAD);
+            add(Kind::Orientation(Orientation { frame_T_body: in_frame, station, mounting: self.mounting }), U_RAD);
         }
         (observations, settings)
     }

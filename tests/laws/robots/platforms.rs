@@ -141,9 +141,9 @@ fn hexapod_there_and_back() {
     let below = Pose { translation_mm: [0.0, 0.0, -400.0], ..Pose::identity() };
     assert!(arm.all_joints(&robot.nominal(), &below).is_empty());
     assert!(arm.tool_pose(&robot.nominal(), &[-300.0; 6]).is_none());
-    assert!(
-        arm.limit_violation(&robot.nominal(), &[75.0, 75.0, 75.0, 75.0, 75.0, 151.0]).unwrap().contains("leg6 = 151")
-    );
+    let violation = arm.limit_violation(&robot.nominal(), &[75.0, 75.0, 75.0, 75.0, 75.0, 151.0]).unwrap();
+    let (joint, value) = (&violation.arguments["joint"], &violation.arguments["q"]);
+    assert!(violation.id == "joint-beyond-limits" && *joint == "leg6" && *value == 151.0, "{violation}");
 }
 
 /// A joint of a delta's platform is a rod's length from elbow or carriage, here by rotations of nalgebra; and of all ways the one of the

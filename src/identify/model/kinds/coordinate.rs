@@ -1,14 +1,15 @@
-//! One coordinate of the target in the world, as a dial gauge gives it.
+//! One coordinate of the target in the world, for example from a dial gauge.
 
 use super::{At, Equation};
 use etalon_base::pose::Vector;
 
-/// One coordinate of the target in the world. Residual: its coordinate by the model less this, mm.
+/// One coordinate of the target in the world. Residual: its coordinate by the model minus the
+/// measured one (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coordinate {
     /// 0, 1 or 2 for x, y or z.
     pub axis: usize,
-    /// The coordinate.
+    /// Measured coordinate.
     pub at_mm: f64,
 }
 

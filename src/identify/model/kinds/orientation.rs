@@ -92,7 +92,7 @@ impl Equation for Orientation {
     }
 }
 
-/// Orientations of bodies on the flange: the mean of what their observed orientations show.
+/// Orientations of bodies on the flange: the mean from their observed orientations.
 pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usize], values: &mut [f64]) {
     let mut bodies: BTreeMap<usize, Vec<(Vector, Vector)>> = BTreeMap::new();
     for c in conditions {
@@ -109,15 +109,15 @@ pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usiz
     }
 }
 
-/// Root mean square angle that observed orientations are from those of the robot with `values`,
-/// with their bodies mounted where they explain these best, rad; not a number where there are none.
+/// Root mean square angle (rad) between observed orientations and those of the robot with `values`,
+/// for the best mounting of the bodies; not a number without orientations.
 pub fn mounted_misfit_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> f64 {
     let misfits = mounted_misfits_rad(robot, conditions, values);
     (misfits.iter().map(|angle| angle * angle).sum::<f64>() / misfits.len() as f64).sqrt()
 }
 
-/// Angles that observed orientations are from those of the robot with `values`, with their bodies
-/// mounted where they explain these best, rad.
+/// Angles (rad) between observed orientations and those of the robot with `values`, for the best
+/// mounting of the bodies.
 pub fn mounted_misfits_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> Vec<f64> {
     let Some(arm) = robot.free_base() else { return Vec::new() };
     let mut values = values.to_vec();
