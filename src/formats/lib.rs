@@ -9,6 +9,7 @@ mod cloud;
 pub mod dialect;
 mod export;
 pub mod exports;
+mod filter;
 mod guess;
 mod input;
 mod lexer;
@@ -76,13 +77,13 @@ pub fn points_and_refused(
 ) -> Result<(Vec<Labelled>, Option<Message>)> {
     let (rows, mut problems) = format.read(file, &text.into(), unit);
     if format.about().points_only {
-        let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
+        let refused = rows.iter().filter(|row| !row.is_left_out).filter_map(|row| Some((row, row.refused.as_ref()?)));
         problems.0.extend(
             refused.map(|(row, reason)| error!("row-without-point", reason).at(Place::line(file, row.line, &row.text))),
         );
     }
     problems.check()?;
-    let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some()).collect();
+    let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some() && !row.is_left_out).collect();
     let said = refused.first().map(|first| {
         let reason = first.refused.as_deref().map_or_else(|| "".argument(), IntoArgument::argument);
         warning!("rows-left-out", count = refused.len(), reason).at(Place::line(file, first.line, &first.text))
@@ -105,11 +106,13 @@ pub fn text_in(path: &Path, format: &Format) -> Result<String> {
 /// Reports all rows that cannot be read or were not measured.
 pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
     let (points, mut problems) = format.read(file, &text.into(), unit);
-    let refused = points.iter().filter_map(|point| Some((point, point.refused.as_ref()?)));
+    let refused =
+        points.iter().filter(|point| !point.is_left_out).filter_map(|point| Some((point, point.refused.as_ref()?)));
     problems.0.extend(
         refused
             .map(|(point, reason)| error!("row-without-point", reason).at(Place::line(file, point.line, &point.text))),
     );
     problems.check()?;
+    let points: Vec<Point> = points.into_iter().filter(|point| point.refused.is_none()).collect();
     points::table(&points)
 }

@@ -46,6 +46,8 @@ pub struct Point {
     pub temperature_c: Option<f64>,
     /// Rule that rejects the row.
     pub refused: Option<Box<Phrase>>,
+    /// `true` if the campaign leaves the row out: by a filter, or as marked as deleted.
+    pub is_left_out: bool,
 }
 
 /// Line of a text that shares the memory of the text: exports have millions of lines.

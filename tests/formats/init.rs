@@ -161,7 +161,7 @@ fn labels_and_poses_join_an_export_and_a_log() {
 fn a_recording_and_points_with_times_are_a_campaign() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    let names = ["elbow", "base", "shoulder", "wrist_1", "wrist_2", "wrist_3"];
+    let names = ["elbow", "pan", "shoulder", "wrist_1", "wrist_2", "wrist_3"];
     let mut urdf = "<robot name=\"arm\"><link name=\"root\"/>\n".to_owned();
     let origins = [
         ("0 0 0.3", "0 0 0"),
@@ -171,7 +171,7 @@ fn a_recording_and_points_with_times_are_a_campaign() {
         ("0 0.1 0", "1.57 0 0"),
         ("0 0 0.1", "-1.57 0 0"),
     ];
-    let order = ["base", "shoulder", "elbow", "wrist_1", "wrist_2", "wrist_3"];
+    let order = ["pan", "shoulder", "elbow", "wrist_1", "wrist_2", "wrist_3"];
     for (k, (xyz, rpy)) in origins.iter().enumerate() {
         let parent = if k == 0 { "root".to_owned() } else { format!("l{k}") };
         let _ = writeln!(

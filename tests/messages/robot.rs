@@ -111,6 +111,15 @@ const FILES: &[Case] = &[
     ("urdf-no-robot", URDF, &[(U, "", "<sdf/>")], CHECK),
     ("urdf-not-number word=x", URDF, &[(U, "xyz=\"0 -0.1 0.4\"", "xyz=\"0 0 x\"")], CHECK),
     (
+        "xacro-construct",
+        URDF,
+        &[
+            (U, "</robot>", "<xacro:arm/></robot>"),
+            (U, "<robot ", "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" "),
+        ],
+        CHECK,
+    ),
+    (
         "urdf-no-moving-joint",
         "",
         &[(U, "", "<robot name=\"table\"><link name=\"a\"/></robot>")],

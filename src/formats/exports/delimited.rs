@@ -3,11 +3,12 @@
 use super::stamps;
 use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
 use crate::dialect::{
-    Cells, ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
+    ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
     coordinate_type,
 };
+use crate::filter::Filter;
 use crate::lexer::pose_name;
-use crate::lexer::{self, Row, WHOLE, column_index, each_row, marked};
+use crate::lexer::{self, Row, WHOLE, each_row, marked};
 use crate::points::{Line, Names, Point};
 use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
@@ -158,7 +159,7 @@ fn points<'t>(
     let header = header(file, &mut rows, dialect)?;
     let mut rows = rows.peekable();
     let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, rows.peek())?;
-    let filter = Filter::of(file, dialect, header.as_ref())?;
+    let filter = Filter::of(file, [&dialect.only, &dialect.without], header.as_ref())?;
     let mut problems = Problems::default();
     if let Some(header) = &header {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
@@ -296,37 +297,6 @@ fn computed_cells(
     row.fields.extend(cells.into_iter().map(|text| Cow::Owned(mark(text))));
 }
 
-/// Rows that are excluded by the cells of their columns.
-#[derive(Default)]
-struct Filter<'a> {
-    /// Column, its name, its cells, and `true` if rows with one of these cells are read.
-    cells: Vec<(usize, &'a str, &'a Cells, bool)>,
-}
-
-impl<'a> Filter<'a> {
-    fn of(file: &str, dialect: &'a Dialect, header: Option<&Row>) -> Result<Self, Vec<Message>> {
-        let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
-        let (mut cells, mut wrong) = (Vec::new(), Vec::new());
-        for (stated, read) in [(&dialect.only, true), (&dialect.without, false)] {
-            for (name, of) in stated {
-                match column_index(name, header) {
-                    Ok(column) => cells.push((column, name.as_str(), of, read)),
-                    Err(message) => wrong.push(message.at(at())),
-                }
-            }
-        }
-        if wrong.is_empty() { Ok(Self { cells }) } else { Err(wrong) }
-    }
-
-    /// Reason for leaving out a row.
-    fn refuses(&self, row: &Row) -> Option<Phrase> {
-        let fails =
-            |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
-        let (column, name, ..) = self.cells.iter().find(fails)?;
-        Some(phrase!("row-left-out-by-cell", column = name, cell = row.field(*column)))
-    }
-}
-
 /// Numbers of a row with their roles; coordinates with their columns, in mm or rad.
 #[derive(Default)]
 struct Numbers {
@@ -378,6 +348,7 @@ impl Reader<'_> {
             read.map_err(|message| wrong(hinted(message), i)).unwrap_or(f64::NAN)
         };
         let left_out = self.filter.refuses(row);
+        point.is_left_out = left_out.is_some();
         point.refused = left_out
             .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))))
             .map(Box::new);
@@ -397,6 +368,7 @@ impl Reader<'_> {
                 ColumnRole::TemperatureC => point.temperature_c = Some(value(i, field)),
                 ColumnRole::Deleted if is_deleted(field) => {
                     point.refused.get_or_insert_with(|| Box::new(phrase!("row-marked-deleted", cell = field)));
+                    point.is_left_out = true;
                 }
                 ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}

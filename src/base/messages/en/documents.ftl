@@ -183,6 +183,7 @@ action-measure-again = measure { $count ->
        *[other] poses { $poses }
     } again{ $more ->
         [0] {""}
+        [one] {" "}(1 further pose disagrees)
        *[other] {" "}({ $more } further poses disagree)
     }
 action-measure-again-reason = pose { $pose } disagrees with the others: { $error }, { $times } σ

@@ -885,5 +885,3 @@ xacro-value-too-long = the value is longer than { $most_bytes } bytes, or refers
 # Do: Expand the file with xacro, and check its includes.
 # Example: a file that is included many times
 xacro-too-large = the expanded text is larger than { $most_mib } MiB
-
-joints-named-as-robots = the joints have the names of the robot's joints

@@ -466,4 +466,3 @@ xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $mo
 xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou exige plus de { $most_depth } propriétés imbriquées
 
 xacro-too-large = le texte développé dépasse { $most_mib } Mio
-joints-named-as-robots = les articulations portent les noms de celles du robot
