@@ -243,8 +243,8 @@ impl FitDocument {
         }
     }
 
-    /// Creates the document of a least-squares fit without foreign points; `points` is the number of
-    /// all points.
+    /// Creates the document of a least-squares fit without foreign points; `points` counts all
+    /// points.
     pub fn robust(label: Option<String>, found: &RobustElement) -> Self {
         let numbers: Vec<usize> = found.set_aside.iter().map(|i| i + 1).collect();
         let mut document = Self::new(label, &found.fit);
