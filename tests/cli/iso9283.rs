@@ -288,8 +288,10 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
     for (found, expected) in numbers(&back).iter().zip(numbers(&still)) {
         assert!((found - expected).abs() < 1e-9, "{found} instead of {expected}");
     }
-    assert!(back.conventions.iter().any(|c| c == "positions and orientations are carried back by reference targets"));
-    // without the order positions alone are carried back, and that is told
+    assert!(
+        back.conventions.iter().any(|c| c == "drift of positions and orientations is compensated by reference targets")
+    );
+    // without the order the drift of positions alone is compensated, and that is told
     let (half, said) = answer(&order[..2]);
     assert!((half.poses[0].ap_mm.unwrap() - still.poses[0].ap_mm.unwrap()).abs() < 1e-9);
     assert!(half.poses[0].rp_c_deg.unwrap() > 10.0 && said.contains("warning[angles-not-compensated]"), "{said}");

@@ -130,7 +130,7 @@ fn split(poses: usize) -> String {
              validation = \"rest\"\n"
         ),
         false => format!(
-            "\n[identify]\ncalibration = \"all\"                           # {poses} poses or readings are few: none is kept for a validation\n"
+            "\n[identify]\ncalibration = \"all\"                           # {poses} poses or readings are few: none is left for a validation\n"
         ),
     }
 }

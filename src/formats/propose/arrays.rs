@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 /// Proposes lines for the arrays of a file.
 ///
 /// # Errors
-/// If the file cannot be read, or has no array of numbers with one or two axes.
+/// Fails if the file cannot be read, or has no array of numbers with one or two axes.
 pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<FormatsDocument, Message> {
     let arrays = format.arrays(bytes)?;
     // joints are the parts of the array with the most parts

@@ -267,7 +267,8 @@ impl Proposal<'_> {
         out
     }
 
-    /// Returns the question of the unit with the size of coordinates and units that fit.
+    /// Returns the question of the unit with the size of the coordinates, and the units that fit
+    /// it.
     fn unit_of_lengths(&self, points: Option<&PointSet>) -> Phrase {
         let largest = points.map_or(0.0, |points| {
             points.columns.iter().flatten().map(|at| self.table.columns[*at].largest()).fold(0.0, f64::max)

@@ -72,7 +72,7 @@ const SHOWN_COLUMNS: usize = 60;
 /// Proposes readings of a file, and lines for campaign.toml for the first reading.
 ///
 /// # Errors
-/// If the file is missing, empty or not text, or no reading gives rows of numbers.
+/// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
 pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     propose_file_for(path, None)
 }
@@ -80,7 +80,7 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
 /// Proposes readings of a file as [`propose_file`], and tests them against a nominal robot.
 ///
 /// # Errors
-/// If the file is missing, empty or not text, or no reading gives rows of numbers.
+/// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
 pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<FormatsDocument> {
     match robot {
         Some(known) => propose_corrected(path, robot, Some(&mut |table, found| against::correct(known, table, found))),

@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 /// Proposes lines for the topics of a recording.
 ///
 /// # Errors
-/// If the recording cannot be read, or has no topic of a known type.
+/// Fails if the recording cannot be read, or has no topic of a known type.
 pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) -> Result<FormatsDocument, Message> {
     let topics = ros_bag::topics(bytes)?;
     let known: Vec<(&Topic, Kind)> = topics.iter().filter_map(|topic| Some((topic, topic.kind?))).collect();
@@ -55,7 +55,7 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
             &if is_log { log(file, topic, named.unwrap_or_else(|| joints(head))) } else { export(file, topic, *kind) };
     }
     if is_named {
-        document.because(phrase!("because-joints-named"));
+        document.because(phrase!("joints-named-as-robots"));
     } else if document.kind == "log" {
         document.ask(phrase!("ask-joint-states"));
     }

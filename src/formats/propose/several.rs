@@ -80,7 +80,7 @@ struct Join {
 /// Proposes uses of several files that belong to one campaign, and how they are joined.
 ///
 /// # Errors
-/// If a file is missing or no table.
+/// Fails if a file is missing, or is not a table.
 pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<FilesProposal> {
     let mut parts = paths.iter().map(|path| Part::of(path, robot)).collect::<Result<Vec<Part>>>()?;
     let log = parts.iter().position(|part| part.document.kind == "log");

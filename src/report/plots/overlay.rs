@@ -7,7 +7,7 @@ const BINS: usize = 24;
 /// Maximum number of decades; smaller errors are in the first bin.
 const DECADES: f64 = 4.0;
 
-/// Shares of the points of the deciding set by size of the position error.
+/// Shares of the points of the deciding set, by size of their position error.
 pub(crate) fn picture(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Option<Figure> {
     let deciding = errors.iter().map(|e| e.set).max()?;
     let of: Vec<&&PointError> = errors.iter().filter(|e| e.set == deciding).collect();

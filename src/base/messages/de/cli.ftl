@@ -224,6 +224,28 @@ deviation-unknown = keine Abweichung bei { $position }: { $reason }
     .hint = Positionen verwenden, die der Roboter erreicht oder die gemessen wurden
 
 robot-file-of-run = die Kampagne erneut ausführen oder die robot.toml angeben, mit der sie ausgeführt wurde
+convert-no-chain = `{ $model }` ist keine Kette von Gelenken und hat keine andere Konvention
+
+convert-shared-joints = { $axes } Achsen teilen sich { $joints } Gelenkwerte
+    .hint = die URDF behalten, in der `mimic` das angibt
+
+convert-left-out = { $count ->
+        [one] 1 Parameter ist
+       *[other] { $count } Parameter sind
+    } keine Geometrie und weggelassen: { $names }
+    .hint = `bending`, `harmonics`, `backlash` und `coupling` in der neuen Datei angeben und neu identifizieren
+
+convert-gains-not-held = eine URDF hat keine Übersetzung von { $joints }: ihre Gelenkwerte sind die der Achsen
+    .hint = die Gelenkwerte multiplizieren oder in `poe` umwandeln
+
+convert-travel-unknown = der Hub von { $joints } ist nicht angegeben: die URDF hat 1 m nach beiden Seiten
+    .hint = `limit` in der Datei berichtigen oder `travel_mm` in robot.toml angeben
+
+enclosing-robust = `{ $element }` wird von seinen äußersten Punkten gehalten: keiner kann beiseitegelegt werden
+    .hint = circle2d oder sphere mit --robust ausgleichen
+
+qif-robust = Elemente einer QIF-Datei werden aus allen ihren Punkten ausgeglichen
+    .hint = --robust weglassen oder die Punkte aus einer Tabelle ausgleichen
 axis-without-errors = die Achse hat in diesem Modell keine eigenen Abweichungen
 lead-not-measured-there = die Steigung wurde dort nicht gemessen
 table-without-row = die Tabelle hat dort keine Zeile

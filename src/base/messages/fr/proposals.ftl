@@ -29,7 +29,6 @@ because-decimal-marks = { $fractions } de { $numbers } nombres ont la marque dé
 because-end = la dernière ligne est le mot `{ $end }`
 because-fields = { $read } de { $rows } lignes ont { $fields } champs séparés par `{ $delimiter }`
 because-it-is = c’est { $what }
-because-joints-named = les articulations ont les noms de celles du robot
 because-line = la ligne { $line } { $is ->
         [header] nomme les colonnes
        *[last] est la dernière avant les données

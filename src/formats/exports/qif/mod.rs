@@ -139,7 +139,7 @@ pub fn is_xml(text: &str) -> bool {
 /// Reads a QIF file; `mm_in_unit` is the unit of length of a file without units.
 ///
 /// # Errors
-/// If the file is not a well-formed QIF 2.x or 3.x document, has no unit, or holds an invalid
+/// Fails if the file is not a well-formed QIF 2.x or 3.x document, has no unit, or holds an invalid
 /// number.
 pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredFeatures> {
     let tree = Elements::read(file, text, |name| NOT_READ.contains(&name))?;
