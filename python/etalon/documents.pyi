@@ -43,7 +43,7 @@ class Action(Record):
     file: str | None
     """File to load, or to change, relative to the output folder or the folder of the campaign."""
     gain_mm: float | None
-    """Expected decrease of the error (mm), by which actions are ordered; absent if unknown."""
+    """Expected decrease of the error (mm), which determines the order of actions; absent if unknown."""
     line: str | None
     """Lines to add to `file`."""
     message: Message | None
@@ -69,7 +69,7 @@ class Approach(Record):
     """Number of runs n."""
 
 class AxesCheck(Record):
-    """Reading beside the position that the robot has at its joint values."""
+    """Comparison of a reading with the position of the robot at its joint values."""
     distance_mm: float
     """Distance of the reading from the predicted position."""
     line: int
@@ -122,7 +122,7 @@ class AxisEntry(Record):
     direction: list[float]
     """Unit direction of positive motion."""
     direction_standard_uncertainty_deg: float
-    """Standard uncertainties of the direction about its two most different axes, the larger one."""
+    """Standard uncertainty of the direction: the larger of those about two perpendicular axes."""
     joint: str
     """Name of the joint."""
     motion_rms: float | None
@@ -130,9 +130,11 @@ class AxisEntry(Record):
     paths: list[AxisPath]
     """Paths of the targets."""
     point_mm: list[float]
-    """Point of the axis beside the centroid of the readings; of a sliding joint the centroid."""
+    """Point of the axis nearest to the centroid of the readings; for a prismatic joint the centroid."""
     point_standard_uncertainty_mm: float | None
-    """Standard uncertainty of the point across the axis, the larger one; absent for a sliding joint."""
+    """Standard uncertainty of the point across the axis: the larger of two perpendicular directions; absent for a
+    prismatic joint.
+    """
     prismatic: bool
     """`true` if the joint slides."""
     ratio: float | None
@@ -147,18 +149,18 @@ class AxisEntry(Record):
 class AxisPath(Record):
     """Path of a target about or along an axis."""
     arc_deg: float | None
-    """Arc that the readings cover; absent for a sliding joint."""
+    """Arc that the readings cover; absent for a prismatic joint."""
     face_error_motion_mm: float
-    """Face error motion (ISO 230-7) at this radius, peak to valley with the noise of the measuring system. Of a
-    sliding joint: straightness in the other direction across.
+    """Face error motion (ISO 230-7) at this radius, peak to valley, including the noise of the measuring system. For
+    a prismatic joint: straightness in the other transverse direction.
     """
     height_mm: float | None
-    """Height over the point of the axis; absent for a sliding joint."""
+    """Height relative to the point of the axis; absent for a prismatic joint."""
     length_mm: float | None
     """Length that the readings cover; absent for a revolute joint."""
     radial_error_motion_mm: float
-    """Radial error motion (ISO 230-7) at this target, peak to valley with the noise of the measuring system. Of a
-    sliding joint: straightness in one direction across.
+    """Radial error motion (ISO 230-7) at this target, peak to valley, including the noise of the measuring system.
+    For a prismatic joint: straightness in one transverse direction.
     """
     radius_mm: float | None
     """Radius; absent for a sliding joint."""
@@ -253,6 +255,8 @@ class BatchEntry(Record):
     """Output folder of the campaign."""
     robot: str | None
     """Name of the robot, or of its model."""
+    valid_until: str | None
+    """Last day on which the calibration is valid, as stated: year-month-day."""
     verdict: Any
     """Verdict on the result; null if it was not judged or the campaign did not run."""
 
@@ -833,10 +837,14 @@ class FormatsColumn(Record):
     """Number of the column, from 1."""
     taken_for: str
     """Proposed contents of the column."""
+    taken_for_phrase: Phrase | None
+    """Text of the catalogue that is `taken_for` in English."""
     unit: str | None
     """Unit in the heading."""
     why: str
     """Evidence for the contents."""
+    why_phrase: Phrase | None
+    """Text of the catalogue that is `why` in English."""
 
 class FormatsJoin(Record):
     """Proposed join of an export with a log."""
@@ -2350,13 +2358,13 @@ class ZeroAxis(Record):
     direction: list[float]
     """Unit direction of positive motion."""
     direction_standard_uncertainty_deg: float
-    """Standard uncertainty of the direction, as the length of its components."""
+    """Standard uncertainty of the direction: root of the sum of squares of its components."""
     joint: str
     """Name of the joint."""
     point_mm: list[float] | None
-    """Point of the axis nearest to the origin of the base; absent for a sliding joint."""
+    """Point of the axis nearest to the origin of the base; absent for a prismatic joint."""
     point_standard_uncertainty_mm: float | None
-    """Standard uncertainty of the point, as the length of its components."""
+    """Standard uncertainty of the point: root of the sum of squares of its components."""
 
 class AccuracyDocument(Document):
     """Errors before and after calibration, separately for calibration and validation poses."""
@@ -2417,7 +2425,7 @@ class AxesDocument(Document):
     axes: list[AxisEntry]
     """One axis for each joint, in the order of the joints."""
     checks: list[AxesCheck]
-    """Readings that no sweep uses, compared with the robot."""
+    """Readings that belong to no sweep, compared with the robot."""
     joint_values: bool
     """`true` if joint values are known; otherwise joint values zero are the start of the sweeps."""
     messages: list[Message]
@@ -2425,7 +2433,7 @@ class AxesDocument(Document):
     provenance: "Provenance"
     """Version and inputs."""
     robot: AxesRobot | None
-    """Robot that the axes give; absent if joints have no sweep."""
+    """Robot that follows from the axes; absent if joints have no sweep."""
     schema: str
     """Schema and version: `etalon/axes/1`."""
 
@@ -2618,6 +2626,8 @@ class FitDocument(Document):
     """Root mean square of the orthogonal distances."""
     schema: str
     """Schema and version: `etalon/fit/1`."""
+    set_aside: list[int] | None
+    """Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`."""
     solver: "FitSolver"
     """Solver and its termination."""
     standard_uncertainty: FitUncertainty | None
@@ -2629,6 +2639,8 @@ class FormatsDocument(Document):
     """Proposals of `etalon formats` for reading a file."""
     columns: list[FormatsColumn]
     """Proposed contents of each column of the first reading, with reasons."""
+    doubt_phrases: list[Phrase]
+    """Texts of the catalogue that are `doubts` in English."""
     doubts: list[str]
     """Doubts about the first proposal."""
     file: str
@@ -2641,10 +2653,14 @@ class FormatsDocument(Document):
     """Proposed use of the file: `export`, `export with joints`, `log`, `observations`, `poses`, `commanded`,
     `recording` ...
     """
+    question_phrases: list[Phrase]
+    """Texts of the catalogue that are `questions` in English."""
     questions: list[str]
     """Facts that the file cannot state and the campaign must."""
     readings: list[Reading]
     """Readings that explain the file, the proposed one first."""
+    reason_phrases: list[Phrase]
+    """Texts of the catalogue that are `reasons` in English."""
     reasons: list[str]
     """Reasons for the first proposal."""
     rows: int
