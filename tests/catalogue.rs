@@ -18,14 +18,15 @@ const QUOTED: [&str; 6] = [
     "property list",
 ];
 
-/// Folders of `src` whose code has no sentence at all. The others write programs, templates and help of keys.
-const WITHOUT_SENTENCES: [&str; 5] = ["compare", "documents", "fit", "identify", "run"];
+/// Folders of `src` whose code has no sentence at all. The others write programs, templates, help of keys and English
+/// heads of workbooks.
+const WITHOUT_SENTENCES: [&str; 6] = ["compare", "documents", "fit", "identify", "run", "stages"];
 
 /// Messages that no test names. The number may only fall.
-const UNTESTED: usize = 181;
+const UNTESTED: usize = 167;
 
 /// Texts in `tests` that repeat words of a message instead of its id. The number may only fall.
-const PROSE: usize = 86;
+const PROSE: usize = 83;
 
 /// Calls in a file.
 #[derive(Debug, Default, PartialEq)]

@@ -34,6 +34,29 @@ class AccuracySet(Record):
     poses: int
     """Number of poses."""
 
+class Action(Record):
+    """Next step with its reason."""
+    action: Any
+    """Kind of the step."""
+    command: str | None
+    """Command to run in the folder of the campaign."""
+    file: str | None
+    """File to load, or to change, relative to the output folder or the folder of the campaign."""
+    gain_mm: float | None
+    """Expected decrease of the error (mm), by which actions are ordered; absent if unknown."""
+    line: str | None
+    """Lines to add to `file`."""
+    message: Message | None
+    """Warning whose hint is the instruction."""
+    reason: str
+    """Reason, in English."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English; absent if `message` has the text."""
+    what: str
+    """Instruction, in English."""
+    what_phrase: Phrase | None
+    """Text of the catalogue that is `what` in English; absent if `message` has the text."""
+
 class Approach(Record):
     """Runs to one position from one direction."""
     estimator_mm: float
@@ -44,6 +67,107 @@ class Approach(Record):
     """Unidirectional positioning repeatability Ri = 4 si."""
     runs: int
     """Number of runs n."""
+
+class AxesCheck(Record):
+    """Reading beside the position that the robot has at its joint values."""
+    distance_mm: float
+    """Distance of the reading from the predicted position."""
+    line: int
+    """Line of the reading."""
+    standard_uncertainty_mm: float
+    """Standard uncertainty of a component of the difference."""
+    target: str
+    """Name of the target."""
+
+class AxesRobot(Record):
+    """Robot from its axes alone."""
+    axes: list[ZeroAxis]
+    """Axes at joint values zero in the base."""
+    base_quaternion: list[float]
+    """Orientation of the base in the frame of the measurements: unit quaternion w, x, y, z."""
+    base_rule: str
+    """Rule of the base: `common-normal`, `meeting`, `parallel`, `sliding` or `target`."""
+    base_xyz_mm: list[float]
+    """Position of the base in the frame of the measurements."""
+    convention: str
+    """Convention of the robot file: `poe`, `dh` or `mdh`."""
+    flange_quaternion: list[float]
+    """Orientation of the flange at joint values zero in the base: unit quaternion w, x, y, z."""
+    flange_xyz_mm: list[float]
+    """Position of the flange at joint values zero in the base."""
+    robot_toml: str
+    """Text of robot.toml."""
+    targets: list[AxesTarget]
+    """Targets in the frame of the flange."""
+
+class AxesTarget(Record):
+    """Target on the flange."""
+    standard_uncertainty_mm: list[float]
+    """Standard uncertainties of the components."""
+    target: str
+    """Name of the target."""
+    xyz_mm: list[float]
+    """Position in the frame of the flange."""
+
+class AxisEntry(Record):
+    """Axis of one joint in the frame of the measurements, at the pose of its sweep."""
+    axial_error_motion_mm: float | None
+    """Axial error motion (ISO 230-7), peak to valley; from three targets."""
+    coordinate_standard_uncertainty_mm: float
+    """Standard uncertainty of a coordinate: as stated, or from the residuals."""
+    covariance: list[list[float]]
+    """Covariance of point (mm) and direction, 6 × 6, in this order."""
+    degrees_of_freedom: int | None
+    """Degrees of freedom of that uncertainty; absent if it is stated."""
+    direction: list[float]
+    """Unit direction of positive motion."""
+    direction_standard_uncertainty_deg: float
+    """Standard uncertainties of the direction about its two most different axes, the larger one."""
+    joint: str
+    """Name of the joint."""
+    motion_rms: float | None
+    """Root mean square of motion minus joint value (deg or mm); absent without joint values."""
+    paths: list[AxisPath]
+    """Paths of the targets."""
+    point_mm: list[float]
+    """Point of the axis beside the centroid of the readings; of a sliding joint the centroid."""
+    point_standard_uncertainty_mm: float | None
+    """Standard uncertainty of the point across the axis, the larger one; absent for a sliding joint."""
+    prismatic: bool
+    """`true` if the joint slides."""
+    ratio: float | None
+    """Motion per unit of the joint value; absent without joint values."""
+    readings: int
+    """Number of readings."""
+    set_aside: list[int]
+    """Lines of readings that are set aside."""
+    tilt_error_motion_deg: float | None
+    """Tilt error motion (ISO 230-7), largest angle from the mean axis; from three targets."""
+
+class AxisPath(Record):
+    """Path of a target about or along an axis."""
+    arc_deg: float | None
+    """Arc that the readings cover; absent for a sliding joint."""
+    face_error_motion_mm: float
+    """Face error motion (ISO 230-7) at this radius, peak to valley with the noise of the measuring system. Of a
+    sliding joint: straightness in the other direction across.
+    """
+    height_mm: float | None
+    """Height over the point of the axis; absent for a sliding joint."""
+    length_mm: float | None
+    """Length that the readings cover; absent for a revolute joint."""
+    radial_error_motion_mm: float
+    """Radial error motion (ISO 230-7) at this target, peak to valley with the noise of the measuring system. Of a
+    sliding joint: straightness in one direction across.
+    """
+    radius_mm: float | None
+    """Radius; absent for a sliding joint."""
+    radius_standard_uncertainty_mm: float | None
+    """Standard uncertainty of the radius."""
+    readings: int
+    """Number of readings used."""
+    target: str
+    """Name of the target."""
 
 class AxisPosition(Record):
     """One position of the axis, approached from both directions."""
@@ -222,6 +346,8 @@ class CompareTrend(Record):
     """Family with which the quantity is tested."""
     name: str
     """Name of the parameter, or the quantity in words."""
+    name_phrase: Phrase | None
+    """Text of the catalogue that is `name` in English; absent for a parameter."""
     unit: str
     """`mm`, `deg` or `1`."""
     values: list[CompareValue]
@@ -635,6 +761,8 @@ class FitProbe(Record):
     """`inside`, `outside` or `towards`."""
     side_from: str | None
     """Statement of the file from which the side was derived."""
+    side_from_phrase: Phrase | None
+    """Text of the catalogue that is `side_from` in English."""
     towards: list[float] | None
     """For a plane or line: direction from the element to the probe."""
     uncompensated_minor_radius_mm: float | None
@@ -654,6 +782,8 @@ class FitSolver(Record):
     """Number of steps; 0 for closed-form solutions."""
     method: str
     """Algorithm."""
+    method_phrase: Phrase | None
+    """Text of the catalogue that is `method` in English."""
     termination: Any
     """Reason of the termination."""
 
@@ -1166,6 +1296,8 @@ class Iso9283Unreached(Record):
     """Number of the point in the list, from 1."""
     reason: str
     """Reason."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
 
 class Iso9283Variation(Record):
     """A pose that was approached in several ways (7.2.3)."""
@@ -1365,7 +1497,7 @@ class Message(Record):
     id: str
     """Id in the catalogue; `etalon explain ID` explains it."""
     place: Place | None
-    """Where."""
+    """Place of the problem."""
     rank: Any
     """Importance for a reader."""
     severity: Any
@@ -1475,6 +1607,21 @@ class ParameterEntry(Record):
     """`mm`, `deg` or `1`."""
     value: float
     """Identified value, or value at which the parameter is held."""
+
+class ParameterInfluence(Record):
+    """Effect of a parameter at the measured point that it moves most, with all other parameters, base and targets
+    unchanged.
+    """
+    change_mm: float
+    """Displacement of the point by identified minus nominal value (mm), with the sign of the change."""
+    name: str
+    """Name of the parameter."""
+    pose: int | str
+    """Pose of the point."""
+    standard_uncertainty_mm: float | None
+    """Displacement of the point by the standard uncertainty of the parameter (mm, k = 1)."""
+    tolerance_mm: float | None
+    """Displacement of the point by the stated tolerance of the parameter (mm)."""
 
 class ParameterVerdict(Record):
     """Verdict on whether a parameter should be loaded."""
@@ -1655,6 +1802,8 @@ class Refused(Record):
     """Line in the file, from 1."""
     reason: str
     """Rule that rejected the row."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
     text: str
     """Text of the line."""
 
@@ -1874,6 +2023,8 @@ class SolverSummary(Record):
     """Reason of the termination in words."""
     method: str
     """Algorithm."""
+    method_phrase: Phrase | None
+    """Text of the catalogue that is `method` in English."""
     termination: Any
     """Reason of the termination."""
 
@@ -1883,6 +2034,8 @@ class Source(Record):
     """Size of the file."""
     dialect: str
     """Dialect of the file: format, delimiter, decimal mark, unit."""
+    dialect_phrase: Phrase | None
+    """Texts of the catalogue that are `dialect` in English."""
     file: str
     """File, as the campaign names it."""
     kind: str
@@ -2091,6 +2244,8 @@ class Unmatched(Record):
     """Line in the file, from 1."""
     reason: str
     """Table without a partner, or number of partners."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
 
 class UnreachablePose(Record):
     """A pose without solution."""
@@ -2098,11 +2253,15 @@ class UnreachablePose(Record):
     """Name of the pose."""
     reason: str
     """Limit that forbids the pose, or that the pose is out of reach."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
 
 class UnreachableTarget(Record):
     """A target that cannot be commanded."""
     reason: str
     """Limit that forbids the target, or that the target is out of reach."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
     target: str
     """Name of the target."""
 
@@ -2168,6 +2327,13 @@ class WrittenController(Record):
     messages: list[Message]
     """Warnings about this file."""
 
+class WrittenFile(Record):
+    """Controller file that a run wrote."""
+    file: str
+    """Name of the file in the output folder."""
+    format: str
+    """Name of the format."""
+
 class WrittenParameter(Record):
     """A parameter as written to a file."""
     name: str
@@ -2179,10 +2345,25 @@ class WrittenParameter(Record):
     value: float
     """Value."""
 
+class ZeroAxis(Record):
+    """Axis in the base at joint values zero."""
+    direction: list[float]
+    """Unit direction of positive motion."""
+    direction_standard_uncertainty_deg: float
+    """Standard uncertainty of the direction, as the length of its components."""
+    joint: str
+    """Name of the joint."""
+    point_mm: list[float] | None
+    """Point of the axis nearest to the origin of the base; absent for a sliding joint."""
+    point_standard_uncertainty_mm: float | None
+    """Standard uncertainty of the point, as the length of its components."""
+
 class AccuracyDocument(Document):
     """Errors before and after calibration, separately for calibration and validation poses."""
     budget: list[FigureBudget]
-    """Standard uncertainties of the limited errors after calibration: of the validation poses, or of the calibration poses in a campaign without validation. The parameters are under test and contribute nothing. Empty if no uncertainty is stated.
+    """Standard uncertainties of the limited errors after calibration: of the validation poses, or of the calibration
+    poses in a campaign without validation. The parameters are under test and contribute nothing. Empty if no
+    uncertainty is stated.
     """
     campaign: CampaignReference | None
     """Campaign whose data judge given parameters; absent in the output folder of a run."""
@@ -2204,6 +2385,8 @@ class AccuracyDocument(Document):
     """Expected error at the tool point over the workspace. Absent without `tool`, without inverse kinematics, or if
     the robot reaches too few places between the poses.
     """
+    parameter_influences: list[ParameterInfluence]
+    """Effects of the identified parameters of the robot at the measured points, the largest change first."""
     placed_apart: list[PlacedApart]
     """Targets and fixtures that no calibration pose shows. They are placed by their own readings at validation
     poses, with all identified parameters held.
@@ -2229,6 +2412,23 @@ class AccuracyDocument(Document):
     poses cover.
     """
 
+class AxesDocument(Document):
+    """Axes of joints from sweeps of one joint at a time (circle-point analysis)."""
+    axes: list[AxisEntry]
+    """One axis for each joint, in the order of the joints."""
+    checks: list[AxesCheck]
+    """Readings that no sweep uses, compared with the robot."""
+    joint_values: bool
+    """`true` if joint values are known; otherwise joint values zero are the start of the sweeps."""
+    messages: list[Message]
+    """Warnings."""
+    provenance: "Provenance"
+    """Version and inputs."""
+    robot: AxesRobot | None
+    """Robot that the axes give; absent if joints have no sweep."""
+    schema: str
+    """Schema and version: `etalon/axes/1`."""
+
 class AxisDocument(Document):
     """Positioning of a linear axis (ISO 230-2:2014)."""
     axis: "AxisPositioning"
@@ -2247,7 +2447,7 @@ class BatchDocument(Document):
     failed: int
     """Number of campaigns that did not run."""
     not_met: int
-    """Number of campaigns that fail a limit, or whose result cannot be the robot."""
+    """Number of campaigns that fail a limit, or whose result is implausible."""
     schema: str
     """Schema and version: `etalon/batch/1`."""
     skipped: int
@@ -2259,6 +2459,8 @@ class CampaignSummary(Document):
     """Conditions of a test."""
     contact: ContactSummary | None
     """Repeatability of the robot in returning to a measured point, if stated."""
+    controller_files: list[WrittenFile]
+    """Controller files that the run wrote."""
     coverage_factor: float | None
     """Coverage factor of `expanded_uncertainty_um`."""
     date: str | None
@@ -2287,6 +2489,10 @@ class CampaignSummary(Document):
     """Explanation of synthetic data; absent for measured data."""
     temperature_c: float | None
     """Temperature during the campaign."""
+    temperature_range_c: list[float] | None
+    """Lowest and highest temperature (°C) that rows of the exports state."""
+    valid_until: str | None
+    """Last day on which the calibration is valid, as stated: year-month-day."""
 
 class CheckDocument(Document):
     """Findings of `etalon check`. The exit code is 2 if there are errors, otherwise 0."""
@@ -2309,6 +2515,8 @@ class CompareDocument(Document):
     """Between-series components for each pair of campaigns with a misfit in at least one."""
     campaigns: list[ComparedCampaign]
     """Compared campaigns."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Rules for judging changes, and their limitations, in words."""
     messages: list[Message]
@@ -2499,6 +2707,8 @@ class ImportDocument(Document):
 
 class Iso9283ComplianceDocument(Document):
     """Static compliance (10)."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Method, and the statement that the clause is not verified against the standard."""
     directions: list[Iso9283Compliance]
@@ -2510,8 +2720,12 @@ class Iso9283ComplianceDocument(Document):
 
 class Iso9283Document(Document):
     """Characteristics of ISO 9283:1998 of one test."""
+    approach_phrases: Record
+    """Texts of the catalogue that are names of approaches in English; names that a table states are absent."""
     approaches: list[Iso9283Variation]
     """One entry per pose that was approached in at least two ways."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Meaning of angles, evaluated cycles, and clauses that are not verified against the standard, in words."""
     coplanarity_mm: float | None
@@ -2543,6 +2757,8 @@ class Iso9283Document(Document):
 
 class Iso9283PlanDocument(Document):
     """Layout of a test by ISO 9283:1998 in a workspace."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Choices made, and clauses that are not verified against the standard, in words."""
     corners_mm: list[list[float]]
@@ -2566,6 +2782,8 @@ class Iso9283StreamDocument(Document):
     """Characteristics of ISO 9283:1998 of a recorded motion."""
     arrivals: list[Iso9283Arrival]
     """First arrivals at each pose, for the chart of stabilisation; empty without a limit band."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Thresholds, origin of times, and clauses that are not verified against the standard, in words."""
     duration_s: float
@@ -2673,6 +2891,8 @@ class PlanDocument(Document):
     """Number of configurations of all candidates."""
     definition: str
     """Definition of the index, with the scaling of the Jacobian; larger is better."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     greedy: "GreedySummary"
     """Greedy choice of the thesis: candidates are added one after the other."""
     grouped: bool
@@ -2743,6 +2963,8 @@ class StudiesDocument(Document):
     """Number of such means, over which intervals are taken."""
     error: str
     """Definition of the errors `before` and `after`, in words."""
+    error_phrase: Phrase | None
+    """Text of the catalogue that is `error` in English."""
     provenance: "Provenance"
     """Origin of the numbers."""
     robot: str
@@ -2779,6 +3001,8 @@ class UncertaintyDocument(Document):
 
 class VerdictDocument(Document):
     """`verdict.json`: verdict of a run, with its reasons."""
+    actions: list[Action]
+    """Next steps, at most five, those with the largest gain first."""
     exit_code: int
     """Exit code of the run: 0 if the answer may be loaded, otherwise 1."""
     limits: list[LimitVerdict]

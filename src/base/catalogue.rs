@@ -28,7 +28,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 17] = files![
+pub const FILES: [(&str, [&str; 3]); 18] = files![
     "base",
     "campaign",
     "cli",
@@ -38,6 +38,7 @@ pub const FILES: [(&str, [&str; 3]); 17] = files![
     "exports",
     "fit",
     "formats",
+    "proposals",
     "identify",
     "report",
     "reporting",

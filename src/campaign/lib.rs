@@ -20,7 +20,7 @@ pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};
 pub use robot_file::RobotFile;
-pub use robot_text::{screws_text, table_text};
+pub use robot_text::{RobotHead, UrdfJoint, gains_text, screws_text, table_text, urdf_text};
 pub use selection::{Selection, Selections, StatedPoses};
 pub use table::{TableDefinition, TableFiles, TableKeys};
 pub use toml_file::UnreadKeys;
@@ -335,7 +335,7 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 /// expected beside it.
 ///
 /// # Errors
-/// Those of [`read_robot`].
+/// Fails like [`read_robot`].
 pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
     let (robot, problems) = RobotFile::recover(path, text);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)

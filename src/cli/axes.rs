@@ -11,18 +11,19 @@ use std::path::PathBuf;
 /// (circle-point analysis).
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Table:
-  joint (the joint that the row sweeps; empty in rows of check poses), x_mm, y_mm, z_mm, target,
-  and where they are known the values of all joints (q1_deg or q1_rad, lift_mm or lift_m ...)
+  joint (the swept joint; empty in rows of check poses), x_mm, y_mm, z_mm, target,
+  and, if known, the values of all joints (q1_deg or q1_rad, lift_mm or lift_m ...)
 
-Without joint values every sweep starts from the same pose, where joint values are zero, and goes in
+Without joint values, every sweep must start from the pose in which joint values are zero, and run in
 positive direction.")]
 pub struct AxesCommand {
     /// Table of the sweeps (CSV).
     table: PathBuf,
-    /// Joints from the base; by default by their numbers (q1, q2 ...).
+    /// Joints from the base; by default in the order of their numbers (q1, q2 ...).
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     joints: Vec<String>,
-    /// Joints that slide, where no column of joint values states it by its unit; all others turn.
+    /// Prismatic joints without a column of joint values, whose unit would show it; all others are
+    /// revolute.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     prismatic: Vec<String>,
     /// Joints that were swept in negative direction, without joint values.

@@ -21,9 +21,9 @@ use std::path::{Path, PathBuf};
 /// measured errors.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Sources:
-  parameters.json  of a joint its own error (lead, gain, zero, harmonics), of two sliding joints that of the tool; of x, y, z that of a robot
-                   whose controller computes with nominal geometry
-  geometric.json   the lead and linearity of an actuator, of rho1_mm, rho2_mm or rho3_mm
+  parameters.json  one joint: its own error (lead, gain, zero, harmonics); two prismatic joints: the error of the tool; x, y, z: the
+                   error of a robot whose controller computes with nominal geometry
+  geometric.json   lead and linearity of an actuator: rho1_mm, rho2_mm or rho3_mm
   table (CSV)      measured errors: a column for each base axis, and `deviation` (attained minus programmed)
 
 Example:

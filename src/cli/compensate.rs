@@ -27,12 +27,12 @@ use std::path::PathBuf;
 /// only the targets are replaced.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Targets:
-  table    pose, x_mm, y_mm, z_mm, qw, qx, qy, qz, and joints near which the robot is to reach them; or pose and joints alone, which
-           the nominal robot would be commanded
+  table    pose, x_mm, y_mm, z_mm, qw, qx, qy, qz, and joint values that select the solution; or pose and joint values of the nominal
+           robot only
   program  RAPID (.mod, .prg), KRL (.src, .dat), URScript (.script), G-code (.ngc, .nc, .gcode), Mecaprol (.mp), Galil (.dmc): printed with
-           other targets
+           compensated targets
 
-Exit code 1 where a target is out of reach or in another configuration; no program or list is written with a target out of reach: 2.")]
+Exit code 1 if a target is out of reach or in another configuration. A program or list with a target out of reach is not written (exit code 2).")]
 pub struct Compensate {
     /// Table of targets (CSV), or a program.
     targets: PathBuf,

@@ -53,6 +53,10 @@ pub struct FitCommand {
     /// (Chebyshev) instead of least squares: the form of ISO 1101.
     #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal", "probe_radius_mm", "probe_side"])]
     minimum_zone: bool,
+    /// Set points aside that are far from the element of all others, and list them (trimmed least
+    /// squares).
+    #[arg(long, conflicts_with = "minimum_zone")]
+    robust: bool,
     /// Print JSON: an object, or a list of objects with --by-label and for QIF.
     #[arg(long)]
     json: bool,
@@ -121,6 +125,9 @@ impl FitCommand {
     fn measured_features(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
         if self.radius_mm.is_some() || self.text.stated() {
             return Err(error!("qif-with-columns").into());
+        }
+        if self.robust {
+            return Err(error!("qif-robust").into());
         }
         let wanted = (!self.all_features()).then(|| self.element.parse::<Element>()).transpose()?;
         let unit = self.text.stated_unit()?;
@@ -216,6 +223,9 @@ impl FitCommand {
     fn fit(&self, label: &str, points: Source) -> Result<FitDocument, Problems> {
         let all = || (0..points.len()).map(|i| points.at(i)).collect::<Vec<Vector>>();
         let label = (!label.is_empty()).then(|| label.to_owned());
+        if self.element.starts_with("enclosing-") && self.robust {
+            return Err(error!("enclosing-robust", element = self.element).into());
+        }
         if self.element.starts_with("enclosing-") && self.probe()?.is_some() {
             return Err(error!("enclosing-with-probe", element = self.element).into());
         }
@@ -244,7 +254,13 @@ impl FitCommand {
                     })?;
                     return Ok(FitDocument::minimum_zone(label, &zone));
                 }
-                Ok(FitDocument::new(label, &etalon_fit::element(element, points, &self.settings(self.probe()?))?))
+                let settings = self.settings(self.probe()?);
+                if self.robust {
+                    return Ok(FitDocument::robust(label, &etalon_fit::robust_element(element, &all(), &settings)?));
+                }
+                let fit = etalon_fit::element(element, points.clone(), &settings)?;
+                let foreign = etalon_fit::foreign_points(&fit, &points, &settings);
+                Ok(FitDocument::new(label, &fit).with_foreign(foreign.as_ref()))
             }
         }
     }

@@ -27,7 +27,7 @@ const PLACEHOLDER: &str = "table";
 /// The kinematics of a robot, of a model that has them.
 ///
 /// # Errors
-/// A model without kinematics of a whole pose.
+/// Fails for a model without kinematics of a whole pose.
 pub fn whole_pose(robot: &dyn Robot) -> std::result::Result<&dyn Kinematics, Problems> {
     super::kinematics::whole_pose(robot)
 }
@@ -35,7 +35,7 @@ pub fn whole_pose(robot: &dyn Robot) -> std::result::Result<&dyn Kinematics, Pro
 /// Uses the parameters of a `parameters.json`, if given, as the nominal ones.
 ///
 /// # Errors
-/// Parameters of another robot.
+/// Fails with parameters of another robot.
 pub fn set_parameters(robot: &mut dyn Robot, json: Option<&str>) -> std::result::Result<(), Problems> {
     let Some(json) = json else { return Ok(()) };
     let document = parse_parameters("parameters", json)?;
@@ -47,7 +47,7 @@ pub fn set_parameters(robot: &mut dyn Robot, json: Option<&str>) -> std::result:
 /// Identifies parameters, as `etalon identify`.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument> {
     let files = ["--robot", PLACEHOLDER, "--observations", PLACEHOLDER];
     options_of::<super::identify::IdentifyCommand>(&files, options)?.in_memory(given)
@@ -56,7 +56,7 @@ pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument>
 /// Chooses poses to measure, as `etalon plan`.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
     let files = ["--robot", PLACEHOLDER, "--candidates", PLACEHOLDER];
     options_of::<super::plan::PlanCommand>(&files, options)?.in_memory(given)
@@ -65,7 +65,7 @@ pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
 /// Judges whether parameters still hold, as `etalon verify`.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]) -> Result<VerificationDocument> {
     let files = ["--robot", PLACEHOLDER, "--parameters", PLACEHOLDER, PLACEHOLDER];
     options_of::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
@@ -75,7 +75,7 @@ pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]
 /// the third reference targets.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn iso9283([attained, commanded, reference]: [Option<&Table>; 3], options: &[String]) -> Result<Iso9283Document> {
     let attained = needed(attained)?;
     let files = [PLACEHOLDER, "--commanded", PLACEHOLDER];
@@ -87,7 +87,7 @@ pub fn iso9283([attained, commanded, reference]: [Option<&Table>; 3], options: &
 /// the third the commanded path.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn iso9283_path(
     [recording, commanded, path]: [Option<&Table>; 3],
     options: &[String],
@@ -101,7 +101,7 @@ pub fn iso9283_path(
 /// Evaluates the positioning of an axis, as `etalon iso230`.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn iso230(table: &Table) -> Result<AxisDocument> {
     Ok(super::iso230::evaluate(&table.parse()?)?.0)
 }

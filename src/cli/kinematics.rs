@@ -26,9 +26,9 @@ const LENGTH_ONE: f64 = 1e-3;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Tables:
   direct   pose and the joints (q1_deg or q1_rad, lift_m ...); assembly (+1 or -1) of a five-bar
-  inverse  pose, x_mm, y_mm, z_mm, qw, qx, qy, qz; joints of a row are where its --nearest solution is looked for
+  inverse  pose, x_mm, y_mm, z_mm, qw, qx, qy, qz; joint values of a row select its --nearest solution
 
-Exit code 1 where a pose is out of reach: the others are in the answer.")]
+Exit code 1 if a pose is out of reach; the answer contains the other poses.")]
 pub struct KinematicsCommand {
     /// Direction of the computation.
     #[arg(value_enum)]

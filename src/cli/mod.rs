@@ -1,7 +1,7 @@
 //! Command line, with one file per command.
 //!
 //! Data go to stdout, messages to stderr. Exit codes: 0 done; 1 done, but a limit of the campaign
-//! is not met, or the result cannot be the robot's; 2 could not run.
+//! is not met, or the result is implausible; 2 not run.
 
 mod axes;
 mod axis_table;
@@ -29,6 +29,7 @@ mod plan;
 mod progress;
 mod recommend;
 mod report;
+mod robot;
 mod run;
 mod schema;
 mod simulate;
@@ -61,8 +62,8 @@ use std::path::Path;
   etalon run my-campaign                exports and logs in, parameters and report out
   etalon identify --robot robot.toml --observations observations.csv --json
 
-Exit codes: 0 done; 1 done, but a limit that the campaign states is not met, or the result cannot be a robot; \
-2 could not run.")]
+Exit codes: 0 done; 1 done, but a limit of the campaign is not met, or the result is implausible; \
+2 not run.")]
 pub struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -83,6 +84,7 @@ enum Command {
     Verify(verify::Verify),
     Uncertainty(uncertainty::Uncertainty),
     Kinematics(kinematics::KinematicsCommand),
+    Robot(robot::RobotCommand),
     Compensate(Box<compensate::Compensate>),
     AxisTable(axis_table::AxisTable),
     Plan(plan::PlanCommand),
@@ -148,6 +150,7 @@ fn run(command: Command) -> u8 {
         Command::Verify(command) => command.run(),
         Command::Uncertainty(command) => command.run(),
         Command::Kinematics(command) => command.run(),
+        Command::Robot(command) => command.run(),
         Command::Compensate(command) => command.run(),
         Command::AxisTable(command) => command.run(),
         Command::Plan(command) => command.run(),

@@ -53,7 +53,7 @@ impl Exporter for UniversalRobots {
             .push("ur_description reads this file (kinematics_params_file); the controller itself does not".to_owned());
         let nominal = six_axes(self.name(), robot, &robot.nominal())?;
         header.extend(moved(&nominal.flange, &chain.flange).map(|(xyz, rpy)| {
-            format!("flange in the frame of wrist_3: xyz {xyz} mm, rpy {rpy} deg; ur_description has it at its nominal place: teach tools again")
+            format!("flange in the frame of wrist_3: xyz {xyz} mm, rpy {rpy} deg; ur_description has the nominal flange: teach tools again")
         }));
         let hash = match given.controller_hash {
             Some(hash) => hash.to_owned(),

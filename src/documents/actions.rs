@@ -18,13 +18,14 @@ pub const MOST: usize = 5;
 /// Maximum number of poses in one action.
 const POSES: usize = 5;
 /// Ids of warnings that other actions contain.
-const COVERED: [&str; 7] = [
+const COVERED: [&str; 8] = [
     "outliers",
     "robust-fit-disagrees-at-poses",
     "few-cycles",
     "instrument-too-coarse",
     "file-near-nominal",
     "effect-would-prove",
+    "limit-not-assessable",
     "file-worse-than-nominal",
 ];
 
@@ -56,7 +57,8 @@ pub struct Action {
     /// Command to run in the folder of the campaign.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command: Option<String>,
-    /// Expected decrease of the error (mm), by which actions are ordered; absent if unknown.
+    /// Expected decrease of the error (mm), which determines the order of actions; absent if
+    /// unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gain_mm: Option<f64>,
 }
@@ -67,7 +69,7 @@ pub struct Action {
 pub enum ActionKind {
     /// Load a controller file.
     Load,
-    /// Keep the nominal parameters: a controller file is hardly better.
+    /// Keep the nominal parameters: a controller file is hardly better than nominal.
     KeepNominal,
     /// Measure poses again that disagree with the others.
     MeasureAgain,
@@ -150,7 +152,7 @@ impl Action {
 /// Length with three significant digits, in µm below 0.1 mm.
 fn length(mm: f64) -> String {
     let (value, unit) = if mm.abs() < 0.1 { (1e3 * mm, "µm") } else { (mm, "mm") };
-    let before = if value.abs() >= 1.0 { value.abs().log10().floor() as i32 } else { 0 };
+    let before = if value.abs() >= 1.0 { value.abs().log10().floor() as i32 } else { -1 };
     format!("{value:.*} {unit}", (2 - before).clamp(0, 3) as usize)
 }
 

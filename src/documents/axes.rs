@@ -18,10 +18,10 @@ pub struct AxesDocument {
     pub joint_values: bool,
     /// One axis for each joint, in the order of the joints.
     pub axes: Vec<AxisEntry>,
-    /// Robot that the axes give; absent if joints have no sweep.
+    /// Robot that follows from the axes; absent if joints have no sweep.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub robot: Option<AxesRobot>,
-    /// Readings that no sweep uses, compared with the robot.
+    /// Readings that belong to no sweep, compared with the robot.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<AxesCheck>,
     /// Warnings.
@@ -42,14 +42,15 @@ pub struct AxisEntry {
     pub set_aside: Vec<usize>,
     /// Unit direction of positive motion.
     pub direction: Vector,
-    /// Point of the axis beside the centroid of the readings; of a sliding joint the centroid.
+    /// Point of the axis nearest to the centroid of the readings; for a prismatic joint the
+    /// centroid.
     pub point_mm: Vector,
     /// Covariance of point (mm) and direction, 6 × 6, in this order.
     pub covariance: [[f64; 6]; 6],
-    /// Standard uncertainties of the direction about its two most different axes, the larger one.
+    /// Standard uncertainty of the direction: the larger of those about two perpendicular axes.
     pub direction_standard_uncertainty_deg: f64,
-    /// Standard uncertainty of the point across the axis, the larger one; absent for a sliding
-    /// joint.
+    /// Standard uncertainty of the point across the axis: the larger of two perpendicular
+    /// directions; absent for a prismatic joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point_standard_uncertainty_mm: Option<f64>,
     /// Standard uncertainty of a coordinate: as stated, or from the residuals.
@@ -87,20 +88,20 @@ pub struct AxisPath {
     /// Standard uncertainty of the radius.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_standard_uncertainty_mm: Option<f64>,
-    /// Height over the point of the axis; absent for a sliding joint.
+    /// Height relative to the point of the axis; absent for a prismatic joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height_mm: Option<f64>,
-    /// Arc that the readings cover; absent for a sliding joint.
+    /// Arc that the readings cover; absent for a prismatic joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub arc_deg: Option<f64>,
     /// Length that the readings cover; absent for a revolute joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub length_mm: Option<f64>,
-    /// Radial error motion (ISO 230-7) at this target, peak to valley with the noise of the
-    /// measuring system. Of a sliding joint: straightness in one direction across.
+    /// Radial error motion (ISO 230-7) at this target, peak to valley, including the noise of the
+    /// measuring system. For a prismatic joint: straightness in one transverse direction.
     pub radial_error_motion_mm: f64,
-    /// Face error motion (ISO 230-7) at this radius, peak to valley with the noise of the measuring
-    /// system. Of a sliding joint: straightness in the other direction across.
+    /// Face error motion (ISO 230-7) at this radius, peak to valley, including the noise of the
+    /// measuring system. For a prismatic joint: straightness in the other transverse direction.
     pub face_error_motion_mm: f64,
 }
 
@@ -136,12 +137,12 @@ pub struct ZeroAxis {
     pub joint: String,
     /// Unit direction of positive motion.
     pub direction: Vector,
-    /// Point of the axis nearest to the origin of the base; absent for a sliding joint.
+    /// Point of the axis nearest to the origin of the base; absent for a prismatic joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point_mm: Option<Vector>,
-    /// Standard uncertainty of the direction, as the length of its components.
+    /// Standard uncertainty of the direction: root of the sum of squares of its components.
     pub direction_standard_uncertainty_deg: f64,
-    /// Standard uncertainty of the point, as the length of its components.
+    /// Standard uncertainty of the point: root of the sum of squares of its components.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point_standard_uncertainty_mm: Option<f64>,
 }
@@ -158,7 +159,7 @@ pub struct AxesTarget {
     pub standard_uncertainty_mm: Vector,
 }
 
-/// Reading beside the position that the robot has at its joint values.
+/// Comparison of a reading with the position of the robot at its joint values.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AxesCheck {

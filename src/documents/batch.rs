@@ -15,7 +15,7 @@ pub struct BatchDocument {
     pub schema: String,
     /// Number of campaigns that meet all limits or state none.
     pub done: usize,
-    /// Number of campaigns that fail a limit, or whose result cannot be the robot.
+    /// Number of campaigns that fail a limit, or whose result is implausible.
     pub not_met: usize,
     /// Number of campaigns that did not run.
     pub failed: usize,
@@ -38,6 +38,9 @@ pub struct BatchEntry {
     pub robot: Option<String>,
     /// Date of the measurement.
     pub date: Option<String>,
+    /// Last day on which the calibration is valid, as stated: year-month-day.
+    #[serde(default)]
+    pub valid_until: Option<String>,
     /// Outcome.
     pub ended: BatchEnd,
     /// `true` if the campaign was run; `false` if nothing has changed since its last run.
@@ -81,7 +84,7 @@ pub struct BatchCheck {
 pub enum BatchEnd {
     /// All limits are met, or no limit is stated.
     Done,
-    /// A limit is not met, or the result cannot be the robot.
+    /// A limit is not met, or the result is implausible.
     NotMet,
     /// The campaign did not run.
     #[default]

@@ -5,7 +5,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{phrase, warning};
-use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, Side};
+use etalon_fit::{Compensation, Element, Enclosing, Fit, ForeignPoints, MinimumZone, RobustElement, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -61,6 +61,9 @@ pub struct FitDocument {
     /// For a minimum-zone circle in space: flatness of the plane in which roundness is measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flatness: Option<FitFlatness>,
+    /// Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub set_aside: Option<Vec<usize>>,
     /// Standard uncertainties from the residuals; absent without redundancy.
     pub standard_uncertainty: Option<FitUncertainty>,
     /// Probe and fit before compensation, if the points are probe centres.
@@ -184,6 +187,15 @@ pub struct FitSolver {
     pub condition: Option<f64>,
 }
 
+/// Numbers of points in a message.
+fn listed(numbers: &[usize]) -> String {
+    let shown: Vec<String> = numbers.iter().take(MOST_LISTED).map(usize::to_string).collect();
+    shown.join(", ") + if numbers.len() > MOST_LISTED { ", ..." } else { "" }
+}
+
+/// Largest number of points that a message lists.
+const MOST_LISTED: usize = 20;
+
 impl FitDocument {
     /// Creates the document of a least-squares fit.
     pub fn new(label: Option<String>, fit: &Fit) -> Self {
@@ -215,6 +227,7 @@ impl FitDocument {
             coverage_deg: fit.coverage_deg(),
             contacts: None,
             flatness: None,
+            set_aside: None,
             standard_uncertainty: uncertainty,
             probe: fit.compensation.as_ref().map(FitProbe::new),
             stated: None,
@@ -228,6 +241,30 @@ impl FitDocument {
             },
             messages: fit.warnings.clone(),
         }
+    }
+
+    /// Creates the document of a least-squares fit without foreign points; `points` is the number
+    /// of all points.
+    pub fn robust(label: Option<String>, found: &RobustElement) -> Self {
+        let numbers: Vec<usize> = found.set_aside.iter().map(|i| i + 1).collect();
+        let mut document = Self::new(label, &found.fit);
+        document.points += numbers.len();
+        if !numbers.is_empty() {
+            let listed = listed(&numbers);
+            document.messages.push(warning!("points-set-aside", count = numbers.len(), points = listed));
+        }
+        document.set_aside = Some(numbers);
+        document
+    }
+
+    /// Adds the warning that foreign points shift the fit.
+    pub fn with_foreign(mut self, foreign: Option<&ForeignPoints>) -> Self {
+        if let Some(foreign) = foreign {
+            let numbers: Vec<usize> = foreign.points.iter().map(|i| i + 1).collect();
+            let (count, points, shift) = (numbers.len(), listed(&numbers), foreign.shift);
+            self.messages.push(warning!("foreign-points", count, points, shift));
+        }
+        self
     }
 
     /// Creates the document of a smallest enclosing circle or sphere. Residuals are distances from
@@ -308,6 +345,7 @@ impl FitDocument {
             coverage_deg: None,
             contacts: None,
             flatness: None,
+            set_aside: None,
             standard_uncertainty: None,
             probe: None,
             stated: None,

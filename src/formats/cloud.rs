@@ -44,7 +44,7 @@ struct Part {
 /// number of threads.
 ///
 /// # Errors
-/// If the file cannot be read.
+/// Fails if the file cannot be read.
 pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
     let in_mm = |mut part: Part| {
         part.xyz.iter_mut().flatten().for_each(|value| *value *= unit.in_mm());
@@ -56,7 +56,7 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
 /// Reads the points of a table of plain rows without labels, in half the memory of [`cloud`].
 ///
 /// # Errors
-/// If the file cannot be read.
+/// Fails if the file cannot be read.
 pub fn packed_points(path: &Path, format: &Format, unit: Unit) -> Result<Option<PackedPoints>> {
     let parts = read(path, format, unit, |part| PackedPoints::of(&part.xyz, unit.in_mm()))?;
     Ok(parts.map(|parts| {

@@ -121,7 +121,8 @@ const PIECE: usize = 1 << 20;
 /// Reads all bytes of a file with lines.
 ///
 /// # Errors
-/// If reading fails, or at the first line that is too long; the rest of the file is not read.
+/// Fails if the file cannot be read, or at the first line that is too long; the rest of the file is
+/// then not read.
 fn bounded(mut from: impl io::Read, file: &str) -> Result<Vec<u8>, Message> {
     let mut bytes = Vec::new();
     let (mut number, mut start) = (1, 0);
@@ -202,8 +203,8 @@ fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
 /// and line feed.
 ///
 /// # Errors
-/// If a byte does not belong to the encoding, if the mark names another encoding than the campaign,
-/// or if the text holds a NUL.
+/// Fails if a byte does not belong to the encoding, if the mark names another encoding than the
+/// campaign, or if the text holds a NUL.
 pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Message> {
     let marked = mark(&bytes);
     let encoding = match (stated, marked) {

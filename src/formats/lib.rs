@@ -47,7 +47,7 @@ use std::path::Path;
 /// Reads a file in a format, without a campaign; rows that were not measured are `refused`.
 ///
 /// # Errors
-/// All rows that cannot be read, with their lines.
+/// Reports all unreadable rows, with their lines.
 pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
     let name = path.display().to_string();
     let here = |problems: Problems| problems.at(&Place::file(name.as_str()));
@@ -103,7 +103,7 @@ pub fn text_in(path: &Path, format: &Format) -> Result<String> {
 /// Returns the samples of a recording as a table `line time_s x_mm y_mm z_mm`.
 ///
 /// # Errors
-/// All rows that cannot be read or were not measured.
+/// Reports all rows that cannot be read or were not measured.
 pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
     let (points, mut problems) = format.read(file, &text.into(), unit);
     let refused =

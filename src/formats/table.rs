@@ -176,7 +176,7 @@ pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
 /// Checks that the table has these columns.
 ///
 /// # Errors
-/// Each missing column, at line 1 of the file.
+/// Reports each missing column, at line 1 of the file.
 pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
     let header = Place { line: Some(1), ..Place::default() };
     let missing = names.iter().filter_map(|name| column(table, name).err());
@@ -278,7 +278,7 @@ impl<W: Write + Send> RowGroups<W> {
 /// Reads a Parquet file that a stage wrote.
 ///
 /// # Errors
-/// If the number of rows differs; it is checked before any row is read.
+/// Fails if the number of rows differs; it is checked before any row is read.
 pub fn from_parquet(bytes: Vec<u8>, rows: usize) -> Result<DataFrame> {
     let unreadable = |e: PolarsError| Problems::from(error!("stored-table-damaged", reason = e.to_string()));
     let mut reader = ParquetReader::new(Cursor::new(bytes));

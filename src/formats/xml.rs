@@ -45,7 +45,7 @@ impl<'a> Elements<'a> {
     /// Reads a text. `skipped` states the elements that are omitted with their contents.
     ///
     /// # Errors
-    /// If the text is not well-formed XML, or if it declares a document type.
+    /// Fails if the text is not well-formed XML, or if it declares a document type.
     pub fn read(file: &'a str, text: &'a str, skipped: impl Fn(&str) -> bool) -> Result<Self> {
         let breaks = text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i + 1);
         let mut tree = Self { file, text, lines: std::iter::once(0).chain(breaks).collect(), elements: Vec::new() };

@@ -386,7 +386,7 @@ impl NestedFit {
     /// Fits the parameters that `settings` select, from `start`.
     ///
     /// # Errors
-    /// Settings and observations that do not go together, or a solver that fails.
+    /// Fails if settings and observations do not match, or if the solver fails.
     pub fn new(robot: &dyn Robot, observations: &[Observation], settings: &Settings, start: &[f64]) -> Result<Self> {
         let wanted = wanted_parameters(robot, observations, settings)?;
         let found = solve_identifiable(robot, observations, settings, &wanted, start)?;

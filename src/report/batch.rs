@@ -39,6 +39,7 @@ struct Page<'a> {
     subtitle: String,
     class: &'static str,
     checks: Vec<String>,
+    counted: Vec<Counted>,
     headings: Vec<String>,
     worst: Vec<Plain<'a>>,
     left_out: usize,
@@ -51,6 +52,7 @@ struct Plain<'a> {
     report: Option<&'a str>,
     robot: &'a str,
     date: &'a str,
+    valid_until: &'a str,
     ended: String,
     grade: &'static str,
     cause: String,
@@ -63,6 +65,13 @@ struct Plain<'a> {
 struct Checked {
     said: String,
     grade: &'static str,
+}
+
+/// Number of campaigns with each verdict on a check: pass, conditional, undecided, fail.
+#[derive(Serialize)]
+struct Counted {
+    check: String,
+    counts: [usize; 4],
 }
 
 #[derive(Clone, Default, Serialize)]
@@ -121,6 +130,8 @@ pub fn write(
             outliers,
             row.badness(),
             checked.into_iter().map(|c| [c.said, c.grade.to_owned()]).collect::<Vec<_>>(),
+            entry.valid_until,
+            limits_of(row, &order, figures),
         ]);
         write!(into, "{}{}", if i > 0 { ",\n" } else { "" }, script_safe(&data)?)?;
     }
@@ -207,6 +218,49 @@ fn check_name(name: &str, words: &Words) -> String {
 fn checked(entry: &BatchEntry, name: &str, words: &Words) -> Checked {
     let check = entry.checks.iter().find(|c| c.name == name);
     check.map_or_else(Checked::default, |c| Checked { said: said(c.verdict, words), grade: grade_of(c.verdict) })
+}
+
+/// Verdicts on each check, counted over all campaigns.
+fn counted(document: &BatchDocument, checks: &[&str], words: &Words) -> Vec<Counted> {
+    const ORDER: [Acceptance; 4] = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail];
+    let all = |name: &str| -> Vec<Acceptance> {
+        let found = document.campaigns.iter().flat_map(|c| &c.checks).filter(|c| c.name == name);
+        found.map(|c| c.verdict).collect()
+    };
+    let of = |name: &&str| {
+        let found = all(name);
+        let counts = ORDER.map(|verdict| found.iter().filter(|v| **v == verdict).count());
+        Counted { check: check_name(name, words), counts }
+    };
+    checks.iter().map(of).collect()
+}
+
+/// Limits of a campaign by the column of their quantity: of the validation poses if these have a
+/// value, otherwise of the calibration poses.
+fn limits_of(row: &Row, order: &[usize], figures: &BatchFigures) -> Vec<(usize, f64)> {
+    let column = |name: &str| {
+        let named = |k: &usize| figures.quantities.get_index(order[*k]).is_some_and(|q| q.name == name);
+        (0..order.len()).filter(|k| row.figures[order[*k]].is_some()).find(named)
+    };
+    let of = |check: &BatchCheck| {
+        let limit = check.limit?;
+        let quantity = LimitQuantity::ALL.iter().find(|q| q.to_string() == check.name)?;
+        let place = match (quantity.of_errors(), quantity) {
+            (Some((errors, figure)), _) => {
+                let statistic = match figure {
+                    etalon_documents::Figure::Max => "max",
+                    etalon_documents::Figure::Rms => "RMS",
+                    etalon_documents::Figure::Mean => return None,
+                };
+                let of_set = |set: &str| column(&format!("{set} {errors} {statistic}"));
+                of_set("validation").or_else(|| of_set("calibration"))
+            }
+            (None, LimitQuantity::AccuracyMaxMm) => column("AP"),
+            (None, _) => column("RP"),
+        };
+        Some((place?, limit))
+    };
+    row.entry.checks.iter().filter_map(of).collect()
 }
 
 /// Reason of a failure, or checks that are not passed, the worst first.
@@ -338,6 +392,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
         report: row.report.as_deref(),
         robot: row.entry.robot.as_deref().unwrap_or_default(),
         date: row.entry.date.as_deref().unwrap_or_default(),
+        valid_until: row.entry.valid_until.as_deref().unwrap_or_default(),
         ended: ended(row.entry, words),
         grade: grade(row.entry),
         cause: row.cause.clone(),
@@ -360,6 +415,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
             _ => "bad",
         },
         checks: checks.iter().map(|name| check_name(name, words)).collect(),
+        counted: counted(document, &checks, words),
         headings: order.iter().map(heading).collect(),
         worst: worst.iter().map(plain).collect(),
         left_out: rows.len().saturating_sub(WORST),
@@ -461,8 +517,12 @@ mod tests {
             limit,
             unit: limit.map(|_| "mm".to_owned()),
         };
-        let entry =
-            |ended, checks: &[BatchCheck]| BatchEntry { ended, checks: checks.to_vec(), ..BatchEntry::default() };
+        let entry = |ended, checks: &[BatchCheck]| BatchEntry {
+            ended,
+            checks: checks.to_vec(),
+            valid_until: Some("2027-03-02".to_owned()),
+            ..BatchEntry::default()
+        };
         let undecided = check("position_max_mm", Acceptance::Conditional, Some(0.2), Some(0.21));
         let failed = check("position_rms_mm", Acceptance::Fail, Some(0.1368), Some(0.1));
         let document = BatchDocument::new(vec![
@@ -471,14 +531,20 @@ mod tests {
         ]);
         let page = page(&document, &figures, Language::En);
         assert!(page.contains("0 pass, 1 conditional, 0 undecided, 1 fail, 0 not run, 0 skipped"));
-        let heads: Vec<&str> =
-            page.split("<th").skip(2).map(|h| h.split_once('>').unwrap().1.split('<').next().unwrap()).collect();
+        let heads: Vec<&str> = page
+            .split("id=\"campaigns\"")
+            .nth(1)
+            .unwrap()
+            .split("<th")
+            .skip(2)
+            .map(|h| h.split_once('>').unwrap().1.split('<').next().unwrap())
+            .collect();
         let place =
             |head: &str| heads.iter().position(|h| h.starts_with(head)).unwrap_or_else(|| panic!("{head}: {heads:?}"));
         assert_eq!((place("Campaign"), place("Verdict"), place("Cause")), (0, 1, 2));
         assert!(place("Cause") < place("largest position") && place("RMS position") < place("Robot"), "{heads:?}");
         assert!(place("validation") < place("calibration") && place("calibration") < place("d_1"), "{heads:?}");
-        let worst = page.split("<tbody>").nth(1).unwrap().split("</tr>").next().unwrap();
+        let worst = page.split("<tbody>").nth(2).unwrap().split("</tr>").next().unwrap();
         let [verdict, cause] = [0, 1].map(|i| worst.split("<td").nth(i + 1).unwrap());
         assert!(
             verdict.contains(">fail<")
@@ -486,6 +552,25 @@ mod tests {
             "{worst}"
         );
         assert!(!page.contains("position_max"), "keys are no labels");
+        // a row of the first table: pass, conditional, undecided, fail
+        let counts = page.split("id=\"counts\"").nth(1).unwrap();
+        let of = |check: &str| -> Vec<&str> {
+            let row = counts.split(&format!(">{check}</th>")).nth(1).unwrap().split("</tr>").next().unwrap();
+            row.split("<td class=\"num\">").skip(1).map(|cell| cell.split('<').next().unwrap()).collect()
+        };
+        assert_eq!(of("largest position error"), ["0", "2", "0", "0"]);
+        assert_eq!(of("RMS position error"), ["0", "0", "0", "1"]);
+        // the limit is drawn over the validation poses
+        let data: Value =
+            serde_json::from_str(page.split("id=\"data\">").nth(1).unwrap().split("</script>").next().unwrap())
+                .unwrap();
+        let column = data["quantities"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .position(|q| q[0].as_str().unwrap().contains("validation") && q[0].as_str().unwrap().contains("max"));
+        assert_eq!(data["rows"][0][11], json!([[column.unwrap(), 0.21]]));
+        assert_eq!(data["rows"][0][10], "2027-03-02");
     }
 
     #[test]

@@ -22,6 +22,7 @@ mod tests;
 pub(crate) mod words;
 mod workbook;
 
+use etalon_base::date::day_of_epoch;
 use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
@@ -126,6 +127,7 @@ impl<'a> Report<'a> {
             synthetic: self.campaign.synthetic.iter().cloned().collect(),
             date: self.campaign.date.clone(),
             issued: self.campaign.issue.issued.clone(),
+            built: None,
             draft: sections::checklist::mark(self, words),
             version: self.provenance().version,
             verdict: self.verdict(words),
@@ -262,7 +264,10 @@ pub struct Renderer {
 
 impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
-        Self { contents: contents.explained(&words).in_language(&words), attachments, presentation, words }
+        let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.trim().parse().ok());
+        let contents =
+            Contents { built: epoch.and_then(day_of_epoch), ..contents.explained(&words).in_language(&words) };
+        Self { contents, attachments, presentation, words }
     }
 
     /// Creates the report of a campaign.

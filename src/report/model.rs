@@ -29,6 +29,10 @@ pub(crate) struct Contents {
     pub date: Option<String>,
     /// Date of issue.
     pub issued: Option<String>,
+    /// Date of files without a stated date, from `SOURCE_DATE_EPOCH`.
+    #[cfg_attr(not(feature = "pdf"), expect(dead_code, reason = "pages and workbooks print stated dates alone"))]
+    #[serde(skip)]
+    pub built: Option<(i32, u8, u8)>,
     /// Mark across every page of a document that must not be used as a certificate.
     pub draft: Option<String>,
     /// Number of the report, shown on every page.
@@ -97,7 +101,7 @@ impl Contents {
 pub(super) fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
-    let end = if text.ends_with(|c: char| c.is_alphanumeric() || c == ')') { "." } else { "" };
+    let end = if text.ends_with(|c: char| c.is_alphanumeric() || matches!(c, ')' | '`' | '%')) { "." } else { "" };
     first.chain(letters).chain(end.chars()).collect()
 }
 
@@ -1025,6 +1029,14 @@ impl Section {
     pub fn push(&mut self, block: Block) {
         match block {
             Block::Table(table) if !table.is_shown() && !table.is_empty() => self.data.push(table),
+            Block::Aside { title, blocks } => {
+                let mut inner = Self::default();
+                blocks.into_iter().for_each(|block| inner.push(block));
+                self.data.append(&mut inner.data);
+                if !inner.blocks.is_empty() {
+                    self.blocks.push(Block::Aside { title, blocks: inner.blocks });
+                }
+            }
             block if block.is_empty() => {}
             block => self.blocks.push(block),
         }

@@ -533,7 +533,8 @@ pub trait Platform: Robot {
         targets: [[f64; 2]; 2],
     ) -> (Vec<f64>, [[f64; 4]; 3]);
 
-    /// Index of the parameter for the distance between the two targets, which no pose shows.
+    /// Index of the parameter for the distance between the two targets, which poses do not
+    /// determine.
     fn target_distance(&self) -> usize;
 }
 

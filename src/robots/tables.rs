@@ -1,8 +1,8 @@
 //! Conversion of a chain of joints into screw axes and Denavit-Hartenberg tables.
 //!
-//! A table row holds four of the six freedoms of a frame, so that a table holds every axis, but
-//! neither any base frame nor any flange (Denavit & Hartenberg 1955; Craig 1986). What it cannot
-//! hold is part of the result.
+//! A table row has four of the six degrees of freedom of a frame. A table therefore represents any
+//! axes, but not any base frame or flange (Denavit & Hartenberg 1955; Craig 1986). The remaining
+//! motions are part of the result.
 
 use super::{JointChain, SerialJoint};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
@@ -20,9 +20,9 @@ const EXACTLY: f64 = 1e-9;
 /// Axis of a joint in the base frame at joint values zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisLine {
-    /// Unit direction; a positive joint value turns about it or slides along it.
+    /// Unit direction; a positive joint value rotates about it or translates along it.
     pub direction: Vector,
-    /// Point on the axis (mm); without meaning for a sliding joint.
+    /// Point on the axis (mm); meaningless for a prismatic joint.
     pub point_mm: Vector,
     /// `true` if the joint slides.
     pub prismatic: bool,
@@ -63,20 +63,20 @@ impl JointChain {
     }
 }
 
-/// Denavit-Hartenberg table of a chain, and what the table cannot hold.
+/// Denavit-Hartenberg table of a chain, and the motions that the table cannot represent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxisTable {
     /// Rows of the joints.
     pub joints: Vec<SerialJoint>,
-    /// Frame before the first row, in the base frame: identity if the table holds the base.
+    /// Frame before the first row, in the base frame: identity if the table represents the base.
     pub base: Pose,
-    /// Flange in the frame behind the last row: identity if the table holds the flange.
+    /// Flange in the frame after the last row: identity if the table represents the flange.
     pub flange: Pose,
-    /// Angles between near-parallel axes that no parameter holds.
+    /// Angles between near-parallel axes that no parameter represents.
     pub tilts: Vec<LostTilt>,
 }
 
-/// Angle between two near-parallel axes about the direction that the table has no parameter for
+/// Angle between two near-parallel axes about the direction without a parameter in the table
 /// (Hayati's beta).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LostTilt {
@@ -112,15 +112,16 @@ fn angle(a: Vector, b: Vector, axis: Vector) -> f64 {
     dot(cross(a, b), axis).atan2(dot(a, b))
 }
 
-/// Direction across an axis that is nearest to `wish`, or any if `wish` is along the axis.
+/// Direction perpendicular to an axis that is nearest to `wish`; any such direction if `wish` is
+/// along the axis.
 fn nearest_across(wish: Vector, axis: Vector) -> Vector {
     let candidates = [wish, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let far = |v: &Vector| norm(across(*v, axis)) > 1e-6;
     candidates.into_iter().find(far).and_then(|v| unit(across(v, axis))).unwrap_or([1.0, 0.0, 0.0])
 }
 
-/// Common normal of two lines. `reached` is the point on the first at which the previous link
-/// ended, `before` the previous normal: they decide where the data leave it open.
+/// Common normal of two lines. `reached` is the point on the first line at which the previous link
+/// ended, `before` the previous normal; both decide cases that the data leave undetermined.
 fn link(from: &AxisLine, to: &AxisLine, reached: Vector, before: Vector) -> Link {
     let (z, next) = (from.direction, to.direction);
     let normal = cross(z, next);
@@ -169,9 +170,8 @@ pub fn frame(x: Vector, z: Vector, origin: Vector) -> Pose {
     Pose { rotation: [0, 1, 2].map(|i| [x[i], y[i], z[i]]), translation_mm: origin }
 }
 
-/// Consecutive links between lines. Returns them with the normal and the point after them. A
-/// sliding
-/// joint, whose axis may be anywhere, is placed where the previous link ended.
+/// Consecutive links between lines. Returns them with the normal and the point after them. The axis
+/// of a prismatic joint, whose position is arbitrary, is placed where the previous link ended.
 fn links(lines: &mut [AxisLine], start: Vector, before: Vector) -> Vec<Link> {
     let (mut reached, mut before) = (start, before);
     let mut all = Vec::new();
@@ -271,7 +271,7 @@ fn tilts(links: &[Link]) -> Vec<LostTilt> {
     lost.map(|(row, link)| LostTilt { row, angle_rad: link.tilt_rad }).collect()
 }
 
-/// The pose, or the identity if it differs by rounding only.
+/// The pose, or the identity if they differ by rounding only.
 fn rounded(pose: Pose) -> Pose {
     let still = pose.angle_rad() < 1e-9 && norm(pose.translation_mm) < MEET_MM;
     if still { Pose::identity() } else { pose }

@@ -154,6 +154,7 @@ fn campaign(
 fn describe(entry: &mut BatchEntry, campaign: &CampaignSummary, met: bool, parameters: Option<&ParametersDocument>) {
     entry.ended = if met { BatchEnd::Done } else { BatchEnd::NotMet };
     (entry.name, entry.date) = (campaign.name.clone(), campaign.date.clone());
+    entry.valid_until = campaign.valid_until.clone();
     entry.robot = campaign.robot.clone().or_else(|| parameters.map(|p| p.robot.clone()));
     let given = &campaign.conditions;
     let stated = given.robot_type.as_ref().map(|kind| match &given.robot_maker {

@@ -33,7 +33,7 @@ pub struct Documents {
 /// The output folder that is named: itself, or by its campaign.
 ///
 /// # Errors
-/// If the campaign cannot be read.
+/// Fails if the campaign cannot be read.
 pub fn folder_of(named: &Path) -> Result<PathBuf> {
     match named.join("campaign.toml").is_file() || named.is_file() {
         true => {
@@ -48,7 +48,7 @@ impl Documents {
     /// The output folder of a run.
     ///
     /// # Errors
-    /// If it has no manifest.
+    /// Fails if the folder has no manifest.
     pub fn open(folder: &Path) -> Result<Self> {
         let path = folder.join(ManifestDocument::NAME);
         if !path.is_file() {
@@ -71,7 +71,7 @@ impl Documents {
     /// A file as the run wrote it.
     ///
     /// # Errors
-    /// If the run wrote none of this name, or the file holds something else by now.
+    /// Fails if the run wrote no document of this name, or if the file has changed since the run.
     pub fn bytes(&self, name: &str) -> Result<Vec<u8>> {
         let path = self.path(name);
         let Some(sha256) = self.manifest.files.get(name) else {
@@ -107,7 +107,7 @@ impl Documents {
     /// Writes files beside the others of the run, or in their place; returns their paths.
     ///
     /// # Errors
-    /// If the folder is of another run by now: the files are made from the earlier one.
+    /// Fails if another run has written the folder since: the files were made from the earlier run.
     pub fn write(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
         let held = FolderLock::take(&self.folder)?;
         self.unchanged()?;

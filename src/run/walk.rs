@@ -81,8 +81,8 @@ pub struct Observed {
 
 /// Takes a campaign with an identification as far as its observations.
 ///
-/// # Errors Everything that is wrong with its statements and files, or what the first stage that
-/// fails reports.
+/// # Errors
+/// Reports all errors of its statements and files, or the errors of the first stage that fails.
 pub fn observed(campaign: &Campaign) -> Result<Observed> {
     let mut walk = Walk::sound(campaign, Mode::Observe)?;
     walk.on(campaign)?;

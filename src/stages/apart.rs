@@ -177,7 +177,7 @@ impl Placed {
     /// Returns a warning that names them.
     ///
     /// # Errors
-    /// If nothing of the validation poses can be judged.
+    /// Fails if no reading of the validation poses can be judged.
     pub fn message(&self, robot: &dyn Robot, sets: &Sets) -> Result<Option<Message>> {
         if self.groups.is_empty() {
             return Ok(None);

@@ -33,7 +33,7 @@ struct Nominal<'a> {
 /// allow.
 ///
 /// # Errors
-/// A name that was not measured, or the point that is off.
+/// Reports names without a measurement, and the point that is off.
 pub fn check_nominal(campaign: &Campaign, points: &[Point], frames: &FramesDocument) -> Result<()> {
     let Some(world) = campaign.file.world().filter(|world| !world.nominal_mm.is_empty()) else { return Ok(()) };
     let place = || campaign.world_place();

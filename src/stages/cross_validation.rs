@@ -73,7 +73,8 @@ impl<'a> Study<'a> {
     /// Study of the calibration readings of `sets`; `settings` have their conditions.
     ///
     /// # Errors
-    /// Too few poses, readings without a length, or a failed fit of base and targets.
+    /// Fails with too few poses, with readings that have no length, or if the fit of base and
+    /// targets fails.
     pub fn new(robot: &'a dyn Robot, sets: &'a Sets, settings: Settings) -> Result<Self> {
         let names = poses(&sets.calibration, &settings.conditions);
         let parts = FOLDS.min(names.len());
@@ -320,7 +321,7 @@ impl Tried {
 /// The effects that left-out poses prove, and the benefit of each.
 ///
 /// # Errors
-/// As of [`Study::new`], or a failed identification.
+/// Fails like [`Study::new`], or if the identification fails.
 pub(super) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Result<(Vec<Effect>, Vec<EffectProof>)> {
     let study = Study::new(robot, sets, settings.clone())?;
     let none = study.tried(&study.of_effects(&[]), None)?;

@@ -244,7 +244,7 @@ impl ErrorUncertainty {
     /// errors of the deciding poses.
     ///
     /// # Errors
-    /// If residuals cannot be evaluated.
+    /// Fails if residuals cannot be evaluated.
     pub fn of(campaign: &Campaign, judged: Judged, systematic: &Systematic) -> Result<Self> {
         let Judged { robot, values, set_up, sets, settings } = judged;
         let instrument = &campaign.file.instrument;

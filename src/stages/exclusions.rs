@@ -41,7 +41,7 @@ impl Exclusion {
     /// The rule stated by an option `POSES: REASON`.
     ///
     /// # Errors
-    /// An option without a reason.
+    /// Fails if an option states no reason.
     pub fn of_option(option: &str, text: &str) -> Result<(StatedPoses, String)> {
         let (named, reason) = text.split_once(':').unwrap_or((text, ""));
         if reason.trim().is_empty() {
@@ -159,7 +159,7 @@ fn readings_of(
 /// The data rows, from 1, that a rule excludes.
 ///
 /// # Errors
-/// A rule without a reason or without numbers, or one that names no row.
+/// Fails if a rule has no reason or no numbers, or names no row.
 pub fn excluded_rows(
     stated: &StatedPoses,
     reason: &str,

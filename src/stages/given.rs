@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 /// The parameters of `robot` in a document, without those of other targets.
 ///
 /// # Errors
-/// A document of another robot, or without a parameter of this one.
+/// Fails if the document is of another robot, or lacks a parameter of this robot.
 pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenParameters> {
     check_described(robot, document)?;
     let mut values = robot.nominal();
@@ -67,7 +67,7 @@ fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &
 /// Parameters without effect, at a nominal zero, may be missing.
 ///
 /// # Errors
-/// The names of these parameters, with the lines that robot.toml needs.
+/// Reports the names of these parameters, with the lines that robot.toml needs.
 pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Result<()> {
     let lacks = |entry: &&ParameterEntry| {
         let own = robot.parameters().iter().any(|p| p.name == entry.name && entry.unit == p.quantity.unit());
@@ -115,7 +115,7 @@ fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
 /// of the robot itself, and the others that the document has.
 ///
 /// # Errors
-/// A document of another robot.
+/// Fails if the document is of another robot.
 pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[Role]) -> Result<Vec<f64>> {
     check_described(robot, document)?;
     let mut values = robot.nominal();
@@ -162,7 +162,7 @@ impl ExpectedDeviation {
     /// measured with another instrument.
     ///
     /// # Errors
-    /// A calibration whose residuals give no standard deviation.
+    /// Fails if the residuals of the calibration yield no standard deviation.
     pub fn of(document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let residuals = &document.residuals;
         let dof = residuals.degrees_of_freedom as f64;

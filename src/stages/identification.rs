@@ -27,7 +27,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections, StatedPoses};
 use etalon_documents::parameters_document;
 use etalon_documents::{
-    AccuracyDocument, EffectProof, FramePose, FramesDocument, JointTravel, ParametersDocument, PointError, WorldFrame,
+    AccuracyDocument, Conformity, EffectProof, FramePose, FramesDocument, JointTravel, LimitVerdict,
+    ParametersDocument, PointError, WorldFrame,
 };
 use etalon_formats::table;
 use etalon_identify::{
@@ -69,7 +70,7 @@ impl Identified {
     /// Errors of all observations with other values of the parameters.
     ///
     /// # Errors
-    /// If targets cannot be placed.
+    /// Fails if targets cannot be placed.
     pub fn errors_with(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<PointError>> {
         let Again { apart, before, .. } = &self.again;
         let mut errors = evaluate::errors(robot, &self.sets, before, values);
@@ -82,7 +83,7 @@ impl Identified {
     /// Identifies again with these parameters held at their nominal values.
     ///
     /// # Errors
-    /// If the solver fails.
+    /// Fails if the solver fails.
     pub fn without(&self, robot: &dyn Robot, held: &[String]) -> Result<Identification> {
         let hold = self.settings.hold.iter().chain(held).cloned().collect();
         let settings = Settings { hold, ..self.settings.clone() };
@@ -93,7 +94,7 @@ impl Identified {
     /// Fits base and targets again to a robot with these parameters.
     ///
     /// # Errors
-    /// If the solver fails.
+    /// Fails if the solver fails.
     pub fn with_frames(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<f64>> {
         etalon_identify::refit_frames(robot, &self.sets.calibration, &self.settings, values).map_err(remedied)
     }
@@ -141,6 +142,7 @@ pub fn identify(
     let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: &all, settings: &settings };
     let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
+    found.warnings.extend(accuracy.limits.iter().filter_map(not_assessable).map(Into::into));
     accuracy.placed_apart = placed.documents(robot);
     accuracy.effects = proofs.unwrap_or_else(|| unused(robot, &sets, &settings, &found));
     accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, &sets, &settings, &found));
@@ -179,7 +181,13 @@ pub fn identify(
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })
 }
 
-/// Sets the effects that the data prove, if the campaign requests them, and returns the gain of
+/// Warning about a limit whose quantity the poses that decide do not show.
+fn not_assessable(limit: &LimitVerdict) -> Option<Message> {
+    (limit.conformity == Conformity::NotAssessable)
+        .then(|| warning!("limit-not-assessable", limit = limit.name.to_string()))
+}
+
+/// Sets the effects that the data prove, if the campaign asks for them, and returns the gain of
 /// each.
 fn proven_effects(
     robot: &dyn Robot,
@@ -236,7 +244,7 @@ impl Solved {
         Ok(messages)
     }
 
-    /// Returns errors before and after. Warnings that the result cannot be a robot come first, then
+    /// Returns errors before and after. Warnings that the result is implausible come first, then
     /// those in `said`.
     pub fn judge(
         &mut self,

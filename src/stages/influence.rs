@@ -6,7 +6,7 @@ use etalon_base::pose::{minus, norm};
 use etalon_documents::{ParameterEntry, ParameterInfluence, ParameterStatus, ParametersDocument, PointError, Role};
 use etalon_robots::Robot;
 
-/// Step of a parameter that has not changed, in its inside unit.
+/// Step of a parameter that has not changed, in its internal unit.
 const STEP: f64 = 1e-4;
 
 /// Influence of every identified parameter of the robot, the largest change first.

@@ -60,7 +60,7 @@ pub enum Joints {
 /// Checks the joint values of a table; rows that `exclusions` leave out do not count.
 ///
 /// # Errors
-/// Every joint value out of range, with its line.
+/// Reports all joint values out of range, with their lines.
 pub fn check_table(robot: &dyn Robot, table: &DataFrame, exclusions: &[Exclusion], of: Joints) -> Result<()> {
     // columns that are missing or do not read are named where the table is read
     let Ok(values) = joint_values(robot, table, &[]) else { return Ok(()) };
@@ -85,7 +85,7 @@ pub fn check_table(robot: &dyn Robot, table: &DataFrame, exclusions: &[Exclusion
 /// Checks the joint values of rows.
 ///
 /// # Errors
-/// Every joint value out of range, with its place.
+/// Reports all joint values out of range, with their places.
 pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
     let mut problems = Problems::default();
     for (k, joint) in robot.joints().iter().enumerate() {

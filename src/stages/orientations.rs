@@ -72,7 +72,7 @@ pub fn numbers(body: &Pose, order: Option<AngleOrder>, is_vector: bool) -> Vec<(
 /// The orientations of a table, row by row.
 ///
 /// # Errors
-/// Columns that lack one, or are of two forms.
+/// Reports missing columns, and columns of two forms.
 pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
     let has = |name: &&str| observations.column(name).is_ok();
     let forms = [(&QUATERNION[..], 1.0, Form::Quaternion), (&MATRIX[..], 1.0, Form::Matrix)].into_iter().chain(
@@ -119,7 +119,7 @@ impl Written {
     /// Orientation of the body in the world; angles without an order in an arbitrary one.
     ///
     /// # Errors
-    /// A number that is missing, or a quaternion that is not of length one.
+    /// Fails if a number is missing, or if a quaternion has a length other than one.
     pub fn pose(&self, order: Option<AngleOrder>) -> Result<Pose> {
         let [a, b, c, d, ..] = self.numbers;
         if !self.numbers.iter().sum::<f64>().is_finite() {

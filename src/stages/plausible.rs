@@ -1,5 +1,5 @@
-//! Plausibility of a result: errors of a result that cannot be a robot, and must not reach a
-//! controller.
+//! Plausibility of a result: errors of a result that no real robot can have. Such a result must not
+//! reach a controller.
 
 use crate::stages::remedies::{reading, readings_to_check};
 use crate::stages::shown;

@@ -93,8 +93,8 @@ const PLAUSIBLE_MM: std::ops::RangeInclusive<f64> = 2e-5..=100.0;
 /// .. czz_mm2`; `None` in rows that leave them empty.
 ///
 /// # Errors
-/// A row that states some of them, a value that no coordinate has, or a covariance that is not
-/// positive definite.
+/// Reports rows that state only some of them, impossible values of a coordinate, and covariances
+/// that are not positive definite.
 fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covariance>>> {
     let has = |names: &[&str]| names.iter().any(|name| table.column(name).is_ok());
     if has(&[ANY_AXIS]) && !has(&UNCERTAINTIES) && !has(&COVARIANCES) {

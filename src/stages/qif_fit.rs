@@ -25,8 +25,8 @@ pub struct ProbeStated {
 /// measured normal is.
 ///
 /// # Errors
-/// If its points do not determine the element, or if they are probe centres and neither the file
-/// nor the user states how large the probe was and on which side.
+/// Fails if the points do not determine the element, or if they are probe centres and neither the
+/// file nor the user states the size and side of the probe.
 pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStated) -> Result<Option<FitDocument>> {
     let Some(element) = feature.element().filter(|_| !feature.points_mm.is_empty()) else { return Ok(None) };
     let label = feature.label();

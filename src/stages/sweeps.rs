@@ -3,7 +3,7 @@
 use super::table_file::TableFile;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{screws_text, table_text};
+use etalon_campaign::{RobotHead, screws_text, table_text};
 use etalon_documents::{AxesCheck, AxesDocument, AxesRobot, AxesTarget, AxisEntry, AxisPath, Provenance, ZeroAxis};
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::axes::{
@@ -17,7 +17,7 @@ use std::f64::consts::SQRT_2;
 /// Convention of the robot file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum TableConvention {
-    /// Screw axes in the base at zero joints: holds every arm exactly.
+    /// Screw axes in the base at zero joints: represents every arm exactly.
     #[default]
     Poe,
     /// Modified Denavit-Hartenberg parameters (Craig).
@@ -52,7 +52,7 @@ pub(crate) struct SweepsStated {
     pub convention: TableConvention,
 }
 
-/// Direction that is known worse than this gives predictions of little use (rad).
+/// Uncertainty of a direction (rad) above which predictions are of little use.
 const WEAK_RAD: f64 = 1e-3;
 /// Radius (mm) below which all paths indicate another unit.
 const SMALL_MM: f64 = 5.0;
@@ -178,7 +178,7 @@ fn read(file: &TableFile, stated: &SweepsStated) -> Result<SweepTable> {
     Ok(SweepTable { prismatic: prismatic.collect(), joints, targets, sweeps, checks })
 }
 
-/// Axes of all joints of a table, and the robot that they give.
+/// Axes of all joints of a table, and the robot that follows from them.
 pub(crate) fn axes(file: &TableFile, stated: &SweepsStated) -> Result<AxesDocument> {
     let table = read(file, stated).map_err(|problems| file.place(problems))?;
     derive(&table, stated, file).map_err(|problems| file.place(problems))
@@ -293,7 +293,7 @@ fn slip_message(table: &SweepTable, joint: usize, slip: Slip) -> Message {
     }
 }
 
-/// The robot by its axes, and check poses; `None` with the reason among the messages.
+/// The robot from its axes, and check poses; `None` with the reason among the messages.
 fn robot(
     table: &SweepTable,
     stated: &SweepsStated,
@@ -337,7 +337,7 @@ fn robot(
     Ok((Some(described(table, stated, &model, messages)), checks))
 }
 
-/// Reports sweeps or check poses that the robot does not explain.
+/// Reports sweeps or check poses that contradict the robot.
 fn disagreement(table: &SweepTable, found: &Agreement, checks: bool, messages: &mut Vec<Message>) -> Result<()> {
     let ratio = |p: &&etalon_identify::axes::CheckedPose| p.distance_mm / p.standard_uncertainty_mm;
     let Some(worst) = found.poses.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { return Ok(()) };
@@ -395,20 +395,22 @@ pub(crate) fn not_held(table: &AxisTable, joints: &[String]) -> Vec<Message> {
 /// The robot as a document, with its robot.toml.
 fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messages: &mut Vec<Message>) -> AxesRobot {
     let mut comments = vec![
-        "axes by sweeps of one joint at a time (etalon axes); no nominal model".to_owned(),
-        format!("base by axes 1 and 2, rule `{}`: z along axis 1", rule_name(model.rule)),
+        phrase!("axes-comment-method").to_string(),
+        phrase!("axes-comment-base", rule = rule_name(model.rule)).to_string(),
     ];
     let renamed = (1..).zip(&table.joints).filter(|(i, name)| **name != format!("q{i}"));
-    comments.extend(renamed.map(|(i, name)| format!("q{i} is {name}")));
+    comments.extend(renamed.map(|(number, name)| phrase!("axes-comment-joint", number, name).to_string()));
     if model.measured.iter().any(|m| m.rest.is_empty()) {
-        comments.push("joint values are zero at the start of the sweeps".to_owned());
+        comments.push(phrase!("axes-comment-zero").to_string());
     }
     for (name, at) in table.targets.iter().zip(&model.targets_mm) {
-        comments.push(format!("target {name} on the flange (mm): {:.4} {:.4} {:.4}", at[0], at[1], at[2]));
+        let [x, y, z] = *at;
+        comments.push(phrase!("axes-comment-target", name, x, y, z).to_string());
     }
-    let name = "Robot by its axes";
+    let name = phrase!("axes-robot-name").to_string();
+    let head = RobotHead { name: &name, comments: &comments, limits: &[] };
     let robot_toml = match stated.convention {
-        TableConvention::Poe => screws_text(name, &comments, &model.axes, &model.flange),
+        TableConvention::Poe => screws_text(head, &model.axes, &model.flange),
         convention => {
             let modified = convention == TableConvention::Mdh;
             let rows = if modified {
@@ -417,7 +419,7 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
                 standard_table(&model.axes, &model.flange)
             };
             messages.extend(not_held(&rows, &table.joints));
-            table_text(name, &comments, modified, &rows)
+            table_text(head, modified, &rows)
         }
     };
     let zero = model.axes.iter().zip(&model.uncertainties).zip(&table.joints).map(|((axis, u), joint)| ZeroAxis {

@@ -31,7 +31,8 @@ impl<'r> EarlierCalibration<'r> {
     /// is not that of the calibration.
     ///
     /// # Errors
-    /// A document of another robot, or a calibration whose residuals give no standard deviation.
+    /// Fails if the document is of another robot, or if the residuals of the calibration yield no
+    /// standard deviation.
     pub fn new(robot: &'r mut dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let parameters = given(robot, document)?;
         let noise = ExpectedDeviation::of(document, stated_mm)?;

@@ -288,8 +288,10 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
     for (found, expected) in numbers(&back).iter().zip(numbers(&still)) {
         assert!((found - expected).abs() < 1e-9, "{found} instead of {expected}");
     }
-    assert!(back.conventions.iter().any(|c| c == "positions and orientations are carried back by reference targets"));
-    // without the order positions alone are carried back, and that is told
+    assert!(
+        back.conventions.iter().any(|c| c == "drift of positions and orientations is compensated by reference targets")
+    );
+    // without the order the drift of positions alone is compensated, and that is told
     let (half, said) = answer(&order[..2]);
     assert!((half.poses[0].ap_mm.unwrap() - still.poses[0].ap_mm.unwrap()).abs() < 1e-9);
     assert!(half.poses[0].rp_c_deg.unwrap() > 10.0 && said.contains("warning[angles-not-compensated]"), "{said}");
@@ -327,7 +329,7 @@ fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
     assert_eq!(outside.status.code(), Some(1));
     let document: Iso9283PlanDocument = serde_json::from_slice(&outside.stdout).unwrap();
     assert!(document.unreached.iter().any(|u| u.places == "poses" && u.point == 5), "{:?}", document.unreached);
-    assert!(text_of(&outside).contains("is not reached"));
+    assert!(text_of(&outside).contains("warning[test-point-unreached]"));
 
     let prexyt = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/prexyt-cmm/robot.toml");
     let table = answer(prexyt, "150,50,1150,1050");

@@ -154,7 +154,7 @@ fn tables_that_do_not_fit_are_refused_by_name() {
             2,
             "[column-unknown]",
         ),
-        ("direct", &xyt, "pose,rho1_mm,rho2_mm,rho3_mm\n1,1,2,\n".to_owned(), 2, "a value is missing"),
+        ("direct", &xyt, "pose,rho1_mm,rho2_mm,rho3_mm\n1,1,2,\n".to_owned(), 2, "[table-value-missing]"),
         ("direct", &bars, "pose,theta1_deg,theta2_deg\n1,54.36,153.77\n".to_owned(), 2, "[column-unknown]"),
         (
             "inverse",

@@ -1,5 +1,6 @@
 //! The command line: what README.md and docs/ show is what the program prints, and every command does what it says.
 
+mod actions;
 mod axes;
 mod axis_table;
 mod book;
@@ -20,6 +21,7 @@ mod plan;
 mod platforms;
 mod report;
 mod reports;
+mod robot;
 mod streams;
 mod study;
 mod tables;

@@ -88,7 +88,7 @@ fn exchanged_arms_are_refused() {
 #[test]
 fn wrong_platforms_are_refused() {
     for (name, [from, to], says) in [
-        ("hexapod", ["    { base_mm", "    # { base_mm"], "a hexapod has six legs; the file states 0"),
+        ("hexapod", ["    { base_mm", "    # { base_mm"], "[leg-count]"),
         ("hexapod", ["home_xyz_mm = [0.0, 0.0, 400.0]", "home_xyz_mm = [0.0, 0.0, 0.0]"], "[hexapod-singular]"),
         ("hexapod", ["home_xyz_mm", "# home_xyz_mm"], "[key-missing]"),
         ("hexapod", ["leg = [", "rod_mm = 800.0\nleg = ["], "[key-of-other-model]"),

@@ -54,8 +54,8 @@ fn sets_and_instruments_side_by_side() {
 fn what_is_wrong_with_a_study_is_named() {
     let scratch = copy_sample("prexyt-cmm");
     for (from, to, part) in [
-        ("beta = 1.204", "betta = 1.204", "[nominal-unknown]"),
-        ("[0.0, 300.0, 300.0],", "[0.0, 300.0],", "a pose has 2 joint values"),
+        ("beta = 1.204", "betta = 1.204", "[truth-parameter-unknown]"),
+        ("[0.0, 300.0, 300.0],", "[0.0, 300.0],", "[truth-joint-count]"),
         ("theta_deg = [12.0, -10.0]", "thetas = [12.0]", "thetas"),
         ("robot = \"robot.toml\"", "robot = \"other.toml\"", "other.toml"),
     ] {

@@ -272,7 +272,7 @@ fn orientations_in_any_form_are_the_same() {
         let Some(order) = order else { continue };
         let (code, _, error) = run(columns, numbers, &[]);
         assert_eq!(code, Some(2), "{error}");
-        let named = ["error[angle-order-missing]", "o.csv:1", &format!("`{order}` leaves 0.0")];
+        let named = ["error[angle-order-missing]", "o.csv:1", &format!("`{order}`: residual 0.0")];
         named.iter().for_each(|part| assert!(error.contains(part), "{order} lacks {part:?}: {error}"));
         assert!(!error.contains("`yzx`") && !error.contains("`xyx`"), "{error}");
     }

@@ -51,6 +51,30 @@ const CASES: &[Case] = &[
         "compensate @/p.mod --robot @/robot.toml --parameters @/out/parameters.json",
     ),
     (
+        "working-mode-missing",
+        "dextar+out",
+        &[("p.ngc", "", "G1 X300 Y300 F100\n")],
+        "compensate @/p.ngc --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "nominal-pose-unreachable",
+        "dextar+out",
+        &[("t.csv", "", "pose,theta1_deg,theta2_deg,assembly\n1,180,0,1\n")],
+        "compensate @/t.csv --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "calibrated-targets-missing",
+        "delta+out",
+        &[(
+            "t.csv",
+            "",
+            "pose,target,theta1_deg,theta2_deg,theta3_deg,x_mm,y_mm,z_mm\n1,NEW,10,20,30,100,100,100\n2,NEW,20,20,30,100,110,100\n",
+        )],
+        "verify @/t.csv --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    ("prior-of-conditions", ARM, &[], "validate @ --parameters @/out/parameters.json --frames prior"),
+    ("hash-of-other-format", ARM, &[], "export @/out/parameters.json --format json --controller-hash calib_1"),
+    (
         "program-in-world",
         ARM,
         &[("p.mod", "", RAPID), ("p.mod", "tGrip", "tool0")],

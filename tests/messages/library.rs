@@ -22,6 +22,20 @@ const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const FAR: [f64; 3] = [100.0, 0.0, 0.0];
 
+#[test]
+fn of_files_names_and_missing_data() {
+    let refused = etalon::cli::in_memory::iso9283([None, None, None], &[]).unwrap_err();
+    let robot = etalon::robots::Prexyt::default();
+    let nothing = etalon::identify::identify(&robot, &[], &etalon::identify::Settings::default()).unwrap_err();
+    hold(vec![
+        ("not-utf8", of(etalon::base::files::text("campaign.toml".as_ref(), vec![b'a', 0xfc]))),
+        ("pose-name-too-long", of(etalon::base::pose_name::PoseName::new(&"x".repeat(300)))),
+        ("one-campaign", of(etalon::compare::compare(&[]))),
+        ("table-to-evaluate-missing", refused.downcast::<Problems>().unwrap().0),
+        ("no-observations", nothing.messages()),
+    ]);
+}
+
 /// The messages of a failure.
 fn of<T>(result: Result<T, impl Into<Problems>>) -> Vec<Message> {
     result.err().map(Into::into).unwrap_or_default().0

@@ -111,10 +111,10 @@ const FILES: &[Case] = &[
     ("urdf-no-robot", URDF, &[(U, "", "<sdf/>")], CHECK),
     ("urdf-not-number word=x", URDF, &[(U, "xyz=\"0 -0.1 0.4\"", "xyz=\"0 0 x\"")], CHECK),
     (
-        "urdf-xacro",
+        "xacro-construct",
         URDF,
         &[
-            (U, "</robot>", "<xacro:macro name=\"arm\"/></robot>"),
+            (U, "</robot>", "<xacro:arm/></robot>"),
             (U, "<robot ", "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" "),
         ],
         CHECK,

@@ -55,11 +55,9 @@ done
 
 # KIT: three reflectors, ten visits; printed by the authors to 0.1 um
 for series in pose1 pose2 anfahrt_pose1; do
-    table=$folder/$series.csv
-    # the visits of a reflector are counted in the order of measurement
-    awk -F ' *, *' 'BEGIN { print "pose,cycle,x_mm,y_mm,z_mm" } { print $1 "," ++n[$1] "," $2 "," $3 "," $4 }' \
-        "$folder/robots/kit_iso9283_tracker/tracker/$series.txt" >"$table"
-    "$etalon" iso9283 pose "$table" --json >"$folder/$series.json" 2>"$folder/$series.log"
+    # the number of the reflector stands for the pose, the visits are counted in the order of measurement
+    "$etalon" iso9283 pose "$folder/robots/kit_iso9283_tracker/tracker/$series.txt" --json --no-header --column pose=1 \
+        --column x_mm=2 --column y_mm=3 --column z_mm=4 --constant cycle=visit >"$folder/$series.json" 2>"$folder/$series.log"
     for target in 1 2 3; do
         published=$(awk -v t="$target" '$1 == "Pos." && $3 == "targ." && $4 == t { print $6 }' "$folder/robots/kit_iso9283_tracker/results/${series}_results.txt")
         found=$(awk -v t="$target" '/"rp_mm":/ && ++n == t { gsub(/[^0-9.e-]/, "", $2); printf "%.4f", $2; exit }' "$folder/$series.json")

@@ -2,6 +2,7 @@
 //! that they give. Numbers that are expected stand in the files themselves.
 
 use crate::support::scratch::copy_sample;
+use etalon::base::phrase;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
 use etalon::documents::Source;
@@ -92,10 +93,8 @@ fn trap_13_and_17_geopak_writes_angles_under_the_name_of_iges() {
     assert_eq!(labels, ["FeatureID_2", "FeatureID_3"]);
     assert_eq!(points[1].1, [3.349968393187 * 25.4, -1.313496902315 * 25.4, -1.431274697897 * 25.4]);
     let told: Vec<usize> = source.refused.iter().map(|r| r.line).collect();
-    assert_eq!(
-        (told, source.refused[0].reason.as_str()),
-        (vec![4, 11, 14], "a PLANE: its point may lie anywhere on it")
-    );
+    let reason = phrase!("feature-of-no-point", kind = "PLANE");
+    assert_eq!((told, &source.refused[0].reason_phrase), (vec![4, 11, 14], &Some(reason)));
     let features = dmis::features("f", &text(file), dmis::DirectionNotation::Angles, Unit::Inch).unwrap();
     let kinds: Vec<&str> = features.iter().map(|f| f.kind.as_str()).collect();
     assert_eq!(kinds, ["PLANE", "CIRCLE", "POINT", "LINE", "CYLNDR"]);
@@ -152,7 +151,8 @@ fn polyworks_report_has_one_control_which_is_no_point() {
     assert_eq!((control.nominal, control.measured, control.tolerance), (Some(95.0), Some(120.007), Some((2.0, -2.0))));
     let (points, source) = read(file, "\"polyworks_report\"", "mm").unwrap();
     assert!(points.is_empty());
-    assert_eq!(source.refused[0].reason, "no point: Y Distance without X, Y, Z");
+    let reason = phrase!("point-incomplete", found = ["Y Distance"], missing = ["X", "Y", "Z"]);
+    assert_eq!(source.refused[0].reason_phrase, Some(reason));
 }
 
 #[test]

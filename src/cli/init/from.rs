@@ -1,5 +1,6 @@
 //! `etalon init --from`: a whole campaign from files of measurements and logs.
 
+use etalon_base::catalogue::Argument;
 use etalon_base::message::Problems;
 use etalon_base::{error, files};
 use etalon_campaign::parse_robot;
@@ -129,7 +130,7 @@ fn split(poses: usize) -> String {
              validation = \"rest\"\n"
         ),
         false => format!(
-            "\n[identify]\ncalibration = \"all\"                           # {poses} poses or readings are few: none is kept for a validation\n"
+            "\n[identify]\ncalibration = \"all\"                           # {poses} poses or readings are few: none is left for a validation\n"
         ),
     }
 }
@@ -138,7 +139,9 @@ fn split(poses: usize) -> String {
 /// the file.
 fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFiles) -> String {
     let columns = document.columns.iter().filter_map(|column| {
-        let number: usize = column.taken_for.strip_prefix("joint ")?.parse().ok()?;
+        let meaning = column.taken_for_phrase.as_ref().filter(|meaning| meaning.id == "means-joint")?;
+        let Some(Argument::Whole(number)) = meaning.arguments.get("number") else { return None };
+        let number = usize::try_from(*number).ok()?;
         Some((number, column.heading.clone().unwrap_or_default()))
     });
     let mut columns: Vec<(usize, String)> = columns.collect();

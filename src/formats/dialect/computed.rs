@@ -47,7 +47,7 @@ impl Expression {
     /// third column.
     ///
     /// # Errors
-    /// If a name is not a heading, or the text is malformed.
+    /// Fails if a name is not a heading, or the text is malformed.
     pub fn parse(text: &str, header: &[Cow<str>]) -> Result<Self, Message> {
         if text.len() > LONGEST {
             let start: String = text.chars().take(SHOWN).collect();
@@ -65,7 +65,7 @@ impl Expression {
     /// Returns the value in a row; `None` if a cell was not measured.
     ///
     /// # Errors
-    /// If a cell is not a number: its index and the message.
+    /// Returns the index of a cell that is not a number, and the message.
     pub fn value(&self, cell: &dyn Fn(usize) -> Result<Option<f64>, Message>) -> Result<Option<f64>, (usize, Message)> {
         Ok(match self {
             Self::Number(number) => Some(*number),

@@ -31,7 +31,7 @@ impl ExportFormat for Aqdef {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        let what = "a file in the Q-DAS ASCII transfer format, by its first field";
+        let what = phrase!("is-aqdef");
         Recognised::by(text.starts_with("K0100 "), 1.0, what)
     }
 

@@ -24,7 +24,7 @@ impl ExportFormat for Calypso {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("planid\tpartnb"), 1.0, "a table of Zeiss Calypso, by its header")
+        Recognised::by(text.starts_with("planid\tpartnb"), 1.0, phrase!("is-calypso"))
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {

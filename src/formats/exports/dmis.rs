@@ -40,7 +40,7 @@ impl ExportFormat for Dmis {
         Recognised::by(
             self.directions == DirectionNotation::Vectors && text.starts_with("FILNAM/"),
             1.0,
-            "DMIS output, by its first record",
+            phrase!("is-dmis"),
         )
     }
 

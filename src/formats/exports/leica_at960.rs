@@ -4,6 +4,7 @@
 use super::Recognised;
 use super::delimited::NamedDialect;
 use crate::dialect::{ColumnAt, ColumnRole, Columns, Delimiter, Dialect, Header};
+use etalon_base::phrase;
 
 /// Columns by name; `Q0` is the scalar. The uncertainties have a level of confidence of 95 % (k =
 /// 2).
@@ -11,7 +12,7 @@ pub(super) const LEICA_AT960: NamedDialect = NamedDialect {
     name: "leica-at960",
     recognise: |text| {
         let mark = header(text).is_some();
-        let what = "an export of a Leica AT960 or AT930 in six degrees of freedom, by its header";
+        let what = phrase!("is-leica-at960");
         Recognised::by(mark, 0.9, what).map(|found| Recognised { unit: Some("mm"), ..found })
     },
     dialect: || {

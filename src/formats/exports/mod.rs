@@ -122,19 +122,19 @@ pub(crate) struct About {
 }
 
 /// Evidence that a text is in a format.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(crate) struct Recognised {
     /// From 0 to 1: 1 for a signature at a fixed place.
     pub score: f64,
     /// Kind of file, and the feature by which it is recognised.
-    pub what: &'static str,
+    pub what: Phrase,
     /// The unit that the file states.
     pub unit: Option<&'static str>,
 }
 
 impl Recognised {
     /// A text with this mark.
-    pub fn by(mark: bool, score: f64, what: &'static str) -> Option<Self> {
+    pub fn by(mark: bool, score: f64, what: Phrase) -> Option<Self> {
         mark.then_some(Self { score, what, unit: None })
     }
 }

@@ -22,7 +22,7 @@ impl ExportFormat for PcdmisXyz {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("XYZIJK"), 1.0, "an .xyz file of PC-DMIS, by its first line")
+        Recognised::by(text.starts_with("XYZIJK"), 1.0, phrase!("is-pcdmis"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {

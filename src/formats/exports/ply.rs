@@ -18,7 +18,7 @@ impl ExportFormat for Ply {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("ply\n") || text.starts_with("ply\r"), 1.0, "a PLY file, by its first line")
+        Recognised::by(text.starts_with("ply\n") || text.starts_with("ply\r"), 1.0, phrase!("is-ply"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {

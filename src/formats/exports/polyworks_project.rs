@@ -22,7 +22,7 @@ impl ExportFormat for PolyworksProject {
         Recognised::by(
             head(text).contains("PolyWorks|Inspector project description"),
             0.9,
-            "a project description of PolyWorks|Inspector, by its first line",
+            phrase!("is-polyworks-project"),
         )
     }
 

@@ -22,11 +22,7 @@ impl ExportFormat for PolyworksReport {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(
-            text.starts_with("Name,Control,Nom,Meas"),
-            1.0,
-            "a report of PolyWorks with a row for each control, by its header",
-        )
+        Recognised::by(text.starts_with("Name,Control,Nom,Meas"), 1.0, phrase!("is-polyworks-report"))
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {

@@ -20,7 +20,7 @@ impl ExportFormat for SpatialAnalyzer {
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
         let mark = |l: &str| l.starts_with("// SpatialAnalyzer") || l.starts_with("// AXES =");
-        let what = "a SpatialAnalyzer export of points, by its comments";
+        let what = phrase!("is-spatialanalyzer");
         let axes = text.lines().find(|line| line.starts_with("// AXES ="));
         let says = |unit: &&str| axes.is_some_and(|line| line.contains(&format!("({unit})")));
         let found = Recognised::by(text.lines().take(20).any(mark), 0.9, what)?;

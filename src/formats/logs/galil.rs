@@ -30,7 +30,7 @@ impl LogFormat for Galil {
         let words = header.iter().all(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
         let rows = text.lines().skip(1).take(100);
         let counts = rows.clone().count() > 0 && rows.flat_map(|row| row.split(',')).all(whole);
-        let what = "an upload of Galil arrays: whole numbers alone, under names in alphabetical order";
+        let what = phrase!("is-galil-arrays");
         Recognised::by(words && counts && header.len() > 1 && header.is_sorted(), 0.3, what)
     }
 

@@ -28,7 +28,7 @@ impl LogFormat for Ros {
 
     fn recognise(&self, header: &[&str], _text: &str) -> Option<Recognised> {
         let echo = header.first() == Some(&"%time") && header.iter().any(|name| name.starts_with("field."));
-        Recognised::by(echo, 0.9, "messages of ROS: its header is that of `rostopic echo -p`")
+        Recognised::by(echo, 0.9, phrase!("is-ros-messages"))
     }
 
     fn unit_of(&self, column: &str) -> Option<&'static str> {

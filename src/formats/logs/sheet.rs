@@ -20,7 +20,7 @@ impl LogFormat for Delimited {
         About {
             name: "delimited",
             title: "",
-            description: "Delimited text of which nothing is known but what the campaign states.",
+            description: "Delimited text; the campaign states its columns and units.",
         }
     }
 }

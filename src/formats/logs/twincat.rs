@@ -28,7 +28,7 @@ impl LogFormat for TwinCat {
 
     fn recognise(&self, header: &[&str], text: &str) -> Option<Recognised> {
         let start = text.lines().take(10).any(|line| line.trim_start_matches('"').starts_with("Starttime of export"));
-        let what = "an export of Beckhoff TwinCAT 3 Scope: its head states the start of the export";
+        let what = phrase!("is-twincat");
         Recognised::by(start && header.iter().any(|field| field.starts_with("Name")), 1.0, what)
     }
 

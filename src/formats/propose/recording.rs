@@ -4,8 +4,8 @@
 use super::with_remarks;
 use crate::dialect::quoted;
 use crate::ros_bag::{self, Kind, POSITION, STAMP, Topic};
-use etalon_base::error;
-use etalon_base::message::{Message, count};
+use etalon_base::message::Message;
+use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
 use etalon_robots::{Joint, Quantity, Robot};
 use std::fmt::Write as _;
@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 /// Proposes lines for the topics of a recording.
 ///
 /// # Errors
-/// If the recording cannot be read, or has no topic of a known type.
+/// Fails if the recording cannot be read, or has no topic of a known type.
 pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) -> Result<FormatsDocument, Message> {
     let topics = ros_bag::topics(bytes)?;
     let known: Vec<(&Topic, Kind)> = topics.iter().filter_map(|topic| Some((topic, topic.kind?))).collect();
@@ -24,7 +24,7 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
     document.format = Some("mcap".to_owned());
-    document.reasons.push("it is a recording of ROS 2: it begins like an MCAP file".to_owned());
+    document.because(phrase!("because-recording"));
     let mut lines = String::new();
     let mut is_named = false;
     // joint values first: the document is a log if there are any
@@ -33,16 +33,15 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
         let text = match ros_bag::text(bytes, &topic.name) {
             Ok(text) => text,
             Err(message) => {
-                document.doubts.push(format!("topic `{}` cannot be read: {message}", topic.name));
+                document.doubt(phrase!("doubt-topic-unreadable", topic = topic.name, reason = message.phrase()));
                 continue;
             }
         };
         let rows = text.lines().count() - 1;
-        let messages = count(rows, "message");
-        document.reasons.push(format!("topic `{}` has {messages} of type {}", topic.name, topic.message));
+        document.because(phrase!("because-topic", topic = topic.name, count = rows, message_type = topic.message));
         let is_log = *kind == Kind::JointState;
         if is_log && document.kind == "log" {
-            document.doubts.push(format!("topic `{}` has joint values too", topic.name));
+            document.doubt(phrase!("doubt-second-log", topic = topic.name));
             continue;
         }
         if document.kind.is_empty() {
@@ -56,16 +55,12 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
             &if is_log { log(file, topic, named.unwrap_or_else(|| joints(head))) } else { export(file, topic, *kind) };
     }
     if is_named {
-        document.reasons.push("the joints have the names of the robot's".to_owned());
+        document.because(phrase!("because-joints-named"));
     } else if document.kind == "log" {
-        document.questions.push(
-            "which joint of the robot each column is; JointState has rad for revolute joints, m for prismatic ones: \
-             write `q1_m` for a prismatic joint"
-                .to_owned(),
-        );
+        document.ask(phrase!("ask-joint-states"));
     }
     if !exports.is_empty() {
-        document.questions.push("which target each topic of poses or points is".to_owned());
+        document.ask(phrase!("ask-targets-of-topics"));
     }
     if document.kind.is_empty() {
         // the only topic of a known type cannot be read

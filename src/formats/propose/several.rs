@@ -7,6 +7,7 @@ use super::table::{Column, Table};
 use super::{FormatsDocument, against, propose_corrected};
 use crate::dialect::quoted;
 use crate::export::Pattern;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Result, printable};
 use etalon_base::phrase;
 use etalon_documents::FormatsJoin;
@@ -79,7 +80,7 @@ struct Join {
 /// Proposes uses of several files that belong to one campaign, and how they are joined.
 ///
 /// # Errors
-/// If a file is missing or no table.
+/// Fails if a file is missing, or is not a table.
 pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<FilesProposal> {
     let mut parts = paths.iter().map(|path| Part::of(path, robot)).collect::<Result<Vec<Part>>>()?;
     let log = parts.iter().position(|part| part.document.kind == "log");
@@ -193,8 +194,8 @@ fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), jo
         if let Outcome::Contradicted(best) = outcome {
             let known = if best.is_some() { "yes" } else { "no" };
             let points = parts[at].document.file.clone();
-            let doubt = phrase!("robot-contradicts", points, known, rms_mm = best.unwrap_or(0.0)).to_string();
-            parts[at].doubt(&doubt);
+            let doubt = phrase!("robot-contradicts", points, known, rms_mm = best.unwrap_or(0.0));
+            parts[at].doubt(doubt);
         }
         return Ok(());
     };
@@ -389,9 +390,9 @@ impl Part {
         Ok(())
     }
 
-    fn doubt(&mut self, text: &str) {
-        self.document.doubts.push(text.to_owned());
-        self.document.toml.insert_str(0, &format!("# DOUBT: {}\n", printable(text)));
+    fn doubt(&mut self, doubt: Phrase) {
+        self.document.toml.insert_str(0, &format!("# DOUBT: {}\n", printable(&doubt.to_string())));
+        self.document.doubt(doubt);
     }
 
     /// Returns use, number of rows and units of the file.

@@ -7,14 +7,14 @@ use crate::filter::Filter;
 use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, column_index, marked, parsed, pose_name, split};
 use crate::logs::{meaning, one_column, row_width, words_missing};
-use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
+use crate::table::{self, COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::cell::is_formula;
 use etalon_base::error;
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose_name::{PoseName, two_spellings};
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Layout of a table that differs from the tables of this program.
 #[derive(Clone, Debug)]
@@ -193,6 +193,10 @@ impl TableLayout {
             if table.column(name).is_ok() || added.iter().any(|column| column.name() == name) {
                 return Err(error!("stated-and-in-table", key = name).at(Place::file(file)).into());
             }
+            if (name, cell.as_str()) == ("cycle", VISIT) {
+                added.push(Series::new(name.into(), visits(&table)?).into());
+                continue;
+            }
             let mut named = Cow::Borrowed(name);
             let factor = in_mm(&mut named, self.coverage_factor);
             added.push(match cell.parse::<f64>().ok().filter(|_| is_numeric(name)) {
@@ -207,6 +211,23 @@ impl TableLayout {
         table.hstack_mut(&added).map_err(failed)?;
         Ok(table)
     }
+}
+
+/// Constant of the column `cycle` of tables whose rows are in the order of measurement: the n-th
+/// row of a pose and target is cycle n.
+const VISIT: &str = "visit";
+
+/// Counts the rows of each pose and target from 1.
+fn visits(table: &DataFrame) -> Result<Vec<i64>> {
+    let poses = table::poses(table)?;
+    let targets = if table.column("target").is_ok() { table::texts(table, "target")? } else { Vec::new() };
+    let mut counts = HashMap::new();
+    let visit = |(row, pose)| {
+        let count = counts.entry((pose, targets.get(row))).or_insert(0);
+        *count += 1;
+        *count
+    };
+    Ok(poses.into_iter().enumerate().map(visit).collect())
 }
 
 /// Columns of texts in tables of poses and loads.
@@ -228,7 +249,7 @@ fn is_numeric(name: &str) -> bool {
 /// have numbers (empty cells are missing values), other columns text.
 ///
 /// # Errors
-/// Rows with another number of fields, and cells that cannot be read, with their places.
+/// Reports rows with another number of fields, and unreadable cells, with their places.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     read(file, text, &TableLayout::default())
 }
@@ -433,5 +454,16 @@ mod tests {
         assert_eq!(names, ["7", "7", "P7", "home"]);
         let error = observations("o.csv", "pose,x_mm\nP01,1\nA1,2\nP1,2\n").unwrap_err().to_string();
         assert!(error.contains("`P01` and `P1` differ only in") && error.contains("o.csv:4"), "{error}");
+    }
+
+    #[test]
+    fn visits_of_a_pose_are_counted_by_target() {
+        let mut layout = TableLayout::default();
+        layout.constants.insert("cycle".to_owned(), serde_json::from_str("\"visit\"").unwrap());
+        let text = "pose,target,x_mm\n1,A,0\n1,B,0\n2,A,0\n1,A,0\n2,A,0\n1,A,0\n";
+        let table = observations_with("o.csv", text, &layout).unwrap();
+        assert_eq!(table::integers(&table, "cycle").unwrap(), [1, 1, 1, 2, 2, 3]);
+        let error = observations_with("o.csv", &text.replace("pose", "cycle"), &layout).unwrap_err();
+        assert!(error.0[0].is("stated-and-in-table", &[("key", &"cycle")]), "{error}");
     }
 }

@@ -1,10 +1,10 @@
-//! Slips that sweeps show: joints that move together, units, moved targets, exchanged joints.
+//! Slips that sweeps reveal: joints that move together, units, moved targets, exchanged joints.
 
 use super::{AxesModel, JointAxis, Sweep, SweepFit, SweepReading, motion};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_math::statistics::rms;
 
-/// Share of the sweep of a joint that another joint may move at most.
+/// Maximum motion of another joint during a sweep, as a share of the sweep.
 const LEAST_MOTION: f64 = 0.01;
 /// Motion (rad or mm) below which a joint is at rest.
 const AT_REST: f64 = 1e-4;
@@ -18,17 +18,17 @@ const UNITS: [(f64, &str); 5] = [
     (1000.0, "m-as-mm"),
     (0.001, "mm-as-m"),
 ];
-/// Share of readings set aside from which they are no longer single foreign points.
+/// Share of excluded readings above which they no longer count as isolated outliers.
 const MANY: f64 = 0.1;
-/// Ratio of residuals to the noise from point to point that noise does not reach.
+/// Ratio of residuals to the noise from point to point that noise alone does not reach.
 const SMOOTH: f64 = 3.0;
-/// A change explains the readings if residuals shrink to this share.
+/// A change explains the readings if it reduces residuals to this share.
 const EXPLAINS: f64 = 1.0 / 3.0;
-/// Largest number of places of a sweep at which a target may have moved that are tried.
+/// Maximum number of places of a sweep that are tried for a move of a target.
 const SPLITS: usize = 60;
 /// Fewest readings before and behind a move.
 const LEAST_PART: usize = 4;
-/// Readings of a sweep by which sweeps are compared.
+/// Number of readings of a sweep for comparisons between sweeps.
 const COMPARED: usize = 9;
 /// Misfit (standard uncertainties) beyond which sweeps or check poses disagree.
 const DISAGREE: f64 = 5.0;
@@ -36,7 +36,7 @@ const DISAGREE: f64 = 5.0;
 /// Slip in a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Slip {
-    /// Another joint moves in place of the joint of the sweep.
+    /// Another joint moves instead of the joint of the sweep.
     OtherJoint {
         /// Joint that moves.
         moved: usize,
@@ -48,7 +48,7 @@ pub enum Slip {
         /// Its motion (rad or mm).
         by: f64,
     },
-    /// Motion and joint value have another ratio than one.
+    /// The ratio of motion and joint value differs from one.
     Ratio {
         /// Motion per unit of the joint value.
         ratio: f64,
@@ -73,7 +73,7 @@ pub enum Slip {
     },
 }
 
-/// Residuals that are much larger than the noise from point to point.
+/// Residuals are much larger than the noise from point to point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Smooth {
     /// Root mean square of the residuals (mm).
@@ -82,7 +82,7 @@ pub struct Smooth {
     pub noise_mm: f64,
 }
 
-/// Position of a check pose, or of a target by another sweep, beside the prediction.
+/// Comparison of a position with its prediction, at a check pose or by another sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CheckedPose {
     /// Row of the reading.
@@ -133,7 +133,7 @@ pub fn axis_slip(sweep: &Sweep, axis: &JointAxis) -> Option<Slip> {
     many.then_some(Slip::Many { aside, readings: fit.used.len() })
 }
 
-/// Residuals much larger than the noise, as of a joint that also moves or a bearing that runs out.
+/// Residuals much larger than the noise, as from motion of another joint or run-out of a bearing.
 pub fn smooth(sweep: &Sweep, fit: &SweepFit) -> Option<Smooth> {
     let [rms_mm, noise_mm] = motion::smoothness(sweep, fit)?;
     (rms_mm > SMOOTH * noise_mm && rms_mm > 1e-6).then_some(Smooth { rms_mm, noise_mm })
@@ -145,7 +145,7 @@ fn deviation_mm(fit: &SweepFit) -> f64 {
     (squares / fit.residuals_mm.len().max(1) as f64).sqrt()
 }
 
-/// The move of a target that explains the readings, if one does.
+/// Move of the target that explains the readings, if there is one.
 fn target_moved(sweep: &Sweep, fit: &SweepFit) -> Option<Slip> {
     let new = sweep.readings.iter().map(|r| r.target).max()? + 1;
     let before = deviation_mm(fit);
@@ -168,12 +168,12 @@ fn target_moved(sweep: &Sweep, fit: &SweepFit) -> Option<Slip> {
     (after < EXPLAINS * before).then_some(Slip::TargetMoved { target, row, deviations_mm: [before, after] })
 }
 
-/// Change of the order or the signs of joints that makes readings agree.
+/// Change of the order or the signs of joints that brings readings into agreement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
     /// Two joints are exchanged.
     Exchanged([usize; 2]),
-    /// A joint was swept against its positive direction.
+    /// A joint was swept in negative direction.
     Reversed(usize),
 }
 
@@ -209,7 +209,7 @@ impl AxesModel {
         Agreement { poses, worst, explained }
     }
 
-    /// The one change of order or sign that explains readings, with the distance (mm) that is left.
+    /// The one change of order or sign that explains readings, with the remaining distance (mm).
     fn explained(&self, readings: &[SweepReading], poses: &[CheckedPose]) -> Option<(Change, f64)> {
         let n = self.measured.len();
         let exchanged = (0..n).flat_map(|a| (a + 1..n).map(move |b| Change::Exchanged([a, b])));
@@ -257,8 +257,7 @@ impl AxesModel {
     }
 }
 
-/// Readings of sweeps by which the sweeps are compared: some of each path, where joint values are
-/// known.
+/// Readings for comparisons between sweeps: some of each path, if joint values are known.
 pub fn compared(sweeps: &[Sweep], axes: &[JointAxis]) -> Vec<SweepReading> {
     let mut all = Vec::new();
     for (sweep, axis) in sweeps.iter().zip(axes) {
@@ -273,8 +272,8 @@ pub fn compared(sweeps: &[Sweep], axes: &[JointAxis]) -> Vec<SweepReading> {
     all
 }
 
-/// Largest distance (mm) between the first readings of sweeps without joint values, by target, with
-/// the joints of the two sweeps: they start from the same pose.
+/// Largest distance (mm) between the first readings of one target in two sweeps without joint
+/// values, which must start from the same pose; with the two sweeps and the target.
 pub fn start_gap(sweeps: &[Sweep]) -> Option<(f64, [usize; 2], usize)> {
     let mut worst: Option<(f64, [usize; 2], usize)> = None;
     let first = |s: &Sweep, t: usize| s.readings.iter().find(|r| r.target == t).map(|r| r.position_mm);

@@ -1,5 +1,5 @@
-//! A robot from its axes alone: axes at joint values zero, base by axes 1 and 2, flange on the last
-//! axis, targets; and what its uncertainty makes of predictions.
+//! A robot from its axes alone: axes at joint values zero, base from axes 1 and 2, flange on the
+//! last axis, targets, and the uncertainty of predictions.
 
 use super::JointAxis;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
@@ -9,21 +9,24 @@ use nalgebra::{DMatrix, DVector};
 /// Steps of numeric derivatives (rad, mm).
 const STEPS: [f64; 2] = [1e-6, 1e-4];
 
-/// Distance of two axes (mm) below which their common normal gives no direction to the base.
+/// Distance of two axes (mm) below which their common normal is no direction for the base.
 const MEET_MM: f64 = 1.0;
 
-/// Rule by which the first two axes give the base: its z axis is axis 1.
+/// Rule by which the first two axes determine the base; its z axis is axis 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BaseRule {
     /// x along the common normal from axis 1 to axis 2, origin at its foot on axis 1.
     CommonNormal,
-    /// The axes meet: x across both, origin where they meet; the sign is that of z1 × z2.
+    /// The axes intersect: x perpendicular to both, with the sign of z1 × z2; origin at the
+    /// intersection.
     Meeting,
-    /// The axes are parallel: x towards axis 2, origin beside the centroid of the first sweep.
+    /// The axes are parallel: x towards axis 2; origin on axis 1, nearest to the centroid of the
+    /// first sweep.
     Parallel,
-    /// Axis 2 slides: x along its part across axis 1, origin beside the first target.
+    /// Axis 2 is prismatic: x along its component perpendicular to axis 1; origin nearest to the
+    /// first target.
     Sliding,
-    /// There is no second direction: x towards the first target.
+    /// No second direction exists: x towards the first target.
     Target,
 }
 
@@ -32,7 +35,7 @@ pub enum BaseRule {
 pub struct AxesModel {
     /// Axes as measured, in the order of the joints.
     pub measured: Vec<JointAxis>,
-    /// Sweep and path that give each target; `None` for a target in no sweep.
+    /// Sweep and path that determine each target; `None` for a target in no sweep.
     sources: Vec<(usize, usize)>,
     /// Rule of the base.
     pub rule: BaseRule,
@@ -46,7 +49,7 @@ pub struct AxesModel {
     /// Targets in the frame of the flange (mm), by index.
     pub targets_mm: Vec<Vector>,
     /// Standard uncertainties of axes in the base frame: direction (rad) and point (mm), each as
-    /// the length of its components.
+    /// the root of the sum of squares of its components.
     pub uncertainties: Vec<[f64; 2]>,
     /// Standard uncertainties of the targets (mm), by component.
     pub target_uncertainties_mm: Vec<Vector>,
@@ -165,8 +168,8 @@ impl AxesModel {
         (base, axes, flange, targets.iter().map(|t| back.apply(*t)).collect())
     }
 
-    /// Derivatives of a function of axes and targets by the parameters of all sweeps, and its
-    /// covariance.
+    /// Derivatives of a function of axes and targets with respect to the parameters of all sweeps,
+    /// and its covariance.
     fn covariance(&self, f: &dyn Fn(&AtZero) -> Vec<f64>) -> DMatrix<f64> {
         let mut changes = self.unchanged();
         let count = f(&self.at_zero(&changes)).len();
@@ -211,7 +214,7 @@ impl AxesModel {
         self.at_zero(&self.unchanged()).position(joints, target)
     }
 
-    /// Position of a target at joint values, with its uncertainty by the axes.
+    /// Position of a target at joint values, with its uncertainty due to the axes.
     pub fn predict(&self, joints: &[f64], target: usize) -> Predicted {
         let all = self.covariance(&|zero| zero.position(joints, target).to_vec());
         Predicted {
@@ -237,7 +240,7 @@ fn rule(axes: &[AxisLine]) -> BaseRule {
     }
 }
 
-/// Base by the first two axes; `beside` is the centroid of the first sweep.
+/// Base from the first two axes; `beside` is the centroid of the first sweep.
 fn base(rule: BaseRule, zero: &AtZero, beside: Vector) -> Pose {
     let first = zero.axes[0];
     let z = first.direction;

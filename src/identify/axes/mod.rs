@@ -43,12 +43,12 @@ pub struct Sweep {
     pub readings: Vec<SweepReading>,
 }
 
-/// Statements about joints and readings beside the sweeps.
+/// Statements about joints and readings in addition to the sweeps.
 #[derive(Clone, Debug, Default)]
 pub struct AxesSettings {
     /// Standard uncertainty of a coordinate (mm); by default from the residuals of each sweep.
     pub standard_uncertainty_mm: Option<f64>,
-    /// Sliding or turning, by joint; `None` to be judged by the path.
+    /// Prismatic or revolute, for each joint; `None` to judge by the path.
     pub prismatic: Vec<Option<bool>>,
     /// `true` for joints that were swept in the negative direction; without joint values only.
     pub backwards: Vec<bool>,
@@ -63,9 +63,9 @@ pub struct JointAxis {
     pub fit: SweepFit,
     /// Standard uncertainty of a coordinate (mm).
     pub standard_uncertainty_mm: f64,
-    /// Degrees of freedom of it; infinite if it is stated.
+    /// Degrees of freedom of the standard deviation; infinite if it is stated.
     pub degrees_of_freedom: f64,
-    /// Angle (rad) or place (mm) of each path at joint value zero; without joint values, at the
+    /// Angle (rad) or position (mm) of each path at joint value zero; without joint values, at the
     /// first reading.
     pub phases: Vec<f64>,
     /// Covariance of the parameters of [`SweepFit::cofactors`], followed by the phases.
@@ -80,7 +80,7 @@ pub struct JointAxis {
 
 impl JointAxis {
     /// Standard uncertainties of the direction about x and y (rad), and of the point along x and y
-    /// (mm; for a sliding joint zero) of the frame of the fit.
+    /// (mm; zero for a prismatic joint), in the frame of the fit.
     pub fn standard_uncertainties(&self) -> ([f64; 2], [f64; 2]) {
         let u = |k: usize| self.covariance[(k, k)].max(0.0).sqrt();
         ([u(0), u(1)], if self.fit.prismatic { [0.0; 2] } else { [u(2), u(3)] })
@@ -114,7 +114,7 @@ impl JointAxis {
 /// Axis of the joint of a sweep.
 ///
 /// # Errors
-/// Too few readings, or paths that determine no axis.
+/// Fails with too few readings, and if the paths do not determine an axis.
 pub fn joint_axis(sweep: &Sweep, settings: &AxesSettings) -> Result<JointAxis, SweepFault> {
     let stated = settings.prismatic.get(sweep.joint).copied().flatten();
     let mut fit = match stated {

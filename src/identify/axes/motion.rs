@@ -19,11 +19,11 @@ pub struct Travel {
 /// Error motions of an axis (ISO 230-7:2015). They include the noise of the measuring system.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ErrorMotion {
-    /// Radial error motion of each path, peak to valley (mm): towards and from the axis, or along x
-    /// of a sliding joint.
+    /// Radial error motion of each path, peak to valley (mm): perpendicular to the axis, or along x
+    /// of a prismatic joint.
     pub radial_mm: Vec<f64>,
     /// Face error motion of each path at its radius, peak to valley (mm): along the axis, or along
-    /// y of a sliding joint.
+    /// y of a prismatic joint.
     pub face_mm: Vec<f64>,
     /// Axial error motion, peak to valley (mm): along the axis at the axis; from three targets.
     pub axial_mm: Option<f64>,
@@ -42,8 +42,8 @@ fn travels(sweep: &Sweep, fit: &SweepFit, path: usize) -> Vec<(f64, Option<f64>)
     of.map(|(r, _)| (fit.travel(&fit.frame, r.position_mm), r.joints.get(sweep.joint).copied())).collect()
 }
 
-/// `true` if the joint moves against the axis of its fit, by the joint values or by the order of
-/// the readings.
+/// `true` if the joint moves opposite to the axis of its fit, by the joint values or by the order
+/// of the readings.
 pub(super) fn is_reversed(sweep: &Sweep, fit: &SweepFit) -> bool {
     let mut sum = 0.0;
     for path in 0..fit.paths.len() {
@@ -163,7 +163,7 @@ pub(super) fn error_motion(sweep: &Sweep, fit: &SweepFit) -> ErrorMotion {
     }
 }
 
-/// Axial and tilt error motion by the rigid body of three targets or more.
+/// Axial and tilt error motion, from the rigid body of three targets or more.
 fn rigid_motion(sweep: &Sweep, fit: &SweepFit) -> Option<(f64, f64)> {
     let inverse = fit.frame.inverse();
     // steps at which every target was read, in the order of the motion

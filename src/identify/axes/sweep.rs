@@ -15,11 +15,11 @@ use nalgebra::{DMatrix, DVector};
 const STEPS: usize = 60;
 /// Convergence tolerance: step in standard uncertainties of a reading.
 const CONVERGED: f64 = 1e-10;
-/// Triples of readings from which a start is looked for.
+/// Number of triples of readings for the search for a start.
 const STARTS: u64 = 60;
-/// Expected number of sound readings that are set aside in all of a sweep.
+/// Expected number of sound readings that are excluded in a whole sweep.
 const LOST: f64 = 0.01;
-/// Fewest readings of a sweep in which foreign ones can be told.
+/// Minimum number of readings of a sweep at which outliers can be detected.
 const FEWEST_TO_JUDGE: usize = 8;
 /// Median of the length of a vector with two standard normal components, √(2 ln 2).
 const MEDIAN_LENGTH: f64 = 1.177_410_022_515_474_7;
@@ -35,18 +35,19 @@ pub struct Path {
     pub readings: usize,
     /// Radius (mm); 0 for a sliding joint.
     pub radius_mm: f64,
-    /// Height over the point of the axis (mm); 0 for a sliding joint.
+    /// Height relative to the point of the axis (mm); 0 for a prismatic joint.
     pub height_mm: f64,
-    /// Place across the axis of a sliding joint (mm).
+    /// Position across the axis of a prismatic joint (mm).
     pub across_mm: [f64; 2],
     /// Covered arc (rad) or length (mm).
     pub span: f64,
 }
 
-/// Axis fitted to a sweep, with everything that its paths share.
+/// Axis fitted to a sweep, with the quantities that its paths share.
 #[derive(Clone, Debug)]
 pub struct SweepFit {
-    /// Frame of the fit: z along the axis, origin on the axis beside the centroid of the paths.
+    /// Frame of the fit: z along the axis, origin at the point of the axis nearest to the centroid
+    /// of the paths.
     pub frame: Pose,
     /// `true` if the joint slides.
     pub prismatic: bool,
@@ -141,7 +142,7 @@ fn targets(readings: &[SweepReading]) -> Vec<usize> {
 pub enum SweepFault {
     /// Fewer readings than parameters.
     TooFew {
-        /// Number of readings that are needed at least.
+        /// Minimum number of readings.
         needed: usize,
         /// Number of readings.
         readings: usize,
@@ -150,7 +151,7 @@ pub enum SweepFault {
     Undetermined,
 }
 
-/// Fits the axis of a sweep. Readings that are far from the path of all others are set aside.
+/// Fits the axis of a sweep. Readings far from the path of all others are excluded.
 pub fn fit_sweep(readings: &[SweepReading], prismatic: bool) -> Result<SweepFit, SweepFault> {
     let targets = targets(readings);
     let parameters = if prismatic { 2 } else { 4 } + OF_PATH * targets.len();
@@ -179,7 +180,7 @@ pub fn fit_sweep(readings: &[SweepReading], prismatic: bool) -> Result<SweepFit,
 }
 
 impl SweepFit {
-    /// Readings that noise explains, by the spread of the majority.
+    /// Readings within the noise, judged by the spread of the majority.
     fn near(&self) -> Vec<bool> {
         let lengths: Vec<f64> = self.residuals_mm.iter().map(|[a, b]| a.hypot(*b)).collect();
         let n = lengths.len() as f64;
@@ -202,8 +203,8 @@ fn nearest(deviations: &[f64], count: usize, needed: usize) -> Vec<bool> {
     used
 }
 
-/// Frame of an axis to start from: the best of those through few readings, by the median deviation
-/// of all.
+/// Starting frame of an axis: the best of those through a few readings, by the median deviation of
+/// all.
 fn start(readings: &[SweepReading], targets: &[usize], prismatic: bool) -> Option<Pose> {
     let count = |t: &usize| readings.iter().filter(|r| r.target == *t).count();
     let most = targets.iter().copied().max_by_key(count)?;
@@ -433,7 +434,7 @@ fn extent(points: &[Vector]) -> f64 {
     (ends[1] - ends[0]).max(0.0)
 }
 
-/// Arc about z that points cover (rad): a turn without its largest gap.
+/// Arc about z that points cover (rad): full turn minus its largest gap.
 fn arc(points: &[Vector]) -> f64 {
     let mut angles: Vec<f64> = points.iter().map(|p| p[1].atan2(p[0])).collect();
     angles.sort_by(f64::total_cmp);
@@ -453,7 +454,7 @@ fn scaled(normal: &DMatrix<f64>, scale: &DVector<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(normal.nrows(), normal.ncols(), |i, j| normal[(i, j)] * scale[i] * scale[j])
 }
 
-/// Smallest share of its length that a column must have beside the others.
+/// Smallest share of its length by which a column must differ from the span of the others.
 const LEAST_PIVOT: f64 = 1e-6;
 
 fn cholesky(normal: &DMatrix<f64>) -> Option<(nalgebra::Cholesky<f64, nalgebra::Dyn>, DVector<f64>)> {
@@ -475,8 +476,8 @@ fn invert_scaled(normal: &DMatrix<f64>) -> Option<DMatrix<f64>> {
 /// Largest radius (mm) of a path that counts as a circle.
 const LARGEST_RADIUS_MM: f64 = 50_000.0;
 
-/// Fits circles or lines, whichever explains the paths: lines where circles leave no smaller
-/// residuals, or only by circles of implausible radius.
+/// Fits circles or lines: lines if circles do not leave smaller residuals, or leave smaller ones
+/// only with an implausible radius.
 pub(super) fn fit_any(readings: &[SweepReading]) -> Result<SweepFit, SweepFault> {
     let Ok(line) = fit_sweep(readings, true) else { return fit_sweep(readings, false) };
     let Ok(circle) = fit_sweep(readings, false) else { return Ok(line) };

@@ -23,7 +23,7 @@ const SEED: u64 = 50;
 /// located.
 ///
 /// # Errors
-/// Settings and observations that do not go together.
+/// Fails if settings and observations do not match.
 pub fn left_to_tolerances(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -128,7 +128,7 @@ impl JudgedErrors<'_> {
     /// largest error along each axis; empty if no uncertainty is stated.
     ///
     /// # Errors
-    /// If residuals cannot be evaluated.
+    /// Fails if residuals cannot be evaluated.
     pub fn figures(&self, settings: &Settings, systematic: &Systematic) -> Result<Vec<FigureUncertainty>> {
         let positions = self.observations.iter().any(|o| o.targets.iter().any(Option::is_some));
         if settings.standard_uncertainty_mm.is_none() || (!positions && self.conditions.is_empty()) {

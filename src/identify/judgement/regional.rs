@@ -60,8 +60,8 @@ struct Estimate {
 }
 
 impl Field {
-    /// Field of residuals with this Jacobian, a row for each residual; `None` if readings are not
-    /// coordinates in one unit, or do not show a field.
+    /// Field of residuals; the Jacobian has one row per residual. `None` if readings are not
+    /// coordinates in one unit, or if no field is detected.
     pub fn new(problem: &Residuals, residuals: &[f64], jacobian: &[f64]) -> Option<Self> {
         let poses = poses(problem)?;
         let n = jacobian.len() / residuals.len();

@@ -103,7 +103,7 @@ impl RobustComparison {
 /// a larger one (A⁻¹ Σ hₚ hₚᵀ A⁻¹ with hₚ = Jₚᵀ (ψ(r)/ψ̄' − r)ₚ), it is that.
 ///
 /// # Errors
-/// Settings and observations that do not go together.
+/// Fails if settings and observations do not match.
 pub fn robust_comparison(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -56,7 +56,7 @@ pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTr
 /// scatter to estimate u_part from.
 ///
 /// # Errors
-/// Settings and observations that do not go together.
+/// Fails if settings and observations do not match.
 pub fn stability(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -147,11 +147,12 @@ pub struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// Compares the observations with the given parameters; `variance` states what the standard
-    /// uncertainty of a coordinate rests on.
+    /// Compares the observations with the given parameters; `variance` is the source of the
+    /// standard uncertainty of a coordinate.
     ///
-    /// # Errors No standard uncertainty, joint values at which the robot cannot be, or a covariance
-    /// that is not positive definite.
+    /// # Errors
+    /// Fails without a standard uncertainty, at joint values at which the robot has no pose, and
+    /// with a covariance that is not positive definite.
     pub fn verify(self, variance: Variance) -> Result<Verification> {
         let space = Space::new(self)?;
         let all = space.columns();
@@ -201,18 +202,18 @@ impl Comparison<'_> {
     /// Returns the p value of [`Self::verify`] alone.
     ///
     /// # Errors
-    /// As there.
+    /// Fails like [`Self::verify`].
     pub fn p_value(self, variance: Variance) -> Result<f64> {
         let space = Space::new(self)?;
         let [of_changes, of_rest] = space.tests(&space.columns(), variance);
         Ok(Test::together(&of_changes, &of_rest))
     }
 
-    /// The least changes that observations at these poses would detect, wherever their targets are
-    /// measured; as [`Self::verify`] states them.
+    /// Smallest changes that observations at these poses would detect, wherever their targets are
+    /// measured, as in [`Self::verify`].
     ///
     /// # Errors
-    /// As there.
+    /// Fails like [`Self::verify`].
     pub fn detectable(self, variance: Variance) -> Result<Vec<Detectable>> {
         let space = Space::new(self)?;
         let all = space.columns();
@@ -220,12 +221,12 @@ impl Comparison<'_> {
         Ok(space.detectable(&all, &Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom)))
     }
 
-    /// The most probable values of all parameters given the observations and the covariance of the
-    /// given parameters: x = x₀ + L z with z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by the Gauss-Newton
+    /// Most probable values of all parameters for the observations and the covariance of the given
+    /// parameters: x = x₀ + L z with z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by the Gauss-Newton
     /// method.
     ///
     /// # Errors
-    /// As [`Self::verify`].
+    /// Fails like [`Self::verify`].
     pub fn most_probable(self) -> Result<Vec<f64>> {
         let given = self.given;
         let mut place = given.clone();

@@ -505,7 +505,13 @@ impl<'a> Residuals<'a> {
     /// Derivatives of the residuals of coordinates at `x`, whitened, with respect to a common
     /// relative error of all measured lengths.
     pub fn scale_jacobian(&self, x: &[f64]) -> Vec<f64> {
-        self.displaced(x, None, |p| p.map(|v| [-v]))
+        let mut rows = self.displaced(x, None, |p| p.map(|v| [-v]));
+        let all = self.all(x);
+        for c in self.conditions {
+            let change = c.kind.equation().by_scale(&all);
+            rows.extend(change[..c.kind.rows()].iter().map(|v| v / c.standard_uncertainty));
+        }
+        rows
     }
 
     /// Derivatives of the residuals of coordinates at `x`, whitened, with respect to N errors that

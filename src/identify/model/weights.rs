@@ -65,11 +65,11 @@ impl Weights {
     }
 }
 
-/// Takes missing uncertainties of readings from `settings`, or else as the root mean square of the
-/// stated ones, and reports the weights of readings.
+/// Completes missing uncertainties of readings from `settings` or, without one there, by the root
+/// mean square of the stated uncertainties. Reports the weights of readings.
 ///
 /// # Errors
-/// Where some readings have no uncertainty at all, or what the settings compare cannot be weighted.
+/// Fails if readings have no uncertainty, or if the settings do not permit a weighted comparison.
 pub fn weigh(observations: &[Observation], dimension: usize, settings: &mut Settings) -> Result<Option<Message>> {
     let readings = observations.iter().map(|o| o.targets.iter().flatten().count()).sum::<usize>();
     let stated: Vec<f64> = observations.iter().flat_map(|o| o.uncertainties_mm(dimension)).map(|(_, u)| u).collect();

@@ -81,8 +81,9 @@ fn three(first: usize) -> std::ops::Range<usize> {
 /// Locates the parameters `places` of targets and fixtures by these readings, with all others at
 /// `values`.
 ///
-/// # Errors A robot without a free base has no such parameters: nothing is placed. Residuals that
-/// cannot be set up.
+/// # Errors
+/// Fails for a robot without a free base, which has no such parameters, and if residuals cannot be
+/// set up.
 pub fn place_apart(
     robot: &dyn Robot,
     observations: &[Observation],

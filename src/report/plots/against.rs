@@ -68,7 +68,8 @@ pub(crate) fn pictures(data: &Data, words: &Words) -> [Vec<Figure>; 2] {
 fn picture(data: &Data, along: &Along, (up, p): (&Axis, Option<f64>), words: &Words) -> Option<Figure> {
     let known: Vec<&PointError> =
         data.errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
-    let drawn = points::readable(&known);
+    // many figures: half of the marks of others
+    let drawn = points::thin(&points::readable(&known), points::MARKS / 2, points::after_mm);
     let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
     let name = tr!(words, "position-error-in", unit = up.shown().unit);
     let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up.clone()], [along.name.clone(), name]);

@@ -13,6 +13,8 @@ use etalon_documents::Conformity;
 const ROW_HEIGHT: f64 = 62.0;
 /// Height of a bar.
 const BAR: f64 = 14.0;
+/// Width of a bold letter.
+const BOLD: f64 = 1.1 * LETTER;
 /// Margin at both sides.
 const SIDE: f64 = 10.0;
 /// Smallest right end of the scale, over the limit.
@@ -71,14 +73,14 @@ fn limit(svg: &mut Svg, l: &LimitVerdict, (top, end): (f64, f64), words: &Words)
     svg.line("limit", (at(1.0), y - 4.0), (at(1.0), y + BAR + 4.0));
     let verdict = judged(l, words).shown().plain();
     let room = NARROW - 2.0 * SIDE - width(&verdict) - 10.0;
-    svg.text("start name-of", (SIDE, top + 12.0), &cut(&words.tr(&names::limit(l.name)), room));
+    svg.text("start name-of", (SIDE, top + 12.0), &cut(&words.tr(&names::limit(l.name)), room, BOLD));
     svg.text("end name-of", (NARROW - SIDE, top + 12.0), &verdict);
-    svg.text("start", (SIDE, y + BAR + 15.0), &cut(&text, NARROW - 2.0 * SIDE));
+    svg.text("start", (SIDE, y + BAR + 15.0), &cut(&text, NARROW - 2.0 * SIDE, LETTER));
 }
 
-/// Shortens a text to a width.
-fn cut(text: &str, room: f64) -> String {
-    let most = (room / (0.92 * LETTER)) as usize;
+/// Shortens a text to a width; letters of names are bold.
+fn cut(text: &str, room: f64, letter: f64) -> String {
+    let most = (room / letter) as usize;
     if text.chars().count() <= most {
         return text.to_owned();
     }
@@ -105,15 +107,14 @@ fn stated(l: &LimitVerdict, words: &Words) -> String {
     }
 }
 
-/// Errors before and after calibration, those of one unit on one axis.
+/// Errors before and after calibration; errors of the same unit are on one axis.
 pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Option<Figure> {
-    let mut units: Vec<&str> = all.iter().map(|h| h.in_documents.0).collect();
-    units.dedup();
+    let units = ["mm", "deg"].into_iter().filter(|unit| all.iter().any(|h| h.in_documents.0 == *unit));
     if all.is_empty() {
         return None;
     }
     let rows = |unit: &str| all.iter().filter(|h| h.in_documents.0 == unit).count() as f64;
-    let height = units.iter().map(|unit| 40.0 * rows(unit) + 44.0).sum();
+    let height = units.clone().map(|unit| 40.0 * rows(unit) + 44.0).sum();
     let mut svg = Svg::new(NARROW, height);
     let mut top = 0.0;
     for unit in units {
@@ -124,7 +125,8 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         let bottom = top + 40.0 * of_unit.len() as f64 + 6.0;
         for (v, label) in axis.ticks(5) {
             svg.line("grid", (at(v), top + 18.0), (at(v), bottom));
-            let inside = at(v).clamp(0.5 * width(&label), NARROW - 0.5 * width(&label));
+            let half = 0.5 * width(&label) + 2.0;
+            let inside = at(v).clamp(half, NARROW - half);
             svg.text("mid", (inside, bottom + 14.0), &label);
         }
         svg.line("axis", (SIDE, bottom), (NARROW - SIDE, bottom));
@@ -133,7 +135,7 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         for (i, h) in of_unit.iter().enumerate() {
             let ([before, after], y) = (h.in_documents.1, top + 40.0 * i as f64 + 28.0);
             let numbers = format!("{} → {} {}", h.before, h.after, h.unit);
-            svg.text("start name-of", (SIDE, y - 14.0), &cut(&h.what, NARROW - 30.0 - width(&numbers)));
+            svg.text("start name-of", (SIDE, y - 14.0), &cut(&h.what, NARROW - 30.0 - width(&numbers), BOLD));
             svg.text("end", (NARROW - SIDE, y - 14.0), &numbers);
             svg.line("leader", (at(before), y), (at(after), y));
             svg.mark(Look::new(Shape::Circle, "before"), (at(before), y), 5.0, &numbers);
@@ -182,5 +184,25 @@ mod tests {
         assert_eq!(svg.matches("class=\"value\"").count(), 1, "{svg}");
         assert!(svg.contains("not measured, limit 100 µm"), "{svg}");
         assert!(limits(&[], &Words::default()).is_none());
+    }
+
+    /// Two lengths and an angle: one axis for each unit, and two marks for each error.
+    #[test]
+    fn errors_of_one_unit_share_an_axis() {
+        let of = |unit: &'static str, before, after| Headline {
+            what: "error".to_owned(),
+            before: "1".to_owned(),
+            after: "2".to_owned(),
+            unit,
+            in_documents: (unit, [before, after]),
+        };
+        let all = [of("mm", 0.4, 0.1), of("deg", 0.2, 0.1), of("mm", 0.2, 0.1)];
+        let svg = before_after(&all, "title", &Words::default()).unwrap().svg;
+        assert_eq!(svg.matches("class=\"axis\"").count(), 2, "{svg}");
+        let places = numbers(&svg, "circle", "cx");
+        // 0.4 and 0.1, 0.2 and 0.1 mm on one scale; then the angle, then the legend
+        let share = |k: usize| places[k] - SIDE;
+        assert!((share(0) / share(1) - 4.0).abs() < 0.02 && (share(2) / share(3) - 2.0).abs() < 0.02, "{places:?}");
+        assert_eq!(places.len(), 8);
     }
 }

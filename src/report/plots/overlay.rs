@@ -7,7 +7,7 @@ const BINS: usize = 24;
 /// Maximum number of decades; smaller errors are in the first bin.
 const DECADES: f64 = 4.0;
 
-/// Shares of the points of the deciding set by size of the position error.
+/// Shares of the points of the deciding set, by size of their position error.
 pub(crate) fn picture(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Option<Figure> {
     let deciding = errors.iter().map(|e| e.set).max()?;
     let of: Vec<&&PointError> = errors.iter().filter(|e| e.set == deciding).collect();
@@ -33,7 +33,7 @@ pub(crate) fn picture(errors: &[&PointError], limits: &[LimitVerdict], words: &W
     let wide = (chart.frame.right - chart.frame.left) / BINS as f64;
     for (shares, class, name) in &both {
         for (i, share) in shares.iter().enumerate().filter(|(_, s)| **s > 0.0) {
-            let tip = format!("{}: {} %", words.tr(name), number::fixed(*share, 1));
+            let tip = format!("{}: {} %", words.tr(name), words.number(&number::fixed(*share, 1)));
             let x = chart.frame.left + i as f64 * wide;
             chart.bar_up(Look::new(Shape::Square, class), (x, wide), *share, &tip);
         }

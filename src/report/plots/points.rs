@@ -34,7 +34,7 @@ pub(crate) fn thin<'a>(
 }
 
 /// Maximum number of marks in a figure; more are illegible and make a page slow.
-const MARKS: usize = 380;
+pub(crate) const MARKS: usize = 380;
 
 /// Selects points for legible figures: all points if there are few. Otherwise each pose is
 /// represented by its largest error after calibration, with validation poses first and calibration

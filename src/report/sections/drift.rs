@@ -19,7 +19,9 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let (title, caption) = (tr!(words, "rp-by-set"), tr!(words, "repeatability-over-cycles"));
     let repeatability = by_set("RP", &document.drifts, |d| &d.rp_mm, words);
     let repeatability = Curves { title, caption, ..repeatability }.picture(words);
-    section.figures(accuracy.into_iter().chain(repeatability));
+    section.figures(accuracy);
+    let figures = repeatability.into_iter().collect();
+    section.push(Block::Aside { title: tr!(words, "rp-by-set"), blocks: vec![Block::Figures { figures }] });
     if !document.reference.is_empty() {
         let note = tr!(words, "definition-target-displacement");
         let mut blocks = vec![Block::note(note), Block::Table(reference(&document.reference, words))];

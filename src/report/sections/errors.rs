@@ -23,18 +23,24 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let flagged = outliers.into_iter().flat_map(|(poses, critical)| {
         poses.iter().filter(move |p| p.residual_over_sigma > critical).map(|p| (p.pose, p.residual_over_sigma))
     });
-    with_flagged(accuracy, errors, &flagged.collect(), words).whole()
+    with_flagged((accuracy, false), errors, &flagged.collect(), words).whole()
 }
 
 /// Section of these errors.
 pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
-    with_flagged(accuracy, errors, &Flagged::new(), words)
+    with_flagged((accuracy, true), errors, &Flagged::new(), words)
 }
 
 /// Calibration poses that disagree with the others, with their residual over σ.
 type Flagged = BTreeMap<PoseName, f64>;
 
-fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Flagged, words: &Words) -> Section {
+/// Section of the errors, of all sets if `whole`, otherwise of the set that decides.
+fn with_flagged(
+    (accuracy, whole): (&AccuracyDocument, bool),
+    errors: &[PointError],
+    flagged: &Flagged,
+    words: &Words,
+) -> Section {
     let mut section = Section::new("errors", tr!(words, "errors-before-and-after"));
     section.summarise(
         tr!(words, "definition-of-errors"),
@@ -45,10 +51,8 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
     if accuracy.sets.is_empty() {
         section.push(Block::text(tr!(words, "no-errors-are-given")));
     }
-    for set in &accuracy.sets {
-        section.push(Block::heading(heading(accuracy, set, words)));
-        let names = [phrase!("before"), phrase!("after")];
-        section.push(Block::Table(statistics(accuracy, set, set.name.name(), names, words).on("Errors")));
+    for set in accuracy.sets.iter().filter(|set| whole || is_deciding(accuracy, set)) {
+        push_set(&mut section, accuracy, set, words);
     }
     if !accuracy.placed_apart.is_empty() {
         section.push(Block::text(placed_by_validation(&accuracy.placed_apart, words)));
@@ -72,7 +76,7 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
             total = d.poses
         )));
     }
-    if let Some(tool) = &accuracy.tool {
+    if let Some(tool) = accuracy.tool.as_ref().filter(|_| whole) {
         push_tool(&mut section, accuracy, tool, words);
     }
     let table = poses(errors, flagged, words);
@@ -87,6 +91,31 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
     section.push(Block::Table(residuals(errors, words)));
     section.push(Block::Table(nodes(accuracy, words)));
     section.on_terminal()
+}
+
+/// `true` for the set whose errors decide: the last one.
+fn is_deciding(accuracy: &AccuracyDocument, set: &AccuracySet) -> bool {
+    accuracy.sets.last().is_some_and(|last| last.name == set.name)
+}
+
+/// Adds the errors of a set.
+fn push_set(section: &mut Section, accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) {
+    section.push(Block::heading(heading(accuracy, set, words)));
+    let names = [phrase!("before"), phrase!("after")];
+    section.push(Block::Table(statistics(accuracy, set, set.name.name(), names, words).on("Errors")));
+}
+
+/// Annex with the errors of the sets that do not decide, and at the tool point.
+pub(super) fn other_sets(report: &Report, words: &Words) -> Option<Section> {
+    let accuracy = report.identified?.accuracy;
+    let mut section = Section::new("other-errors", tr!(words, "errors-that-do-not-decide"));
+    for set in accuracy.sets.iter().filter(|set| !is_deciding(accuracy, set)) {
+        push_set(&mut section, accuracy, set, words);
+    }
+    if let Some(tool) = &accuracy.tool {
+        push_tool(&mut section, accuracy, tool, words);
+    }
+    section.on_terminal().whole()
 }
 
 /// Heading of the errors of a set.
@@ -159,7 +188,7 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
 }
 
 /// Maximum number of trends beside the other figures, the most significant first.
-const TRENDS: usize = 4;
+const TRENDS: usize = 1;
 
 /// Figures of the errors.
 pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
@@ -409,6 +438,7 @@ mod tests {
             provenance: None,
             joints: vec![],
             trends: vec![],
+            parameter_influences: vec![],
             schema: String::new(),
             point: String::new(),
             point_phrase: None,
@@ -417,7 +447,6 @@ mod tests {
             sets: vec![set.clone()],
             placed_apart: Vec::new(),
             effects: Vec::new(),
-            parameter_influences: Vec::new(),
             validation_distance: None,
             budget: Vec::new(),
             limits: vec![],

@@ -91,7 +91,7 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
 fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
     let columns = Columns::<Uncontrolled>::new()
         .page(phrase!("what-no-reading-shows"), "", |u| Text::worded(&u.what, u.what_phrase.as_ref(), words))
-        .sheet("what no reading shows", "", |u| u.what.as_str())
+        .sheet("undetectable errors", "", |u| u.what.as_str())
         .both(phrase!("points"), "", |u| Text::name(&u.points.join(", ")))
         .both(phrase!("controlled-by"), "", |u| Text::name(&u.keys.join(", ")));
     Table::of(words, all, columns).on("Not controlled")

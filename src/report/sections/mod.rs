@@ -41,7 +41,8 @@ type Make = fn(&Report, &Words) -> Option<Section>;
 const BEFORE: [Make; 4] = [conditions::section, limits::section, errors::section, errors::pictures];
 const AFTER: [Make; 2] = [effects::section, budget::section];
 /// Annexes behind the evidence.
-const ANNEXES: [Make; 9] = [
+const ANNEXES: [Make; 10] = [
+    errors::other_sets,
     messages::section,
     checklist::section,
     parameters::section,

@@ -18,7 +18,8 @@ pub(crate) fn complete(report: &Report, judgement: &VerdictDocument, verdict: Ve
 
 /// Verdict with its limits and headlines in figures.
 pub(crate) fn with_figures(verdict: Verdict, limits: &[&LimitVerdict], words: &Words) -> Verdict {
-    let before_after = bullets::before_after(&verdict.headlines, &verdict.about, words);
+    let before_after =
+        bullets::before_after(&verdict.headlines, verdict.about.trim_end_matches([':', ' ', '\u{a0}']), words);
     let graphs = bullets::limits(limits, words).into_iter().chain(before_after).collect();
     Verdict { graphs, ..verdict }
 }

@@ -5,7 +5,7 @@ use etalon_base::warning;
 use etalon_campaign::Campaign;
 use etalon_formats::Point;
 
-/// Difference (°C) from the stated temperature that needs no remark, if the campaign states no
+/// Difference (°C) from the stated temperature without a remark, if the campaign states no
 /// uncertainty of the temperature.
 const CLOSE_C: f64 = 1.0;
 
@@ -15,8 +15,8 @@ pub fn range(points: &[Point]) -> Option<[f64; 2]> {
     all.map(|t| [t; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }
 
-/// Warnings about temperatures of rows that contradict what the campaign states: a temperature
-/// elsewhere, or a smaller uncertainty.
+/// Warnings about temperatures of rows that contradict the campaign: a different temperature, or a
+/// larger range than stated.
 pub(super) fn contradicted(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let Some([lowest_c, highest_c]) = range(points) else { return Vec::new() };
     let expansion = campaign.file.expansion;

@@ -74,7 +74,7 @@ pub struct OffsetAndRate {
 /// is significant if the polygon excludes 0.
 ///
 /// # Errors
-/// If no offset and rate within [`LARGEST_RATE`] fit, or if times fit several standstills.
+/// Fails if no offset and rate within [`LARGEST_RATE`] fit, or if times fit several standstills.
 pub fn offset_and_rate(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<OffsetAndRate, Message> {
     let (Some(first), Some(last)) = (standstills.first(), standstills.last()) else {
         return Err(error!("times-missing", of = "log"));

@@ -190,7 +190,13 @@ fn with_log(
         if join.by == JoinBy::Time {
             let apart_s = apart_s(join, targets, log).unwrap_or(f64::NAN);
             let message = error!("join-by-time-empty", log = log_name, apart_s);
-            return Err(message.at(campaign.place_of(&["join", "clock_offset_s"])).into());
+            // between two rows that are farther apart than the tolerance no offset of the clocks
+            // helps
+            return Err(match join.interpolate && join.tolerance_s.is_some_and(|tolerance_s| apart_s <= tolerance_s) {
+                true => message.hint(phrase!("both-rows-near")).at(campaign.place_of(&["join", "tolerance_s"])),
+                false => message.at(campaign.place_of(&["join", "clock_offset_s"])),
+            }
+            .into());
         }
         let shown = |pose: Option<PoseName>| pose.map_or_else(|| "-".to_owned(), |pose| pose.to_string());
         let measured = shown(targets.first().and_then(|t| t.point.pose));

@@ -49,7 +49,7 @@ const KINDS: [&dyn RowKind; 8] = [
 /// The kind of this name.
 ///
 /// # Errors
-/// A name that no kind has.
+/// Fails if no kind has this name.
 pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
     let found = KINDS.into_iter().find(|kind| kind.facts().name == name);
     Ok(found.ok_or_else(|| {

@@ -120,8 +120,8 @@ fn parameters_alone_are_refused_where_their_parts_do_not_belong_together() {
         assert!(code == Some(2) && said.contains(part), "{part}: {code:?} {said}");
     };
     refused(&|v| v["schema"] = "etalon/parameters/9".into(), "etalon/parameters/9");
-    refused(&|v| drop(v["covariance"].as_array_mut().unwrap().pop()), "covariance is not square");
-    refused(&|v| drop(v["covariance"][2].as_array_mut().unwrap().pop()), "covariance is not square");
+    refused(&|v| drop(v["covariance"].as_array_mut().unwrap().pop()), "covariance is not a square matrix");
+    refused(&|v| drop(v["covariance"][2].as_array_mut().unwrap().pop()), "covariance is not a square matrix");
     refused(&|v| v["parameters"][0]["standard_uncertainty"] = (-0.1).into(), "is negative");
     refused(&|v| v["covariance"][0][0] = (-1e-9).into(), "is negative");
     refused(&|v| v["parameters"][1]["name"] = v["parameters"][0]["name"].clone(), "twice");

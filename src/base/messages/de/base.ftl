@@ -63,11 +63,26 @@ rotation-not-orthonormal = die Rotationsmatrix ist nicht orthonormal: Skalarprod
 rotation-mirrors = die Rotationsmatrix enthält eine Spiegelung: ihre Determinante ist -1
     .hint = die Vorzeichen ihrer Spalten prüfen
 
-factor = { $count } { $of ->
-        [poses] Posen
-        [cycles] Zyklen
-        [repeats] Wiederholungen
-        [draws] Ziehungen
-       *[runs] Läufe
+factor = { $of ->
+        [poses] { $count ->
+            [one] 1 Pose
+           *[other] { $count } Posen
+        }
+        [cycles] { $count ->
+            [one] 1 Zyklus
+           *[other] { $count } Zyklen
+        }
+        [repeats] { $count ->
+            [one] 1 Wiederholung
+           *[other] { $count } Wiederholungen
+        }
+        [draws] { $count ->
+            [one] 1 Ziehung
+           *[other] { $count } Ziehungen
+        }
+       *[runs] { $count ->
+            [one] 1 Lauf
+           *[other] { $count } Läufe
+        }
     }
 product = { $first } × { $second }

@@ -166,7 +166,7 @@ key-missing = der Schlüssel `{ $key }` fehlt{ $has_section ->
        *[no] {""}
     }
 
-state-unit = `unit = "mm"` angeben, oder "m", "um" oder "inch", wie die Datei geschrieben wurde; sie wird nie geraten
+state-unit = `unit = "mm"` angeben, oder "m", "um" oder "inch", die Einheit, in der die Datei geschrieben wurde; sie wird nie geraten
 
 state-instrument = [instrument] gibt name, expanded_uncertainty_um und coverage_factor an: aus dem Kalibrierschein übernehmen
 

@@ -167,4 +167,4 @@ quaternion-length = das Quaternion von { $target } hat die Länge { FIXED($lengt
     .expected = Länge 1
 
 urdf-holds-xacro = Elemente ohne Kinematik von `{ $file }` enthalten xacro
-    .hint = die Datei mit dem Befehl `xacro` ersetzen lassen und die URDF in robot.toml nennen
+    .hint = die Datei mit dem Befehl `xacro` expandieren und die URDF-Datei in robot.toml angeben

@@ -55,49 +55,60 @@ set-up-origin = { $origin ->
 
 check-rigid-part = Einheit und Namen in `places_mm` prüfen und ob das Teil seit ihrer Bestimmung verändert wurde
 
+points-set-aside = { $count ->
+        [one] 1 Punkt ist ausgeschlossen
+       *[other] { $count } Punkte sind ausgeschlossen
+    }: { $points }
+    .hint = sie liegen weiter vom Element der anderen Punkte entfernt, als das Rauschen erklärt
+
+foreign-points = { $count ->
+        [one] 1 Punkt liegt weit vom Element der anderen Punkte ({ $points }) und verschiebt
+       *[other] { $count } Punkte liegen weit vom Element der anderen Punkte ({ $points }) und verschieben
+    } die Anpassung um { FIXED($shift, 1) } Standardunsicherheiten
+    .hint = sie prüfen; `--robust` schließt sie aus
 plan-cube = { $shape ->
         [square] das größte Quadrat
        *[cube] der größte Würfel
-    } im angegebenen Arbeitsraum, Kanten parallel zu den Achsen; C1 bis C4 vom kleinsten x und y an
-plan-poses = P1: Mitte; P2 bis P5: 10 % der Diagonalen von den Ecken der Prüfebene, in deren Reihenfolge
+    } im angegebenen Arbeitsraum, Kanten parallel zu den Achsen; C1 bis C4, beginnend beim kleinsten x und y
+plan-poses = P1: Mitte; P2 bis P5: auf den Diagonalen der Prüfebene, 10 % ihrer Länge von den Ecken entfernt, in der Reihenfolge der Ecken
 plan-clauses = P1 bis P5, Lasten, Geschwindigkeiten und 30 Zyklen folgen dem Text der Norm; Bahnen, andere Anzahlen und die Reihenfolge der Ecken wurden nicht mit einem gekauften Exemplar verglichen
 plan-reach-not-examined = nicht geprüft: ob der Roboter die Posen erreicht und ob sich zwischen ihnen alle Gelenke bewegen
-plan-reach = Reichweite: Nennparameter und die Grenzen der Roboterdatei; von mehreren Arbeitsmodi gilt entlang einer Liste der, der am meisten von ihr erreicht; { $moves ->
+plan-reach = Reichweite: nach den Nennparametern und Grenzen der Roboterdatei; von mehreren Arbeitsmodi gilt für eine ganze Liste der, der die meisten ihrer Posen erreicht; { $moves ->
         [all] zwischen P1 und P5 bewegen sich alle Gelenke
-       *[some] zwischen P1 und P5 bewegen sich nicht alle Gelenke, wie die Norm verlangt
+       *[some] zwischen P1 und P5 bewegen sich manche Gelenke nicht, obwohl die Norm es von allen verlangt
     }
-covariance-not-square = die Kovarianz ist nicht quadratisch mit { $identified } Zeilen, einer je identifiziertem Parameter
+covariance-not-square = seine Kovarianz ist nicht quadratisch mit { $identified } Zeilen, je identifizierten Parameter eine
 uncertainty-negative = eine Standardunsicherheit oder Varianz ist negativ oder keine Zahl
 parameter-listed-twice = es enthält den Parameter `{ $parameter }` zweimal
 
-method-levenberg-marquardt = Levenberg-Marquardt auf Block-QR mit skalierten Spalten, Abschluss mit Gauß-Newton
+method-levenberg-marquardt = Levenberg-Marquardt mit Block-QR und skalierten Spalten, Abschluss mit Gauß-Newton
 method-enclosing = kleinstes umschließendes Element, durch { $points } Punkte bestimmt
-method-minimum-zone = minimale Zone (Tschebyschew)
-action-add-cycles = Pose{ $count ->
-        [one] {" "}{ $poses }
-       *[other] n { $poses }
-    } mindestens { $required } Mal anfahren
-action-add-cycles-reason = die kleinste Zahl der Anfahrten einer Pose ist { $least }; die Intervalle von AP und RP sind daher breit
+method-minimum-zone = Minimumzone (Tschebyschow)
+action-add-cycles = { $count ->
+        [one] Pose { $poses }
+       *[other] die Posen { $poses }
+    } mindestens { $required }-mal anfahren
+action-add-cycles-reason = die kleinste Zahl der Anfahrten einer Pose ist { $least }: die Intervalle von AP und RP sind daher breit
 action-add-effect = `{ $line }` in robot.toml ergänzen
-action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratisches Mittel)
-action-add-validation = Posen zur Validierung der Parameter messen und unter `validation` in [identify] nennen
-action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als an neuen Posen
-action-finer-instrument = mit einer erweiterten Unsicherheit von höchstens { $uncertainty } messen
-action-finer-instrument-reason = U = { $uncertainty } ist { $percent } % der Kenngröße an Pose{ $count ->
-        [one] {" "}{ $poses }
-       *[other] n { $poses }
-    }; ISO 9283 erlaubt 25 %
+action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratischer Mittelwert)
+action-add-validation = Posen zur Validierung messen und unter `validation` in [identify] angeben
+action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als die an neuen Posen
+action-finer-instrument = mit einer erweiterten Messunsicherheit von höchstens { $uncertainty } messen
+action-finer-instrument-reason = U = { $uncertainty } ist { $percent } % der Kenngröße an { $count ->
+        [one] Pose { $poses }
+       *[other] den Posen { $poses }
+    }; ISO 9283 erlaubt 25 %
 action-keep-nominal = { $count ->
         [0] die Nennparameter behalten
        *[other] { $formats } nicht laden
     }
-action-keep-nominal-reason = quadratisches Mittel der Abweichung { $rms }, größte { $max }; Nennparameter: { $nominal_rms } und { $nominal_max }
+action-keep-nominal-reason = RMS-Abweichung { $rms }, größte Abweichung { $max }; Nennparameter: { $nominal_rms } und { $nominal_max }
 action-load = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
     } laden
-action-load-reason = erwartete Abweichung { $expected }, mit Nennparametern { $nominal } (quadratisches Mittel an { $count } { $set ->
-        [validation] Validierposen
+action-load-reason = erwartete Abweichung { $expected }, mit Nennparametern { $nominal } (quadratischer Mittelwert an { $count } { $set ->
+        [validation] Validierungsposen
        *[calibration] Kalibrierposen
     })
 action-load-synthetic = `{ $file }`{ $count ->
@@ -109,21 +120,21 @@ action-measure-again = { $count ->
        *[other] Posen { $poses }
     } erneut messen{ $more ->
         [0] {""}
-       *[other] {" "}({ $more } weitere weichen ab)
+       *[other] {" "}(weitere abweichende Posen: { $more })
     }
-action-measure-again-reason = Pose { $pose } weicht von den anderen ab: { $error }, { $times } σ
-action-measure-quantity = die Größe von `{ $limit }` an den entscheidenden Posen messen oder die Grenze entfernen
-action-measure-quantity-reason = eine Grenze für eine nicht gemessene Größe ist nicht beurteilbar
+action-measure-again-reason = Pose { $pose } passt nicht zu den anderen: { $error }, { $times } σ
+action-measure-quantity = die Größe von `{ $limit }` an den entscheidenden Posen messen oder den Grenzwert entfernen
+action-measure-quantity-reason = der Grenzwert einer nicht gemessenen Größe ist nicht beurteilbar
 action-meet-limit = die Ursache der Abweichungen suchen: { $limit }
 action-meet-limit-at-pose = die Ursache der Abweichung an Pose { $pose } suchen: { $limit }
-action-meet-limit-reason = { $value }, Grenze { $limit }: um { $beyond } zu groß
+action-meet-limit-reason = { $value }, Grenzwert { $limit }: um { $beyond } überschritten
 action-prove-effects = `{ $line }` in [identify] angeben
-action-reduce-uncertainty = die Unsicherheit verringern: { $limit }
-action-reduce-uncertainty-by-source = U = { $present }; eine Entscheidung verlangt { $required }; größter Anteil: { $source } ({ $percent } %)
-action-reduce-uncertainty-reason = U = { $present }; eine Entscheidung verlangt { $required }
-action-resolve = über diese Warnung entscheiden
+action-reduce-uncertainty = die Messunsicherheit verringern: { $limit }
+action-reduce-uncertainty-by-source = U = { $present }; für eine Entscheidung nötig: { $required }; größter Beitrag: { $source } ({ $percent } %)
+action-reduce-uncertainty-reason = U = { $present }; für eine Entscheidung nötig: { $required }
+action-resolve = diese Warnung klären
 action-state-limits = die Toleranz der Anwendung in [limits] angeben
-action-state-limits-reason = ohne Grenzen gibt es kein Urteil
+action-state-limits-reason = ohne Grenzwerte gibt es keine Bewertung
 action-warm-up = den Roboter vor der Prüfung warmfahren und `warm_up_minutes` angeben
 action-warm-up-cold = der Roboter wurde kalt geprüft
-action-warm-up-drift = AP driftet um { $change } in { $cycles } Zyklen und ist nicht stabil
+action-warm-up-drift = Drift von AP: { $change } in { $cycles } Zyklen, nicht abgeklungen

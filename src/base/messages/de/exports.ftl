@@ -448,23 +448,23 @@ arrays-unreadable = die Datei kann nicht als Arrays von { $format ->
 arrays-too-large = die Arrays der Datei sind größer als { $most_mib } MiB
     .hint = nur die Arrays der Messung speichern
 
-sheet-not-stated = eine Arbeitsmappe, von der kein Blatt angegeben ist; sie hat { $sheets }
+sheet-not-stated = eine Arbeitsmappe, deren Blatt nicht angegeben ist; sie enthält { $sheets }
     .hint = das Blatt (`sheet`) angeben
 
 state-sheet = `sheet = "{ $sheet }"` angeben (Option --sheet)
 
 state-column = ist es die Spalte `{ $heading }`, `columns = {"{"} { $column } = "{ $heading }" {"}"}` angeben (Option --column)
-row-marked-deleted = ausgelassen: sie ist als gelöscht markiert (`{ $cell }`)
-row-left-out-by-cell = ausgelassen: `{ $column }` ist `{ $cell }`
+row-marked-deleted = weggelassen: als gelöscht markiert (`{ $cell }`)
+row-left-out-by-cell = weggelassen: `{ $column }` ist `{ $cell }`
 row-without-coordinates = nicht gemessen: keine Koordinaten
 row-not-measured = nicht gemessen: { $column } ist `{ $cell }`
 characteristic-of-no-axis = keine Koordinate: der Name des Merkmals endet nicht auf X, Y oder Z
-feature-of-no-point = ein Element `{ $kind }`: sein Punkt kann überall auf ihm liegen
+feature-of-no-point = ein Element `{ $kind }`: sein Punkt kann überall auf dem Element liegen
 feature-not-read = ein Element `{ $kind }`: diese Art wird nicht gelesen
 point-incomplete = kein Punkt: { $found } ohne { $missing }
 probe-centre-no-point = ein Tastermittelpunkt, kein Punkt des Elements
 
-log-delimited = getrennt durch `{ $delimiter }`, Dezimalzeichen `{ $decimal }`
+log-delimited = Trennzeichen `{ $delimiter }`, Dezimalzeichen `{ $decimal }`
 log-of-format = { $format }, { $read }
 log-with-start = { $read }, Beginn { $start }
 read-with-decimal-comma = { $format }, Dezimalzeichen `,`

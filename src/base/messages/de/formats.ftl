@@ -198,7 +198,7 @@ state-delimiter = `delimiter = "{ $delimiter }"` und `decimal = "{ $decimal }"` 
 state-delimiter-of-rows = `delimiter` und `decimal` der Zeilen angeben
 
 header-holds-numbers = die Zeile, die die Spalten nennen soll, enthält Zahlen
-    .hint = hat die Datei keinen Kopf, `header = false` angeben und Spalten durch Nummern nennen
+    .hint = hat die Datei keinen Kopf, `header = false` angeben und die Spalten mit Nummern angeben
 
 column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer angegeben werden: { $format ->
         [galil] Arrays stehen in alphabetischer Reihenfolge, unabhängig von ihrem Gelenk
@@ -437,32 +437,32 @@ file-is = `{ $file }`: { $kind }, { $rows ->
 files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine Zeile in `{ $log }` (Schlüssel: { $by })
 
 files-not-joined = kein Schlüssel verknüpft alle Exporte mit den { $rows } Zeilen von `{ $log }`
-expand-xacro = die Datei ersetzen lassen und stattdessen die URDF nennen: { $command }
+expand-xacro = die Datei expandieren und stattdessen die URDF-Datei angeben: { $command }
 
 attribute-malformed = ein Attribut, das nicht lesbar ist
 
-xacro-construct = `{ $construct }` von xacro wird hier nicht ersetzt
+xacro-construct = `{ $construct }` von xacro wird hier nicht expandiert
 
 xacro-undefined = vor dieser Zeile ist keine Eigenschaft `{ $name }` definiert
 
 xacro-argument-missing = das Argument `{ $argument }` der xacro-Datei hat keinen Wert
-    .hint = `arguments = ["{ $argument }:=VALUE"]` in robot.toml angeben, oder `--argument { $argument }:=VALUE` von `etalon init`
+    .hint = `arguments = ["{ $argument }:=WERT"]` in robot.toml angeben oder `--argument { $argument }:=WERT` bei `etalon init`
 
 xacro-argument-unknown = { $file } hat kein Argument `{ $argument }`
 
 xacro-argument-form = `{ $argument }` ist kein Argument von xacro
-    .expected = NAME:=VALUE
+    .expected = NAME:=WERT
 
-xacro-package = das Paket `{ $package }` liegt weder über noch neben der Datei
+xacro-package = das Paket `{ $package }` liegt weder in einem übergeordneten Ordner noch neben der Datei
 
-xacro-include-unreadable = die eingebundene Datei ist nicht lesbar: { $reason }
+xacro-include-unreadable = die eingebundene Datei kann nicht gelesen werden: { $reason }
 
 xacro-include-loop = `{ $file }` bindet sich selbst ein
 
 xacro-recursion = die Eigenschaft `{ $name }` ist durch sich selbst definiert
 
-xacro-too-many-files = mehr als { $most_files } eingebundene Dateien, oder mehr als { $most_depth } ineinander
+xacro-too-many-files = mehr als { $most_files } eingebundene Dateien oder mehr als { $most_depth } ineinander verschachtelt
 
-xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte, oder er braucht mehr als { $most_depth } Eigenschaften ineinander
+xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte oder braucht mehr als { $most_depth } verschachtelte Eigenschaften
 
-xacro-too-large = der ersetzte Text ist größer als { $most_mib } MiB
+xacro-too-large = der expandierte Text ist größer als { $most_mib } MiB

@@ -286,4 +286,4 @@ index-o5 = O5 = 1 / (1/s1 + ... + 1/sm); Jacobi-Matrix in mm je mm, rad und 1
 index-d = D = (s1...sm)^(1/m); Jacobi-Matrix in mm je mm, rad und 1
 index-a = A = 1 / sqrt(tr((J'J)^-1)); Spalten von J durch ihre Normen über alle Kandidaten geteilt
 index-e = E = smin; Spalten von J durch ihre Normen über alle Kandidaten geteilt
-index-i = I = 1 / quadratisches Mittel der Standardunsicherheit der Position über alle Kandidaten, je mm Rauschen
+index-i = I = 1 / quadratischer Mittelwert der Standardunsicherheit der Position über alle Kandidaten, je mm Rauschen

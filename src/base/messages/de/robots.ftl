@@ -78,19 +78,19 @@ measure-different-angles = Posen mit verschiedenen |theta| messen, zum Beispiel 
 
 out-of-reach = nicht erreichbar
 out-of-nominal-reach = für den nominalen Roboter nicht erreichbar
-joint-beyond-limits = { $joint } = { $q } { $unit }, die Grenzen sind { $lower } und { $upper } { $unit }
-angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, die Grenzen sind { $least } und { $greatest } deg
-actuator-beyond-travel = { $actuator } = { $rho } mm, der Verfahrweg ist 0 bis { $end } mm
-legs-apart = die Beine treffen die Plattform nicht
+joint-beyond-limits = { $joint } = { $q } { $unit }, außerhalb der Grenzen { $lower } und { $upper } { $unit }
+angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, außerhalb der Grenzen { $least } und { $greatest } deg
+actuator-beyond-travel = { $actuator } = { $rho } mm, der Verfahrweg ist 0 bis { $end } mm
+legs-apart = die Beine erreichen die Plattform nicht
 arms-do-not-meet = die Arme treffen sich nicht
-singularity-near = { FIXED($found, 3) } deg von der Singularität vom Typ { $kind } { $kind ->
-        [1] (ein Arm gestreckt oder eingefaltet)
+singularity-near = { FIXED($found, 3) } deg von der Singularität des Typs { $kind } entfernt { $kind ->
+        [1] (ein Arm gestreckt oder gefaltet)
        *[2] (die distalen Glieder in einer Linie)
-    }, mindestens { $margin } deg sind verlangt
-links-near = Glieder { FIXED($found, 3) } mm auseinander, mehr als { $least } mm sind verlangt
-command-refused = die Steuerung weist den Befehl ab: { $reason }
-joints-admit-no-pose = die Gelenkwerte lassen keine Pose zu
-no-command-leads-there = kein Befehl führt den Roboter dorthin: { SCIENTIFIC($left_mm, 2) } mm bleiben
+    }: mindestens { $margin } deg sind nötig
+links-near = Glieder { FIXED($found, 3) } mm auseinander: mehr als { $least } mm sind nötig
+command-refused = die Steuerung weist diesen Befehl ab: { $reason }
+joints-admit-no-pose = mit diesen Gelenkwerten ist keine Pose möglich
+no-command-leads-there = kein Befehl führt den Roboter dorthin: { SCIENTIFIC($left_mm, 2) } mm Abweichung bleiben
 table-read-as = die Tabelle der Gelenke, gelesen als { $convention ->
         [modified] modifizierte
         [standard] klassische

@@ -127,10 +127,10 @@ target-not-of-robot = `{ $target }` ist keine Zielmarke dieses Roboters
 targets-incomplete = `targets` lässt `{ $target }` aus
     .expected = alle Zielmarken dieses Roboters
 
-travel-missing = der Arbeitsraum braucht den Verfahrweg der Aktoren
-    .hint = `travel_mm` der drei Aktoren in [reach] von robot.toml angeben
+travel-missing = der Arbeitsraum braucht den Verfahrweg der Antriebe
+    .hint = `travel_mm` der drei Antriebe unter [reach] in robot.toml angeben
 
-z-column-missing = `columns` hat kein z, das ein räumlicher Roboter braucht
+z-column-missing = in `columns` fehlt z, das ein räumlicher Roboter braucht
     .hint = `z` ergänzen, mit Name oder Nummer der Spalte
 
 log-name-invalid = `{ $name }` kann nicht der Name dieses Protokolls sein
@@ -191,11 +191,11 @@ identify-missing = die Kampagne hat keinen Abschnitt [identify], der die Posen z
 clock-rate-without-offset = `clock_rate = "standstills"` braucht `clock_offset_s = "standstills"`
     .hint = `clock_offset_s = "standstills"` angeben oder `clock_rate` weglassen
 
-label-form-missing = die Bezeichnungen von `{ $file }` nennen Zielmarken, und keine Form der Bezeichnungen ist angegeben
+label-form-missing = die Bezeichnungen von `{ $file }` nennen Zielmarken, aber die Form der Bezeichnungen ist nicht angegeben
     .hint = `label = "{ $form }"` in diesem [[export]] angeben: alle seine Bezeichnungen haben diese Form
 
 state-targets = `targets = { $targets }` in [join] angeben: die Bezeichnungen nennen sie
-valid-until-no-date = `valid_until` ist kein Datum: „{ $date }“
+valid-until-no-date = `valid_until` ist kein Datum: "{ $date }"
     .expected = der letzte Tag der Gültigkeit in Anführungszeichen, wie "2027-03-02"
 
 valid-until-before-measurements = `valid_until` ({ $date }) liegt vor den Messungen ({ $measured })

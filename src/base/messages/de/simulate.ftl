@@ -119,9 +119,9 @@ simulated-table-misread = `{ $file }` würde falsch gelesen: eine Beobachtung vo
 
 truth-geometric-without-campaign = [geometric] steht in den wahren Werten, aber nicht in der Kampagne, oder ihr Roboter ist kein PreXYT
     .hint = [geometric] in campaign.toml angeben: der Abschnitt nennt die Bezeichnungen
-study-error-in-base = wahre Pose des Werkzeugs im Basissystem minus Sollpose
-study-error-in-world = wahre Pose des Werkzeugs in der Welt minus Sollpose
-poses-in-set = Posen im Satz `{ $set }`
+study-error-in-base = wahre Pose des Werkzeugs im Basiskoordinatensystem minus Sollpose
+study-error-in-world = wahre Pose des Werkzeugs im Weltkoordinatensystem minus Sollpose
+poses-in-set = Posen der Gruppe `{ $set }`
 positions-in-workspace = Positionen in `workspace`
 counted-calibrations = Kalibrierungen
 errors-to-evaluate = auszuwertende Abweichungen

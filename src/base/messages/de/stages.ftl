@@ -139,6 +139,8 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die beiden nächsten Zeitpunkte liegen { FIXED($apart_s, 3) } s auseinander
     .hint = Wert und Vorzeichen von `clock_offset_s` prüfen: Zeit der Messung minus Zeit des Protokolls
 
+both-rows-near = ein Punkt zwischen zwei Zeilen braucht beide innerhalb von `tolerance_s`: mindestens den Zeitabstand zweier Zeilen angeben
+
 join-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die erste Pose der Punkte ist `{ $measured }`, die erste des Protokolls `{ $logged }`
     .hint = Posen und Zyklen von Exporten und Protokoll vergleichen oder mit `by` in [join] einen anderen Schlüssel wählen
 
@@ -633,7 +635,7 @@ angle-orders-unfit = keine Reihenfolge der Winkel passt zum nominalen Roboter: m
 
 angle-order-leaves = { FIXED($left_deg, 3) } deg mit `{ $order }`
 
-angle-orders-fit = `orientation = "{ $order }"` in [observations] oder --orientation angeben; vom Nennroboter { $orders } (quadratisches Mittel)
+angle-orders-fit = `orientation = "{ $order }"` in [observations] oder --orientation angeben; Abweichung vom nominalen Roboter (quadratischer Mittelwert): { $orders }
 
 ball-missing = Kugel `{ $target }` fehlt (Pose { $pose }, Zyklus { $cycle })
     .hint = sie messen oder den Rest dieser Pose und dieses Zyklus entfernen
@@ -764,7 +766,7 @@ parameters-unstable = instabile und daher festgehaltene Parameter; die Werte aus
 
 remedy = { $remedy ->
         [pose-uncertainty] sie angeben (--standard-uncertainty-um) oder Zielmarken vergleichen
-        [contact-uncertainty] auch die Wiederholbarkeit des Kontakts angeben (--standard-uncertainty-um) und Zielmarken vergleichen
+        [contact-uncertainty] auch die Wiederholgenauigkeit der Antastung angeben (--standard-uncertainty-um) und Zielmarken vergleichen
         [compare-targets] `residuals = "targets"` verwenden
         [targets] Positionen seiner Zielmarken angeben: Zeilen der Art `point`
         [uncertainty] sie angeben (--standard-uncertainty-um)
@@ -778,7 +780,7 @@ remedy = { $remedy ->
         [hold] Parameter in [identify] festhalten oder mehr Posen messen
         [unreachable] Einheit (Grad oder Radiant), Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
         [extent] `unit` der Exporte, die Einheiten der Gelenke im Protokoll und die Längen des Roboters prüfen
-        [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann der Messung entnommen
+        [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann aus der Messung abgeleitet
        *[joints] Einheiten, Reihenfolge und Vorzeichen der Gelenke und die Nennparameter prüfen; `hold` in [identify] hält Parameter fest
     }
 
@@ -922,6 +924,8 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 
 clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
+limit-not-assessable = der Grenzwert `{ $limit }` ist nicht beurteilbar: seine Größe ist an den entscheidenden Posen nicht gemessen
+    .hint = die Größe an diesen Posen messen oder den Grenzwert aus [limits] entfernen
 sweep-joint-unknown = `{ $joint }` ist kein Gelenk dieser Messreihen
     .expected = { $known }
 
@@ -931,7 +935,7 @@ sweep-order-missing = die Reihenfolge der Gelenke { $joints } von der Basis aus 
 sweep-joint-column-twice = zwei Spalten haben Werte des Gelenks `{ $joint }`
     .hint = eine davon entfernen
 
-sweep-values-partial = Gelenkwerte sind unvollständig
+sweep-values-partial = die Gelenkwerte sind unvollständig
     .expected = Werte aller Gelenke in jeder Zeile oder in keiner Zeile einer Messreihe
     .hint = eine Zeile ohne bewegtes Gelenk ist eine Prüfpose und braucht die Werte aller Gelenke
 
@@ -944,9 +948,9 @@ sweep-other-joint = in der Messreihe von `{ $joint }` bewegt sich `{ $moved }`, 
 sweep-two-joints = in der Messreihe von `{ $joint }` bewegt sich auch `{ $also }`, um { $by }
     .hint = die Messreihe wiederholen, während alle anderen Gelenke ruhen
 
-sweep-by-angle = { FIXED($by, 3) } Grad
+sweep-by-angle = { FIXED($by, 3) } deg
 
-sweep-by-length = { FIXED($by, 3) } mm
+sweep-by-length = { FIXED($by, 3) } mm
 
 sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte von `{ $joint }`
     .hint = { $unit ->
@@ -958,7 +962,7 @@ sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte v
            *[none] die Einheit der Spalte berichtigen oder den Gelenkwert aus dem des Motors berechnen
         }
 
-sweep-target-moved = Zielmarke `{ $target }` hat sich in der Messreihe von `{ $joint }` vor Zeile { $row } bewegt: Abweichung von ihrer Bahn { FIXED($before_um, 1) } um, mit der Bewegung { FIXED($after_um, 1) } um
+sweep-target-moved = Zielmarke `{ $target }` hat sich in der Messreihe von `{ $joint }` vor Zeile { $row } bewegt: Abweichung von ihrer Bahn { FIXED($before_um, 1) } µm, bei Berücksichtigung der Bewegung { FIXED($after_um, 1) } µm
     .hint = die Messreihe wiederholen oder die Zielmarke ab dieser Zeile anders nennen
 
 sweep-many-foreign = { $aside } von { $readings } Messwerten der Messreihe von `{ $joint }` liegen nicht auf der Bahn der anderen
@@ -967,16 +971,16 @@ sweep-many-foreign = { $aside } von { $readings } Messwerten der Messreihe von `
 sweep-foreign = { $count ->
         [one] 1 Messwert der Messreihe von `{ $joint }` ist
        *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind
-    } beiseitegelegt: Zeile { $lines }
-    .hint = sie liegen weit von der Bahn aller anderen
+    } weggelassen: Zeile { $lines }
+    .hint = diese Messwerte liegen weit von der Bahn aller anderen
 
-sweep-smooth = in der Messreihe von `{ $joint }` verlassen die Zielmarken ihre Bahn stetig um { FIXED($rms_um, 1) } um (quadratisches Mittel); von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } um; die Unsicherheit der Achse ist zu klein
+sweep-smooth = in der Messreihe von `{ $joint }` weichen die Zielmarken stetig um { FIXED($rms_um, 1) } µm (RMS) von ihrer Bahn ab; von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } µm; die Unsicherheit der Achse ist zu klein
     .hint = prüfen, ob alle anderen Gelenke ruhten, und mit dem Schlag des Lagers vergleichen
 
 sweep-weak = die Richtung der Achse von `{ $joint }` hat eine Standardunsicherheit von { FIXED($u_mrad, 2) } mrad
     .hint = einen längeren Bogen, eine Zielmarke weiter von der Achse oder mehr Zielmarken messen
 
-sweep-unit = alle Zielmarken liegen innerhalb von { FIXED($radius_mm, 3) } mm um die Achsen: stimmt die Einheit der Koordinaten?
+sweep-unit = alle Zielmarken liegen innerhalb von { FIXED($radius_mm, 3) } mm um die Achsen: stimmt die Einheit der Koordinaten?
     .hint = wo nicht, die Spalten berechnen: --column "x_mm=x*1000"
 
 sweep-few = die Messreihe von `{ $joint }` hat { $readings } Messwerte und braucht { $needed }
@@ -988,48 +992,48 @@ sweep-undetermined = die Messwerte der Messreihe von `{ $joint }` bestimmen kein
 sweep-joint-missing = { $count ->
         [one] Gelenk { $joints } hat keine Messreihe
        *[other] Gelenke { $joints } haben keine Messreihe
-    }: es gibt keine robot.toml
+    }: robot.toml wird nicht geschrieben
     .hint = von jedem Gelenk eine Messreihe aufnehmen
 
-sweep-starts-apart = die Messreihen von `{ $first }` und `{ $second }` beginnen an Zielmarke `{ $target }` { FIXED($gap_mm, 3) } mm voneinander: es gibt keine robot.toml
+sweep-starts-apart = die Messreihen von `{ $first }` und `{ $second }` beginnen an Zielmarke `{ $target }` { FIXED($gap_mm, 3) } mm auseinander: robot.toml wird nicht geschrieben
     .hint = jede Messreihe in derselben Pose mit der Zielmarke an ihrem Platz beginnen oder Spalten der Gelenkwerte ergänzen
 
-sweep-target-unswept = eine Zielmarke ist in keiner Messreihe: es gibt keine robot.toml
-    .hint = in Prüfposen Zielmarken der Messreihen verwenden
+sweep-target-unswept = eine Zielmarke ist in keiner Messreihe: robot.toml wird nicht geschrieben
+    .hint = an Prüfposen Zielmarken der Messreihen verwenden
 
-sweeps-exchanged = `{ $first }` und `{ $second }` sind vertauscht: Positionen weichen wie angegeben um { FIXED($stated_mm, 3) } mm ab (quadratisches Mittel), mit vertauschten Gelenken um { FIXED($left_mm, 3) } mm
+sweeps-exchanged = `{ $first }` und `{ $second }` sind vertauscht: die Positionen weichen mit den angegebenen Gelenken um { FIXED($stated_mm, 3) } mm (RMS) ab, mit vertauschten Gelenken um { FIXED($left_mm, 3) } mm
     .hint = ihre Namen in der Spalte `joint` und in den Überschriften vertauschen
 
-sweep-reversed = `{ $joint }` wurde in negativer Richtung bewegt: Prüfposen weichen wie angegeben um { FIXED($stated_mm, 3) } mm ab (quadratisches Mittel), mit anderem Vorzeichen um { FIXED($left_mm, 3) } mm
-    .hint = es angeben: --backwards { $joint }
+sweep-reversed = `{ $joint }` wurde in negativer Richtung bewegt: die Prüfposen weichen mit der angegebenen Richtung um { FIXED($stated_mm, 3) } mm (RMS) ab, mit der umgekehrten um { FIXED($left_mm, 3) } mm
+    .hint = die Richtung angeben: --backwards { $joint }
 
 sweeps-disagree = { $what ->
-        [checks] Prüfposen weichen vom Roboter um bis zu { FIXED($distance_mm, 3) } mm ab
-       *[sweeps] die Messreihen widersprechen einander um bis zu { FIXED($distance_mm, 3) } mm
-    } (Standardunsicherheit { FIXED($u_mm, 4) } mm)
-    .hint = den Sitz der Zielmarken und die Gelenkwerte prüfen; der Roboter ist ein Anfang für `etalon identify` und `etalon run`
+        [checks] Prüfposen weichen vom Roboter um bis zu { FIXED($distance_mm, 3) } mm ab
+       *[sweeps] die Messreihen widersprechen einander um bis zu { FIXED($distance_mm, 3) } mm
+    } (Standardunsicherheit { FIXED($u_mm, 4) } mm)
+    .hint = den Sitz der Zielmarken und die Gelenkwerte prüfen; der Roboter kann als Ausgangspunkt dienen für `etalon identify` und `etalon run`
 
-table-base-not-held = die Tabelle hat ihre eigene Basis, gedreht um { FIXED($angle_deg, 4) } Grad und verschoben um { FIXED($shift_mm, 4) } mm
+table-base-not-held = die Tabelle hat ihre eigene Basis, gedreht um { FIXED($angle_deg, 4) } deg und verschoben um { FIXED($shift_mm, 4) } mm
     .hint = die Basis identifizieren oder `poe` verwenden
 
-table-flange-not-held = die Tabelle hat ihren eigenen Flansch, gedreht um { FIXED($angle_deg, 4) } Grad und verschoben um { FIXED($shift_mm, 4) } mm
+table-flange-not-held = die Tabelle hat ihren eigenen Flansch, gedreht um { FIXED($angle_deg, 4) } deg und verschoben um { FIXED($shift_mm, 4) } mm
     .hint = die Zielmarken identifizieren oder `poe` verwenden
 
-table-tilt-not-held = die Tabelle nimmt { $joint ->
+table-tilt-not-held = die Tabelle behandelt { $joint ->
         [none] zwei Achsen
        *[other] die Achsen am Glied von `{ $joint }`
-    } als parallel: { FIXED($angle_mrad, 4) } mrad zwischen ihnen sind nicht enthalten
+    } als parallel: { FIXED($angle_mrad, 4) } mrad zwischen ihnen sind in der Tabelle nicht enthalten
     .hint = `etalon identify` bestimmt beta; `poe` enthält es
 row-excluded = ausgeschlossen: { $reason }
 row-at-origin = nicht gemessen: 0 0 0
-row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste zählt
-no-rows-around = dem Protokoll `{ $log }` fehlt davor oder danach eine Zeile innerhalb von { $tolerance_s } s
-no-row-near = keine Zeile des Protokolls `{ $log }` liegt innerhalb von { $tolerance_s } s
-no-point-nearest = kein gemessener Punkt liegt ihr am nächsten
+row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste zählt
+no-rows-around = dem Protokoll `{ $log }` fehlt innerhalb von { $tolerance_s } s eine Zeile vor oder nach diesem Punkt
+no-row-near = keine Zeile des Protokolls `{ $log }` liegt innerhalb von { $tolerance_s } s
+no-point-nearest = für keinen gemessenen Punkt ist diese Zeile die nächste
 no-row-of-key = keine Zeile des Protokolls `{ $log }` hat diesen Schlüssel
 no-point-of-key = kein gemessener Punkt hat diesen Schlüssel
 no-row-touches = keine Zeile des Protokolls `{ $log }` berührt ihn
-row-of-unframed-pose = seine Pose hat kein Weltsystem
+row-of-unframed-pose = seine Pose hat kein Weltkoordinatensystem
 
 table-of-observations = Beobachtungen
 table-of-attained-poses = Istposen
@@ -1047,15 +1051,27 @@ side-from-values = aus { $of ->
         [location] der Lage
        *[diameter] dem Durchmesser
     } ({ $values ->
-        [nominal] Nennwert
-       *[stated] Angabe
+        [nominal] Nennwerte
+       *[stated] angegebene Werte
     })
 side-from-key = aus `InternalExternal`: { $value }
-label-orientations-unused = die Orientierungen des Exports werden nicht verwendet: Log `{ $log }` nennt `{ $label }` in { $count } Zeilen
-    .hint = nach Pose, Zeile oder Zeit verbinden, wenn das Messgerät in jeder Pose den Körper am Roboter gemessen hat
+label-orientations-unused = die Orientierungen des Exports werden nicht verwendet: Protokoll `{ $log }` nennt `{ $label }` in { $count } Zeilen
+    .hint = nach Pose, Zeile oder Zeitpunkt verknüpfen, wenn das Messgerät an jeder Pose den Körper am Roboter gemessen hat
 
-temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C
-    .hint = `temperature_c` berichtigen, oder die Spalte: sie ist in Grad Celsius
+temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C
+    .hint = `temperature_c` berichtigen, oder die Spalte, die in Grad Celsius ist
 
-temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Unsicherheit der Längen ist zu klein
+temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Messunsicherheit der Längen ist zu klein
     .hint = eine `expanded_temperature_uncertainty_c` angeben, die den Bereich abdeckt
+
+axes-comment-method = Achsen aus Messreihen mit je einem bewegten Gelenk (etalon axes); ohne nominales Modell
+
+axes-comment-base = Basis aus den Achsen 1 und 2, Regel `{ $rule }`: z längs Achse 1
+
+axes-comment-joint = q{ $number } ist { $name }
+
+axes-comment-zero = die Gelenkwerte sind zu Beginn der Messreihen null
+
+axes-comment-target = Zielmarke { $name } am Flansch (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Roboter nach seinen Achsen

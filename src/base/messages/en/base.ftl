@@ -115,9 +115,9 @@ cannot-write-folder = cannot write the folder `{ $folder }`: { $reason }
 # Example: a value that JSON cannot hold
 cannot-encode = cannot write { $format }: { $reason }
 
-# Means: The text names no order of three angles.
-# Matters: Three angles turn a body differently in each order.
-# Do: State three axes in the order of the turns, with `fixed` for the axes of the world.
+# Means: The text is not an order of three angles.
+# Matters: The orientation depends on the order of the three rotations.
+# Do: State three axes in the order of the rotations; `fixed` denotes the axes of the world.
 # Example: `orientation = "zxz fixed"`
 angle-order-unknown = `{ $text }` is not an order of three angles
     .expected = "zyx", "xyz", "zyz" .. about the axes of the body, or "fixed xyz" .. about the axes of the world

@@ -32,11 +32,11 @@ column-option-malformed = --{ $option }: `{ $text }` has no `=`
     }
 
 # Means: The columns are stated from the left (`--columns`) and by name (`--column`).
-# Matters: The two may differ.
-# Do: Keep one of the two options.
+# Matters: The two statements may differ.
+# Do: Omit one of the two options.
 # Example: `--columns x,y,z --column x=X`
 option-columns-twice = --columns and --column both state the columns
-    .hint = keep one of them
+    .hint = omit one of the two options
 
 # Means: The length unit of the files is not stated.
 # Matters: Exports carry no unit; a wrong guess falsifies every result.
@@ -283,12 +283,12 @@ enclosing-with-probe = { $element } is not compensated for a probe
 enclosing-minimum-zone = an { $element } has no minimum zone
     .hint = omit --minimum-zone, or fit a circle2d or sphere
 
-# Means: A stated uncertainty is not one of a coordinate in micrometres.
-# Matters: Uncertainties of all results follow from it.
+# Means: A stated uncertainty cannot be that of a coordinate in micrometres.
+# Matters: The uncertainties of all results depend on it.
 # Do: State expanded uncertainty over coverage factor, per coordinate, in µm.
 # Example: `--standard-uncertainty-um 0.0027` for 2.7 µm
-uncertainty-implausible = { $option } is not an uncertainty of a coordinate in micrometres
-    .hint = expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um
+uncertainty-implausible = { $option } cannot be the uncertainty of a coordinate in micrometres
+    .hint = state the expanded uncertainty over the coverage factor, per coordinate: 0.0027 mm is 2.7 um
 
 # Means: The named robot is not in the table of `etalon init`.
 # Matters: Geometry is taken from published sources only.
@@ -488,6 +488,63 @@ deviation-unknown = no deviation at { $position }: { $reason }
     .hint = use positions that the robot reaches, or that were measured
 
 robot-file-of-run = run the campaign again, or name the robot.toml of that run
+# Means: The robot model is no chain of joints.
+# Matters: Only chains have screw axes, Denavit-Hartenberg parameters or a URDF.
+# Do: Convert arms alone.
+# Example: `etalon robot convert` for a five-bar
+convert-no-chain = `{ $model }` is no chain of joints, and has no other convention
+
+# Means: Joint values move several axes of the chain.
+# Matters: robot.toml of a serial arm has one joint value for each axis.
+# Do: Keep the URDF, where `mimic` states it.
+# Example: a gripper or a parallelogram with `mimic`
+convert-shared-joints = { $axes } axes share { $joints } joint values
+    .hint = keep the URDF, where `mimic` states it
+
+# Means: The robot has bending, harmonics, backlash or coupling.
+# Matters: A description of axes alone has no place for them; the converted robot lacks them.
+# Do: State them in the new robot.toml, and identify them again.
+# Example: an arm with `bending = [2, 3]`
+convert-left-out = { $count ->
+        [one] 1 parameter is
+       *[other] { $count } parameters are
+    } no geometry and left out: { $names }
+    .hint = state `bending`, `harmonics`, `backlash` and `coupling` in the new file, and identify them again
+
+# Means: Joint values are multiplied by a gain.
+# Matters: A URDF has no gains: its joint values are those of the axes.
+# Do: Multiply the joint values, or convert to `poe`.
+# Example: a joint logged in motor angles
+convert-gains-not-held = a URDF has no gain of { $joints }: its joint values are those of the axes
+    .hint = multiply the joint values, or convert to `poe`
+
+# Means: The travel of a sliding joint is not stated, and a URDF demands one.
+# Matters: The file states one metre to either side.
+# Do: Correct `limit` in the file.
+# Example: a linear axis without `travel_mm`
+convert-travel-unknown = the travel of { $joints } is not stated: the URDF has 1 m to either side
+    .hint = correct `limit` in the file, or state `travel_mm` in robot.toml
+
+# Means: A smallest enclosing element is asked for together with setting points aside.
+# Matters: An enclosing element is held by its extreme points, which a robust fit would set aside.
+# Do: Fit a circle or sphere by least squares with `--robust`.
+# Example: `etalon fit enclosing-circle points.txt --robust`
+enclosing-robust = `{ $element }` is held by its extreme points: none can be set aside
+    .hint = fit circle2d or sphere with --robust
+
+# Means: A robust fit is asked for the features of a QIF file.
+# Matters: A feature of the file is compared with the fit of all its points.
+# Do: Leave `--robust` out, or fit the points from a table.
+# Example: `etalon fit results.qif --robust`
+qif-robust = features of a QIF file are fitted to all their points
+    .hint = leave --robust out, or fit the points from a table
 axis-without-errors = the axis has no errors of its own in this model
-lead-not-measured-there = the lead was not measured there
-table-without-row = the table has no row there
+lead-not-measured-there = the lead was not measured at this position
+table-without-row = the table has no row for this position
+
+# Means: A point of the planned test is out of reach of the robot.
+# Matters: The test cannot be run with this point.
+# Do: Move or shrink the workspace, or state another orientation.
+# Example: a workspace that extends beyond the arm
+test-point-unreached = point { $point } of the list `{ $list }` is not reached: { $reason }
+    .hint = move or shrink the workspace (--workspace-mm), or state another orientation (--orientation-deg)

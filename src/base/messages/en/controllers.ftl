@@ -68,11 +68,11 @@ error-near-nominal = { $case ->
        *[both] position error not clearly smaller than with nominal parameters, its maximum larger
     }: { $set } poses { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm and { FIXED($nominal_max_mm, $decimals) } mm
 
-# Means: The file is written, but at these poses it improves the robot by less than a tenth (RMS), or
-# the largest error is larger than with nominal parameters.
+# Means: The file is written, but at these poses it improves the robot by less than a tenth (RMS),
+# or the largest error is larger than with nominal parameters.
 # Matters: The robot gains little by the file, or is less accurate at some poses.
-# Do: Use a format that holds all identified parameters. If the format holds them, measure more poses
-# or identify other effects.
+# Do: Use a format that holds all identified parameters. If the format holds them, measure more
+# poses or identify other effects.
 # Example: `universal-robots` for an arm whose transmission ratios cause most of its error
 file-near-nominal = { $formats_count ->
         [1] format
@@ -328,9 +328,10 @@ coordinate-unknown = `{ $letter }` has no value yet
 quaternion-length = the quaternion of { $target } has the length { FIXED($length, 4) }
     .expected = length 1
 
-# Means: The URDF of the robot is a xacro file, and elements without kinematics (`visual`, `gazebo`) hold xacro that etalon does not expand.
-# Matters: The calibrated URDF could not be read by other programs.
+# Means: The URDF of the robot is a xacro file, and elements without kinematics (`visual`, `gazebo`)
+# contain xacro that etalon does not expand.
+# Matters: Other programs could not read the calibrated URDF.
 # Do: Expand the file with the command `xacro`, and name the URDF in robot.toml.
 # Example: `<visual><xacro:mesh name="arm"/></visual>`
-urdf-holds-xacro = elements without kinematics of `{ $file }` hold xacro
+urdf-holds-xacro = elements without kinematics in `{ $file }` contain xacro
     .hint = expand the file with the command `xacro`, and name the URDF in robot.toml

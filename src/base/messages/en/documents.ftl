@@ -111,15 +111,36 @@ set-up-origin = { $origin ->
 
 check-rigid-part = check unit and names in `places_mm`, and whether the part was changed since they were determined
 
+# Means: Points are farther from the element of all others than noise explains, and are not used.
+# Matters: The element and its uncertainty are those of the other points.
+# Do: Look at these points; remove them where the cause is known.
+# Example: dust under the probe at one of 60 points
+points-set-aside = { $count ->
+        [one] 1 point is set aside
+       *[other] { $count } points are set aside
+    }: { $points }
+    .hint = they are farther from the element of all others than noise explains
+
+# Means: Some points are far from the element of all others, and shift the fit by more than its
+# uncertainty.
+# Matters: Least squares spreads the error of a foreign point over the element; form and uncertainty
+# are those of the foreign points.
+# Do: Look at these points. Fit with `--robust`, which sets them aside and lists them, or remove them.
+# Example: one point of the edge among those of a plane
+foreign-points = { $count ->
+        [one] 1 point is
+       *[other] { $count } points are
+    } far from the element of all others ({ $points }): the fit is shifted by { FIXED($shift, 1) } standard uncertainties
+    .hint = look at them; `--robust` sets them aside
 plan-cube = the largest { $shape } in the stated workspace, edges parallel to the axes; C1 to C4 from the smallest x and y
-plan-poses = P1: centre; P2 to P5: 10 % of the diagonals from the corners of the test plane, in their order
+plan-poses = P1: centre; P2 to P5: on the diagonals, at 10 % of their length from the corners of the test plane, in the order of the corners
 plan-clauses = P1 to P5, loads, velocities and 30 cycles follow the standard's text; paths, other counts and the order of the corners were not compared with a bought copy
-plan-reach-not-examined = not examined: whether the robot reaches the poses, and whether all joints move between them
-plan-reach = reach: nominal parameters and the limits of the robot file; of several working modes, the one that reaches most of a list is kept along it; { $moves ->
-        [all] all joints move between P1 and P5
-       *[some] not all joints move between P1 and P5, as the standard requires
+plan-reach-not-examined = motion of all joints between poses, and reachability of the poses, were not examined
+plan-reach = reach: nominal parameters and the limits of the robot file; one working mode for each list of poses: the one that reaches most of them; { $moves ->
+        [all] all joints move between the poses P1 to P5
+       *[some] not all joints move between the poses P1 to P5; the standard requires it
     }
-covariance-not-square = its covariance is not square with { $identified } rows, one an identified parameter
+covariance-not-square = its covariance is not a square matrix with one row for each of { $identified } identified parameters
 uncertainty-negative = a standard uncertainty or variance is negative or not a number
 parameter-listed-twice = it lists the parameter `{ $parameter }` twice
 
@@ -130,12 +151,12 @@ action-add-cycles = visit pose{ $count ->
         [one] {" "}{ $poses }
        *[other] s { $poses }
     } at least { $required } times
-action-add-cycles-reason = the fewest visits of a pose are { $least }, so that the intervals of AP and RP are wide
+action-add-cycles-reason = one pose has only { $least } visits, so that intervals of AP and RP are wide
 action-add-effect = add `{ $line }` to robot.toml
-action-add-effect-reason = error at poses that are left out: { $without } → { $with } (root mean square)
+action-add-effect-reason = root-mean-square error at left-out poses: { $without } → { $with }
 action-add-validation = measure poses that validate the parameters, and name them in `validation` of [identify]
-action-add-validation-reason = errors at the calibration poses alone are smaller than those at new poses
-action-finer-instrument = measure with an expanded uncertainty of at most { $uncertainty }
+action-add-validation-reason = errors at calibration poses are smaller than errors at new poses
+action-finer-instrument = measure with an expanded uncertainty of a position of at most { $uncertainty }
 action-finer-instrument-reason = U = { $uncertainty } is { $percent } % of the characteristic at pose{ $count ->
         [one] {" "}{ $poses }
        *[other] s { $poses }
@@ -162,21 +183,22 @@ action-measure-again = measure { $count ->
        *[other] poses { $poses }
     } again{ $more ->
         [0] {""}
-       *[other] {" "}({ $more } more disagree)
+        [one] {" "}(1 further pose disagrees)
+       *[other] {" "}({ $more } further poses disagree)
     }
 action-measure-again-reason = pose { $pose } disagrees with the others: { $error }, { $times } σ
-action-measure-quantity = measure the quantity of `{ $limit }` at the poses that decide, or remove the limit
+action-measure-quantity = measure the quantity of `{ $limit }` at the judged poses, or remove the limit
 action-measure-quantity-reason = a limit on a quantity that was not measured cannot be assessed
 action-meet-limit = find the cause of the errors: { $limit }
 action-meet-limit-at-pose = find the cause of the error at pose { $pose }: { $limit }
-action-meet-limit-reason = { $value }, limit { $limit }: { $beyond } too much
+action-meet-limit-reason = { $value }, limit { $limit }: exceeded by { $beyond }
 action-prove-effects = state `{ $line }` in [identify]
 action-reduce-uncertainty = reduce the uncertainty of the { $limit }
 action-reduce-uncertainty-by-source = U = { $present }; a decision needs { $required }; largest share: { $source } ({ $percent } %)
 action-reduce-uncertainty-reason = U = { $present }; a decision needs { $required }
-action-resolve = decide on this warning
+action-resolve = decide how to treat this warning
 action-state-limits = state the tolerance of the application in [limits]
-action-state-limits-reason = without limits there is no verdict
+action-state-limits-reason = a verdict needs limits
 action-warm-up = warm the robot up before the test, and state `warm_up_minutes`
 action-warm-up-cold = the robot was tested cold
 action-warm-up-drift = AP drifts by { $change } in { $cycles } cycles and has not settled

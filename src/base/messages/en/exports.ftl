@@ -775,7 +775,7 @@ arrays-too-large = the arrays of the file are larger than { $most_mib } MiB
 # Matters: A workbook may have several sheets.
 # Do: State the sheet: in `format` of an [[export]], otherwise in the section of the table.
 # Example: `file = "joints.xlsx"` without `sheet`
-sheet-not-stated = a workbook, of which no sheet is stated; it has { $sheets }
+sheet-not-stated = the sheet of the workbook is not stated; the workbook has { $sheets }
     .hint = state the `sheet`
 
 state-sheet = state `sheet = "{ $sheet }"` (option --sheet)
@@ -786,7 +786,7 @@ row-left-out-by-cell = left out: `{ $column }` is `{ $cell }`
 row-without-coordinates = not measured: no coordinates
 row-not-measured = not measured: { $column } is `{ $cell }`
 characteristic-of-no-axis = no coordinate: the name of the characteristic does not end in X, Y or Z
-feature-of-no-point = a feature `{ $kind }`: its point may lie anywhere on it
+feature-of-no-point = a feature `{ $kind }`: its point may be anywhere on the feature
 feature-not-read = a feature `{ $kind }`: this kind is not read
 point-incomplete = no point: { $found } without { $missing }
 probe-centre-no-point = a probe centre, not a point of the feature

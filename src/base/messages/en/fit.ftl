@@ -247,6 +247,12 @@ radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } ha
 cone-is-cylinder = the apex angle of the cone is not distinguishable from zero (k = 2)
     .hint = fit a cylinder
 
+# Means: A robust fit has fewer points than three times the minimum of the element.
+# Matters: Which points are foreign cannot be told from so few.
+# Do: Measure more points, or fit without `--robust`.
+# Example: a sphere through eight points with `--robust`
+robust-few-points = a robust fit of the { $element } needs { $needed } points, not { $points }
+    .hint = measure more points, or fit all of them without setting any aside
 method-principal-directions = principal directions of the centred points
 method-orthogonal-distance = orthogonal distance, Gauss-Newton in a trust region
 method-circle-in-plane = least-squares plane, projection, circle in the plane by orthogonal distance

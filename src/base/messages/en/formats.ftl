@@ -367,7 +367,7 @@ state-delimiter-of-rows = state `delimiter` and `decimal` of the rows
 # Matters: The file has no header: its first row of values would be lost.
 # Do: State `header = false`, and give columns by number.
 # Example: a log whose first line is `1,0.5,0.7`
-header-holds-numbers = the row that should name the columns holds numbers
+header-holds-numbers = the header row contains numbers instead of names
     .hint = if the file has no header, state `header = false` and give columns by number
 
 # Means: A column is given by its number, and its number changes between files of this format.
@@ -772,7 +772,7 @@ robot-ambiguous = the data do not determine order and direction of { $joints }: 
 
 robot-units-ambiguous = the data do not determine the units of the joints: another unit leaves { FIXED($rms_mm, 3) } mm (root mean square)
 
-robot-finds-targets = with a target for each value of { $column } the nominal robot reproduces the coordinates
+robot-finds-targets = the nominal robot reproduces the coordinates if each value of { $column } is a target of its own
 
 robot-contradicts-unit = the heading of { $column } states { $stated }, but the kinematics of the nominal robot fit with { $unit }
 
@@ -811,20 +811,21 @@ expand-xacro = expand the file, and name the URDF instead: { $command }
 
 attribute-malformed = an attribute that cannot be read
 
-# Means: The file holds xacro other than properties, arguments and includes: a call of a macro, a condition, YAML.
-# Matters: etalon does not run xacro. It expands only what has one possible meaning without ROS.
-# Do: Run the command of the hint. robot.toml then names the URDF.
+# Means: The file holds xacro other than properties, arguments and includes: a call of a macro, a
+# condition, YAML.
+# Matters: etalon does not run xacro. It expands only constructs that are unambiguous without ROS.
+# Do: Run the command of the hint, and name the resulting URDF in robot.toml.
 # Example: `<xacro:arm prefix="left_"/>`
 xacro-construct = `{ $construct }` of xacro is not expanded here
 
 # Means: An expression uses a name that no property of the file has.
 # Matters: The value of the expression is unknown.
-# Do: Correct the name, or include the file that defines it before.
+# Do: Correct the name, or include the file that defines it earlier.
 # Example: `${forearm_length}`
 xacro-undefined = no property `{ $name }` is defined before this line
 
 # Means: The file uses an argument that has no default, and no value is stated.
-# Matters: The value decides on names or dimensions of the robot.
+# Matters: Names or dimensions of the robot depend on the value.
 # Do: State the value in robot.toml, or as an option of `etalon init`.
 # Example: `$(arg prefix)`
 xacro-argument-missing = the argument `{ $argument }` of the xacro file has no value
@@ -836,7 +837,7 @@ xacro-argument-missing = the argument `{ $argument }` of the xacro file has no v
 # Example: `arguments = ["prefx:=left_"]`
 xacro-argument-unknown = { $file } has no argument `{ $argument }`
 
-# Means: An argument of a xacro file is not stated as xacro takes it.
+# Means: An argument of a xacro file is not in the form NAME:=VALUE.
 # Matters: Its name or value is unknown.
 # Do: Write name, `:=` and value without blanks.
 # Example: `arguments = ["prefix=left_"]`
@@ -855,32 +856,32 @@ xacro-package = the package `{ $package }` is neither above nor beside the file
 # Example: `<xacro:include filename="common.xacro"/>`
 xacro-include-unreadable = the included file cannot be read: { $reason }
 
-# Means: A file includes itself, directly or by another file.
-# Matters: The expansion never ends.
+# Means: A file includes itself, directly or through another file.
+# Matters: The expansion would never end.
 # Do: Remove one of the includes.
 # Example: arm.xacro includes common.xacro, and common.xacro includes arm.xacro
 xacro-include-loop = `{ $file }` includes itself
 
-# Means: A property is defined by itself.
-# Matters: It has no value.
+# Means: The definition of a property refers to the property itself.
+# Matters: The property has no value.
 # Do: Correct one of the definitions.
 # Example: `<xacro:property name="a" value="${a + 1}"/>`
-xacro-recursion = the property `{ $name }` is defined by itself
+xacro-recursion = the definition of the property `{ $name }` refers to itself
 
-# Means: Includes are nested too deeply, or are too many.
-# Matters: A robot needs fewer; the expansion might never end.
+# Means: The file has too many includes, or includes are nested too deeply.
+# Matters: No robot needs so many includes; the expansion might never end.
 # Do: Expand the file with xacro.
 # Example: 1000 includes
-xacro-too-many-files = more than { $most_files } included files, or more than { $most_depth } within each other
+xacro-too-many-files = more than { $most_files } included files, or more than { $most_depth } nested includes
 
-# Means: The value of an expression is very long, or uses too many others.
+# Means: The value of an expression is very long, or refers to too many other properties.
 # Matters: Properties that repeat each other could fill the memory.
 # Do: Simplify the properties.
 # Example: sixteen properties, each of them twice the one before
-xacro-value-too-long = the value is longer than { $most_bytes } bytes, or needs more than { $most_depth } properties within each other
+xacro-value-too-long = the value is longer than { $most_bytes } bytes, or refers to more than { $most_depth } nested properties
 
 # Means: The expanded text is very large.
 # Matters: It would fill the memory.
-# Do: Expand the file with xacro, and check what it includes.
+# Do: Expand the file with xacro, and check its includes.
 # Example: a file that is included many times
 xacro-too-large = the expanded text is larger than { $most_mib } MiB

@@ -87,8 +87,8 @@ singularity-near = { FIXED($found, 3) } deg from the singularity of type { $kind
         [1] (an arm stretched or folded)
        *[2] (the distal links in line)
     }, at least { $margin } deg are required
-links-near = links { FIXED($found, 3) } mm apart, more than { $least } mm are required
+links-near = links { FIXED($found, 3) } mm apart; more than { $least } mm are required
 command-refused = the controller rejects its command: { $reason }
-joints-admit-no-pose = the joint values admit no pose
-no-command-leads-there = no command brings the robot there: { SCIENTIFIC($left_mm, 2) } mm are left
+joints-admit-no-pose = the robot has no pose at these joint values
+no-command-leads-there = no command brings the robot to the target: the smallest error is { SCIENTIFIC($left_mm, 2) } mm
 table-read-as = the table of joints read as { $convention } Denavit-Hartenberg parameters

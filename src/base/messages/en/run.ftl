@@ -420,16 +420,17 @@ identify-missing = the campaign has no [identify], which names the poses for jud
 # Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
 clock-rate-without-offset = `clock_rate = "standstills"` needs `clock_offset_s = "standstills"`
     .hint = state `clock_offset_s = "standstills"`, or omit `clock_rate`
-# Means: The labels of an export name targets of the robot, and the campaign states no form of labels.
+# Means: The labels of an export name targets of the robot, and the campaign states no form of
+# labels.
 # Matters: Without targets and poses the points are not joined.
 # Do: State the form of the labels.
 # Example: labels `K_12_3` and no key `label`
 label-form-missing = the labels of `{ $file }` name targets, and no form of labels is stated
-    .hint = state `label = "{ $form }"` in this [[export]]: all of its labels have this form
+    .hint = state `label = "{ $form }"` in this [[export]]: all its labels have this form
 
-state-targets = state `targets = { $targets }` in [join]: the labels name them
+state-targets = state `targets = { $targets }` in [join]: the labels name these targets
 # Means: `valid_until` is not a date of the form year-month-day.
-# Matters: Reports and batches compare this day with others.
+# Matters: Reports and batches compare this day with other dates.
 # Do: State the last day of validity as 2027-03-02.
 # Example: `valid_until = "next year"`
 valid-until-no-date = `valid_until` is not a date: "{ $date }"

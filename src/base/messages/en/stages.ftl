@@ -23,7 +23,7 @@ rigid-targets = a rigid part needs two or more targets, each named once
     .hint = name each target of the part once in `targets`
 
 # Means: `tolerance_mm` of [[rigid]] or `drift_mm` of [[fixed]] is zero, negative or not finite.
-# Matters: Every row would violate the limit, or no row.
+# Matters: With such a limit, either all rows or none would be refused.
 # Do: State the largest permitted deviation of a distance, or motion of a target.
 # Example: `tolerance_mm = 0`
 limit-not-positive = `{ $key }` must be a positive number
@@ -289,6 +289,8 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = no measured point has a partner in log `{ $log }`: the two nearest times are { FIXED($apart_s, 3) } s apart
     .hint = check value and sign of `clock_offset_s`: time of the measurement minus time of the log
 
+both-rows-near = a point between two rows needs both within `tolerance_s`: state at least the time from row to row
+
 # Means: No measured point and no row of the log have the same pose, cycle or row.
 # Matters: No observations remain.
 # Do: Compare the names in exports and log, or choose another key with `by` in [join].
@@ -326,7 +328,7 @@ join-contradicts = { $count ->
         [one] 1 measured point has
        *[other] { $count } measured points have
     } a different { $column } in the joined row of log `{ $log }`: { $measured } and { $logged } (line { $line } of the log)
-    .hint = join by pose; or remove `{ $column }` from `columns` of the log, if it counts something else there
+    .hint = join by pose; or remove `{ $column }` from `columns` of the log, if this column has another meaning in the log
 
 # Means: A join by row needs one row of the log for each row of the export, and the counts differ.
 # Matters: From the first missing row on, joint values would belong to other points.
@@ -1118,7 +1120,7 @@ nominal-point-unmeasured = `nominal_mm` names `{ $point }`, which was not measur
 # Do: Add points of the frame, or remove `nominal_mm`.
 # Example: `nominal_mm` of two points
 nominal-few-points = `nominal_mm` needs three points or more
-    .hint = add points of the frame, or remove it
+    .hint = add points of the frame, or remove `nominal_mm`
 
 # Means: The identified base is far from [nominal] of robot.toml, and exchanged axes of the world
 # frame explain the difference.
@@ -1307,11 +1309,11 @@ orientation-missing = the orientation is missing or not a number
 angle-order-missing = the order of the angles is not stated
     .hint = state `orientation = "zyx"` in [observations], or --orientation
 
-angle-orders-unfit = no order of angles fits the nominal robot: `{ $order }` leaves { FIXED($left_deg, 1) } deg (root mean square); check the joints, and that the angles rotate from the body to the world
+angle-orders-unfit = no order of angles fits the nominal robot: the smallest residual is { FIXED($left_deg, 1) } deg (root mean square) with `{ $order }`; check the joints, and that the angles rotate from the body to the world
 
-angle-order-leaves = `{ $order }` leaves { FIXED($left_deg, 3) } deg
+angle-order-leaves = `{ $order }`: residual { FIXED($left_deg, 3) } deg
 
-angle-orders-fit = state `orientation = "{ $order }"` in [observations], or --orientation; of the nominal robot { $orders } (root mean square)
+angle-orders-fit = state `orientation = "{ $order }"` in [observations], or --orientation; with the nominal robot, { $orders } (root mean square)
 
 # Means: A step of the geometric calibration needs several balls in one cycle, and one ball was not
 # measured.
@@ -1390,7 +1392,7 @@ given-without-covariance = the parameters have no covariance
     .hint = identify again from more data: the identification had no degrees of freedom
 
 # Means: The given parameters lack the base or targets of the observations.
-# Matters: The positions of these are unknown.
+# Matters: The positions of this base or of these targets are unknown.
 # Do: Observe the targets of the calibration, at the same positions on the moving part.
 # Example: a new reflector on the flange
 calibrated-targets-missing = the parameters lack { $names }: the observations have another base or other targets
@@ -1566,7 +1568,7 @@ remedy = { $remedy ->
         [pose-uncertainty] state it (--standard-uncertainty-um), or compare targets
         [contact-uncertainty] state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets
         [compare-targets] use `residuals = "targets"`
-        [targets] give positions of its targets: rows of kind `point`
+        [targets] state positions of its targets: rows of kind `point`
         [uncertainty] state it (--standard-uncertainty-um)
         [own-uncertainties] compare targets, or remove the columns of uncertainties
         [row-uncertainty] state it in every row, or with --standard-uncertainty-um
@@ -1871,233 +1873,237 @@ clock-rate-insignificant = the standstills of log `{ $log }` show no significant
     .hint = omit `clock_rate`: only the offset is used
 
 # Means: No offset and rate of the clocks put every measured point into a standstill.
-# Matters: A point was measured in motion, the log lacks a standstill, or it is the log of another run.
-# Quartz clocks differ by less than the stated rate.
+# Matters: A point was measured in motion, the log lacks a standstill, or it is the log of another
+# run. Quartz clocks differ by less than the stated rate.
 # Do: Check that the log belongs to the measurement, and remove points measured in motion.
 # Example: the log of yesterday's run
 clock-rate-none = no offset of the clocks and no rate within ± { $most_ppm } ppm put every measured point into a standstill of the log
     .hint = check that the log belongs to this measurement, and remove points measured in motion; or state `clock_offset_s` as a number
-# Means: A joint is named that no row of the table sweeps and no column has values of.
-# Matters: The order of the joints, or what is stated of one, would be wrong.
+# Means: A limit is stated, and the poses that decide do not show its quantity.
+# Matters: The limit is undecided, and the exit code is 1.
+# Do: Measure the quantity at the validation poses, or remove the limit.
+# Example: `position_max_mm` for a campaign of draw wires
+limit-not-assessable = limit `{ $limit }` cannot be assessed: the poses that decide do not show its quantity
+    .hint = measure the quantity at these poses, or remove the limit from [limits]
+# Means: An option names a joint that has neither a sweep nor a column of values in the table.
+# Matters: The order of the joints, or a statement about a joint, would be wrong.
 # Do: Write the name as in the column `joint`.
 # Example: `--prismatic Z` for a table with the joints q1 to q4
 sweep-joint-unknown = `{ $joint }` is not a joint of these sweeps
     .expected = { $known }
 
 # Means: The names of the joints have no numbers, so that their order from the base is unknown.
-# Matters: The axes of a chain in another order are another robot.
+# Matters: Axes in another order form another robot.
 # Do: State the order from the base.
 # Example: sweeps of the axes X, Y, Z and C of a gantry
 sweep-order-missing = the order of the joints { $joints } from the base is unknown
     .hint = state it: --joints NAME,...
 
-# Means: Two columns have values of one joint.
-# Matters: It is unknown which one is meant.
-# Do: Remove one of them, or rename it.
+# Means: Two columns contain values of the same joint.
+# Matters: It is unknown which column applies.
+# Do: Remove or rename one of the columns.
 # Example: q1_deg and q1_rad in one table
 sweep-joint-column-twice = two columns have values of joint `{ $joint }`
     .hint = remove one of them
 
-# Means: A row has values of some joints and none of others, some sweeps have joint values and
-# others none, or a check pose has none.
-# Matters: A zero would be guessed for the missing value.
-# Do: State the values of all joints in every row, or in none but check poses.
+# Means: Joint values are missing in a row, in some sweeps, or at a check pose.
+# Matters: The missing values would have to be guessed.
+# Do: State the values of all joints in every row, or at check poses only.
 # Example: an empty cell in the column q4_deg
 sweep-values-partial = joint values are incomplete
     .expected = values of all joints in every row, or in no row of a sweep
     .hint = a row without a swept joint is a check pose and needs the values of all joints
 
-# Means: A joint is stated to be swept backwards, and the table has joint values.
-# Matters: The joint values state the sign already.
-# Do: Leave the option out.
+# Means: `--backwards` is stated for a joint, and the table has joint values.
+# Matters: The joint values already determine the sign.
+# Do: Omit the option.
 # Example: `--backwards q2` with a column q2_deg
-sweep-sign-by-values = the joint values state the direction of each sweep
-    .hint = leave --backwards out
+sweep-sign-by-values = the joint values already determine the direction of each sweep
+    .hint = omit --backwards
 
-# Means: Rows name one joint as the swept one, and the values of another joint change.
-# Matters: The axis would be that of another joint.
+# Means: Rows name one joint as the swept joint, but the values of another joint change.
+# Matters: The axis would belong to another joint.
 # Do: Correct the column `joint`, or the headings of the columns of joint values.
 # Example: the sweep of q3 under the name of q2
 sweep-other-joint = `{ $moved }` moves in the sweep of `{ $joint }`, which is at rest
     .hint = correct the column `joint`, or the headings of the joint values
 
 # Means: A second joint moves during the sweep of a joint.
-# Matters: The paths are no circles or lines; the axis would be that of neither joint.
+# Matters: The paths are not circles or lines; the axis would belong to neither joint.
 # Do: Measure the sweep again with all other joints at rest.
 # Example: a Cartesian motion in place of a motion of one joint
-sweep-two-joints = in the sweep of `{ $joint }` also `{ $also }` moves, by { $by }
+sweep-two-joints = `{ $also }` also moves in the sweep of `{ $joint }`, by { $by }
     .hint = measure the sweep again with all other joints at rest
 
 sweep-by-angle = { FIXED($by, 3) } deg
 
 sweep-by-length = { FIXED($by, 3) } mm
 
-# Means: The targets move about or along the axis by another amount than the joint value states.
-# Matters: The joint value has another unit, is a motor's, or another joint moves too. Joint values
-# zero would be at a wrong place.
+# Means: The motion of the targets about or along the axis differs from the joint value.
+# Matters: The joint value has another unit or is that of a motor, or another joint moves too. The
+# zero of the joint would be wrong.
 # Do: Correct the unit in the heading, or compute the column: `--column "q1_deg=motor1/100"`.
 # Example: radians under the heading q1_deg
 sweep-ratio = the targets move by { FIXED($ratio, 5) } × the values of `{ $joint }`
     .hint = { $unit ->
-            [deg-as-rad] the values are degrees, and are read as radians: correct the heading
-            [rad-as-deg] the values are radians, and are read as degrees: correct the heading
-            [inch-as-mm] the values are inches, and are read as millimetres
-            [m-as-mm] the values are metres, and are read as millimetres: correct the heading
-            [mm-as-m] the values are millimetres, and are read as metres: correct the heading
-           *[none] correct the unit of the column, or compute the joint value from that of the motor
+            [deg-as-rad] the values are degrees but are read as radians: correct the heading
+            [rad-as-deg] the values are radians but are read as degrees: correct the heading
+            [inch-as-mm] the values are inches but are read as millimetres
+            [m-as-mm] the values are metres but are read as millimetres: correct the heading
+            [mm-as-m] the values are millimetres but are read as metres: correct the heading
+           *[none] correct the unit of the column, or compute the joint value from the motor value
         }
 
-# Means: The readings of a target before and from a row on are on two paths about one axis, and on
-# no common one.
-# Matters: The target slipped in its seat, or base or instrument moved.
-# Do: Measure the sweep again, or name the target otherwise from that row on.
-# Example: a reflector that was put down and taken up again during the sweep
-sweep-target-moved = target `{ $target }` moved in the sweep of `{ $joint }` before row { $row }: deviation from its path { FIXED($before_um, 1) } um, { FIXED($after_um, 1) } um with the move
+# Means: Before and after a row, the readings of a target are on two different paths about one axis.
+# Matters: The target slipped in its seat, or the base or the instrument moved.
+# Do: Measure the sweep again, or give the target another name from this row on.
+# Example: a reflector that was removed and replaced during the sweep
+sweep-target-moved = target `{ $target }` moved in the sweep of `{ $joint }` before row { $row }: deviation from one path { FIXED($before_um, 1) } um, from two paths { FIXED($after_um, 1) } um
     .hint = measure the sweep again, or give the target another name from this row on
 
-# Means: Many readings are far from the path that the majority follows.
+# Means: Many readings are far from the path of the majority.
 # Matters: The path of the majority may be the wrong one.
-# Do: Look for a second joint that moved, a reflector that turned away, or rows of another sweep.
+# Do: Check for a second joint that moved, a reflector that turned away, or rows of another sweep.
 # Example: two sweeps of different poses under one name
 sweep-many-foreign = { $aside } of { $readings } readings of the sweep of `{ $joint }` are not on the path of the others
-    .hint = look for a second joint that moved, or for rows of another sweep
+    .hint = check for a second joint that moved, or for rows of another sweep
 
-# Means: Some readings are much farther from the path than noise explains, and are not used.
-# Matters: The axis does not depend on them.
-# Do: Look at these rows; remove them where the cause is known.
+# Means: Some readings are much farther from the path than noise explains.
+# Matters: They are not used for the axis.
+# Do: Check these rows; remove them if the cause is known.
 # Example: a reading of another reflector
 sweep-foreign = { $count ->
-        [one] 1 reading of the sweep of `{ $joint }` is set aside
-       *[other] { $count } readings of the sweep of `{ $joint }` are set aside
+        [one] 1 reading of the sweep of `{ $joint }` is excluded
+       *[other] { $count } readings of the sweep of `{ $joint }` are excluded
     }: line { $lines }
-    .hint = they are far from the path of all others
+    .hint = check these lines: the readings are far from the path of all others
 
-# Means: The readings leave their path by much more than neighbouring readings differ: the deviation
-# is smooth, not noise.
-# Matters: A bearing that runs out, another joint that moves, or a part that bends does this. The
-# uncertainty of the axis takes the deviations for noise, and is too small.
-# Do: Check that all other joints were at rest; compare with the run-out of the bearing.
+# Means: Readings deviate from their path by much more than neighbouring readings differ: the
+# deviation is smooth, not noise.
+# Matters: Possible causes are run-out of the bearing, motion of another joint, or bending of a
+# part. The uncertainty of the axis treats the deviations as noise, and is too small.
+# Do: Check that all other joints were at rest; compare the deviations with the run-out of the
+# bearing.
 # Example: a sweep during which a second joint creeps by a tenth of a degree
-sweep-smooth = the targets leave their path in the sweep of `{ $joint }` by { FIXED($rms_um, 1) } um (rms) smoothly; from reading to reading the noise is { FIXED($noise_um, 1) } um; the uncertainty of the axis is too small
+sweep-smooth = the targets deviate smoothly from their path in the sweep of `{ $joint }`, by { FIXED($rms_um, 1) } um (root mean square); the noise from reading to reading is { FIXED($noise_um, 1) } um; the uncertainty of the axis is too small
     .hint = check that all other joints were at rest, and compare with the run-out of the bearing
 
 # Means: The direction of an axis is poorly known.
-# Matters: Everything beyond the axis is predicted with this error times its distance.
+# Matters: Predicted positions have an error of this angle times their distance from the axis.
 # Do: Measure a longer arc, or a target farther from the axis.
 # Example: a target 2 mm from the axis
 sweep-weak = the direction of the axis of `{ $joint }` has a standard uncertainty of { FIXED($u_mrad, 2) } mrad
     .hint = measure a longer arc, a target farther from the axis, or more targets
 
-# Means: All targets are within some millimetres of all axes.
-# Matters: Coordinates in metres that are read as millimetres look like this.
+# Means: All targets are within a few millimetres of all axes.
+# Matters: The coordinates are probably in metres, and are read as millimetres.
 # Do: Check the unit of the coordinates.
 # Example: coordinates in metres under the heading x_mm
-sweep-unit = all targets are within { FIXED($radius_mm, 3) } mm of the axes: is the unit of the coordinates right?
-    .hint = compute the columns where it is not: --column "x_mm=x*1000"
+sweep-unit = all targets are within { FIXED($radius_mm, 3) } mm of the axes: the coordinates are probably in metres
+    .hint = check the unit, and convert the columns: --column "x_mm=x*1000"
 
 # Means: A sweep has fewer readings than its axis and paths need.
-# Matters: There is no axis.
+# Matters: The axis cannot be determined.
 # Do: Measure more readings.
 # Example: two readings of one target
 sweep-few = the sweep of `{ $joint }` has { $readings } readings, and needs { $needed }
-    .hint = measure more readings; some more than needed give an uncertainty
+    .hint = measure more readings; redundant readings determine the uncertainty
 
-# Means: The readings of a sweep determine no axis: they coincide, or a joint that turns shows a
-# straight line.
-# Matters: There is no axis.
-# Do: Measure a longer arc or a target farther from the axis; state joints that slide.
+# Means: The readings of a sweep do not determine an axis: they coincide, or readings of a revolute
+# joint are on a straight line.
+# Matters: The axis is unknown.
+# Do: Measure a longer arc or a target farther from the axis; state prismatic joints.
 # Example: a target on the axis
-sweep-undetermined = the readings of the sweep of `{ $joint }` determine no axis
-    .hint = measure a longer arc or a target farther from the axis; a joint that slides is stated by --prismatic
+sweep-undetermined = the readings of the sweep of `{ $joint }` do not determine an axis
+    .hint = measure a longer arc or a target farther from the axis; state a prismatic joint with --prismatic
 
-# Means: Joints have columns of values and no sweep.
-# Matters: Their axes are unknown; there is no robot.toml.
+# Means: Joints have columns of values but no sweep.
+# Matters: Their axes are unknown; robot.toml is not written.
 # Do: Measure a sweep of each joint.
 # Example: sweeps of q1 to q5 of a six-axis arm
 sweep-joint-missing = { $count ->
         [one] joint { $joints } has no sweep
        *[other] joints { $joints } have no sweep
-    }: there is no robot.toml
+    }: robot.toml is not written
     .hint = measure a sweep of each joint
 
-# Means: Without joint values every sweep starts from the same pose; here the first readings of a
-# target differ.
-# Matters: Joint values zero are undefined; there is no robot.toml. The axes are those of the poses
-# in which they were measured.
+# Means: The first readings of a target differ between sweeps, although sweeps without joint values
+# must start from the same pose.
+# Matters: The zeros of the joints are undefined; robot.toml is not written. Each axis applies to
+# the pose in which it was measured.
 # Do: Start every sweep from the same pose, or add the joint values.
-# Example: a target that was taken off between two sweeps
-sweep-starts-apart = the sweeps of `{ $first }` and `{ $second }` start { FIXED($gap_mm, 3) } mm apart at target `{ $target }`: there is no robot.toml
+# Example: a target that was removed between two sweeps
+sweep-starts-apart = the sweeps of `{ $first }` and `{ $second }` start { FIXED($gap_mm, 3) } mm apart at target `{ $target }`: robot.toml is not written
     .hint = start every sweep from the same pose with the target in its place, or add columns of joint values
 
-# Means: A target occurs in check poses and in no sweep.
-# Matters: Its place on the flange is unknown; there is no robot.toml.
+# Means: A target occurs in check poses but in no sweep.
+# Matters: Its position on the flange is unknown; robot.toml is not written.
 # Do: Use targets of the sweeps.
 # Example: a check pose with another reflector
-sweep-target-unswept = a target is in no sweep: there is no robot.toml
+sweep-target-unswept = a target of check poses is in no sweep: robot.toml is not written
     .hint = use targets of the sweeps in check poses
 
-# Means: The sweeps, or the check poses, agree with each other if two joints are exchanged, and not
-# as stated.
+# Means: Sweeps or check poses agree only if two joints are exchanged.
 # Matters: The robot would be wrong at every pose.
 # Do: Exchange the names of the joints.
-# Example: the axes 4 and 5 of an arm named the other way round
-sweeps-exchanged = `{ $first }` and `{ $second }` are exchanged: positions differ by { FIXED($stated_mm, 3) } mm (rms) as stated, and by { FIXED($left_mm, 3) } mm with the joints exchanged
+# Example: axes 4 and 5 of an arm with exchanged names
+sweeps-exchanged = `{ $first }` and `{ $second }` are exchanged: positions differ by { FIXED($stated_mm, 3) } mm (root mean square) as stated, and by { FIXED($left_mm, 3) } mm with the joints exchanged
     .hint = exchange their names in the column `joint` and in the headings
 
-# Means: The check poses agree with a robot one of whose joints was swept in the other direction.
-# Matters: The joint would move the wrong way.
-# Do: State the joint as swept backwards.
+# Means: The check poses agree only if a joint was swept in negative direction.
+# Matters: The sign of the joint would be wrong.
+# Do: State the joint in `--backwards`.
 # Example: a sweep from +30 to -30 degrees without joint values
-sweep-reversed = `{ $joint }` was swept in negative direction: check poses differ by { FIXED($stated_mm, 3) } mm (rms) as stated, and by { FIXED($left_mm, 3) } mm with the other sign
+sweep-reversed = `{ $joint }` was swept in negative direction: check poses differ by { FIXED($stated_mm, 3) } mm (root mean square) as stated, and by { FIXED($left_mm, 3) } mm with the other sign
     .hint = state it: --backwards { $joint }
 
-# Means: Positions at joint values differ from the robot of the axes by more than their uncertainty.
-# Matters: A target that moved between sweeps, a joint that bends or a transmission with errors does
-# this. The uncertainty of the robot is too small.
-# Do: Check the seats of the targets and the joint values; use the robot as the start of a
-# calibration (`etalon identify`, `etalon run`).
+# Means: Measured positions differ from those of the robot by more than their uncertainty.
+# Matters: Possible causes are a target that moved between sweeps, bending of a joint, or errors of
+# a transmission. The uncertainty of the robot is too small.
+# Do: Check the seats of the targets and the joint values; start a calibration from this robot
+# (`etalon identify`, `etalon run`).
 # Example: an arm whose second joint bends by 0.1 mm under its weight
 sweeps-disagree = { $what ->
         [checks] check poses differ from the robot by up to { FIXED($distance_mm, 3) } mm
        *[sweeps] the sweeps contradict each other by up to { FIXED($distance_mm, 3) } mm
     } (standard uncertainty { FIXED($u_mm, 4) } mm)
-    .hint = check the seats of the targets and the joint values; the robot is a start for `etalon identify` and `etalon run`
+    .hint = check the seats of the targets and the joint values; `etalon identify` and `etalon run` can start from this robot
 
-# Means: A Denavit-Hartenberg table has no parameters for this place of the base.
-# Matters: The base of the table is turned and shifted against the stated one.
+# Means: A Denavit-Hartenberg table has no parameters for this position of the base.
+# Matters: The base of the table is rotated and shifted relative to the stated base.
 # Do: Identify the base, or use `poe`.
 # Example: a base whose x axis is not the common normal of its z axis and axis 1
-table-base-not-held = the table has its own base, turned by { FIXED($angle_deg, 4) } deg and shifted by { FIXED($shift_mm, 4) } mm
+table-base-not-held = the table has its own base, rotated by { FIXED($angle_deg, 4) } deg and shifted by { FIXED($shift_mm, 4) } mm
     .hint = identify the base, or use `poe`
 
-# Means: A Denavit-Hartenberg table has no parameters for this place of the flange.
-# Matters: The flange of the table is turned and shifted against the stated one, and targets and
-# tools with it.
+# Means: A Denavit-Hartenberg table has no parameters for this position of the flange.
+# Matters: The flange of the table, with its targets and tools, is rotated and shifted relative to
+# the stated flange.
 # Do: Identify the targets, or use `poe`.
 # Example: a flange whose z axis is not the last axis
-table-flange-not-held = the table has its own flange, turned by { FIXED($angle_deg, 4) } deg and shifted by { FIXED($shift_mm, 4) } mm
+table-flange-not-held = the table has its own flange, rotated by { FIXED($angle_deg, 4) } deg and shifted by { FIXED($shift_mm, 4) } mm
     .hint = identify the targets, or use `poe`
 
-# Means: Two axes are near-parallel, and the angle between them about the second direction has no
-# parameter in the nominal table (Hayati's beta is identified, not stated).
+# Means: Two axes are near-parallel, and one component of the angle between them has no parameter in
+# the nominal table (Hayati's beta is identified, not stated).
 # Matters: A point beyond the axis is displaced by this angle times its distance.
-# Do: Identify the robot, which finds beta; or use `poe`.
+# Do: Identify the robot, which determines beta; or use `poe`.
 # Example: axes 2 and 3 of an arm, parallel within 0.2 mrad
-table-tilt-not-held = the table takes { $joint ->
+table-tilt-not-held = the table treats { $joint ->
         [none] two axes
        *[other] the axes at the link of `{ $joint }`
-    } for parallel: { FIXED($angle_mrad, 4) } mrad between them are not held
-    .hint = `etalon identify` finds beta; `poe` holds it
+    } as parallel: it does not contain the angle of { FIXED($angle_mrad, 4) } mrad between them
+    .hint = `etalon identify` determines beta; `poe` contains the angle
 row-excluded = excluded: { $reason }
 row-at-origin = not measured: 0 0 0
-row-of-several = { $rows } rows of log `{ $log }` are within { $tolerance_s } s: the nearest counts
-no-rows-around = log `{ $log }` lacks a row before or after it within { $tolerance_s } s
+row-of-several = { $rows } rows of log `{ $log }` are within { $tolerance_s } s: the nearest row is used
+no-rows-around = log `{ $log }` lacks a row before or after the point within { $tolerance_s } s
 no-row-near = no row of log `{ $log }` is within { $tolerance_s } s
-no-point-nearest = no measured point is nearest to it
+no-point-nearest = another row is nearer to each measured point
 no-row-of-key = no row of log `{ $log }` has this key
 no-point-of-key = no measured point has this key
-no-row-touches = no row of log `{ $log }` touches it
-row-of-unframed-pose = its pose has no world frame
+no-row-touches = no row of log `{ $log }` touches the point
+row-of-unframed-pose = the pose of the row has no world frame
 
 table-of-observations = observations
 table-of-attained-poses = attained poses
@@ -2113,25 +2119,36 @@ side-stated = as stated by the user
 side-from-values = from the { $values } { $of }
 side-from-key = from `InternalExternal`: { $value }
 # Means: An export joined by label has orientations, and the log names a label in several rows.
-# Matters: The robot then touches a place that was measured once; its orientation is not that of the
-# body on the robot. Positions alone are used.
+# Matters: The robot then touches a point that was measured once; the measured orientation is not
+# that of the body on the robot. Only positions are used.
 # Do: Nothing, or join by pose, row or time if the instrument measured the body at each pose.
 # Example: nests of a plate measured by a probe of six degrees of freedom
 label-orientations-unused = orientations of the export are not used: log `{ $log }` names `{ $label }` in { $count } rows
     .hint = join by pose, row or time if the instrument measured the body on the robot at each pose
 
-# Means: The temperatures in the rows of the exports are not near `temperature_c` of the campaign.
-# Matters: Identified lengths hold at the stated temperature; a robot of aluminium expands by 23 µm/m for
-# each degree.
-# Do: Correct `temperature_c`, or the unit of the column: it is in degrees Celsius.
+# Means: Temperatures in the rows of the exports differ from `temperature_c` of the campaign.
+# Matters: Identified lengths apply at the stated temperature; a robot of aluminium expands by 23
+# µm/m for each degree.
+# Do: Correct `temperature_c`, or the unit of the column (degrees Celsius).
 # Example: `temperature_c = 20.0`, and rows with 24.6 to 25.3
 temperature-elsewhere = `temperature_c` = { $stated_c }; the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C
-    .hint = correct `temperature_c`, or the column: it is in degrees Celsius
+    .hint = correct `temperature_c`, or the unit of the column (degrees Celsius)
 
-# Means: The temperatures in the rows of the exports differ by more than [expansion] states.
-# Matters: The uncertainty of lengths from the temperature is too small. Rows are not corrected for their
+# Means: Temperatures in the rows of the exports vary by more than [expansion] states.
+# Matters: The uncertainty of lengths due to temperature is too small. Rows are not corrected for
 # temperature.
 # Do: State the expanded uncertainty that covers the range.
 # Example: `expanded_temperature_uncertainty_c = 0.5`, and rows with 19.1 to 22.8
 temperature-varies = the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C, more than ±{ $expanded_c } °C; the uncertainty of lengths is too small
     .hint = state an `expanded_temperature_uncertainty_c` that covers the range
+axes-comment-method = axes by sweeps of one joint at a time (etalon axes); no nominal model
+
+axes-comment-base = base by axes 1 and 2, rule `{ $rule }`: z along axis 1
+
+axes-comment-joint = q{ $number } is { $name }
+
+axes-comment-zero = joint values are zero at the start of the sweeps
+
+axes-comment-target = target { $name } on the flange (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Robot by its axes

@@ -63,11 +63,26 @@ rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : le
 rotation-mirrors = la matrice de rotation contient une réflexion : son déterminant est -1
     .hint = vérifier les signes de ses colonnes
 
-factor = { $count } { $of ->
-        [poses] poses
-        [cycles] cycles
-        [repeats] répétitions
-        [draws] tirages
-       *[runs] exécutions
+factor = { $of ->
+        [poses] { $count ->
+            [one] { $count } pose
+           *[other] { $count } poses
+        }
+        [cycles] { $count ->
+            [one] { $count } cycle
+           *[other] { $count } cycles
+        }
+        [repeats] { $count ->
+            [one] { $count } répétition
+           *[other] { $count } répétitions
+        }
+        [draws] { $count ->
+            [one] { $count } tirage
+           *[other] { $count } tirages
+        }
+       *[runs] { $count ->
+            [one] { $count } exécution
+           *[other] { $count } exécutions
+        }
     }
 product = { $first } × { $second }

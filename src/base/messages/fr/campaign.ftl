@@ -166,7 +166,7 @@ key-missing = la clé `{ $key }` manque{ $has_section ->
        *[no] {""}
     }
 
-state-unit = indiquer `unit = "mm"`, ou "m", "um" ou "inch", comme le fichier a été écrit ; elle n’est jamais devinée
+state-unit = indiquer `unit = "mm"`, ou "m", "um" ou "inch", l’unité dans laquelle le fichier a été écrit ; elle n’est jamais devinée
 
 state-instrument = [instrument] indique name, expanded_uncertainty_um et coverage_factor : les prendre dans son certificat d’étalonnage
 

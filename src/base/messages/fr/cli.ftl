@@ -8,7 +8,7 @@ option-not-positive = { $option } doit être positif
 option-refused = { $option } : { $reason }
     .hint = `etalon COMMANDE --help` énumère les valeurs
 
-column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
+column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
     .expected = { $option ->
         [column] q1_deg=J1
         [constant] kind=distance
@@ -16,7 +16,7 @@ column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
     }
 
 option-columns-twice = --columns et --column indiquent toutes deux les colonnes
-    .hint = garder l’une des deux
+    .hint = en garder une
 
 option-unit-missing = les fichiers n’indiquent pas leur unité de longueur
     .hint = indiquer l’unité : --unit mm, m, um ou inch ; elle n’est jamais devinée
@@ -220,10 +220,35 @@ table-options-refused = { $fault ->
        *[other] corriger l’option ; `etalon axis-table --help` les décrit
     }
 
-deviation-unknown = pas d’écart à { $position } : { $reason }
+deviation-unknown = pas d’écart à { $position } : { $reason }
     .hint = utiliser des positions que le robot atteint, ou qui ont été mesurées
 
 robot-file-of-run = relancer la campagne, ou indiquer le robot.toml avec lequel elle a été exécutée
-axis-without-errors = l'axe n'a pas d'erreurs propres dans ce modèle
-lead-not-measured-there = le pas n'y a pas été mesuré
-table-without-row = le tableau n'y a pas de ligne
+convert-no-chain = `{ $model }` n’est pas une chaîne d’articulations et n’a pas d’autre convention
+
+convert-shared-joints = { $axes } axes partagent { $joints } valeurs articulaires
+    .hint = conserver l’URDF, où `mimic` l’indique
+
+convert-left-out = { $count ->
+        [one] 1 paramètre n’est pas de la géométrie et est omis
+       *[other] { $count } paramètres ne sont pas de la géométrie et sont omis
+    } : { $names }
+    .hint = indiquer `bending`, `harmonics`, `backlash` et `coupling` dans le nouveau fichier, et les identifier de nouveau
+
+convert-gains-not-held = un fichier URDF ne contient pas le gain de { $joints } : ses valeurs articulaires sont celles des axes
+    .hint = multiplier les valeurs articulaires, ou convertir en `poe`
+
+convert-travel-unknown = la course de { $joints } n’est pas indiquée : le fichier URDF contient 1 m de chaque côté
+    .hint = corriger `limit` dans le fichier, ou indiquer `travel_mm` dans robot.toml
+
+enclosing-robust = l’élément englobant `{ $element }` est déterminé par ses points extrêmes : aucun ne peut être écarté
+    .hint = ajuster circle2d ou sphere avec --robust
+
+qif-robust = les éléments d’un fichier QIF sont ajustés à tous leurs points
+    .hint = omettre --robust, ou ajuster les points d’un tableau
+axis-without-errors = l’axe n’a pas d’erreurs propres dans ce modèle
+lead-not-measured-there = le pas n’y a pas été mesuré
+table-without-row = le tableau n’y a pas de ligne
+
+test-point-unreached = le point { $point } de la liste `{ $list }` n’est pas atteint : { $reason }
+    .hint = déplacer ou réduire l’espace de travail (--workspace-mm), ou indiquer une autre orientation (--orientation-deg)

@@ -167,4 +167,4 @@ quaternion-length = le quaternion de { $target } a pour norme { FIXED($length, 4
     .expected = norme 1
 
 urdf-holds-xacro = des éléments sans cinématique de `{ $file }` contiennent du xacro
-    .hint = développer le fichier avec la commande `xacro`, et nommer l'URDF dans robot.toml
+    .hint = développer le fichier avec la commande `xacro`, et indiquer l’URDF dans robot.toml

@@ -55,75 +55,86 @@ set-up-origin = { $origin ->
 
 check-rigid-part = vérifier l’unité et les noms dans `places_mm`, et si la pièce a été modifiée depuis leur détermination
 
+points-set-aside = { $count ->
+        [one] 1 point est écarté
+       *[other] { $count } points sont écartés
+    } : { $points }
+    .hint = ils s’éloignent de l’élément ajusté à tous les autres plus que le bruit ne l’explique
+
+foreign-points = { $count ->
+        [one] 1 point est loin de l’élément ajusté à tous les autres ({ $points }) et décale
+       *[other] { $count } points sont loin de l’élément ajusté à tous les autres ({ $points }) et décalent
+    } l’ajustement de { FIXED($shift, 1) } incertitudes-types
+    .hint = les examiner ; `--robust` les écarte
 plan-cube = le plus grand { $shape ->
         [square] carré
        *[cube] cube
-    } dans l'espace de travail indiqué, arêtes parallèles aux axes ; C1 à C4 à partir des plus petits x et y
-plan-poses = P1 : centre ; P2 à P5 : à 10 % des diagonales des sommets du plan d'essai, dans leur ordre
-plan-clauses = P1 à P5, charges, vitesses et 30 cycles suivent le texte de la norme ; les trajectoires, les autres nombres et l'ordre des sommets n'ont pas été comparés avec un exemplaire acheté
-plan-reach-not-examined = non examiné : si le robot atteint les poses, et si tous les axes bougent entre elles
-plan-reach = atteinte : paramètres nominaux et limites du fichier du robot ; de plusieurs modes, celui qui atteint le plus d'une liste est gardé le long de celle-ci ; { $moves ->
-        [all] tous les axes bougent entre P1 et P5
-       *[some] tous les axes ne bougent pas entre P1 et P5, comme la norme l'exige
+    } dans l’espace de travail indiqué, arêtes parallèles aux axes ; C1 à C4 à partir des plus petits x et y
+plan-poses = P1 : centre ; P2 à P5 : sur les diagonales du plan d’essai, à 10 % de leur longueur des sommets, dans l’ordre des sommets
+plan-clauses = P1 à P5, charges, vitesses et 30 cycles suivent le texte de la norme ; les trajectoires, les autres nombres et l’ordre des sommets n’ont pas été comparés à un exemplaire acheté
+plan-reach-not-examined = non examiné : si le robot atteint les poses, et si toutes les articulations bougent entre elles
+plan-reach = portée : d’après les paramètres nominaux et les limites du fichier de robot ; entre plusieurs modes de travail, celui qui atteint le plus de poses d’une liste est conservé pour toute la liste ; { $moves ->
+        [all] toutes les articulations bougent entre P1 et P5
+       *[some] certaines articulations ne bougent pas entre P1 et P5, alors que la norme l’exige de toutes
     }
-covariance-not-square = sa covariance n'est pas carrée avec { $identified } lignes, une par paramètre identifié
-uncertainty-negative = une incertitude-type ou variance est négative ou n'est pas un nombre
+covariance-not-square = sa covariance n’est pas carrée, avec { $identified } lignes, une par paramètre identifié
+uncertainty-negative = une incertitude-type ou une variance est négative ou n’est pas un nombre
 parameter-listed-twice = il contient deux fois le paramètre `{ $parameter }`
 
-method-levenberg-marquardt = Levenberg-Marquardt par QR par blocs à colonnes normées, fin par Gauss-Newton
+method-levenberg-marquardt = Levenberg-Marquardt avec QR par blocs et colonnes mises à l’échelle, terminé par Gauss-Newton
 method-enclosing = plus petit élément englobant, défini par { $points } points
 method-minimum-zone = zone minimale (Tchebychev)
-action-add-cycles = visiter { $count ->
+action-add-cycles = mesurer { $count ->
         [one] la pose { $poses }
        *[other] les poses { $poses }
     } au moins { $required } fois
-action-add-cycles-reason = le plus petit nombre de visites d'une pose est { $least } ; les intervalles de AP et RP sont donc larges
+action-add-cycles-reason = le plus petit nombre de positionnements à une pose est { $least } : les intervalles de AP et de RP sont donc larges
 action-add-effect = ajouter `{ $line }` à robot.toml
-action-add-effect-reason = erreur aux poses laissées de côté : { $without } → { $with } (moyenne quadratique)
-action-add-validation = mesurer des poses qui valident les paramètres, et les nommer dans `validation` de [identify]
-action-add-validation-reason = les erreurs aux seules poses d'étalonnage sont plus petites qu'à de nouvelles poses
-action-finer-instrument = mesurer avec une incertitude élargie d'au plus { $uncertainty }
-action-finer-instrument-reason = U = { $uncertainty } représente { $percent } % de la caractéristique { $count ->
+action-add-effect-reason = erreur aux poses omises : { $without } → { $with } (moyenne quadratique)
+action-add-validation = mesurer des poses de validation, et les indiquer sous `validation` dans [identify]
+action-add-validation-reason = les erreurs aux seules poses d’étalonnage sont plus petites qu’aux nouvelles poses
+action-finer-instrument = mesurer avec une incertitude élargie d’au plus { $uncertainty }
+action-finer-instrument-reason = U = { $uncertainty } représente { $percent } % de la caractéristique { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
-    } ; l'ISO 9283 admet 25 %
+    } ; l’ISO 9283 admet 25 %
 action-keep-nominal = { $count ->
         [0] garder les paramètres nominaux
        *[other] ne pas charger { $formats }
     }
-action-keep-nominal-reason = erreur quadratique moyenne { $rms }, maximale { $max } ; paramètres nominaux : { $nominal_rms } et { $nominal_max }
+action-keep-nominal-reason = erreur RMS { $rms }, maximale { $max } ; paramètres nominaux : { $nominal_rms } et { $nominal_max }
 action-load = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
     }
-action-load-reason = erreur attendue { $expected }, nominale { $nominal } (moyenne quadratique à { $count } poses { $set ->
+action-load-reason = erreur attendue { $expected }, avec les paramètres nominaux { $nominal } (moyenne quadratique sur { $count } poses { $set ->
         [validation] de validation
-       *[calibration] d'étalonnage
+       *[calibration] d’étalonnage
     })
 action-load-synthetic = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
-    } dans une commande simulée, pas dans un robot : les données sont synthétiques
-action-measure-again = mesurer à nouveau { $count ->
+    } dans un système de commande simulé, non dans un robot : les données sont synthétiques
+action-measure-again = mesurer de nouveau { $count ->
         [one] la pose { $poses }
        *[other] les poses { $poses }
     }{ $more ->
         [0] {""}
-       *[other] {" "}({ $more } autres sont en désaccord)
+       *[other] {" "}(autres poses en désaccord : { $more })
     }
 action-measure-again-reason = la pose { $pose } est en désaccord avec les autres : { $error }, { $times } σ
-action-measure-quantity = mesurer la grandeur de `{ $limit }` aux poses décisives, ou retirer la limite
-action-measure-quantity-reason = une limite sur une grandeur non mesurée ne peut être évaluée
+action-measure-quantity = mesurer la grandeur de `{ $limit }` aux poses décisives, ou supprimer la limite
+action-measure-quantity-reason = la limite d’une grandeur non mesurée ne peut pas être évaluée
 action-meet-limit = chercher la cause des erreurs : { $limit }
-action-meet-limit-at-pose = chercher la cause de l'erreur à la pose { $pose } : { $limit }
-action-meet-limit-reason = { $value }, limite { $limit } : { $beyond } de trop
+action-meet-limit-at-pose = chercher la cause de l’erreur à la pose { $pose } : { $limit }
+action-meet-limit-reason = { $value }, limite { $limit } : dépassement de { $beyond }
 action-prove-effects = indiquer `{ $line }` dans [identify]
-action-reduce-uncertainty = réduire l'incertitude : { $limit }
-action-reduce-uncertainty-by-source = U = { $present } ; une décision exige { $required } ; plus grande part : { $source } ({ $percent } %)
-action-reduce-uncertainty-reason = U = { $present } ; une décision exige { $required }
-action-resolve = décider de cet avertissement
-action-state-limits = indiquer la tolérance de l'application dans [limits]
-action-state-limits-reason = sans limites il n'y a pas de verdict
-action-warm-up = échauffer le robot avant l'essai, et indiquer `warm_up_minutes`
+action-reduce-uncertainty = réduire l’incertitude de mesure : { $limit }
+action-reduce-uncertainty-by-source = U = { $present } ; pour décider, il faut { $required } ; plus grande contribution : { $source } ({ $percent } %)
+action-reduce-uncertainty-reason = U = { $present } ; pour décider, il faut { $required }
+action-resolve = traiter cet avertissement
+action-state-limits = indiquer la tolérance de l’application dans [limits]
+action-state-limits-reason = sans limites, il n’y a pas de verdict
+action-warm-up = mettre le robot en température avant l’essai, et indiquer `warm_up_minutes`
 action-warm-up-cold = le robot a été essayé à froid
-action-warm-up-drift = AP dérive de { $change } en { $cycles } cycles et n'est pas stabilisée
+action-warm-up-drift = dérive de AP : { $change } en { $cycles } cycles, sans stabilisation

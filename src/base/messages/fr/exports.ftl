@@ -448,26 +448,26 @@ arrays-unreadable = le fichier ne peut pas être lu comme tableaux de { $format 
 arrays-too-large = les tableaux du fichier dépassent { $most_mib } Mio
     .hint = enregistrer seulement les tableaux de la mesure
 
-sheet-not-stated = un classeur, dont aucune feuille n’est indiquée ; il a { $sheets }
+sheet-not-stated = un classeur dont la feuille n’est pas indiquée ; il contient { $sheets }
     .hint = indiquer la feuille (`sheet`)
 
 state-sheet = indiquer `sheet = "{ $sheet }"` (option --sheet)
 
 state-column = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
-row-marked-deleted = écartée : elle est marquée comme supprimée (`{ $cell }`)
-row-left-out-by-cell = écartée : `{ $column }` est `{ $cell }`
-row-without-coordinates = non mesuré : aucune coordonnée
-row-not-measured = non mesuré : { $column } est `{ $cell }`
-characteristic-of-no-axis = aucune coordonnée : le nom de la caractéristique ne se termine pas par X, Y ou Z
-feature-of-no-point = un élément `{ $kind }` : son point peut se trouver n'importe où sur lui
-feature-not-read = un élément `{ $kind }` : ce type n'est pas lu
-point-incomplete = aucun point : { $found } sans { $missing }
-probe-centre-no-point = un centre de palpeur, non un point de l'élément
+row-marked-deleted = omise : elle est marquée comme supprimée (`{ $cell }`)
+row-left-out-by-cell = omise : `{ $column }` est `{ $cell }`
+row-without-coordinates = non mesurée : pas de coordonnées
+row-not-measured = non mesurée : { $column } est `{ $cell }`
+characteristic-of-no-axis = pas une coordonnée : le nom de la caractéristique ne se termine pas par X, Y ou Z
+feature-of-no-point = un élément `{ $kind }` : son point peut se trouver n’importe où sur l’élément
+feature-not-read = un élément `{ $kind }` : ce type n’est pas lu
+point-incomplete = pas un point : { $found } sans { $missing }
+probe-centre-no-point = un centre de palpeur, non un point de l’élément
 
-log-delimited = séparé par `{ $delimiter }`, marque décimale `{ $decimal }`
+log-delimited = séparateur `{ $delimiter }`, séparateur décimal `{ $decimal }`
 log-of-format = { $format }, { $read }
 log-with-start = { $read }, début { $start }
-read-with-decimal-comma = { $format }, marque décimale `,`
+read-with-decimal-comma = { $format }, séparateur décimal `,`
 
 value-without-label = une valeur sans étiquette
 primitive-no-point = une primitive de type `{ $kind }`, non un point

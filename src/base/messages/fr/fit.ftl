@@ -139,6 +139,8 @@ radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $ele
 cone-is-cylinder = l’angle au sommet du cône n’est pas significativement différent de zéro (k = 2)
     .hint = ajuster un cylindre
 
+robust-few-points = un ajustement robuste de l’élément { $element } exige { $needed } points, et non { $points }
+    .hint = mesurer plus de points, ou les ajuster tous sans en écarter
 method-principal-directions = directions principales des points centrés
 method-orthogonal-distance = distance orthogonale, Gauss-Newton dans une région de confiance
 method-circle-in-plane = plan des moindres carrés, projection, cercle dans le plan par distance orthogonale

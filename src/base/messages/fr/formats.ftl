@@ -197,8 +197,8 @@ state-delimiter = indiquer `delimiter = "{ $delimiter }"` et `decimal = "{ $deci
 
 state-delimiter-of-rows = indiquer `delimiter` et `decimal` des lignes
 
-header-holds-numbers = la ligne qui devrait nommer les colonnes contient des nombres
-    .hint = si le fichier n’a pas d’en-tête, indiquer `header = false` et donner les colonnes par leur numéro
+header-holds-numbers = la ligne qui devrait indiquer les colonnes contient des nombres
+    .hint = si le fichier n’a pas d’en-tête, indiquer `header = false` et désigner les colonnes par leur numéro
 
 column-by-number = une colonne de ce format ne peut pas être désignée par son numéro : { $format ->
         [galil] les tableaux sont en ordre alphabétique, quelle que soit leur articulation
@@ -437,32 +437,32 @@ file-is = `{ $file }` : { $kind }, { $rows ->
 files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne correspondante dans `{ $log }` (clé : { $by })
 
 files-not-joined = aucune clé ne relie tous les exports aux { $rows } lignes de `{ $log }`
-expand-xacro = développer le fichier et nommer l'URDF à sa place : { $command }
+expand-xacro = développer le fichier, et indiquer l’URDF à sa place : { $command }
 
 attribute-malformed = un attribut illisible
 
-xacro-construct = `{ $construct }` de xacro n'est pas développé ici
+xacro-construct = `{ $construct }` de xacro n’est pas développé ici
 
-xacro-undefined = aucune propriété `{ $name }` n'est définie avant cette ligne
+xacro-undefined = aucune propriété `{ $name }` n’est définie avant cette ligne
 
-xacro-argument-missing = l'argument `{ $argument }` du fichier xacro n'a pas de valeur
-    .hint = indiquer `arguments = ["{ $argument }:=VALUE"]` dans robot.toml, ou `--argument { $argument }:=VALUE` de `etalon init`
+xacro-argument-missing = l’argument `{ $argument }` du fichier xacro n’a pas de valeur
+    .hint = indiquer `arguments = ["{ $argument }:=VALEUR"]` dans robot.toml, ou `--argument { $argument }:=VALEUR` à `etalon init`
 
-xacro-argument-unknown = { $file } n'a pas d'argument `{ $argument }`
+xacro-argument-unknown = { $file } n’a pas d’argument `{ $argument }`
 
-xacro-argument-form = `{ $argument }` n'est pas un argument de xacro
-    .expected = NAME:=VALUE
+xacro-argument-form = `{ $argument }` n’est pas un argument de xacro
+    .expected = NOM:=VALEUR
 
-xacro-package = le paquet `{ $package }` n'est ni au-dessus ni à côté du fichier
+xacro-package = le paquet `{ $package }` n’est ni dans un dossier parent du fichier ni à côté de lui
 
-xacro-include-unreadable = le fichier inclus est illisible : { $reason }
+xacro-include-unreadable = impossible de lire le fichier inclus : { $reason }
 
-xacro-include-loop = `{ $file }` s'inclut lui-même
+xacro-include-loop = `{ $file }` s’inclut lui-même
 
 xacro-recursion = la propriété `{ $name }` est définie par elle-même
 
-xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $most_depth } les uns dans les autres
+xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $most_depth } imbriqués
 
-xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou demande plus de { $most_depth } propriétés les unes dans les autres
+xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou exige plus de { $most_depth } propriétés imbriquées
 
-xacro-too-large = le texte développé dépasse { $most_mib } Mio
+xacro-too-large = le texte développé dépasse { $most_mib } Mio

@@ -278,12 +278,12 @@ set-up-slip = { $first }{ $others ->
        *[residuals] {" "}au lieu de { FIXED($stated_mm, 3) } mm
     } : le vérifier d’abord
 
-index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m paramètres, n configurations ; jacobienne en mm par mm, rad et 1
-index-o2 = O2 = smin / smax ; jacobienne en mm par mm, rad et 1
-index-o3 = O3 = smin ; jacobienne en mm par mm, rad et 1
-index-o4 = O4 = smin^2 / smax ; jacobienne en mm par mm, rad et 1
-index-o5 = O5 = 1 / (1/s1 + ... + 1/sm) ; jacobienne en mm par mm, rad et 1
-index-d = D = (s1...sm)^(1/m) ; jacobienne en mm par mm, rad et 1
-index-a = A = 1 / sqrt(tr((J'J)^-1)) ; colonnes de J divisées par leurs normes sur tous les candidats
-index-e = E = smin ; colonnes de J divisées par leurs normes sur tous les candidats
-index-i = I = 1 / moyenne quadratique de l'incertitude-type de position sur tous les candidats, par mm de bruit
+index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m paramètres, n configurations ; jacobienne en mm par mm, rad et 1
+index-o2 = O2 = smin / smax ; jacobienne en mm par mm, rad et 1
+index-o3 = O3 = smin ; jacobienne en mm par mm, rad et 1
+index-o4 = O4 = smin^2 / smax ; jacobienne en mm par mm, rad et 1
+index-o5 = O5 = 1 / (1/s1 + ... + 1/sm) ; jacobienne en mm par mm, rad et 1
+index-d = D = (s1...sm)^(1/m) ; jacobienne en mm par mm, rad et 1
+index-a = A = 1 / sqrt(tr((J’J)^-1)) ; colonnes de J divisées par leurs normes sur toutes les candidates
+index-e = E = smin ; colonnes de J divisées par leurs normes sur toutes les candidates
+index-i = I = 1 / moyenne quadratique de l’incertitude-type de position sur toutes les candidates, par mm de bruit

@@ -75,22 +75,22 @@ sketch-table = Table vue de dessus, inclinaisons exagérées : rails, chariots,
 measure-all-working-modes = mesurer chaque position dans tous les modes de travail qui l’atteignent, et répartir les positions sur tout l’espace de travail
 
 measure-different-angles = mesurer des poses de |theta| différents, par exemple 0 et la plus grande valeur de la table
-out-of-reach = hors d'atteinte
-out-of-nominal-reach = hors d'atteinte du robot nominal
-joint-beyond-limits = { $joint } = { $q } { $unit }, ses limites sont { $lower } et { $upper } { $unit }
-angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, ses limites sont { $least } et { $greatest } deg
-actuator-beyond-travel = { $actuator } = { $rho } mm, sa course va de 0 à { $end } mm
-legs-apart = les jambes ne rejoignent pas la plateforme
+out-of-reach = hors de portée
+out-of-nominal-reach = hors de portée du robot nominal
+joint-beyond-limits = { $joint } = { $q } { $unit }, hors des limites { $lower } et { $upper } { $unit }
+angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, hors des limites { $least } et { $greatest } deg
+actuator-beyond-travel = { $actuator } = { $rho } mm, sa course va de 0 à { $end } mm
+legs-apart = les jambes ne rejoignent pas la plate-forme
 arms-do-not-meet = les bras ne se rejoignent pas
-singularity-near = à { FIXED($found, 3) } deg de la singularité de type { $kind } { $kind ->
+singularity-near = à { FIXED($found, 3) } deg de la singularité de type { $kind } { $kind ->
         [1] (un bras tendu ou replié)
        *[2] (les segments distaux alignés)
-    }, au moins { $margin } deg sont requis
-links-near = segments distants de { FIXED($found, 3) } mm, plus de { $least } mm sont requis
-command-refused = la commande du robot refuse la consigne : { $reason }
-joints-admit-no-pose = les valeurs articulaires n'admettent aucune pose
-no-command-leads-there = aucune consigne n'y mène le robot : il reste { SCIENTIFIC($left_mm, 2) } mm
-table-read-as = le tableau des axes lu comme paramètres de Denavit-Hartenberg { $convention ->
+    } : il faut au moins { $margin } deg
+links-near = segments distants de { FIXED($found, 3) } mm : il faut plus de { $least } mm
+command-refused = le système de commande refuse cette commande : { $reason }
+joints-admit-no-pose = aucune pose n’est possible avec ces valeurs articulaires
+no-command-leads-there = aucune commande n’y amène le robot : l’écart reste de { SCIENTIFIC($left_mm, 2) } mm
+table-read-as = le tableau des articulations, lu comme paramètres de Denavit-Hartenberg { $convention ->
         [modified] modifiés
         [standard] standard
        *[other] { $convention }

@@ -44,7 +44,7 @@ key-negative = `{ $key }` est négatif
 key-above-maximum = `{ $key }` dépasse { $most }
     .hint = vérifier la valeur et son unité
 
-join-label-missing = une jointure par étiquette demande l’étiquette du point dans le journal `{ $log }`
+join-label-missing = une jointure par étiquette exige l’étiquette du point dans le journal `{ $log }`
     .hint = ajouter `label` à ses `columns`, avec le nom ou le numéro de la colonne
 
 key-and-column = `{ $key }` est indiqué deux fois : comme clé de l’export et comme une de ses colonnes
@@ -127,10 +127,10 @@ target-not-of-robot = `{ $target }` n’est pas une cible de ce robot
 targets-incomplete = `targets` omet `{ $target }`
     .expected = toutes les cibles de ce robot
 
-travel-missing = l’espace de travail demande la course des actionneurs
-    .hint = indiquer `travel_mm` des trois actionneurs dans [reach] de robot.toml
+travel-missing = l’espace de travail exige la course des actionneurs
+    .hint = indiquer `travel_mm` des trois actionneurs sous [reach] dans robot.toml
 
-z-column-missing = `columns` n’a pas de z, qu’un robot spatial demande
+z-column-missing = `columns` n’indique pas z, nécessaire à un robot tridimensionnel
     .hint = ajouter `z`, avec le nom ou le numéro de la colonne
 
 log-name-invalid = `{ $name }` ne peut pas être le nom de ce journal
@@ -156,7 +156,7 @@ threads-failed = les campagnes ne peuvent pas être exécutées en parallèle :
 
 data-elsewhere = ses données sont sous ${ $name }, variable d’environnement non définie
 
-not-an-output-folder = `{ $folder }` n’est pas le dossier de sortie d’une exécution : manifest.json y manque
+not-an-output-folder = `{ $folder }` n’est pas le dossier de sortie d’une exécution : manifest.json y manque
     .hint = indiquer un dossier écrit par `etalon run`, ou une campagne exécutée
 
 file-not-of-run = l’exécution n’a pas écrit `{ $file }`
@@ -191,11 +191,11 @@ identify-missing = la campagne n’a pas de section [identify], qui désigne les
 clock-rate-without-offset = `clock_rate = "standstills"` exige `clock_offset_s = "standstills"`
     .hint = indiquer `clock_offset_s = "standstills"`, ou omettre `clock_rate`
 
-label-form-missing = les étiquettes de `{ $file }` nomment des cibles, et aucune forme d’étiquettes n’est indiquée
-    .hint = indiquer `label = "{ $form }"` dans ce [[export]] : toutes ses étiquettes ont cette forme
+label-form-missing = les étiquettes de `{ $file }` mentionnent des cibles, mais la forme des étiquettes n’est pas indiquée
+    .hint = indiquer `label = "{ $form }"` dans ce [[export]] : toutes ses étiquettes ont cette forme
 
-state-targets = indiquer `targets = { $targets }` dans [join] : les étiquettes les nomment
-valid-until-no-date = `valid_until` n’est pas une date : « { $date } »
+state-targets = indiquer `targets = { $targets }` dans [join] : les étiquettes les mentionnent
+valid-until-no-date = `valid_until` n’est pas une date : "{ $date }"
     .expected = le dernier jour de validité entre guillemets, comme "2027-03-02"
 
 valid-until-before-measurements = `valid_until` ({ $date }) précède les mesures ({ $measured })

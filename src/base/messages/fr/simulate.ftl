@@ -119,9 +119,9 @@ simulated-table-misread = `{ $file }` serait mal lu : une observation de la pos
 
 truth-geometric-without-campaign = [geometric] figure dans les valeurs vraies, mais pas dans la campagne, ou son robot n’est pas un PreXYT
     .hint = indiquer [geometric] dans campaign.toml : cette section donne les étiquettes
-study-error-in-base = pose vraie de l'outil dans le repère de base moins la pose commandée
-study-error-in-world = pose vraie de l'outil dans le monde moins la pose commandée
-poses-in-set = poses de l'ensemble `{ $set }`
+study-error-in-base = pose vraie de l’outil dans le référentiel de la base moins la pose commandée
+study-error-in-world = pose vraie de l’outil dans le référentiel atelier moins la pose commandée
+poses-in-set = poses de l’ensemble `{ $set }`
 positions-in-workspace = positions dans `workspace`
 counted-calibrations = étalonnages
 errors-to-evaluate = erreurs à évaluer

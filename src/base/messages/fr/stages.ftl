@@ -139,6 +139,8 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : les deux instants les plus proches sont distants de { FIXED($apart_s, 3) } s
     .hint = vérifier la valeur et le signe de `clock_offset_s` : instant de la mesure moins instant du journal
 
+both-rows-near = un point entre deux lignes exige que les deux soient à moins de `tolerance_s` : indiquer au moins l’intervalle de temps entre deux lignes
+
 join-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : la première pose des points est `{ $measured }`, celle du journal `{ $logged }`
     .hint = comparer les poses et cycles des exports et du journal, ou choisir une autre clé par `by` dans [join]
 
@@ -633,7 +635,7 @@ angle-orders-unfit = aucun ordre des angles ne correspond au robot nominal : av
 
 angle-order-leaves = { FIXED($left_deg, 3) } deg avec `{ $order }`
 
-angle-orders-fit = indiquer `orientation = "{ $order }"` dans [observations], ou --orientation ; du robot nominal { $orders } (moyenne quadratique)
+angle-orders-fit = indiquer `orientation = "{ $order }"` dans [observations], ou --orientation ; écart au robot nominal (moyenne quadratique) : { $orders }
 
 ball-missing = la bille `{ $target }` manque (pose { $pose }, cycle { $cycle })
     .hint = la mesurer, ou supprimer le reste de cette pose et de ce cycle
@@ -766,20 +768,20 @@ remedy = { $remedy ->
         [pose-uncertainty] l’indiquer (--standard-uncertainty-um), ou comparer des cibles
         [contact-uncertainty] indiquer aussi la répétabilité du contact (--standard-uncertainty-um), et comparer des cibles
         [compare-targets] utiliser `residuals = "targets"`
-        [targets] donner les positions de ses cibles : des lignes de type `point`
+        [targets] donner les positions de ses cibles : des lignes de type `point`
         [uncertainty] l’indiquer (--standard-uncertainty-um)
         [own-uncertainties] comparer des cibles, ou supprimer les colonnes d’incertitudes
         [row-uncertainty] l’indiquer à chaque ligne, ou par --standard-uncertainty-um
         [part] `frame` est `flange` pour un bras, `platform` pour un PreXYT, `targets` pour tout robot
-        [positions] choisir plus de positions, ou imposer des paramètres par `--hold`
-        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier du robot
-        [hold-fewer] imposer moins de paramètres, et mesurer plus de poses
-        [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou imposer des paramètres par `hold` dans [identify] ou --hold
-        [hold] imposer des paramètres dans [identify], ou mesurer plus de poses
-        [unreachable] vérifier unité (degrés ou radians), signe et décalage des articulations, et les paramètres nominaux
+        [positions] choisir plus de positions, ou fixer des paramètres par `--hold`
+        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier de robot
+        [hold-fewer] fixer moins de paramètres, et mesurer plus de poses
+        [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou fixer des paramètres par `hold` dans [identify] ou --hold
+        [hold] fixer des paramètres dans [identify], ou mesurer plus de poses
+        [unreachable] vérifier l’unité (degrés ou radians), le signe et le décalage des articulations, et les paramètres nominaux
         [extent] vérifier `unit` des exports, les unités des articulations dans le journal, et les longueurs du robot
-        [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors tiré de la mesure
-       *[joints] vérifier unités, ordre et signes des articulations et les paramètres nominaux ; `hold` dans [identify] impose des paramètres
+        [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors déduit de la mesure
+       *[joints] vérifier les unités, l’ordre et les signes des articulations, et les paramètres nominaux ; `hold` dans [identify] fixe des paramètres
     }
 
 reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
@@ -925,11 +927,13 @@ clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune 
 
 clock-rate-none = aucun décalage des horloges, même avec une dérive jusqu’à ± { $most_ppm } ppm, ne place tous les points mesurés dans des arrêts du journal
     .hint = vérifier si le journal est celui de cette mesure, et supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique
+limit-not-assessable = la limite `{ $limit }` ne peut pas être évaluée : sa grandeur n’est pas mesurée aux poses décisives
+    .hint = mesurer la grandeur à ces poses, ou supprimer la limite dans [limits]
 sweep-joint-unknown = `{ $joint }` n’est pas une articulation de ces balayages
     .expected = { $known }
 
 sweep-order-missing = l’ordre des articulations { $joints } à partir de la base est inconnu
-    .hint = l’indiquer : --joints NOM,...
+    .hint = l’indiquer : --joints NOM,...
 
 sweep-joint-column-twice = deux colonnes donnent des valeurs de l’articulation `{ $joint }`
     .hint = en supprimer une
@@ -947,118 +951,129 @@ sweep-other-joint = `{ $moved }` bouge dans le balayage de `{ $joint }`, qui est
 sweep-two-joints = dans le balayage de `{ $joint }`, `{ $also }` bouge aussi, de { $by }
     .hint = refaire le balayage avec toutes les autres articulations au repos
 
-sweep-by-angle = { FIXED($by, 3) } deg
+sweep-by-angle = { FIXED($by, 3) } deg
 
-sweep-by-length = { FIXED($by, 3) } mm
+sweep-by-length = { FIXED($by, 3) } mm
 
 sweep-ratio = les cibles se déplacent de { FIXED($ratio, 5) } × les valeurs de `{ $joint }`
     .hint = { $unit ->
-            [deg-as-rad] les valeurs sont en degrés et lues en radians : corriger l’en-tête
-            [rad-as-deg] les valeurs sont en radians et lues en degrés : corriger l’en-tête
+            [deg-as-rad] les valeurs sont en degrés et lues en radians : corriger l’en-tête
+            [rad-as-deg] les valeurs sont en radians et lues en degrés : corriger l’en-tête
             [inch-as-mm] les valeurs sont en pouces et lues en millimètres
-            [m-as-mm] les valeurs sont en mètres et lues en millimètres : corriger l’en-tête
-            [mm-as-m] les valeurs sont en millimètres et lues en mètres : corriger l’en-tête
+            [m-as-mm] les valeurs sont en mètres et lues en millimètres : corriger l’en-tête
+            [mm-as-m] les valeurs sont en millimètres et lues en mètres : corriger l’en-tête
            *[none] corriger l’unité de la colonne, ou calculer la valeur articulaire à partir de celle du moteur
         }
 
-sweep-target-moved = la cible `{ $target }` a bougé dans le balayage de `{ $joint }` avant la ligne { $row } : écart à sa trajectoire { FIXED($before_um, 1) } um, { FIXED($after_um, 1) } um avec le déplacement
+sweep-target-moved = la cible `{ $target }` a bougé dans le balayage de `{ $joint }` avant la ligne { $row } : écart à sa trajectoire de { FIXED($before_um, 1) } µm, { FIXED($after_um, 1) } µm si l’on tient compte du déplacement
     .hint = refaire le balayage, ou donner un autre nom à la cible à partir de cette ligne
 
-sweep-many-foreign = { $aside } mesures sur { $readings } du balayage de `{ $joint }` ne sont pas sur la trajectoire des autres
+sweep-many-foreign = { $aside } lectures sur { $readings } du balayage de `{ $joint }` ne sont pas sur la trajectoire des autres
     .hint = chercher une deuxième articulation qui bouge, ou des lignes d’un autre balayage
 
 sweep-foreign = { $count ->
-        [one] 1 mesure du balayage de `{ $joint }` est écartée
-       *[other] { $count } mesures du balayage de `{ $joint }` sont écartées
-    } : ligne { $lines }
-    .hint = elles sont loin de la trajectoire de toutes les autres
+        [one] { $count } lecture du balayage de `{ $joint }` est écartée
+       *[other] { $count } lectures du balayage de `{ $joint }` sont écartées
+    } : ligne { $lines }
+    .hint = ces lectures sont loin de la trajectoire de toutes les autres
 
-sweep-smooth = dans le balayage de `{ $joint }`, les cibles quittent leur trajectoire de { FIXED($rms_um, 1) } um (moyenne quadratique) de façon continue ; d’une mesure à l’autre le bruit est de { FIXED($noise_um, 1) } um ; l’incertitude de l’axe est trop petite
+sweep-smooth = dans le balayage de `{ $joint }`, les cibles s’écartent de leur trajectoire de { FIXED($rms_um, 1) } µm (RMS) de façon continue ; d’une lecture à l’autre, le bruit est de { FIXED($noise_um, 1) } µm ; l’incertitude de l’axe est trop petite
     .hint = vérifier que toutes les autres articulations étaient au repos, et comparer avec le faux-rond du palier
 
 sweep-weak = la direction de l’axe de `{ $joint }` a une incertitude-type de { FIXED($u_mrad, 2) } mrad
     .hint = mesurer un arc plus long, une cible plus éloignée de l’axe, ou plus de cibles
 
-sweep-unit = toutes les cibles sont à moins de { FIXED($radius_mm, 3) } mm des axes : l’unité des coordonnées est-elle juste ?
-    .hint = sinon, calculer les colonnes : --column "x_mm=x*1000"
+sweep-unit = toutes les cibles sont à moins de { FIXED($radius_mm, 3) } mm des axes : l’unité des coordonnées est-elle juste ?
+    .hint = sinon, calculer les colonnes : --column "x_mm=x*1000"
 
-sweep-few = le balayage de `{ $joint }` a { $readings } mesures, il en faut { $needed }
-    .hint = prendre plus de mesures ; quelques-unes de plus donnent une incertitude
+sweep-few = le balayage de `{ $joint }` a { $readings } lectures, il en faut { $needed }
+    .hint = prendre plus de lectures ; quelques lectures de plus qu’il n’en faut donnent une incertitude
 
-sweep-undetermined = les mesures du balayage de `{ $joint }` ne déterminent aucun axe
-    .hint = mesurer un arc plus long ou une cible plus éloignée de l’axe ; une articulation prismatique s’indique par --prismatic
+sweep-undetermined = les lectures du balayage de `{ $joint }` ne déterminent aucun axe
+    .hint = mesurer un arc plus long ou une cible plus éloignée de l’axe ; une articulation prismatique s’indique par --prismatic
 
 sweep-joint-missing = { $count ->
         [one] l’articulation { $joints } n’a pas de balayage
        *[other] les articulations { $joints } n’ont pas de balayage
-    } : il n’y a pas de robot.toml
+    } : robot.toml n’est pas écrit
     .hint = mesurer un balayage de chaque articulation
 
-sweep-starts-apart = les balayages de `{ $first }` et `{ $second }` commencent à { FIXED($gap_mm, 3) } mm l’un de l’autre pour la cible `{ $target }` : il n’y a pas de robot.toml
+sweep-starts-apart = les balayages de `{ $first }` et `{ $second }` commencent à { FIXED($gap_mm, 3) } mm l’un de l’autre pour la cible `{ $target }` : robot.toml n’est pas écrit
     .hint = commencer chaque balayage à la même pose avec la cible à sa place, ou ajouter les colonnes de valeurs articulaires
 
-sweep-target-unswept = une cible n’est dans aucun balayage : il n’y a pas de robot.toml
-    .hint = utiliser les cibles des balayages dans les poses de contrôle
+sweep-target-unswept = une cible n’est dans aucun balayage : robot.toml n’est pas écrit
+    .hint = aux poses de contrôle, utiliser des cibles des balayages
 
-sweeps-exchanged = `{ $first }` et `{ $second }` sont permutées : les positions diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) telles qu’indiquées, et de { FIXED($left_mm, 3) } mm avec les articulations permutées
+sweeps-exchanged = `{ $first }` et `{ $second }` sont permutées : les positions diffèrent de { FIXED($stated_mm, 3) } mm (RMS) avec les articulations telles qu’indiquées, et de { FIXED($left_mm, 3) } mm une fois les articulations permutées
     .hint = permuter leurs noms dans la colonne `joint` et dans les en-têtes
 
-sweep-reversed = `{ $joint }` a été balayée dans le sens négatif : les poses de contrôle diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) telles qu’indiquées, et de { FIXED($left_mm, 3) } mm avec l’autre signe
-    .hint = l’indiquer : --backwards { $joint }
+sweep-reversed = `{ $joint }` a été balayée dans le sens négatif : les poses de contrôle diffèrent de { FIXED($stated_mm, 3) } mm (RMS) avec le sens indiqué, et de { FIXED($left_mm, 3) } mm avec le sens opposé
+    .hint = l’indiquer : --backwards { $joint }
 
 sweeps-disagree = { $what ->
-        [checks] les poses de contrôle diffèrent du robot de { FIXED($distance_mm, 3) } mm au plus
-       *[sweeps] les balayages se contredisent de { FIXED($distance_mm, 3) } mm au plus
-    } (incertitude-type { FIXED($u_mm, 4) } mm)
-    .hint = vérifier le siège des cibles et les valeurs articulaires ; le robot est un départ pour `etalon identify` et `etalon run`
+        [checks] les poses de contrôle s’écartent du robot jusqu’à { FIXED($distance_mm, 3) } mm
+       *[sweeps] les balayages se contredisent, jusqu’à { FIXED($distance_mm, 3) } mm
+    } (incertitude-type { FIXED($u_mm, 4) } mm)
+    .hint = vérifier les sièges des cibles et les valeurs articulaires ; le robot peut servir de point de départ à `etalon identify` et `etalon run`
 
-table-base-not-held = le tableau a sa propre base, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
+table-base-not-held = le tableau a sa propre base, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
     .hint = identifier la base, ou utiliser `poe`
 
-table-flange-not-held = le tableau a sa propre bride, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
+table-flange-not-held = le tableau a sa propre bride, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
     .hint = identifier les cibles, ou utiliser `poe`
 
-table-tilt-not-held = le tableau prend { $joint ->
+table-tilt-not-held = le tableau tient { $joint ->
         [none] deux axes
        *[other] les axes du segment de `{ $joint }`
-    } pour parallèles : { FIXED($angle_mrad, 4) } mrad entre eux ne sont pas représentés
-    .hint = `etalon identify` trouve bêta ; `poe` le représente
-row-excluded = exclue : { $reason }
-row-at-origin = non mesuré : 0 0 0
-row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
-no-rows-around = le journal `{ $log }` n'a pas de ligne avant ou après à moins de { $tolerance_s } s
-no-row-near = aucune ligne du journal `{ $log }` n'est à moins de { $tolerance_s } s
-no-point-nearest = aucun point mesuré n'en est le plus proche
-no-row-of-key = aucune ligne du journal `{ $log }` n'a cette clé
-no-point-of-key = aucun point mesuré n'a cette clé
+    } pour parallèles : { FIXED($angle_mrad, 4) } mrad entre eux ne sont pas représentés par le tableau
+    .hint = `etalon identify` détermine beta ; `poe` représente cet angle
+row-excluded = exclue : { $reason }
+row-at-origin = non mesurée : 0 0 0
+row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
+no-rows-around = le journal `{ $log }` n’a pas de ligne avant ou après ce point à moins de { $tolerance_s } s
+no-row-near = aucune ligne du journal `{ $log }` n’est à moins de { $tolerance_s } s
+no-point-nearest = aucun point mesuré n’a cette ligne pour plus proche
+no-row-of-key = aucune ligne du journal `{ $log }` n’a cette clé
+no-point-of-key = aucun point mesuré n’a cette clé
 no-row-touches = aucune ligne du journal `{ $log }` ne le touche
-row-of-unframed-pose = sa pose n'a pas de repère monde
+row-of-unframed-pose = sa pose n’a pas de référentiel atelier
 
 table-of-observations = observations
 table-of-attained-poses = poses atteintes
 table-of-commanded-poses = poses commandées
 table-of-reference-targets = cibles de référence
 table-of-commanded-path = trajectoire commandée
-table-of-compliance = souplesse statique
+table-of-compliance = compliance statique
 recorded-motion-file = mouvement enregistré
 read-in-unit = { $format }, unité { $unit }
 read-in-frame = { $read }, par rapport à `{ $frame }`
 
-side-stated = comme indiqué par l'utilisateur
-side-from-values = d'après { $of ->
+side-stated = comme indiqué par l’utilisateur
+side-from-values = d’après { $of ->
         [normal] la normale
         [location] la position
        *[diameter] le diamètre
-    } { $values ->
-        [nominal] nominal
-       *[stated] indiqué
-    }
-side-from-key = d'après `InternalExternal` : { $value }
-label-orientations-unused = les orientations de l’export ne sont pas utilisées : le journal `{ $log }` nomme `{ $label }` dans { $count } lignes
-    .hint = joindre par pose, ligne ou temps si l’instrument a mesuré à chaque pose le corps sur le robot
+    } ({ $values ->
+        [nominal] valeurs nominales
+       *[stated] valeurs indiquées
+    })
+side-from-key = d’après `InternalExternal` : { $value }
+label-orientations-unused = les orientations de l’export ne sont pas utilisées : le journal `{ $log }` indique `{ $label }` dans { $count } lignes
+    .hint = joindre par pose, ligne ou instant si l’instrument a mesuré à chaque pose le corps porté par le robot
 
-temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des exports indiquent { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C
-    .hint = corriger `temperature_c`, ou la colonne : elle est en degrés Celsius
+temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C
+    .hint = corriger `temperature_c`, ou la colonne, qui est en degrés Celsius
 
-temperature-varies = les lignes des exports indiquent { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, plus que ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
-    .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre l’étendue
+temperature-varies = les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, soit plus de ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
+    .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre cette étendue
+axes-comment-method = axes déterminés par balayage d’une articulation à la fois (etalon axes) ; sans modèle nominal
+
+axes-comment-base = base définie par les axes 1 et 2, règle `{ $rule }` : z suivant l’axe 1
+
+axes-comment-joint = q{ $number } est { $name }
+
+axes-comment-zero = les valeurs articulaires sont nulles au début des balayages
+
+axes-comment-target = cible { $name } sur la bride (mm) : { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Robot décrit par ses axes

@@ -159,4 +159,4 @@ unloaded-position-missing = direction { $direction }, cycle { $cycle } : aucune
 
 force-missing = aucune ligne n’indique de force
     .hint = indiquer la force de chaque ligne en charge
-no-working-mode-reaches = aucun mode d'assemblage ne l'atteint dans les limites
+no-working-mode-reaches = aucun mode de travail ne l’atteint dans les limites

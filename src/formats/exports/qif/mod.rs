@@ -33,7 +33,7 @@ impl ExportFormat for Qif {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(is_xml(text) && head(text).contains("QIFDocument"), 1.0, "a QIF document")
+        Recognised::by(is_xml(text) && head(text).contains("QIFDocument"), 1.0, phrase!("is-qif"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -139,7 +139,7 @@ pub fn is_xml(text: &str) -> bool {
 /// Reads a QIF file; `mm_in_unit` is the unit of length of a file without units.
 ///
 /// # Errors
-/// If the file is not a well-formed QIF 2.x or 3.x document, has no unit, or holds an invalid
+/// Fails if the file is not a well-formed QIF 2.x or 3.x document, has no unit, or holds an invalid
 /// number.
 pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredFeatures> {
     let tree = Elements::read(file, text, |name| NOT_READ.contains(&name))?;

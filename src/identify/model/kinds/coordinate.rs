@@ -27,6 +27,10 @@ impl Equation for Coordinate {
         [0, 1, 2].map(|i| if i == self.axis { residuals[0] } else { 0.0 })
     }
 
+    fn by_scale(&self, _: &[f64]) -> Vector {
+        [-self.at_mm, 0.0, 0.0]
+    }
+
     fn has_length(&self) -> bool {
         true
     }

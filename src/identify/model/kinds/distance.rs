@@ -42,6 +42,10 @@ impl Equation for Distance {
         self.along(at).map(|v| v * residuals[0])
     }
 
+    fn by_scale(&self, _: &[f64]) -> Vector {
+        [-self.distance_mm, 0.0, 0.0]
+    }
+
     fn has_length(&self) -> bool {
         true
     }

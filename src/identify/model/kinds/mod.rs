@@ -101,6 +101,11 @@ pub(crate) trait Equation {
         false
     }
 
+    /// Derivatives of the residuals by a common relative error of all measured lengths.
+    fn by_scale(&self, _values: &[f64]) -> Vector {
+        [0.0; 3]
+    }
+
     /// `true` if the observation contains a length, which determines the scale of the robot.
     fn has_length(&self) -> bool {
         false
@@ -363,6 +368,42 @@ mod tests {
                     let off = (exact[i * n + j] - numeric).abs();
                     assert!(off < 1e-6 * (1.0 + numeric.abs()), "{kind:?} {}: {numeric}", robot.parameters()[j].name);
                 }
+            }
+        }
+    }
+
+    /// Measured lengths that are all longer by one part change the residuals as stated.
+    #[test]
+    fn a_common_scale_of_measured_lengths_changes_the_residuals() {
+        let joint =
+            SerialJoint { alpha_rad: 0.0, a_mm: 0.0, theta_rad: 0.0, d_mm: 290.0, prismatic: false, parallel: false };
+        let mut robot = Serial::new(&[joint], &["ball".to_owned()], [0.0, 0.0, -1.0], &[], &[]);
+        let socket = Fixture::Point("s").add_to(&mut robot);
+        let station = Fixture::Station("t").add_to(&mut robot);
+        let mut noise = Noise::new(18, 3);
+        let values: Vec<f64> = robot.parameters().iter().map(|p| p.nominal + noise.uniform(1.0)).collect();
+        let longer = |by: f64| {
+            let f = 1.0 + by;
+            [
+                Kind::Coordinate(Coordinate { axis: 1, at_mm: 12.0 * f }),
+                Kind::Distance(Distance { to: socket, distance_mm: 300.0 * f }),
+                Kind::Seen(Seen { station, at_mm: [800.0 * f, -300.0 * f, 500.0 * f] }),
+                Kind::Contact(Contact { socket }),
+            ]
+        };
+        let left = |kind: Kind| {
+            let joints = vec![0.3];
+            let c = Condition { pose: 1.into(), cycle: 1, joints, target: 0, kind, standard_uncertainty: 0.5 };
+            let mut out = [0.0; 3];
+            let at = c.at(robot.free_base(), &values, robot.position(&values, &c.joints, 0));
+            kind.equation().residuals(&at, &mut out[..kind.rows()]);
+            out
+        };
+        for (long, kind) in longer(1e-6).into_iter().zip(longer(0.0)) {
+            let (moved, before, exact) = (left(long), left(kind), kind.equation().by_scale(&values));
+            for i in 0..kind.rows() {
+                let numeric = (moved[i] - before[i]) / 1e-6;
+                assert!((numeric - exact[i]).abs() < 1e-3, "{kind:?}: {numeric} {}", exact[i]);
             }
         }
     }

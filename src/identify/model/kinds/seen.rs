@@ -34,6 +34,11 @@ impl Equation for Seen {
         less_station(at.values, self.station, self.at_mm, out);
     }
 
+    fn by_scale(&self, values: &[f64]) -> Vector {
+        let station = station_pose(values, self.station);
+        minus(station.apply([0.0; 3]), station.apply(self.at_mm))
+    }
+
     fn has_length(&self) -> bool {
         true
     }

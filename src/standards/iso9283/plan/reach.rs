@@ -14,7 +14,7 @@ pub struct Reach {
     pub joints: Vec<Vec<Option<Vec<f64>>>>,
     /// Places out of reach.
     pub unreached: Vec<Unreached>,
-    /// `true` if all joints move between P1 to P5, as the standard requires.
+    /// `true` if all joints move between the poses P1 to P5, as the standard requires.
     pub all_move: bool,
 }
 
