@@ -188,7 +188,11 @@ fn a_recording_and_points_with_times_are_a_campaign() {
     let arm = arm.build(&["SMR".to_owned()]).unwrap();
     let mut values = arm.nominal();
     for (p, value) in arm.parameters().iter().zip(&mut values) {
-        *value += if p.name == "base_x" { 900.0 } else { 0.0 };
+        *value += match p.name.as_str() {
+            "base_x" => 900.0,
+            "elbow_x" => 1.0,
+            _ => 0.0,
+        };
     }
     let target = arm.parameters().iter().position(|p| p.name == "SMR_x").unwrap();
     values[target] += 60.0;
