@@ -22,8 +22,8 @@ pub struct Init {
     /// Add a truth, from which `etalon simulate` writes the exports and logs.
     #[arg(long)]
     synthetic: bool,
-    /// Describe the robot by this URDF or xacro file, which is copied beside robot.toml as plain URDF:
-    /// its chain with the most moving joints.
+    /// Describe the robot by this URDF or xacro file, which is copied beside robot.toml as plain
+    /// URDF: its chain with the most moving joints.
     #[arg(long, value_name = "FILE", conflicts_with = "synthetic")]
     urdf: Option<PathBuf>,
     /// Argument of a xacro file, as the command `xacro` takes it; several options are allowed.

@@ -265,7 +265,7 @@ impl Expander {
 
     fn events(&mut self, source: &Source) -> Result<()> {
         let mut reader = Reader::from_str(source.text);
-        // depths of open elements: all, those within a lenient one, those within one that is dropped
+        // depths of open elements: all, within a lenient one, within one that is dropped
         let (mut depth, mut lenient, mut dropped) = (0usize, 0usize, 0usize);
         loop {
             let start = reader.buffer_position() as usize;
@@ -391,14 +391,15 @@ impl Expander {
 
     /// Appends an included file.
     fn include(&mut self, source: &Source, file: &str, optional: bool) -> std::result::Result<(), Included> {
-        let command = self.command();
-        let hint = || phrase!("expand-xacro", command);
+        let hint = phrase!("expand-xacro", command = self.command());
         let folder = source.path.parent().unwrap_or(Path::new(""));
         let path = match file.strip_prefix("package://").map(|file| file.split_once('/').unwrap_or((file, ""))) {
             None => normal(&folder.join(file)),
             Some((package, file)) => {
-                let found = folder_of(package, folder);
-                found.ok_or_else(|| error!("xacro-package", package).hint(hint()))?.join(file)
+                let Some(found) = folder_of(package, folder) else {
+                    return Err(error!("xacro-package", package).hint(hint).into());
+                };
+                found.join(file)
             }
         };
         if self.open.iter().any(|open| normal(open) == path) {
@@ -413,7 +414,7 @@ impl Expander {
         }
         let (text, stamp) = files::read_statement(&path).map_err(|Problems(all)| {
             let reason = all.first().map_or_else(String::new, |message| message.what.clone());
-            error!("xacro-include-unreadable", reason).hint(hint())
+            error!("xacro-include-unreadable", reason).hint(hint)
         })?;
         if self.included.iter().all(|(known, _)| *known != path) {
             self.included.push((path.clone(), stamp));
@@ -632,9 +633,9 @@ fn folder_of(package: &str, folder: &Path) -> Option<PathBuf> {
 /// A part of a text.
 enum Piece<'a> {
     Plain(&'a str),
-    /// `${...}`
+    /// `${...}`.
     Expression(&'a str),
-    /// `$(...)`
+    /// `$(...)`.
     Substitution(&'a str),
 }
 

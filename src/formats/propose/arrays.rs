@@ -49,6 +49,13 @@ pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<For
         _ => widest.parts.iter().collect(),
     };
     columns.extend((1..).zip(joints).map(|(number, part)| format!("q{number}_UNIT = {}", quoted(part))));
+    let parts = widest.parts.len();
+    if !(4..=8).contains(&parts) && parts > 1 {
+        document.doubts.push(format!(
+            "`{}` has {parts} columns: joints, coordinates, or both beside each other; arrays are read as logs only",
+            widest.name
+        ));
+    }
     document.questions.push("which joint each column is, and its unit".to_owned());
     let mut lines = String::new();
     let _ = write!(

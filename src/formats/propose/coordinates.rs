@@ -220,6 +220,16 @@ impl Interpretation {
                 () if i < leading => (Meaning::Label, "a text before the numbers"),
                 () => (Meaning::Text, "a text behind numbers"),
             };
+            let number = |cell: &str| cell.trim().replace(',', ".").parse::<f64>().is_ok();
+            let count = column.cells.iter().filter(|cell| number(cell)).count();
+            if 2 * count > column.cells.len() {
+                let text = column.cells.iter().find(|cell| !number(cell)).map_or("", |cell| cell);
+                self.doubts.push(format!(
+                    "column {} holds numbers in {count} of {} rows, and `{text}`: leave out such rows (`header`, `comment`)",
+                    i + 1,
+                    column.cells.len()
+                ));
+            }
             set(self, i, meaning, why);
         }
         let mut rest = numeric;
