@@ -11,6 +11,7 @@ mod formats;
 mod golden;
 mod hostile;
 mod in_memory;
+mod messages;
 mod prose;
 mod reference;
 mod support;

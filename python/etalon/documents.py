@@ -102,6 +102,7 @@ def _section(title: str, members: dict[str, Any]) -> str:
 #: Class of each document by its name in ``schema``: ``etalon/NAME/VERSION``.
 _CLASSES = {
     "accuracy": "AccuracyDocument",
+    "axes": "AxesDocument",
     "batch": "BatchDocument",
     "check": "CheckDocument",
     "compare": "CompareDocument",

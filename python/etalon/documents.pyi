@@ -222,6 +222,8 @@ class CompareTrend(Record):
     """Family with which the quantity is tested."""
     name: str
     """Name of the parameter, or the quantity in words."""
+    name_phrase: Phrase | None
+    """Text of the catalogue that is `name` in English; absent for a parameter."""
     unit: str
     """`mm`, `deg` or `1`."""
     values: list[CompareValue]
@@ -635,6 +637,8 @@ class FitProbe(Record):
     """`inside`, `outside` or `towards`."""
     side_from: str | None
     """Statement of the file from which the side was derived."""
+    side_from_phrase: Phrase | None
+    """Text of the catalogue that is `side_from` in English."""
     towards: list[float] | None
     """For a plane or line: direction from the element to the probe."""
     uncompensated_minor_radius_mm: float | None
@@ -654,6 +658,8 @@ class FitSolver(Record):
     """Number of steps; 0 for closed-form solutions."""
     method: str
     """Algorithm."""
+    method_phrase: Phrase | None
+    """Text of the catalogue that is `method` in English."""
     termination: Any
     """Reason of the termination."""
 
@@ -1166,6 +1172,8 @@ class Iso9283Unreached(Record):
     """Number of the point in the list, from 1."""
     reason: str
     """Reason."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
 
 class Iso9283Variation(Record):
     """A pose that was approached in several ways (7.2.3)."""
@@ -1385,7 +1393,7 @@ class MethodErrors(Record):
     """Root mean square position error."""
 
 class Movement(Record):
-    """A movement, and the residuals that it leaves."""
+    """A movement, and the remaining residuals."""
     by: list[MovementValue]
     """Displacement. Base: shift of its origin and rotation vector, in the world. Joint: change of its zero. Target:
     shift on the moving part.
@@ -1531,7 +1539,7 @@ class PlacedApart(Record):
     name: str
     """Name of the target or fixture."""
     readings: int
-    """Number of readings that place the target."""
+    """Number of readings that locate the target."""
     redundancy: float
     """Mean redundancy number r of the readings: the share of an error that its reading shows. For n positions of a
     target, r = 1 − 1/n.
@@ -1655,6 +1663,8 @@ class Refused(Record):
     """Line in the file, from 1."""
     reason: str
     """Rule that rejected the row."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
     text: str
     """Text of the line."""
 
@@ -1874,6 +1884,8 @@ class SolverSummary(Record):
     """Reason of the termination in words."""
     method: str
     """Algorithm."""
+    method_phrase: Phrase | None
+    """Text of the catalogue that is `method` in English."""
     termination: Any
     """Reason of the termination."""
 
@@ -1883,6 +1895,8 @@ class Source(Record):
     """Size of the file."""
     dialect: str
     """Dialect of the file: format, delimiter, decimal mark, unit."""
+    dialect_phrase: Phrase | None
+    """Texts of the catalogue that are `dialect` in English."""
     file: str
     """File, as the campaign names it."""
     kind: str
@@ -2091,6 +2105,8 @@ class Unmatched(Record):
     """Line in the file, from 1."""
     reason: str
     """Table without a partner, or number of partners."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
 
 class UnreachablePose(Record):
     """A pose without solution."""
@@ -2098,11 +2114,15 @@ class UnreachablePose(Record):
     """Name of the pose."""
     reason: str
     """Limit that forbids the pose, or that the pose is out of reach."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
 
 class UnreachableTarget(Record):
     """A target that cannot be commanded."""
     reason: str
     """Limit that forbids the target, or that the target is out of reach."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
     target: str
     """Name of the target."""
 
@@ -2182,9 +2202,7 @@ class WrittenParameter(Record):
 class AccuracyDocument(Document):
     """Errors before and after calibration, separately for calibration and validation poses."""
     budget: list[FigureBudget]
-    """Standard uncertainties of the errors after calibration that the limits judge: of the validation poses, or of
-    the calibration poses in a campaign without validation. The parameters are what is judged, and add nothing.
-    Empty if no uncertainty is stated.
+    """Standard uncertainties of the limited errors after calibration: of the validation poses, or of the calibration poses in a campaign without validation. The parameters are under test and contribute nothing. Empty if no uncertainty is stated.
     """
     campaign: CampaignReference | None
     """Campaign whose data judge given parameters; absent in the output folder of a run."""
@@ -2249,7 +2267,7 @@ class BatchDocument(Document):
     failed: int
     """Number of campaigns that did not run."""
     not_met: int
-    """Number of campaigns that fail a limit, or whose result cannot be the robot."""
+    """Number of campaigns that fail a limit, or whose result is implausible."""
     schema: str
     """Schema and version: `etalon/batch/1`."""
     skipped: int
@@ -2311,6 +2329,8 @@ class CompareDocument(Document):
     """Between-series components for each pair of campaigns with a misfit in at least one."""
     campaigns: list[ComparedCampaign]
     """Compared campaigns."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Rules for judging changes, and their limitations, in words."""
     messages: list[Message]
@@ -2501,6 +2521,8 @@ class ImportDocument(Document):
 
 class Iso9283ComplianceDocument(Document):
     """Static compliance (10)."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Method, and the statement that the clause is not verified against the standard."""
     directions: list[Iso9283Compliance]
@@ -2512,8 +2534,12 @@ class Iso9283ComplianceDocument(Document):
 
 class Iso9283Document(Document):
     """Characteristics of ISO 9283:1998 of one test."""
+    approach_phrases: Record
+    """Texts of the catalogue that are names of approaches in English; names that a table states are absent."""
     approaches: list[Iso9283Variation]
     """One entry per pose that was approached in at least two ways."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Meaning of angles, evaluated cycles, and clauses that are not verified against the standard, in words."""
     coplanarity_mm: float | None
@@ -2545,6 +2571,8 @@ class Iso9283Document(Document):
 
 class Iso9283PlanDocument(Document):
     """Layout of a test by ISO 9283:1998 in a workspace."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Choices made, and clauses that are not verified against the standard, in words."""
     corners_mm: list[list[float]]
@@ -2568,6 +2596,8 @@ class Iso9283StreamDocument(Document):
     """Characteristics of ISO 9283:1998 of a recorded motion."""
     arrivals: list[Iso9283Arrival]
     """First arrivals at each pose, for the chart of stabilisation; empty without a limit band."""
+    convention_phrases: list[Phrase]
+    """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Thresholds, origin of times, and clauses that are not verified against the standard, in words."""
     duration_s: float
@@ -2675,6 +2705,8 @@ class PlanDocument(Document):
     """Number of configurations of all candidates."""
     definition: str
     """Definition of the index, with the scaling of the Jacobian; larger is better."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     greedy: "GreedySummary"
     """Greedy choice of the thesis: candidates are added one after the other."""
     grouped: bool
@@ -2745,6 +2777,8 @@ class StudiesDocument(Document):
     """Number of such means, over which intervals are taken."""
     error: str
     """Definition of the errors `before` and `after`, in words."""
+    error_phrase: Phrase | None
+    """Text of the catalogue that is `error` in English."""
     provenance: "Provenance"
     """Origin of the numbers."""
     robot: str

@@ -74,7 +74,7 @@ pub fn inverse<'py>(
     let width = values_of(arm);
     for (row, solutions) in found.into_iter().enumerate() {
         match solutions {
-            Err(reason) => missing.push((row, reason)),
+            Err(reason) => missing.push((row, reason.to_string())),
             Ok(solutions) => {
                 for joints in solutions {
                     rows.push(row);
@@ -94,7 +94,7 @@ fn solve(
     poses: &[[f64; POSE]],
     near: Option<&[Vec<f64>]>,
     all: bool,
-) -> Vec<Result<Vec<Vec<f64>>, String>> {
+) -> Vec<Result<Vec<Vec<f64>>, Phrase>> {
     let nominal = arm.nominal();
     let mut last = vec![0.0; arm.joints().len()];
     let solved = |p: &[f64; POSE], near: &[f64]| {
@@ -106,7 +106,7 @@ fn solve(
         let found = arm.all_joints(&nominal, &pose);
         let forbidden = found.iter().find_map(|q| arm.limit_violation(&nominal, q));
         let within: Vec<Vec<f64>> = found.into_iter().filter(|q| arm.limit_violation(&nominal, q).is_none()).collect();
-        if within.is_empty() { Err(forbidden.unwrap_or_else(|| "out of reach".to_owned())) } else { Ok(within) }
+        if within.is_empty() { Err(forbidden.unwrap_or_else(|| phrase!("out-of-reach"))) } else { Ok(within) }
     };
     let mut answers = Vec::new();
     for (row, pose) in poses.iter().enumerate() {

@@ -32,8 +32,8 @@ impl AngleOrder {
         order.into_iter().fold(Pose::identity(), turn)
     }
 
-    /// Angles (rad) that turn a body to this orientation. The second angle is in [−π/2, π/2], or in
-    /// [0, π] where the first and third turn about the same axis.
+    /// Angles (rad) of this orientation. The second angle is in [−π/2, π/2], or in [0, π] if the
+    /// first and the third rotation are about the same axis.
     pub fn angles(self, body: &Pose) -> [f64; 3] {
         let r = &body.rotation;
         let [i, j, k] = if self.fixed { [self.axes[2], self.axes[1], self.axes[0]] } else { self.axes };

@@ -1,7 +1,8 @@
 //! Upper limits of counts in files and options, checked before memory is allocated.
 
+use super::catalogue::Phrase;
 use super::message::Result;
-use crate::error;
+use crate::{error, phrase};
 use serde::{Deserialize, Deserializer, de};
 
 /// Largest number of poses, repeats or draws in a file.
@@ -23,13 +24,14 @@ pub fn at_most<'de, D: Deserializer<'de>, T: TryFrom<i64>, const M: u64>(
 /// # Errors
 ///
 /// Reports a product above `most` with its factors.
-pub fn product_at_most(what: &str, counts: &[(&str, u64)], most: u64) -> Result<()> {
+pub fn product_at_most(of: Phrase, counts: &[(&str, u64)], most: u64) -> Result<()> {
     let product = counts.iter().fold(1u64, |product, (_, count)| product.saturating_mul(*count));
     if product <= most {
         return Ok(());
     }
-    let factors: Vec<String> = counts.iter().map(|(name, count)| format!("{count} {name}")).collect();
-    Err(error!("counts-too-large", of = what, counts = factors.join(" x "), most).into())
+    let factor = |(of, count): &(&str, u64)| phrase!("factor", count, of);
+    let counts = counts.iter().map(factor).reduce(|first, second| phrase!("product", first, second));
+    Err(error!("counts-too-large", of, counts, most).into())
 }
 
 /// Reads a count of an option, at most `M`.
@@ -46,9 +48,9 @@ mod tests {
     fn counts_end_at_their_bound() {
         assert_eq!((option_at_most::<9>("9"), option_at_most::<9>("10").is_err()), (Ok(9), true));
         assert!(option_at_most::<9>("18446744073709551616").is_err());
-        assert!(product_at_most("rows", &[("poses", 3), ("cycles", 3)], 9).is_ok());
+        assert!(product_at_most(phrase!("poses-and-cycles"), &[("poses", 3), ("cycles", 3)], 9).is_ok());
         for many in [4, u64::MAX] {
-            let error = product_at_most("rows", &[("poses", 3), ("cycles", many)], 9).unwrap_err();
+            let error = product_at_most(phrase!("poses-and-cycles"), &[("poses", 3), ("cycles", many)], 9).unwrap_err();
             let counts = format!("3 poses x {many} cycles");
             assert!(error.0[0].is("counts-too-large", &[("counts", &counts), ("most", &9)]), "{error}");
         }

@@ -9,7 +9,7 @@ use fluent_bundle::types::{FluentNumber, FluentNumberOptions};
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::LazyLock;
 use unic_langid::LanguageIdentifier;
@@ -28,7 +28,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 17] = files![
+pub const FILES: [(&str, [&str; 3]); 18] = files![
     "base",
     "campaign",
     "cli",
@@ -38,6 +38,7 @@ pub const FILES: [(&str, [&str; 3]); 17] = files![
     "exports",
     "fit",
     "formats",
+    "proposals",
     "identify",
     "report",
     "reporting",
@@ -134,7 +135,7 @@ impl fmt::Display for Phrase {
 }
 
 impl Argument {
-    /// Text in a language, as it stands in lists.
+    /// Text in a language, in the form for lists.
     fn text(&self, language: &str) -> String {
         match self {
             Self::Whole(value) => value.to_string(),
@@ -179,6 +180,12 @@ impl<T: IntoArgument + ?Sized> IntoArgument for &T {
     }
 }
 
+impl<T: IntoArgument + ?Sized> IntoArgument for Box<T> {
+    fn argument(&self) -> Argument {
+        (**self).argument()
+    }
+}
+
 impl IntoArgument for str {
     fn argument(&self) -> Argument {
         Argument::Text(self.to_owned())
@@ -212,6 +219,13 @@ impl IntoArgument for Phrase {
 impl IntoArgument for Argument {
     fn argument(&self) -> Argument {
         self.clone()
+    }
+}
+
+/// An absent text is an empty one.
+impl<T: IntoArgument> IntoArgument for Option<T> {
+    fn argument(&self) -> Argument {
+        self.as_ref().map_or_else(|| Argument::Text(String::new()), T::argument)
     }
 }
 
@@ -339,6 +353,30 @@ pub(crate) fn render(id: &str, attribute: Option<&str>, arguments: &Arguments, l
     Some(bundle.format_pattern(pattern, Some(&values), &mut Vec::new()).into_owned())
 }
 
+/// Arguments that the English sentence of an id has outside backticks: no names.
+pub(crate) fn unquoted(id: &str) -> BTreeSet<&'static str> {
+    let start = format!("\n{id} =");
+    let rest = FILES.iter().find_map(|(_, texts)| texts[0].split_once(&start)).map_or("", |(_, rest)| rest);
+    // attributes and the next entry are no part of the sentence
+    let of_sentence = |line: &&str| line.starts_with([' ', '}']) && !line.trim_start().starts_with('.');
+    let lines = rest.lines().enumerate().take_while(|(i, line)| *i == 0 || of_sentence(line));
+    let sentence = lines.flat_map(|(_, line)| [line, "\n"]).flat_map(|line| line.split_inclusive('`'));
+    let mut inside = false;
+    let mut names = BTreeSet::new();
+    for piece in sentence {
+        if !inside {
+            names.extend(piece.split('$').skip(1).map(|rest| &rest[..name_length(rest)]));
+        }
+        inside ^= piece.ends_with('`');
+    }
+    names
+}
+
+/// Length of the name of an argument at the start of a text.
+fn name_length(text: &str) -> usize {
+    text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(text.len())
+}
+
 /// One text of the catalogue in English, and its explanation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Entry {
@@ -357,7 +395,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// `true` if the entry is a message of its own, not a part of other texts.
+    /// `true` if the entry is a complete message rather than a part of other texts.
     pub fn is_message(&self) -> bool {
         !self.meaning.is_empty()
     }
@@ -366,7 +404,7 @@ impl Entry {
     pub fn pattern(&self, attribute: Option<&str>) -> Option<String> {
         let source = FILES.iter().find(|(file, _)| *file == self.file).map_or("", |(_, texts)| texts[0]);
         let named = source.split('$').skip(1).map(|rest| {
-            let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
+            let end = name_length(rest);
             (rest[..end].to_owned(), Argument::Text(format!("{{{}}}", &rest[..end])))
         });
         render(self.id, attribute, &named.collect(), "en")
@@ -439,7 +477,7 @@ mod tests {
         };
         assert_eq!(beyond(-0.99959, "1").to_string(), "`p` = -0.9996 (nominal 1, tolerance 0.050)");
         assert_eq!(beyond(1.2, "mm").to_string(), "`p` = 1.200 mm (nominal 1 mm, tolerance 0.050 mm)");
-        assert!(beyond(-2.5e300, "mm").text("de").starts_with("`p` = -2,5e300 mm ("));
+        assert!(beyond(-2.5e300, "mm").text("de").starts_with("`p` = -2,5e300\u{a0}mm ("));
         let step = |step: f64| crate::phrase!("column-step", column = "x", step, unit = "mm").to_string();
         let written = [1e300, 1e-300, 1e15, 0.000001, 0.0].map(step);
         let shown = ["1e300", "1e-300", "1000000000000000", "0.000001", "0"].map(|step| format!("x to {step} mm"));

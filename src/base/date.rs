@@ -19,6 +19,22 @@ pub fn date(text: &str) -> Option<(i32, u8, u8)> {
     (1..=days).contains(&day).then_some((year, month, day))
 }
 
+/// Year, month and day of a time in seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` states it;
+/// `None` outside the years 1 to 9999. H. Hinnant, chrono-compatible low-level date algorithms,
+/// 2021.
+pub fn day_of_epoch(seconds: i64) -> Option<(i32, u8, u8)> {
+    let days = seconds.div_euclid(86_400) + 719_468;
+    let (era, of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
+    let year = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;
+    let of_year = of_era - (365 * year + year / 4 - year / 100);
+    let month = (5 * of_year + 2) / 153;
+    let day = of_year - (153 * month + 2) / 5 + 1;
+    let month = if month < 10 { month + 3 } else { month - 9 };
+    let year = year + 400 * era + i64::from(month <= 2);
+    let found = (i32::try_from(year).ok()?, u8::try_from(month).ok()?, u8::try_from(day).ok()?);
+    (1..=9999).contains(&found.0).then_some(found)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -42,5 +58,21 @@ mod tests {
             assert_eq!(date(wrong), None, "{wrong}");
         }
         assert_eq!(date("2000-02-29"), Some((2000, 2, 29)));
+    }
+
+    /// Outside values: `date -u -d @SECONDS`.
+    #[test]
+    fn days_of_seconds_since_1970() {
+        for (seconds, day) in [
+            (0, (1970, 1, 1)),
+            (86_399, (1970, 1, 1)),
+            (951_782_400, (2000, 2, 29)),
+            (1_772_409_600, (2026, 3, 2)),
+            (-1, (1969, 12, 31)),
+            (4_107_542_400, (2100, 3, 1)),
+        ] {
+            assert_eq!(day_of_epoch(seconds), Some(day), "{seconds}");
+        }
+        assert_eq!((day_of_epoch(i64::MAX), day_of_epoch(i64::MIN)), (None, None));
     }
 }

@@ -1,6 +1,6 @@
 //! Messages: what is wrong, where, what was expected, and a hint.
 
-use crate::catalogue::{Argument, Arguments, IntoArgument, Phrase, render};
+use crate::catalogue::{Argument, Arguments, IntoArgument, Phrase, render, unquoted};
 use crate::phrase;
 use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
 use serde::{Deserialize, Serialize};
@@ -14,7 +14,7 @@ use std::fmt;
 pub enum Severity {
     /// The work stops.
     Error,
-    /// The work goes on; the report repeats it.
+    /// The command continues; the report repeats the message.
     Warning,
 }
 
@@ -71,7 +71,7 @@ pub struct Message {
     pub rank: Rank,
     /// Error or remark, in one English sentence without a full stop.
     pub what: String,
-    /// Where.
+    /// Place of the problem.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<Box<Place>>,
     /// Expected value.
@@ -150,7 +150,7 @@ impl Place {
     }
 }
 
-/// A text that states values, and the file that it is shown as: the place of each value.
+/// A text that states values, and the file name under which it is shown: the place of each value.
 #[derive(Clone, Copy, Debug)]
 pub struct SourceText<'a> {
     /// File as the user named it.
@@ -229,7 +229,7 @@ impl Message {
         Texts { what, expected: part("expected", &self.expected), hint: part("hint", &self.hint) }
     }
 
-    /// `true` if a caller changed the English sentence: the catalogue then lacks what was added.
+    /// `true` if a caller changed the English sentence: the catalogue then lacks the addition.
     fn is_reworded(&self) -> bool {
         !self.what.is_empty() && self.sentence("en").is_some_and(|english| english != self.what)
     }
@@ -241,6 +241,12 @@ impl Message {
         Some(self.around.iter().fold(text, around))
     }
 
+    /// Sentence of the message, to be an argument of another text or the reason in a document.
+    pub fn phrase(&self) -> Phrase {
+        let inner = Phrase { id: self.id.clone(), arguments: self.arguments.clone() };
+        self.around.iter().fold(inner, |inner, around| around.clone().with("message", &inner))
+    }
+
     /// `true` if this is the message of an id of the catalogue, with at least these arguments.
     pub fn is(&self, id: &str, arguments: &[(&str, &dyn IntoArgument)]) -> bool {
         let is_stated =
@@ -248,7 +254,7 @@ impl Message {
         self.id == id && arguments.iter().all(is_stated)
     }
 
-    /// Puts the message within a text that has the argument `message`, for example its place.
+    /// Inserts the message into a text with the argument `message`, for example its place.
     pub fn within(mut self, around: Phrase) -> Self {
         self.what = around.clone().with("message", &self.what).to_string();
         self.around.push(around);
@@ -353,7 +359,7 @@ impl From<Phrase> for Remark {
     }
 }
 
-/// Units of names, by what is measured: mm, rad.
+/// Units in names, by quantity: mm, rad.
 const UNITS: [(&str, f64, bool); 8] = [
     ("deg", std::f64::consts::PI / 180.0, true),
     ("rad", 1.0, true),
@@ -365,7 +371,7 @@ const UNITS: [(&str, f64, bool); 8] = [
     ("inch", 25.4, false),
 ];
 
-/// Units of two names that differ in nothing else, and the factor between them: rad, 57.29577951,
+/// Units of two names that differ only in the unit, and the factor between them: rad, 57.29577951,
 /// deg.
 fn other_unit(wrong: &str, name: &str) -> Option<(&'static str, f64, &'static str)> {
     let split = |name: &str| {
@@ -377,13 +383,40 @@ fn other_unit(wrong: &str, name: &str) -> Option<(&'static str, f64, &'static st
     (stem == other && from.0 != to.0 && from.2 == to.2).then_some((from.0, factor, to.0))
 }
 
-/// Lines of a file that a message may be repeated in before one takes the place of the others.
+/// Number of lines of a file in which a message may be repeated before one represents the others.
 const LISTED: usize = 3;
 
-/// A message without what differs from row to row: names between backticks, and numbers.
-fn shape(what: &str) -> String {
-    let outside = what.split('`').step_by(2).collect::<Vec<_>>().join("`");
-    outside.chars().filter(|c| !c.is_ascii_digit() && !"+-.".contains(*c)).collect()
+/// Shapes of texts: id and arguments without what differs from row to row, which is numbers, and
+/// names, which the sentence has between backticks.
+#[derive(Default)]
+struct Shapes<'a>(BTreeMap<&'a str, BTreeSet<&'static str>>);
+
+impl<'a> Shapes<'a> {
+    /// Shape of a message; its English text if it has no id.
+    fn of_message(&mut self, message: &'a Message) -> String {
+        if message.id.is_empty() {
+            return message.what.clone();
+        }
+        let around = message.around.iter().map(|phrase| self.of_text(&phrase.id, &phrase.arguments));
+        let around: String = around.collect();
+        self.of_text(&message.id, &message.arguments) + &around
+    }
+
+    fn of_text(&mut self, id: &'a str, arguments: &'a Arguments) -> String {
+        let kept = self.0.entry(id).or_insert_with(|| unquoted(id));
+        let kept: Vec<_> = arguments.iter().filter(|(name, _)| kept.contains(name.as_str())).collect();
+        let kept = kept.into_iter().map(|(name, value)| format!("{name}: {}", self.of_argument(value)));
+        format!("{id}({})", kept.collect::<Vec<_>>().join("; "))
+    }
+
+    fn of_argument(&mut self, argument: &'a Argument) -> String {
+        match argument {
+            Argument::Whole(_) | Argument::Number(_) => String::new(),
+            Argument::Text(text) => text.chars().filter(|c| !c.is_ascii_digit() && !"+-.".contains(*c)).collect(),
+            Argument::List(all) => all.iter().map(|one| self.of_argument(one)).collect::<Vec<_>>().join(", "),
+            Argument::Phrase(phrase) => self.of_text(&phrase.id, &phrase.arguments),
+        }
+    }
 }
 
 /// `1 row`, `2 rows`.
@@ -392,7 +425,7 @@ pub fn count(n: usize, noun: &str) -> String {
     format!("{n} {noun}{}", if n == 1 { "" } else { plural })
 }
 
-/// Longer ones are not compared with others, bytes.
+/// Maximum length (bytes) of a text that is compared with others.
 const LONGEST_NAME: usize = 200;
 
 /// The name that `wrong` may be meant as, if one is like it.
@@ -400,8 +433,16 @@ pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Opt
     if wrong.len() > LONGEST_NAME {
         return None;
     }
-    let likeness = names.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name));
+    let names = names.into_iter().filter(|name| !are_other_letters(wrong, name));
+    let likeness = names.map(|name| (strsim::jaro_winkler(wrong, name), name));
     likeness.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(likeness, _)| *likeness > 0.8).map(|(_, name)| name)
+}
+
+/// `true` if names with one suffix begin with different single letters: `z_mm` is not a misspelt
+/// `y_mm`.
+fn are_other_letters(wrong: &str, name: &str) -> bool {
+    let letter = |name: &str| name.split('_').next().filter(|stem| stem.chars().count() == 1).map(str::to_lowercase);
+    letter(wrong).zip(letter(name)).is_some_and(|(a, b)| a != b)
 }
 
 impl fmt::Display for Message {
@@ -435,8 +476,8 @@ impl fmt::Display for Message {
     }
 }
 
-/// A character as it may reach a terminal within a line: controls are replaced, and marks that turn
-/// the way a text reads (UAX #9), with which a name leaves its place.
+/// Replaces a character that is not safe in a line of a terminal: a control character, or a mark of
+/// the direction of text (UAX #9), which could move a name to another place in the line.
 pub fn printable_character(c: char) -> char {
     match c {
         '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{2028}' | '\u{2029}' => '\u{fffd}',
@@ -468,7 +509,7 @@ pub fn one_line(text: &str) -> String {
     text.chars().take(200).map(without_control).collect::<String>() + cut
 }
 
-/// Everything that is wrong, found in one pass: what a stage returns instead of its document.
+/// All problems found in one pass: returned by a stage instead of its document.
 ///
 /// # Examples
 ///
@@ -492,7 +533,7 @@ impl Problems {
         if self.0.iter().any(|m| m.severity == Severity::Error) { Err(self) } else { Ok(self.0) }
     }
 
-    /// Puts all messages within a text that has the argument `message`.
+    /// Inserts each message into a text with the argument `message`.
     pub fn within(self, around: &Phrase) -> Self {
         Self(self.0.into_iter().map(|message| message.within(around.clone())).collect())
     }
@@ -504,15 +545,17 @@ impl Problems {
 
     /// Merges messages that are repeated in more than three rows of a data file: the first remains,
     /// with the next two lines and the number of others. Names and numbers in a message may differ.
-    /// Statements are no rows, and neither are several messages about one line.
+    /// Statements are not rows, and several messages about one line are not merged.
     pub fn grouped(self) -> Self {
         let mut lines: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
-        let key = |message: &Message| {
+        let mut shapes = Shapes::default();
+        let keys = self.0.iter().map(|message| {
             let place = message.place.as_ref()?;
-            Some(((place.file.clone(), shape(&message.what)), place.line?))
-        };
-        for (key, line) in self.0.iter().filter_map(key) {
-            lines.entry(key).or_default().push(line);
+            Some(((place.file.clone(), shapes.of_message(message)), place.line?))
+        });
+        let keys: Vec<Option<((String, String), usize)>> = keys.collect();
+        for (key, line) in keys.iter().flatten() {
+            lines.entry(key.clone()).or_default().push(*line);
         }
         // several cells of a row are one row
         lines.values_mut().for_each(|lines| lines.dedup());
@@ -521,8 +564,9 @@ impl Problems {
             lines.len() > LISTED && distinct && !file.ends_with(".toml")
         });
         let mut messages = self.0;
+        let mut keys = keys.into_iter();
         messages.retain_mut(|message| {
-            let Some((key, _)) = key(message) else { return true };
+            let Some((key, _)) = keys.next().flatten() else { return true };
             let Some(lines) = lines.get_mut(&key) else { return true };
             // the first takes the lines of the rest
             let [_, second, third, rest @ ..] = &std::mem::take(lines)[..] else { return false };
@@ -587,6 +631,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn another_axis_is_not_a_misspelt_name() {
+        assert_eq!(nearest("z_mm", ["x_mm", "y_mm"]), None);
+        assert_eq!(nearest("z_mm", ["x_mm", "Z_mm"]), Some("Z_mm"));
+        assert_eq!(nearest("y_mn", ["x_mm", "y_mm"]), Some("y_mm"));
+        assert_eq!(nearest("coverage_facter", ["name", "coverage_factor"]), Some("coverage_factor"));
+    }
+
+    #[test]
     fn a_span_is_shown_with_its_line_and_a_hint() {
         let source = "name = \"x\"\nrobto = 1\n";
         let message = Message::error("unknown key `robto`")
@@ -643,35 +695,60 @@ mod tests {
         assert_eq!(Message::error("free").hint("text").texts("fr").hint.as_deref(), Some("text"));
     }
 
+    /// A cell that is not a number, in a line of a file.
+    fn row(file: &str, line: usize) -> Message {
+        let message = crate::error!("not-a-number", text = format!("v{line}"), decimal = ".", thousands = "none");
+        message.at(Place::line(file, line, format!("v{line}")))
+    }
+
     #[test]
     fn a_message_that_every_row_repeats_is_one_with_its_count() {
-        let row = |line: usize| {
-            Message::error(format!("`v{line}` is not a number")).at(Place::line("a.csv", line, format!("v{line}")))
+        let other = crate::error!("one-campaign");
+        let all = |rows: usize| {
+            let rows = (2..2 + rows).map(|line| row("a.csv", line));
+            Problems(rows.chain([other.clone(), other.clone()]).collect()).grouped()
         };
-        let other = Message::error("`a.csv` has 12000 rows");
-        let all =
-            |rows: usize| Problems((2..2 + rows).map(row).chain([other.clone(), other.clone()]).collect()).grouped();
         assert_eq!(all(3).0.len(), 3 + 2);
         let grouped = all(11_993);
         assert_eq!(grouped.0.len(), 1 + 2);
-        assert_eq!(grouped.0[0].what, "`v2` is not a number; also in lines 3, 4 and 11990 more rows");
+        assert!(grouped.0[0].is("not-a-number", &[("text", &"v2")]), "{grouped}");
+        assert_eq!(grouped.0[0].around, [phrase!("also-in-lines", second = 3, third = 4, more = 11_990)]);
         assert_eq!(grouped.clone().grouped().0, grouped.0);
-        assert!(all(4).to_string().contains("also in lines 3, 4 and 1 more row\n"));
-        // signs differ as digits do
-        let signed = |line: usize| {
-            let off = if line.is_multiple_of(2) { "+0.5" } else { "-0.5" };
-            Message::warning(format!("off by {off} mm")).at(Place::line("a.csv", line, ""))
-        };
-        assert_eq!(Problems((1..6).map(signed).collect()).grouped().0.len(), 1);
         // several about one line, and statements
-        let columns = |c: usize| Message::error(format!("no column `c{c}`")).at(Place::line("a.csv", 1, ""));
-        assert_eq!(Problems((0..9).map(columns).collect()).grouped().0.len(), 9);
-        let stated =
-            |line: usize| Message::error(format!("`k{line}` is stated twice")).at(Place::line("c.toml", line, ""));
-        assert_eq!(Problems((1..9).map(stated).collect()).grouped().0.len(), 8);
-        // another file, another message
-        let elsewhere = |line: usize| Message::error("is not a number").at(Place::line("b.csv", line, ""));
-        assert_eq!(Problems((1..3).map(elsewhere).chain((1..4).map(row)).collect()).grouped().0.len(), 5);
+        let count = |all: &mut dyn Iterator<Item = Message>| Problems(all.collect()).grouped().0.len();
+        assert_eq!(count(&mut (0..9).map(|_| row("a.csv", 1))), 9);
+        assert_eq!(count(&mut (1..9).map(|line| row("c.toml", line))), 8);
+        // another file
+        assert_eq!(count(&mut (1..3).map(|line| row("b.csv", line)).chain((1..4).map(|line| row("a.csv", line)))), 5);
+    }
+
+    #[test]
+    fn messages_of_one_id_are_one_unless_their_words_differ() {
+        let count = |message: &dyn Fn(usize) -> Message| {
+            let all = (1..7).map(|line| message(line).at(Place::line("a.csv", line, "")));
+            Problems(all.collect()).grouped().0.len()
+        };
+        let even = |line: usize| line.is_multiple_of(2);
+        // numbers and names differ from row to row, and so do hints
+        let signed = |line: usize| if even(line) { 0.5 } else { -0.5 };
+        assert_eq!(count(&|line| crate::warning!("quaternion-length", target = "K", length = signed(line))), 1);
+        assert_eq!(count(&|line| crate::error!("target-formula", target = format!("K{line}"))), 1);
+        assert_eq!(
+            count(&|line| crate::error!("no-pose-measured").hint(phrase!("did-you-mean", name = format!("p{line}")))),
+            1
+        );
+        // words of the sentence, another sentence inside, and another text around
+        let kind = |line: usize| if even(line) { "first" } else { "second" };
+        assert_eq!(count(&|line| crate::error!("row-without-point", reason = kind(line))), 6);
+        let reason =
+            |line: usize| if even(line) { phrase!("row-at-origin") } else { phrase!("row-without-coordinates") };
+        assert_eq!(count(&|line| crate::error!("row-without-point", reason = reason(line))), 6);
+        let around =
+            |line: usize| if even(line) { phrase!("in-file", file = "f") } else { phrase!("of-name", name = "f") };
+        assert_eq!(count(&|line| crate::error!("no-pose-measured").within(around(line))), 6);
+        // a stored message without an id
+        assert_eq!(count(&|line| Message::error(format!("row {line}"))), 6);
+        assert_eq!(count(&|_| Message::error("the same")), 1);
     }
 
     #[test]

@@ -210,7 +210,7 @@ impl Pose {
     /// The rotation of a matrix, row by row.
     ///
     /// # Errors
-    /// A matrix that is not orthonormal to three digits, or that mirrors.
+    /// Fails if the matrix is not orthonormal to three digits, or mirrors.
     pub fn from_rotation(rows: [f64; 9]) -> Result<Self, Message> {
         let rotation: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| rows[3 * i + j]));
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));

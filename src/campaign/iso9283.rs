@@ -1,10 +1,13 @@
 //! `[repeatability]`, `[poses]`, `[compliance]` and `[[stream]]`: tests of ISO 9283.
 
-use super::Campaign;
+use super::table::{meaningless_beside_sheet, one_row};
+use super::{Campaign, TableDefinition};
 use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_base::pose_name::PoseName;
-use etalon_formats::dialect::{Cells, ColumnSource, Decimal, Delimiter, Encoding, Header, Unit};
+use etalon_formats::dialect::{
+    Cells, ColumnSource, Constant, Decimal, Delimiter, Encoding, Header, Missing, Thousands, Unit,
+};
 use etalon_formats::{Format, TableLayout};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -30,8 +33,7 @@ pub struct RepeatabilityDefinition {
     pub homing: Option<Spanned<String>>,
     /// Table of commanded poses in the world frame: `pose,x_mm,y_mm[,z_mm]`. Accuracy, distance and
     /// drift require this table.
-    #[schemars(with = "Option<String>")]
-    pub commanded: Option<Spanned<String>>,
+    pub commanded: Option<TableDefinition>,
     /// Number of cycles in one set of a drift test; without it drift is not evaluated.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
@@ -44,30 +46,39 @@ impl RepeatabilityDefinition {
     }
 }
 
-/// A test of poses from tables, in a frame of its own.
+/// A test of poses from tables, in its own frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = etalon_formats::dialect::accept_topic)]
 pub struct PosesDefinition {
     /// Table of attained poses:
     /// `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]`.
-    #[schemars(with = "String")]
-    pub attained: Spanned<String>,
+    pub attained: TableDefinition,
     /// Table of commanded poses: the same columns without `cycle`.
-    #[schemars(with = "String")]
-    pub commanded: Spanned<String>,
+    pub commanded: TableDefinition,
     /// Table of stationary reference targets that are measured from time to time:
     /// `cycle,target,x_mm,y_mm[,z_mm]`.
-    #[schemars(with = "Option<String>")]
-    pub reference: Option<Spanned<String>>,
+    pub reference: Option<TableDefinition>,
     /// Separator of the columns of the tables.
     #[schemars(extend("default" = ","))]
     pub delimiter: Option<Delimiter>,
     /// Decimal mark of the tables.
-    #[serde(default)]
-    pub decimal: Decimal,
+    #[schemars(extend("default" = "."))]
+    pub decimal: Option<Decimal>,
     /// Encoding of their characters, where no byte-order mark states it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
+    /// Sheet of a workbook that contains each table, or as `topic` the topic of a recording (MCAP);
+    /// delimiter, decimal mark and encoding do not apply.
+    #[serde(alias = "topic")]
+    pub sheet: Option<String>,
+    /// Mark between groups of three digits.
+    pub thousands: Option<Thousands>,
+    /// Beginning of lines that are skipped.
+    pub comment: Option<String>,
+    /// Cells that mean "not measured", beside empty ones.
+    #[serde(default)]
+    pub missing: Missing,
     /// Rows before the data of each table; the last one names the columns: a number, `false` for
     /// none, or words of the row.
     #[serde(default = "one_row")]
@@ -77,11 +88,18 @@ pub struct PosesDefinition {
     /// expression (`x_t - x_dif`). A table without the heading is read without the column.
     #[serde(default)]
     pub columns: BTreeMap<String, ColumnSource>,
+    /// Columns of the attained poses with the same value in all rows, e.g. `cycle = 1`.
+    #[serde(default)]
+    pub constants: BTreeMap<String, Constant>,
+    /// Rows of the attained poses that are read: those with one of these cells in each of these
+    /// columns.
+    #[serde(default)]
+    pub only: BTreeMap<String, Cells>,
     /// Rows of the attained poses to leave out: rows with one of these cells in one of these
     /// columns.
     #[serde(default)]
     pub without: BTreeMap<String, Cells>,
-    /// Number of cycles in one set of a drift test; without it there is no drift.
+    /// Number of cycles in one set of a drift test; without it drift is not evaluated.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
     /// Order of the rotations a, b, c; if stated, reference targets also compensate orientations.
@@ -92,36 +110,39 @@ pub struct PosesDefinition {
 }
 
 impl PosesDefinition {
-    /// Layout of a table; rows are left out of the attained poses alone.
+    /// Layout of a table that states none of its own; filters and constants are those of the
+    /// attained poses.
     pub fn layout(&self, attained: bool) -> TableLayout {
-        TableLayout {
+        let all = TableLayout {
             delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
-            decimal: self.decimal,
+            decimal: self.decimal.unwrap_or_default(),
+            thousands: self.thousands,
             header: self.header.clone(),
+            comment: self.comment.clone(),
+            missing: self.missing.clone(),
             columns: self.columns.clone(),
             lenient: true,
-            without: if attained { self.without.clone() } else { BTreeMap::new() },
-            ..TableLayout::default()
+            ..TableLayout::of_any_columns()
+        };
+        match attained {
+            true => TableLayout {
+                constants: self.constants.clone(),
+                only: self.only.clone(),
+                without: self.without.clone(),
+                ..all
+            },
+            false => all,
         }
     }
-}
 
-fn one_row() -> Header {
-    Header::Rows(1)
+    /// Key beside `sheet` that does not apply to a workbook.
+    pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
+        meaningless_beside_sheet(self.sheet.as_deref(), (self.delimiter, self.decimal, self.encoding))
+    }
 }
 
 fn seed() -> u64 {
     1
-}
-
-/// A test of static compliance.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ComplianceDefinition {
-    /// Table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, with a row of force 0 in each direction
-    /// and cycle.
-    #[schemars(with = "String")]
-    pub file: Spanned<String>,
 }
 
 /// A recorded motion. Recording, path and commanded poses are in the frame of the recording.
@@ -139,6 +160,9 @@ pub struct StreamDefinition {
     pub format: Option<Format>,
     /// Length unit of the recording; required with `format`.
     pub unit: Option<Unit>,
+    /// Character encoding of the recording, if no byte-order mark states it.
+    #[schemars(extend("default" = "utf-8"))]
+    pub encoding: Option<Encoding>,
     /// Sampling rate, which replaces time stamps.
     pub rate_hz: Option<f64>,
     /// Largest distance of positions from their mean during a standstill.
@@ -154,12 +178,10 @@ pub struct StreamDefinition {
     /// Limit band for stabilisation time, overshoot and posing time.
     pub band_mm: Option<f64>,
     /// Table of commanded poses: `pose,x_mm,y_mm[,z_mm]...`
-    #[schemars(with = "Option<String>")]
-    pub commanded: Option<Spanned<String>>,
+    pub commanded: Option<TableDefinition>,
     /// Table of the commanded path: the columns of the recording without time, with one row per
     /// point.
-    #[schemars(with = "Option<String>")]
-    pub path: Option<Spanned<String>>,
+    pub path: Option<TableDefinition>,
     /// Number of command points on the path.
     #[serde(default = "path_points")]
     pub path_points: usize,

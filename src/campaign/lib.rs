@@ -9,7 +9,9 @@ mod paths;
 mod robot_faults;
 mod robot_file;
 mod robot_keys;
+mod robot_text;
 mod selection;
+mod table;
 mod toml_file;
 mod types;
 mod urdf;
@@ -18,7 +20,9 @@ pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};
 pub use robot_file::RobotFile;
+pub use robot_text::{RobotHead, UrdfJoint, gains_text, screws_text, table_text, urdf_text};
 pub use selection::{Selection, Selections, StatedPoses};
+pub use table::{TableDefinition, TableFiles, TableKeys};
 pub use toml_file::UnreadKeys;
 pub use types::*;
 
@@ -62,7 +66,7 @@ pub struct Campaign {
     pub folder: PathBuf,
     /// Path of `campaign.toml`.
     pub location: PathBuf,
-    /// Path of `campaign.toml` in messages, with replacement characters where it is not UTF-8.
+    /// Path of `campaign.toml` in messages, with replacement characters if it is not UTF-8.
     pub path: String,
     /// Text of `campaign.toml`.
     pub text: String,
@@ -268,7 +272,7 @@ impl Campaign {
     }
 }
 
-/// The first line that a proposal leaves open: a value `"?"`, or a joint in `UNIT`.
+/// The first incomplete line of a proposal: a value `"?"`, or a joint in `UNIT`.
 fn open_question(name: &str, text: &str) -> Option<etalon_base::message::Message> {
     let open = |line: &str| {
         let stated = line.split(" #").next().unwrap_or(line);
@@ -328,10 +332,10 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 }
 
 /// Reads the text of a robot.toml. `path` stands for its file: messages name it, and a URDF is
-/// looked for beside it.
+/// expected beside it.
 ///
 /// # Errors
-/// Those of [`read_robot`].
+/// Fails like [`read_robot`].
 pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
     let (robot, problems) = RobotFile::recover(path, text);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)

@@ -605,7 +605,7 @@ mod tests {
         let Recovered { value, problems, unread } = recover::<Kinds>("f.toml", text);
         let said: Vec<String> = problems.0.iter().map(Message::to_string).collect();
         for parts in [
-            ["f.toml:1", "unknown variant `milimetre`", "`millimetre` or `metre`", "did you mean `millimetre`?"],
+            ["f.toml:1", "unknown value `milimetre`", "`millimetre` or `metre`", "did you mean `millimetre`?"],
             ["f.toml:2", "`point` is a list of 2", "expected: a list of 3", "point = [1, 2]"],
             ["f.toml:3", "`date` is a date without quotation marks", "expected: a text", "date = 2026"],
             ["f.toml:4", "`count` is -1", "expected: a whole number from 0", "count = -1"],

@@ -1,6 +1,7 @@
 //! Keys of `campaign.toml`.
 
-use super::{Join, JoinBy, StatedPoses};
+use super::table::{meaningless_beside_sheet, one_row};
+use super::{Join, JoinBy, StatedPoses, TableDefinition};
 use etalon_base::country::Country;
 use etalon_base::pose::{Vector, minus, norm, unit};
 use etalon_documents::{Conditions, DecisionRule, Effect, Language, LimitQuantity};
@@ -38,6 +39,8 @@ pub struct CampaignFile {
     pub notes: Option<String>,
     /// Date of the measurements (ISO 8601), as the report prints it.
     pub date: Option<String>,
+    /// Last day on which the calibration is valid, as the laboratory states it: year-month-day.
+    pub valid_until: Option<String>,
     /// Name of the operator.
     pub operator: Option<String>,
     /// Temperature during the measurements.
@@ -90,8 +93,10 @@ pub struct CampaignFile {
     pub repeatability: Option<super::RepeatabilityDefinition>,
     /// Test by ISO 9283 from tables of poses.
     pub poses: Option<super::PosesDefinition>,
-    /// Test of static compliance.
-    pub compliance: Option<super::ComplianceDefinition>,
+    /// Test of static compliance: a table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, with a row of
+    /// force 0 in each direction and cycle.
+    #[schemars(with = "Option<super::TableKeys>")]
+    pub compliance: Option<TableDefinition>,
     /// Recorded motions.
     #[serde(default, rename = "stream")]
     pub streams: Vec<super::StreamDefinition>,
@@ -117,7 +122,7 @@ impl CampaignFile {
         Some(self.join.as_ref()?.by)
     }
 
-    /// Targets that `[join]` names; empty if it names none.
+    /// Targets named in `[join]`; empty if none are named.
     pub fn join_targets(&self) -> impl Iterator<Item = &Spanned<String>> + Clone {
         self.join.iter().flat_map(|join| join.targets.iter().flatten())
     }
@@ -126,11 +131,11 @@ impl CampaignFile {
     pub fn inputs(&self) -> impl Iterator<Item = &Spanned<String>> {
         let measured = self.exports.iter().map(|e| &e.file).chain(self.logs.iter().map(|l| &l.file));
         let measured = measured.chain(self.observations.iter().map(|o| &o.file));
-        let streams = self.streams.iter().flat_map(|s| [Some(&s.file), s.commanded.as_ref(), s.path.as_ref()]);
+        let streams = self.streams.iter().flat_map(|s| [s.commanded.as_ref(), s.path.as_ref()]);
         let poses = self.poses.iter().flat_map(|p| [Some(&p.attained), Some(&p.commanded), p.reference.as_ref()]);
-        let others =
-            [self.repeatability.as_ref().and_then(|r| r.commanded.as_ref()), self.compliance.as_ref().map(|c| &c.file)];
-        measured.chain(streams.chain(poses).chain(others).flatten())
+        let others = [self.repeatability.as_ref().and_then(|r| r.commanded.as_ref()), self.compliance.as_ref()];
+        let tables = streams.chain(poses).chain(others).flatten().flat_map(TableDefinition::files);
+        measured.chain(self.streams.iter().map(|s| &s.file)).chain(tables)
     }
 }
 
@@ -209,7 +214,7 @@ impl Expansion {
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Homing {
-    /// Expanded uncertainty of sliding joints.
+    /// Expanded uncertainty of prismatic joints.
     pub expanded_uncertainty_um: Option<f64>,
     /// Expanded uncertainty of revolute joints.
     pub expanded_uncertainty_deg: Option<f64>,
@@ -247,7 +252,7 @@ pub struct ObservationsDefinition {
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
+    /// Cells that mean "not measured", in addition to empty cells.
     #[serde(default)]
     pub missing: Missing,
     /// Source of each column that has another name in the file: a heading, a number from 1, or an
@@ -257,20 +262,20 @@ pub struct ObservationsDefinition {
     /// Columns with the same value in all rows, e.g. `kind = "distance"`.
     #[serde(default)]
     pub constants: BTreeMap<String, Constant>,
-    /// Rows that are read: those with one of these cells in each of these columns.
+    /// Filter of the rows: only rows with one of these cells in each of these columns are read.
     #[serde(default)]
     pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
+    /// Filter of the rows: rows with one of these cells in one of these columns are left out.
     #[serde(default)]
     pub without: BTreeMap<String, Cells>,
-    /// Coverage factor of the columns of uncertainties, where they are expanded.
+    /// Coverage factor of the columns of uncertainties, if they are expanded.
     pub coverage_factor: Option<f64>,
-    /// Kind of all observations, of a table without such a column.
+    /// Kind of all observations, for a table without the column.
     pub kind: Option<String>,
-    /// The target of all rows, of a table without such a column.
+    /// Target of all rows, for a table without the column.
     pub target: Option<String>,
-    /// `row`: the number of the data row is the number of the pose, for a table without such a
-    /// column; `row + 100` adds an offset.
+    /// Pose number from the number of the data row, for a table without the column: `row`, or `row
+    /// + 100` with an offset.
     pub pose: Option<FromRow>,
     /// Order of the rotations by the three angles of an orientation (columns `a_deg`, `b_deg`,
     /// `c_deg`): successively about the axes of the body or, with `fixed`, about those of the
@@ -280,14 +285,9 @@ pub struct ObservationsDefinition {
 }
 
 impl ObservationsDefinition {
-    /// Key beside `sheet` that does not apply to a workbook.
+    /// Key that does not apply to a workbook, stated beside `sheet`.
     pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
-        let text = [
-            ("delimiter", self.delimiter.is_some()),
-            ("decimal", self.decimal.is_some()),
-            ("encoding", self.encoding.is_some()),
-        ];
-        text.into_iter().find(|(_, stated)| self.sheet.is_some() && *stated).map(|(key, _)| key)
+        meaningless_beside_sheet(self.sheet.as_deref(), (self.delimiter, self.decimal, self.encoding))
     }
 
     /// Layout of the table.
@@ -301,19 +301,15 @@ impl ObservationsDefinition {
             comment: self.comment.clone(),
             missing: self.missing.clone(),
             columns: self.columns.clone(),
-            lenient: false,
             constants: self.constants.clone().into_iter().chain(kind).collect(),
             only: self.only.clone(),
             without: self.without.clone(),
             coverage_factor: self.coverage_factor,
             target: self.target.clone(),
             pose: self.pose,
+            ..TableLayout::default()
         }
     }
-}
-
-fn one_row() -> Header {
-    Header::Rows(1)
 }
 
 impl Instrument {
@@ -694,7 +690,7 @@ pub struct Limits {
     pub surface_max_mm: Option<f64>,
     /// Largest distance of a target from the socket that it touches.
     pub contact_max_mm: Option<f64>,
-    /// Largest error of a coordinate that was measured by itself.
+    /// Largest error of a coordinate that was measured singly.
     pub coordinate_max_mm: Option<f64>,
     /// Largest repeatability RP of all poses.
     pub repeatability_max_mm: Option<f64>,

@@ -5,10 +5,11 @@ use super::kinematics::{identified, joint_names, whole_pose};
 use super::{Verdict, print, say};
 use crate::run::documents::Documents;
 use crate::stages::table_file::TableFile;
-use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::files;
 use etalon_base::message::{Place, Problems, Result, Severity};
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_controllers::axis_tables::{self, Deviation, MachineAxes, Plane, Sign};
 use etalon_documents::{CampaignSummary, GeometricDocument, LeadResult};
 use etalon_formats::table::{self, QUATERNION, XYZ};
@@ -20,9 +21,9 @@ use std::path::{Path, PathBuf};
 /// measured errors.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Sources:
-  parameters.json  of a joint its own error (lead, gain, zero, harmonics), of two sliding joints that of the tool; of x, y, z that of a robot
-                   whose controller computes with nominal geometry
-  geometric.json   the lead and linearity of an actuator, of rho1_mm, rho2_mm or rho3_mm
+  parameters.json  one joint: its own error (lead, gain, zero, harmonics); two prismatic joints: the error of the tool; x, y, z: the
+                   error of a robot whose controller computes with nominal geometry
+  geometric.json   lead and linearity of an actuator: rho1_mm, rho2_mm or rho3_mm
   table (CSV)      measured errors: a column for each base axis, and `deviation` (attained minus programmed)
 
 Example:
@@ -135,7 +136,7 @@ enum Source<'a> {
 impl Source<'_> {
     /// Attained minus programmed position of the corrected axis at positions of the base axes (mm
     /// or deg); `near` holds the joint values before the motion.
-    fn deviation(&self, positions: &[f64], near: &mut Vec<f64>) -> std::result::Result<f64, String> {
+    fn deviation(&self, positions: &[f64], near: &mut Vec<f64>) -> std::result::Result<f64, Phrase> {
         match self {
             Self::Joint { robot, joints, bases, corrected } => {
                 let (all, mut q) = (robot.arm.joints(), joints.clone());
@@ -147,7 +148,7 @@ impl Source<'_> {
                     let index = moved.iter().position(|joint| joint == corrected).unwrap_or_default();
                     robot.joint_deviations(&q, &moved).map(|all| all[index])
                 };
-                Ok(all[*corrected].quantity.outward(deviation.ok_or("no-error")?))
+                Ok(all[*corrected].quantity.outward(deviation.ok_or_else(|| phrase!("axis-without-errors"))?))
             }
             Self::Pose { robot, at, bases, corrected } => {
                 let mut wanted = *at;
@@ -159,8 +160,8 @@ impl Source<'_> {
                 let rows = &lead.linearity;
                 let within =
                     rows.windows(2).find(|pair| (pair[0].commanded_mm..=pair[1].commanded_mm).contains(&positions[0]));
-                let [a, b] = within.ok_or("not-measured")? else {
-                    return Err("no interval".to_owned());
+                let [a, b] = within.ok_or_else(|| phrase!("lead-not-measured-there"))? else {
+                    return Err(phrase!("lead-not-measured-there"));
                 };
                 let part = (positions[0] - a.commanded_mm) / (b.commanded_mm - a.commanded_mm);
                 Ok(lead.error * positions[0] + a.deviation_mm + part * (b.deviation_mm - a.deviation_mm))
@@ -168,7 +169,7 @@ impl Source<'_> {
             Self::Measured(rows) => {
                 let order = |at: &[f64]| at.partial_cmp(positions).unwrap_or(Ordering::Less);
                 let row = rows.binary_search_by(|(at, _)| order(at));
-                row.map(|row| rows[row].1).map_err(|_| "the table has no row".to_owned())
+                row.map(|row| rows[row].1).map_err(|_| phrase!("table-without-row"))
             }
         }
     }
@@ -362,7 +363,7 @@ impl AxisTable {
             let position: Vec<String> =
                 self.axes.iter().zip(at).map(|(axis, v)| format!("{} = {v}", axis.name)).collect();
             let deviation = source.deviation(at, &mut near);
-            deviation.map_err(|reason| error!("deviation-unknown", position, reason, axis = self.corrected()))
+            deviation.map_err(|reason| error!("deviation-unknown", position, reason))
         };
         if let Some(axis) = self.axes.iter().find(|axis| axis.positions.is_empty()) {
             return Err(error!("axis-without-positions", axis = axis.name).into());

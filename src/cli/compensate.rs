@@ -6,6 +6,7 @@ use super::{Verdict, print_with, remark, say};
 use crate::stages::table_file::TableFile;
 use clap::ValueEnum;
 use etalon_base::bounds::option_at_most;
+use etalon_base::catalogue::Phrase;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Rank, Result, Severity, count};
 use etalon_base::pose::{Pose, minus, norm};
@@ -26,12 +27,12 @@ use std::path::PathBuf;
 /// only the targets are replaced.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Targets:
-  table    pose, x_mm, y_mm, z_mm, qw, qx, qy, qz, and joints near which the robot is to reach them; or pose and joints alone, which
-           the nominal robot would be commanded
+  table    pose, x_mm, y_mm, z_mm, qw, qx, qy, qz, and joint values that select the solution; or pose and joint values of the nominal
+           robot only
   program  RAPID (.mod, .prg), KRL (.src, .dat), URScript (.script), G-code (.ngc, .nc, .gcode), Mecaprol (.mp), Galil (.dmc): printed with
-           other targets
+           compensated targets
 
-Exit code 1 where a target is out of reach or in another configuration; no program or list is written with a target out of reach: 2.")]
+Exit code 1 if a target is out of reach or in another configuration. A program or list with a target out of reach is not written (exit code 2).")]
 pub struct Compensate {
     /// Table of targets (CSV), or a program.
     targets: PathBuf,
@@ -339,7 +340,11 @@ impl Compensator<'_> {
                     document.targets.push(entry);
                 }
                 Err(reason) => {
-                    document.unreachable.push(UnreachableTarget { target: target.name.clone(), reason });
+                    document.unreachable.push(UnreachableTarget {
+                        target: target.name.clone(),
+                        reason: reason.to_string(),
+                        reason_phrase: Some(reason),
+                    });
                 }
             }
         }
@@ -348,7 +353,7 @@ impl Compensator<'_> {
 
     /// Command for a target in the controller's form; `last` holds the joint values before the
     /// motion.
-    fn target(&self, target: &Target, last: &mut Vec<f64>) -> std::result::Result<(Pose, CompensatedTarget), String> {
+    fn target(&self, target: &Target, last: &mut Vec<f64>) -> std::result::Result<(Pose, CompensatedTarget), Phrase> {
         let [targets, commands] = self.frames;
         let mut wanted = targets.then(&target.pose).then(&self.tool.inverse());
         if self.freedoms == Freedoms::Point {
@@ -392,7 +397,7 @@ impl Compensator<'_> {
     }
 
     /// Command as written, and pose of the identified robot with this command.
-    fn carried_out(&self, command: &Pose, joints: &[f64]) -> std::result::Result<(Pose, Pose), String> {
+    fn carried_out(&self, command: &Pose, joints: &[f64]) -> std::result::Result<(Pose, Pose), Phrase> {
         let units = |q: &[f64], out: bool| -> Vec<f64> {
             let joint = |(i, &q): (usize, &f64)| match self.robot.arm.joints().get(i) {
                 Some(joint) if out => joint.quantity.outward(q),
@@ -417,7 +422,7 @@ impl Compensator<'_> {
         }
     }
 
-    fn commanded(&self, command: &Pose, joints: &[f64]) -> std::result::Result<Pose, String> {
+    fn commanded(&self, command: &Pose, joints: &[f64]) -> std::result::Result<Pose, Phrase> {
         self.robot.attained(&self.frames[1].then(command).then(&self.tool.inverse()), joints)
     }
 
@@ -458,7 +463,7 @@ fn freedoms(arm: &dyn Kinematics) -> Freedoms {
 }
 
 fn unreachable(target: &UnreachableTarget) -> Message {
-    warning!("target-unreachable", target = target.target, reason = target.reason)
+    warning!("target-unreachable", target = target.target, reason = target.reason_phrase)
 }
 
 /// Parses x,y,z or x,y,z,qw,qx,qy,qz.

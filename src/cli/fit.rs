@@ -2,7 +2,7 @@
 
 use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
-use super::{Verdict, print, print_text, remark, say};
+use super::{Verdict, print, print_text, remark, say_message};
 use crate::stages::qif_fit::{ProbeStated, refit};
 use etalon_base::error;
 use etalon_base::message::{Place, Problems};
@@ -53,6 +53,10 @@ pub struct FitCommand {
     /// (Chebyshev) instead of least squares: the form of ISO 1101.
     #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal", "probe_radius_mm", "probe_side"])]
     minimum_zone: bool,
+    /// Set points aside that are far from the element of all others, and list them (trimmed least
+    /// squares).
+    #[arg(long, conflicts_with = "minimum_zone")]
+    robust: bool,
     /// Print JSON: an object, or a list of objects with --by-label and for QIF.
     #[arg(long)]
     json: bool,
@@ -68,9 +72,7 @@ impl FitCommand {
                 (if qif { self.measured_features(&texts)? } else { self.groups(&texts)? }, qif)
             }
         };
-        for message in documents.iter().flat_map(|d| &d.messages) {
-            say(format_args!("{message}\n"));
-        }
+        documents.iter().flat_map(|d| &d.messages).for_each(say_message);
         match (&documents[..], self.json) {
             ([one], true) if !self.by_label && !qif => print(to_json(one)?)?,
             (all, true) => print(to_json(&all)?)?,
@@ -84,7 +86,7 @@ impl FitCommand {
         let first = PathBuf::from(&self.element);
         let paths = if self.all_features() { [&[first], &self.files[..]].concat() } else { self.files.clone() };
         let format = self.format()?;
-        let texts = paths.iter().map(|path| Ok((path.display().to_string(), etalon_formats::text_in(path, &format)?)));
+        let texts = paths.iter().map(|path| Ok((path.display().to_string(), self.text.text(path, &format)?)));
         let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
         if texts.is_empty() {
             return Err(error!("fit-file-missing", element = self.element).into());
@@ -124,6 +126,9 @@ impl FitCommand {
         if self.radius_mm.is_some() || self.text.stated() {
             return Err(error!("qif-with-columns").into());
         }
+        if self.robust {
+            return Err(error!("qif-robust").into());
+        }
         let wanted = (!self.all_features()).then(|| self.element.parse::<Element>()).transpose()?;
         let unit = self.text.stated_unit()?;
         let probe = ProbeStated { radius_mm: self.probe_radius_mm, side: self.side()? };
@@ -139,7 +144,7 @@ impl FitCommand {
                 }
                 match refit(feature, &self.settings(None), probe) {
                     Ok(document) => documents.extend(document),
-                    Err(problems) => say(format_args!("{problems}\n")),
+                    Err(problems) => problems.0.iter().for_each(say_message),
                 }
             }
         }
@@ -187,7 +192,7 @@ impl FitCommand {
         let mut all = Vec::new();
         for (file, text) in texts {
             let (points, refused) = etalon_formats::points_and_refused(file, text, &format, unit)?;
-            refused.into_iter().for_each(|message| say(format_args!("{message}\n")));
+            refused.iter().for_each(say_message);
             all.extend(points);
         }
         Ok(all)
@@ -195,7 +200,8 @@ impl FitCommand {
 
     /// Points of all files, if all are plain tables and no label matters.
     fn plain(&self) -> Result<Option<PackedPoints>, Problems> {
-        if self.by_label || self.all_features() || self.text.stated_unit()?.is_none() {
+        let is_plain = self.text.is_of_plain_text() && self.text.stated_unit()?.is_some();
+        if self.by_label || self.all_features() || !is_plain {
             return Ok(None);
         }
         let (unit, format) = (self.text.unit()?, self.format()?);
@@ -217,6 +223,9 @@ impl FitCommand {
     fn fit(&self, label: &str, points: Source) -> Result<FitDocument, Problems> {
         let all = || (0..points.len()).map(|i| points.at(i)).collect::<Vec<Vector>>();
         let label = (!label.is_empty()).then(|| label.to_owned());
+        if self.element.starts_with("enclosing-") && self.robust {
+            return Err(error!("enclosing-robust", element = self.element).into());
+        }
         if self.element.starts_with("enclosing-") && self.probe()?.is_some() {
             return Err(error!("enclosing-with-probe", element = self.element).into());
         }
@@ -245,7 +254,13 @@ impl FitCommand {
                     })?;
                     return Ok(FitDocument::minimum_zone(label, &zone));
                 }
-                Ok(FitDocument::new(label, &etalon_fit::element(element, points, &self.settings(self.probe()?))?))
+                let settings = self.settings(self.probe()?);
+                if self.robust {
+                    return Ok(FitDocument::robust(label, &etalon_fit::robust_element(element, &all(), &settings)?));
+                }
+                let fit = etalon_fit::element(element, points.clone(), &settings)?;
+                let foreign = etalon_fit::foreign_points(&fit, &points, &settings);
+                Ok(FitDocument::new(label, &fit).with_foreign(foreign.as_ref()))
             }
         }
     }

@@ -6,9 +6,9 @@ use std::fmt::Write;
 /// Tasks in the order of a calibration, each with its commands.
 const GROUPS: [(&str, &[&str]); 7] = [
     ("Start a campaign", &["init", "formats", "check", "simulate"]),
-    ("Calibrate", &["run", "batch", "identify", "fit"]),
+    ("Calibrate", &["run", "batch", "identify", "axes", "fit"]),
     ("Judge the result", &["recommend", "validate", "verify", "uncertainty", "compare", "report"]),
-    ("Load it into a controller", &["export", "compensate", "axis-table", "kinematics"]),
+    ("Load it into a controller", &["export", "compensate", "axis-table", "kinematics", "robot"]),
     ("Test by a standard", &["iso9283", "iso230"]),
     ("Plan measurements", &["plan", "study"]),
     ("Set up", &["explain", "completions", "man", "schema", "help"]),

@@ -17,6 +17,7 @@ use etalon_documents::{
 use etalon_robots::{Kinematics, Robot};
 use std::path::Path;
 
+pub use super::capture::{Answer, answer};
 pub use super::given::{Given, Table};
 pub use super::init::{known_names, known_text, urdf_text};
 
@@ -26,15 +27,15 @@ const PLACEHOLDER: &str = "table";
 /// The kinematics of a robot, of a model that has them.
 ///
 /// # Errors
-/// A model without kinematics of a whole pose.
+/// Fails for a model without kinematics of a whole pose.
 pub fn whole_pose(robot: &dyn Robot) -> std::result::Result<&dyn Kinematics, Problems> {
     super::kinematics::whole_pose(robot)
 }
 
-/// Takes the parameters of a `parameters.json`, where one is given, as the nominal ones.
+/// Uses the parameters of a `parameters.json`, if given, as the nominal ones.
 ///
 /// # Errors
-/// Parameters of another robot.
+/// Fails with parameters of another robot.
 pub fn set_parameters(robot: &mut dyn Robot, json: Option<&str>) -> std::result::Result<(), Problems> {
     let Some(json) = json else { return Ok(()) };
     let document = parse_parameters("parameters", json)?;
@@ -46,7 +47,7 @@ pub fn set_parameters(robot: &mut dyn Robot, json: Option<&str>) -> std::result:
 /// Identifies parameters, as `etalon identify`.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument> {
     let files = ["--robot", PLACEHOLDER, "--observations", PLACEHOLDER];
     options_of::<super::identify::IdentifyCommand>(&files, options)?.in_memory(given)
@@ -55,7 +56,7 @@ pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument>
 /// Chooses poses to measure, as `etalon plan`.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
     let files = ["--robot", PLACEHOLDER, "--candidates", PLACEHOLDER];
     options_of::<super::plan::PlanCommand>(&files, options)?.in_memory(given)
@@ -64,7 +65,7 @@ pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
 /// Judges whether parameters still hold, as `etalon verify`.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]) -> Result<VerificationDocument> {
     let files = ["--robot", PLACEHOLDER, "--parameters", PLACEHOLDER, PLACEHOLDER];
     options_of::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
@@ -74,7 +75,7 @@ pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]
 /// the third reference targets.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn iso9283([attained, commanded, reference]: [Option<&Table>; 3], options: &[String]) -> Result<Iso9283Document> {
     let attained = needed(attained)?;
     let files = [PLACEHOLDER, "--commanded", PLACEHOLDER];
@@ -86,7 +87,7 @@ pub fn iso9283([attained, commanded, reference]: [Option<&Table>; 3], options: &
 /// the third the commanded path.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn iso9283_path(
     [recording, commanded, path]: [Option<&Table>; 3],
     options: &[String],
@@ -100,12 +101,12 @@ pub fn iso9283_path(
 /// Evaluates the positioning of an axis, as `etalon iso230`.
 ///
 /// # Errors
-/// Those of the command.
+/// Fails like the command.
 pub fn iso230(table: &Table) -> Result<AxisDocument> {
     Ok(super::iso230::evaluate(&table.parse()?)?.0)
 }
 
-/// Finds everything that is wrong with a campaign, as `etalon check`.
+/// Finds all errors of a campaign, like `etalon check`.
 pub fn check(campaign: &Path) -> CheckDocument {
     let (checked, problems) = find(campaign);
     let (imported, joints) = checked.map(|checked| (checked.inputs, checked.joints)).unzip();

@@ -22,8 +22,8 @@ pub struct Init {
     /// Add a truth, from which `etalon simulate` writes the exports and logs.
     #[arg(long)]
     synthetic: bool,
-    /// Describe the robot by this URDF or xacro file, which is copied beside robot.toml as plain
-    /// URDF: its chain with the most moving joints.
+    /// Describe the robot by this URDF or xacro file: its chain with the most moving joints. The
+    /// file is copied beside robot.toml as plain URDF.
     #[arg(long, value_name = "FILE", conflicts_with = "synthetic")]
     urdf: Option<PathBuf>,
     /// Argument of a xacro file, as the command `xacro` takes it; several options are allowed.
@@ -105,7 +105,8 @@ impl Init {
             let Described { name, robot, text, joints } = described(path, &self.argument)?;
             let files = vec![("robot.toml".to_owned(), robot), (name, text)];
             let controllers = "[\"json\", \"urdf\"]";
-            return Ok(from::RobotFiles { files, joints, targets: Vec::new(), controllers });
+            let path = path.with_file_name("robot.toml");
+            return Ok(from::RobotFiles { files, path, joints, targets: Vec::new(), controllers });
         }
         let Some(name) = &self.robot else {
             return Err(Problems::from(error!("from-needs-robot")).into());
@@ -113,7 +114,7 @@ impl Init {
         let robot = known_robot(name)?;
         let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
         let (joints, targets) = (robot.joints(), robot.targets.clone());
-        Ok(from::RobotFiles { files, joints, targets, controllers: "[\"json\"]" })
+        Ok(from::RobotFiles { files, path: "robot.toml".into(), joints, targets, controllers: "[\"json\"]" })
     }
 
     /// A campaign of the robot of a URDF file.

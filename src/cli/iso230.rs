@@ -14,8 +14,8 @@ use std::path::PathBuf;
 /// compensation table.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Table:
-  position_mm (programmed), measured_mm, direction (+1 or -1: from which side the position was approached);
-  each position at least twice in either direction (five times by ISO 230-2)")]
+  position_mm (programmed), measured_mm, direction (approach: +1 or -1);
+  each position at least twice in each direction (five times by ISO 230-2)")]
 pub struct Iso230 {
     /// Table of measured positions (CSV).
     #[arg(value_name = "TABLE")]
@@ -60,7 +60,7 @@ impl Iso230 {
             }
             Some(Controller::Sinumerik) => {
                 let reversal = document.axis.mean_reversal_mm;
-                let units = format!("mm, mean of both directions; mean reversal error {reversal:.6} mm is not in it");
+                let units = format!("mm, mean of both directions; without the mean reversal error of {reversal:.6} mm");
                 print(axis_tables::sinumerik(&deviations, &self.axis, &header(&units))?)?;
             }
             None if self.json => print(to_json(&document)?)?,

@@ -176,7 +176,7 @@ impl Iso9283 {
             Some(Test::Path { stream, commanded, options, seed, json }) => {
                 options.run(&stream, commanded.as_deref(), seed, json)
             }
-            Some(Test::Compliance { table, format, json }) => compliance(format.read_poses(&table)?, json),
+            Some(Test::Compliance { table, format, json }) => compliance(format.read_other(&table)?, json),
             Some(Test::Plan { options, json }) => options.run(json),
             None => by_options.run(),
         }
@@ -188,10 +188,13 @@ impl ByOptions {
         let commanded = self.commanded.as_deref();
         match (&self.stream, &self.compliance, &self.poses) {
             _ if self.plan => self.layout.run(self.json),
-            (_, Some(table), _) => compliance(TableFile::read(table)?, self.json),
+            (_, Some(table), _) => compliance(self.motion.form().read(table)?, self.json),
             (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
-            (.., Some(poses)) => self.pose.run((poses, commanded), &TableFile::read, self.seed, self.json),
-            _ => Err(Problems::from(error!("nothing-to-evaluate")).into()),
+            (.., poses) => {
+                let poses = poses.as_deref().unwrap_or(Path::new("")); // clap requires one of these
+                let read = |path: &Path| self.motion.form().read(path);
+                self.pose.run((poses, commanded), &read, self.seed, self.json)
+            }
         }
     }
 }

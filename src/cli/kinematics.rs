@@ -9,7 +9,7 @@ use crate::stages::table_file::TableFile;
 use etalon_base::cell;
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Pose;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::read_robot;
 use etalon_documents::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
 use etalon_formats::table::{self, ASSEMBLY, QUATERNION, XYZ};
@@ -26,9 +26,9 @@ const LENGTH_ONE: f64 = 1e-3;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Tables:
   direct   pose and the joints (q1_deg or q1_rad, lift_m ...); assembly (+1 or -1) of a five-bar
-  inverse  pose, x_mm, y_mm, z_mm, qw, qx, qy, qz; joints of a row are where its --nearest solution is looked for
+  inverse  pose, x_mm, y_mm, z_mm, qw, qx, qy, qz; joint values of a row select its --nearest solution
 
-Exit code 1 where a pose is out of reach: the others are in the answer.")]
+Exit code 1 if a pose is out of reach; the answer contains the other poses.")]
 pub struct KinematicsCommand {
     /// Direction of the computation.
     #[arg(value_enum)]
@@ -68,7 +68,7 @@ impl KinematicsCommand {
             robot.definition_mut().set_nominal(&values);
         }
         let arm = whole_pose(robot.as_ref())?;
-        let file = self.format.read_poses(&self.table)?;
+        let file = self.format.read_other(&self.table)?;
         let mut document = KinematicsDocument {
             schema: "etalon/kinematics/1".to_owned(),
             robot: arm.model().to_owned(),
@@ -81,7 +81,7 @@ impl KinematicsCommand {
             Direction::Inverse => self.inverse(arm, &file, &mut document),
         }
         .map_err(|problems| file.place(problems))?;
-        let said = |u: &UnreachablePose| warning!("pose-unreachable", pose = u.pose, reason = u.reason);
+        let said = |u: &UnreachablePose| warning!("pose-unreachable", pose = u.pose, reason = u.reason_phrase);
         remark(&document.unreachable.iter().map(said).collect::<Vec<_>>());
         let verdict = Verdict::of(document.unreachable.is_empty());
         let inverse = self.direction == Direction::Inverse;
@@ -106,9 +106,9 @@ impl KinematicsCommand {
                 let all = arm.all_joints(&nominal, &pose);
                 let forbidden = all.iter().find_map(|q| arm.limit_violation(&nominal, q));
                 found.extend(all.into_iter().filter(|q| arm.limit_violation(&nominal, q).is_none()));
-                found.is_empty().then(|| forbidden.unwrap_or_else(|| "out of reach".to_owned()))
+                found.is_empty().then(|| forbidden.unwrap_or_else(|| phrase!("out-of-reach")))
             };
-            document.unreachable.extend(reason.map(|reason| UnreachablePose { pose: name, reason }));
+            document.unreachable.extend(reason.map(|reason| UnreachablePose::new(name, reason)));
             for joints in found {
                 last.copy_from_slice(&joints[..arm.joints().len()]);
                 document.poses.push(entry(arm, name, &joints, &pose));
@@ -219,11 +219,10 @@ fn direct(arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocum
             Some(at) => {
                 document.poses.push(entry(arm, pose, &joints, &at));
                 let reason = arm.limit_violation(&nominal, &joints);
-                document.unreachable.extend(reason.map(|reason| UnreachablePose { pose, reason }));
+                document.unreachable.extend(reason.map(|reason| UnreachablePose::new(pose, reason)));
             }
             None => {
-                let reason = "the robot cannot be where the joints put it".to_owned();
-                document.unreachable.push(UnreachablePose { pose, reason });
+                document.unreachable.push(UnreachablePose::new(pose, phrase!("joints-admit-no-pose")));
             }
         }
     }

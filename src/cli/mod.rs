@@ -1,10 +1,12 @@
 //! Command line, with one file per command.
 //!
 //! Data go to stdout, messages to stderr. Exit codes: 0 done; 1 done, but a limit of the campaign
-//! is not met, or the result cannot be the robot's; 2 could not run.
+//! is not met, or the result is implausible; 2 not run.
 
+mod axes;
 mod axis_table;
 mod batch;
+mod capture;
 mod check;
 mod compare;
 mod compensate;
@@ -27,6 +29,7 @@ mod plan;
 mod progress;
 mod recommend;
 mod report;
+mod robot;
 mod run;
 mod schema;
 mod simulate;
@@ -59,8 +62,8 @@ use std::path::Path;
   etalon run my-campaign                exports and logs in, parameters and report out
   etalon identify --robot robot.toml --observations observations.csv --json
 
-Exit codes: 0 done; 1 done, but a limit that the campaign states is not met, or the result cannot be a robot; \
-2 could not run.")]
+Exit codes: 0 done; 1 done, but a limit of the campaign is not met, or the result is implausible; \
+2 not run.")]
 pub struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -72,6 +75,7 @@ enum Command {
     Check(check::Check),
     Formats(formats::Formats),
     Fit(fit::FitCommand),
+    Axes(axes::AxesCommand),
     Run(run::Run),
     Batch(batch::Batch),
     Identify(identify::IdentifyCommand),
@@ -80,6 +84,7 @@ enum Command {
     Verify(verify::Verify),
     Uncertainty(uncertainty::Uncertainty),
     Kinematics(kinematics::KinematicsCommand),
+    Robot(robot::RobotCommand),
     Compensate(Box<compensate::Compensate>),
     AxisTable(axis_table::AxisTable),
     Plan(plan::PlanCommand),
@@ -136,6 +141,7 @@ fn run(command: Command) -> u8 {
         Command::Check(command) => command.run(),
         Command::Formats(command) => command.run(),
         Command::Fit(command) => command.run(),
+        Command::Axes(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),
@@ -144,6 +150,7 @@ fn run(command: Command) -> u8 {
         Command::Verify(command) => command.run(),
         Command::Uncertainty(command) => command.run(),
         Command::Kinematics(command) => command.run(),
+        Command::Robot(command) => command.run(),
         Command::Compensate(command) => command.run(),
         Command::AxisTable(command) => command.run(),
         Command::Plan(command) => command.run(),
@@ -165,7 +172,10 @@ fn run(command: Command) -> u8 {
         Ok(Verdict::NotRun) => 2,
         Err(error) => {
             match error.downcast_ref::<etalon_base::message::Problems>() {
-                Some(problems) => say(problems),
+                Some(problems) => {
+                    capture::add(|answer| answer.messages.extend_from_slice(&problems.0));
+                    say(problems);
+                }
                 None => say(format_args!("error: {error:#}")),
             }
             2
@@ -177,6 +187,9 @@ fn run(command: Command) -> u8 {
 /// terminal.
 fn refuse(error: &clap::Error) -> u8 {
     let text = error.render().to_string();
+    if capture::add(|answer| answer.stderr.push_str(&text)) {
+        return u8::try_from(error.exit_code()).unwrap_or(2);
+    }
     match printable_lines(&text) {
         shown if shown == text => drop(error.print()),
         shown => drop(write!(std::io::stderr().lock(), "{shown}")),
@@ -186,6 +199,9 @@ fn refuse(error: &clap::Error) -> u8 {
 
 /// Prints data to stdout; a reader who has closed it is not an error.
 fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
+    if capture::add(|answer| answer.stdout.extend_from_slice(data.as_ref())) {
+        return Ok(());
+    }
     let write = || {
         let mut out = std::io::stdout().lock();
         out.write_all(data.as_ref()).and_then(|()| out.flush())
@@ -239,7 +255,7 @@ fn pose_table<'a, P: Display>(columns: &[&str], rows: impl Iterator<Item = (P, &
 fn remark(messages: &[Message]) {
     let mut grouped = Problems(messages.to_vec()).grouped().0;
     grouped.sort_by_key(|message| message.rank);
-    grouped.iter().for_each(|message| say(format_args!("{message}\n")));
+    grouped.iter().for_each(say_message);
 }
 
 /// Prints the names of written files, as lines or as JSON.
@@ -250,13 +266,22 @@ fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     print_text(&files.iter().map(|file| format!("{}\n", printable(file))).collect::<String>())
 }
 
+/// Prints a message to stderr.
+fn say_message(message: &Message) {
+    capture::add(|answer| answer.messages.push(message.clone()));
+    say(format_args!("{message}\n"));
+}
+
 /// Prints text to stderr; names in it cannot control the terminal. A closed stderr is not an error.
 fn say(text: impl Display) {
     let text = printable_lines(&text.to_string());
+    if capture::add(|answer| answer.stderr += &format!("{text}\n")) {
+        return;
+    }
     progress::beside(|| drop(writeln!(std::io::stderr().lock(), "{text}")));
 }
 
-/// Says on stderr which command comes next; a program that asked for JSON is told nothing.
+/// Names the next command on stderr, unless the caller asked for JSON.
 fn next_step(json: bool, step: impl Display) {
     if !json {
         say(format_args!("next: {step}"));

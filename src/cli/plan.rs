@@ -25,7 +25,7 @@ use etalon_identify::{Effects, Observation, Settings};
 use etalon_report::Renderer;
 use etalon_robots::{Parameter, Robot};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Number of identifications of a simulated calibration whose mean is evaluated (thesis, section
 /// 4.6).
@@ -52,7 +52,7 @@ impl clap::ValueEnum for Index {
     }
 
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        Some(clap::builder::PossibleValue::new(self.0.name()).help(self.0.definition()))
+        Some(clap::builder::PossibleValue::new(self.0.name()).help(self.0.definition().to_string()))
     }
 }
 
@@ -140,7 +140,8 @@ impl PlanCommand {
         self.reports.check(self.inputs())?;
         let robot_file = read_robot(&self.robot)?;
         let (robot, candidates) = candidates_of(&robot_file, &self.format.read_poses(&self.candidates)?)?;
-        let elsewhere = self.workspace.as_ref().map(|path| read(&robot_file, path)).transpose()?;
+        let elsewhere = |path: &PathBuf| candidates_of(&robot_file, &self.format.read_poses(path)?);
+        let elsewhere = self.workspace.as_ref().map(elsewhere).transpose()?;
         let everywhere = elsewhere.map(|(_, all)| all.observations);
         let document = self.planned(robot.as_ref(), candidates, everywhere, files::sha256_of(self.inputs())?)?;
         if let Some(path) = &self.poses {
@@ -224,12 +225,7 @@ impl PlanCommand {
 }
 
 /// Reads a table of candidates: its robot with the named targets, and its configurations.
-pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot>, Candidates)> {
-    candidates_of(robot_file, &TableFile::read(path)?)
-}
-
-/// Candidates of a table that has been read before.
-fn candidates_of(robot_file: &RobotFile, file: &TableFile) -> Result<(Box<dyn Robot>, Candidates)> {
+pub(super) fn candidates_of(robot_file: &RobotFile, file: &TableFile) -> Result<(Box<dyn Robot>, Candidates)> {
     let here = |problems: Problems| file.place(problems);
     let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
     let robot = robot_file.build(&targets).map_err(here)?;
@@ -268,11 +264,13 @@ impl PlanCommand {
         });
         let mut messages = etalon_documents::warning_messages(&planned.sensitivity.messages);
         messages.extend(planned.prediction.messages.clone());
+        let definition = self.index.0.definition();
         Ok(PlanDocument {
             schema: "etalon/plan/1".to_owned(),
             robot: robot.model().to_owned(),
             index: self.index.0.name().to_owned(),
-            definition: self.index.0.definition().to_owned(),
+            definition: definition.to_string(),
+            definition_phrase: Some(definition),
             grouped: !self.single,
             candidates: planned.members.len(),
             configurations: observations.len(),

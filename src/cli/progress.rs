@@ -1,5 +1,5 @@
-//! Progress on the last line of a terminal while a command takes long: a bar where the amount of
-//! work is known, a spinner elsewhere.
+//! Progress on the last line of a terminal during long commands: a bar if the amount of work is
+//! known, otherwise a spinner.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
@@ -18,7 +18,7 @@ static SHOWN: OnceLock<ProgressBar> = OnceLock::new();
 pub(super) struct Bar(Option<(Sender<()>, JoinHandle<()>)>);
 
 impl Bar {
-    /// Shows the line after two seconds, where stderr is a terminal.
+    /// Shows the line after two seconds, if stderr is a terminal.
     pub(super) fn start() -> Self {
         if !std::io::stderr().is_terminal() {
             return Self(None);

@@ -101,13 +101,12 @@ fn kind(path: &Path) -> Result<String> {
 
 impl ReportCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let written = match (&self.folder, &self.write_templates) {
-            (_, Some(folder)) => {
+        let written = match &self.write_templates {
+            Some(folder) => {
                 let templates = etalon_report::templates().map(|(name, text)| (name, text.as_bytes().to_vec()));
                 files::write_new(folder, &templates.collect::<Vec<_>>())?
             }
-            (Some(folder), None) => write_report(folder, &self.branding, self.certificate)?,
-            (None, None) => return Err(Problems::from(error!("report-folder-missing")).into()),
+            None => write_report(&self.folder.unwrap_or_default(), &self.branding, self.certificate)?,
         };
         print_written(written, self.json)?;
         Ok(Verdict::Met)

@@ -48,11 +48,14 @@ impl Run {
         let Outcome { identified, tested, met, renderer, messages, .. } = outcome;
         remark(&messages);
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
-            say("no controller file is written: this result cannot be the robot");
+            say("no controller file is written: the result is implausible");
         }
         let next = identified.as_ref().map(|_| {
             let folder = shell_word(&self.campaign);
-            format!("`etalon recommend {folder}` says which parameters deserve to be loaded; controller files are in the output folder")
+            format!(
+                "`etalon recommend {folder}` lists the parameters that are worth loading; controller files are \
+             in the output folder"
+            )
         });
         let data = match (self.json, &identified, &tested.poses, &tested.streams) {
             (false, ..) => {

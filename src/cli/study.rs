@@ -34,7 +34,8 @@ impl StudyCommand {
         let document = StudiesDocument {
             schema: "etalon/study/1".to_owned(),
             robot: robot.model().to_owned(),
-            error: file.frame.error().to_owned(),
+            error: file.frame.error().to_string(),
+            error_phrase: Some(file.frame.error()),
             runs: file.runs,
             draws: file.draws,
             designs,

@@ -1,37 +1,151 @@
-//! Options for reading a text of points.
+//! Options for reading tables and texts of points: the keys of campaign.toml as options.
 
-use super::table_file::TableFile;
+use crate::stages::table_file::{TableFile, TableForm};
 use etalon_base::error;
 use etalon_base::message::Problems;
-use etalon_formats::dialect::FromRow;
-use etalon_formats::dialect::{ColumnRole, ColumnSource, Decimal, Delimiter, Dialect, Header, Missing, Unit};
+use etalon_formats::dialect::{
+    Cells, ColumnAt, ColumnRole, ColumnSource, Columns, Constant, Decimal, Delimiter, Dialect, Encoding, FromRow,
+    Header, Missing, Thousands, Unit,
+};
 use etalon_formats::{Format, TableLayout};
+use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Unit and columns of a text.
+/// Options of every table and text: marks, header, columns, missing cells, rows.
+#[derive(Debug, clap::Args)]
+pub(super) struct TextForm {
+    /// Delimiter of the columns: comma, semicolon, tab, bar or blank.
+    #[arg(long)]
+    delimiter: Option<String>,
+    /// Decimal mark: point or comma.
+    #[arg(long)]
+    decimal: Option<String>,
+    /// Mark between groups of three digits: comma, point, apostrophe or blank.
+    #[arg(long, value_name = "MARK")]
+    thousands: Option<String>,
+    /// Character encoding, if no byte-order mark states it.
+    #[arg(long)]
+    encoding: Option<String>,
+    /// Sheet of a workbook (.xlsx), or topic of a recording (MCAP), that contains the table.
+    #[arg(long, visible_alias = "topic", value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
+    sheet: Option<String>,
+    /// Rows before the data: a number, or words of the last one, which names the columns.
+    #[arg(long, value_name = "ROWS")]
+    header: Option<String>,
+    /// The table has no header: columns are given by number (--column q1_deg=3).
+    #[arg(long, conflicts_with = "header")]
+    no_header: bool,
+    /// Source of a column that has another name in the file; may be repeated.
+    ///
+    /// A heading (q1_deg=J1), a number (q1_deg=3), or an expression ("x_mm=x_t - x_dif").
+    #[arg(long = "column", value_name = "NAME=HEADING")]
+    named: Vec<String>,
+    /// Cells that mean "not measured", in place of the usual ones (an empty cell, nan, N/A ...).
+    #[arg(long, value_name = "TEXT,...", value_delimiter = ',', allow_hyphen_values = true)]
+    missing: Option<Vec<String>>,
+    /// Beginning of lines to skip.
+    #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
+    comment: Option<String>,
+    /// Read only rows with one of these cells in this column; may be repeated.
+    #[arg(long, value_name = "COLUMN=CELL,...")]
+    only: Vec<String>,
+    /// Leave out rows with one of these cells in this column; may be repeated.
+    #[arg(long, value_name = "COLUMN=CELL,...")]
+    without: Vec<String>,
+}
+
+impl TextForm {
+    /// Stated encoding, if any.
+    fn encoding(&self) -> Result<Option<Encoding>, Problems> {
+        self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()
+    }
+
+    /// Stated header, if any.
+    fn header(&self) -> Option<Header> {
+        let stated = self.header.as_deref().map(|text| match text.trim().parse() {
+            Ok(rows) => Header::Rows(rows),
+            Err(_) => Header::Words(vec![text.to_owned()]),
+        });
+        stated.or_else(|| self.no_header.then_some(Header::Rows(0)))
+    }
+
+    /// Sources of the columns by name.
+    fn columns(&self) -> Result<BTreeMap<String, ColumnSource>, Problems> {
+        self.named.iter().map(|text| named("column", text).map(|(name, source)| (name, source_of(source)))).collect()
+    }
+
+    fn missing(&self) -> Result<Missing, Problems> {
+        Ok(self.missing.clone().map(missing).transpose()?.unwrap_or_default())
+    }
+
+    fn thousands(&self) -> Result<Option<Thousands>, Problems> {
+        self.thousands.as_deref().map(|mark| word("--thousands", mark)).transpose()
+    }
+
+    fn decimal(&self) -> Result<Decimal, Problems> {
+        Ok(self.decimal.as_deref().map(|mark| word("--decimal", mark)).transpose()?.unwrap_or_default())
+    }
+
+    fn delimiter(&self) -> Result<Option<Delimiter>, Problems> {
+        self.delimiter.as_deref().map(|name| word("--delimiter", name)).transpose()
+    }
+
+    /// Layout of a table in the names of etalon, with any columns.
+    fn layout(&self) -> Result<TableLayout, Problems> {
+        Ok(TableLayout {
+            delimiter: self.delimiter()?.unwrap_or(Delimiter::Comma),
+            decimal: self.decimal()?,
+            thousands: self.thousands()?,
+            columns: self.columns()?,
+            header: self.header().unwrap_or(Header::Rows(1)),
+            comment: self.comment.clone(),
+            missing: self.missing()?,
+            only: filter("only", &self.only)?,
+            without: filter("without", &self.without)?,
+            ..TableLayout::of_any_columns()
+        })
+    }
+
+    /// Reads the table of a file in this layout.
+    fn table(&self, path: &Path, layout: TableLayout) -> Result<TableFile, Problems> {
+        let form = TableForm { layout, encoding: self.encoding()?, sheet: self.sheet.clone() };
+        TableFile::observations(path, &etalon_formats::bytes_of(path)?, &form)
+    }
+
+    /// Reads a table in the names of etalon, one of several for which the options are stated.
+    pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
+        self.table(path, TableLayout { lenient: true, ..self.layout()? })
+    }
+}
+
+/// Unit and columns of a text of points.
 #[derive(Debug, clap::Args)]
 pub(super) struct TextFormat {
     /// Length unit of the files: `mm`, `m`, `um` or `inch`; never guessed (QIF states its own).
     #[arg(long)]
     unit: Option<String>,
-    /// Contents of the columns, e.g. label,x,y,z; `-` for an unused column.
-    #[arg(long, value_delimiter = ',', requires = "delimiter", allow_hyphen_values = true)]
+    /// Contents of the columns from the left, e.g. label,x,y,z; `-` for an unused column.
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
     columns: Vec<String>,
-    /// Delimiter: blank, tab, comma, semicolon or bar.
-    #[arg(long, requires = "columns")]
-    delimiter: Option<String>,
-    /// Decimal mark: point or comma.
-    #[arg(long, default_value = "point", requires = "columns")]
-    decimal: String,
-    /// Number of rows before the data.
-    #[arg(long, default_value_t = 0, requires = "columns")]
-    header: usize,
+    #[command(flatten)]
+    form: TextForm,
 }
 
 impl TextFormat {
-    /// `true` if columns are stated.
+    /// `true` if the contents of the columns are stated from the left.
+    pub fn in_order(&self) -> bool {
+        !self.columns.is_empty()
+    }
+
+    /// `true` if a form of text is stated.
     pub fn stated(&self) -> bool {
-        self.delimiter.is_some()
+        let TextForm { delimiter, decimal, sheet, named, .. } = &self.form;
+        self.in_order() || delimiter.is_some() || decimal.is_some() || sheet.is_some() || !named.is_empty()
+    }
+
+    /// `true` if the text of a file depends on an encoding or a sheet.
+    pub fn is_of_plain_text(&self) -> bool {
+        self.form.encoding.is_none() && self.form.sheet.is_none()
     }
 
     /// Stated unit, if any.
@@ -44,49 +158,61 @@ impl TextFormat {
         self.stated_unit()?.ok_or_else(|| error!("option-unit-missing").into())
     }
 
+    /// Options of the tables beside a recording.
+    pub fn form(&self) -> &TextForm {
+        &self.form
+    }
+
     /// Stated columns, by default PolyWorks text.
     pub fn format(&self) -> Result<Format, Problems> {
-        let Some(delimiter) = &self.delimiter else { return Ok(Format::default()) };
-        let columns = self.columns.iter().map(|c| word::<ColumnRole>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
-        Ok(Format::from(Dialect {
-            delimiter: Some(word::<Delimiter>("--delimiter", delimiter)?),
-            decimal: word::<Decimal>("--decimal", &self.decimal)?,
-            columns: columns.into(),
-            header: Header::Rows(self.header),
+        if !self.stated() {
+            return Ok(Format::default());
+        }
+        let form = &self.form;
+        let roles = self.columns.iter().map(|c| word::<ColumnRole>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
+        let columns = match (roles.is_empty(), form.named.is_empty()) {
+            (false, false) => return Err(error!("option-columns-twice").into()),
+            (_, true) => roles.into(),
+            (true, false) => Columns::Named(form.named.iter().map(|text| role(text)).collect::<Result<_, _>>()?),
+        };
+        let by_heading = matches!(&columns, Columns::Named(named) if named.iter().any(|(_, at)| is_heading(at)));
+        let dialect = Dialect {
+            delimiter: form.delimiter()?,
+            sheet: form.sheet.clone(),
+            decimal: form.decimal()?,
+            thousands: form.thousands()?,
+            columns,
+            header: form.header().unwrap_or(Header::Rows(usize::from(by_heading))),
+            comment: form.comment.clone(),
+            missing: form.missing()?,
+            only: filter("only", &form.only)?,
+            without: filter("without", &form.without)?,
             ..Dialect::default()
-        }))
+        };
+        Problems(dialect.check()).check()?;
+        Ok(Format::from(dialect))
+    }
+
+    /// Reads the text of a file of points.
+    pub fn text(&self, path: &Path, format: &Format) -> Result<String, Problems> {
+        match self.is_of_plain_text() {
+            true => etalon_formats::text_in(path, format),
+            false => etalon_formats::text_of(path, &etalon_formats::bytes_of(path)?, self.form.encoding()?, format),
+        }
     }
 }
 
-/// Options for reading a table of observations.
+/// Options for reading a table of observations, poses, loads or joints.
 #[derive(Debug, clap::Args)]
 pub(super) struct TableFormat {
-    /// Delimiter of the columns: comma, semicolon, tab, bar or blank.
-    #[arg(long, default_value = "comma")]
-    delimiter: String,
-    /// Decimal mark: point or comma.
-    #[arg(long, default_value = "point")]
-    decimal: String,
-    /// Character encoding, if no byte-order mark states it.
-    #[arg(long)]
-    encoding: Option<String>,
-    /// Sheet of a workbook (.xlsx), or topic of a recording (MCAP), that contains the table.
-    #[arg(long, visible_alias = "topic", value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
-    sheet: Option<String>,
-    /// Source of a column that has another name in the file; may be repeated.
-    ///
-    /// A heading (q1_deg=J1), a number (q1_deg=3), or an expression ("x_mm=x_t - x_dif").
-    #[arg(long = "column", value_name = "NAME=HEADING")]
-    columns: Vec<String>,
-    /// The table has no header: columns are given by number (--column q1_deg=3).
-    #[arg(long)]
-    no_header: bool,
-    /// Cells that mean "not measured", in place of the usual ones (an empty cell, nan, N/A ...).
-    #[arg(long, value_name = "TEXT,...", value_delimiter = ',', allow_hyphen_values = true)]
-    missing: Option<Vec<String>>,
-    /// Beginning of lines to skip.
-    #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
-    comment: Option<String>,
+    #[command(flatten)]
+    form: TextForm,
+    /// Column with the same value in all rows; may be repeated.
+    #[arg(long = "constant", value_name = "NAME=VALUE")]
+    constants: Vec<String>,
+    /// Coverage factor of the columns of uncertainties, if they are expanded.
+    #[arg(long, value_name = "K")]
+    coverage_factor: Option<f64>,
     /// Target of all rows of a table without such a column.
     #[arg(long, value_name = "NAME")]
     target: Option<String>,
@@ -97,45 +223,74 @@ pub(super) struct TableFormat {
 }
 
 impl TableFormat {
-    /// Reads the table in the file.
+    /// Reads the table of observations in the file.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.table(path, false)
+        self.form.table(path, self.layout(true)?)
     }
 
-    /// A table of poses, which has no column `cycle` where it states commanded ones.
+    /// Reads a table of poses, loads or joints.
+    pub fn read_other(&self, path: &Path) -> Result<TableFile, Problems> {
+        self.form.table(path, self.layout(false)?)
+    }
+
+    /// Reads one of several tables of poses; columns that it lacks are left out.
     pub fn read_poses(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.table(path, true)
+        self.form.table(path, TableLayout { lenient: true, ..self.layout(false)? })
     }
 
     /// The table in a text.
     pub fn parse(&self, name: &str, text: &str) -> Result<TableFile, Problems> {
-        TableFile::parse_with(name, text, &self.layout(false)?)
+        TableFile::parse_with(name, text, &self.layout(true)?)
     }
 
-    fn table(&self, path: &Path, lenient: bool) -> Result<TableFile, Problems> {
-        let layout = self.layout(lenient)?;
-        let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
-        TableFile::observations(path, &etalon_formats::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
-    }
-
-    fn layout(&self, lenient: bool) -> Result<TableLayout, Problems> {
-        let column = |text: &String| match text.split_once('=') {
-            Some((name, source)) => Ok((name.trim().to_owned(), source_of(source.trim()))),
-            None => Err(Problems::from(error!("column-option-malformed", text))),
-        };
+    fn layout(&self, is_of_observations: bool) -> Result<TableLayout, Problems> {
+        let constant = |text: &String| named("constant", text).map(|(name, value)| (name, constant_of(value)));
         Ok(TableLayout {
-            delimiter: word("--delimiter", &self.delimiter)?,
-            decimal: word("--decimal", &self.decimal)?,
-            columns: self.columns.iter().map(column).collect::<Result<_, _>>()?,
-            header: Header::Rows(usize::from(!self.no_header)),
-            comment: self.comment.clone(),
-            missing: self.missing.clone().map(missing).transpose()?.unwrap_or_default(),
-            lenient,
+            constants: self.constants.iter().map(constant).collect::<Result<_, _>>()?,
+            coverage_factor: self.coverage_factor,
             target: self.target.clone(),
             pose: self.pose.as_deref().map(|row| word::<FromRow>("--pose", row)).transpose()?,
-            ..TableLayout::default()
+            is_of_observations,
+            ..self.form.layout()?
         })
     }
+}
+
+/// Name and value of an option `NAME=VALUE`.
+fn named<'a>(option: &str, text: &'a str) -> Result<(String, &'a str), Problems> {
+    match text.split_once('=') {
+        Some((name, value)) => Ok((name.trim().to_owned(), value.trim())),
+        None => Err(error!("column-option-malformed", option, text).into()),
+    }
+}
+
+/// Role of a column, and the heading, number or expression that it is.
+fn role(text: &str) -> Result<(ColumnRole, ColumnAt), Problems> {
+    let (name, source) = named("column", text)?;
+    let at = match source_of(source) {
+        ColumnSource::Heading(heading) => ColumnAt::Name(heading),
+        ColumnSource::Number(number) => ColumnAt::Number(number),
+    };
+    Ok((word("--column", &name)?, at))
+}
+
+/// `true` for a heading, which needs a header.
+fn is_heading(at: &ColumnAt) -> bool {
+    matches!(at, ColumnAt::Name(name) if !name.contains('$'))
+}
+
+/// A number, or a text.
+fn constant_of(text: &str) -> Constant {
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() => Constant::Number(number),
+        _ => Constant::Text(text.to_owned()),
+    }
+}
+
+/// Cells by column of the options of a filter.
+fn filter(option: &str, stated: &[String]) -> Result<BTreeMap<String, Cells>, Problems> {
+    let cells = |text: &str| Cells::Any(text.split(',').map(|cell| constant_of(cell.trim())).collect());
+    stated.iter().map(|text| named(option, text).map(|(column, all)| (column, cells(all)))).collect()
 }
 
 /// Texts of cells that mean "not measured".

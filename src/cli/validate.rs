@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// or last year's parameters with measurements of today. No parameter of the robot is identified,
 /// and only reports are written; limits of the campaign are judged.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Exit code 1 where a limit of the campaign is not met.")]
+#[command(after_help = "Exit code 1 if a limit of the campaign is not met.")]
 pub struct Validate {
     /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,

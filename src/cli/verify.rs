@@ -2,7 +2,7 @@
 
 use super::given::Given;
 use super::identify::{check_uncertainty, unread};
-use super::plan::read as candidates_of;
+use super::plan::candidates_of;
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
@@ -31,11 +31,11 @@ use std::path::PathBuf;
 /// parameters, and of the model in the calibration.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "The answer is that the parameters are valid, that the base has moved, that the zero of a joint has moved, or that it
-is something else; and which motions these poses would have detected with a probability of 95 %.
-A robot that has not changed is called changed in 5 % of all cases.
+    after_help = "Answers: the parameters are valid; the base has moved; the zero of a joint has moved; another change.
+The answer also states the motions that these poses detect with a probability of 95 %.
+The probability that an unchanged robot is judged changed is 5 %.
 
-Exit code 1 where the parameters are no longer valid."
+Exit code 1 if the parameters are no longer valid."
 )]
 pub struct Verify {
     /// Observations of the calibration's targets: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] in
@@ -126,7 +126,8 @@ impl Verify {
     /// Chooses candidates to measure.
     fn plan(&self, robot_file: &RobotFile, document: &ParametersDocument) -> anyhow::Result<Verdict> {
         let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
-        let (mut robot, Candidates { observations, limit_violations }) = candidates_of(robot_file, candidates)?;
+        let table = self.format.read_other(candidates)?;
+        let (mut robot, Candidates { observations, limit_violations }) = candidates_of(robot_file, &table)?;
         let described = robot_file.description_paths();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);

@@ -1,8 +1,8 @@
 //! ISO 9283 pose characteristics over campaigns.
 
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
-use super::trend::{changed, of_estimates, pairs};
-use etalon_base::catalogue::IntoArgument;
+use super::trend::{TrendName, changed, of_estimates, pairs};
+use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{phrase, warning};
@@ -23,14 +23,14 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
             missing.push(pose.pose.argument());
             continue;
         }
-        let name = format!("pose {}", pose.pose);
-        trends.extend(accuracy(&name, &same));
-        trends.extend(positions(&name, all, &same));
-        trends.extend(repeatability(&name, &same));
+        let place = phrase!("pose-named", pose = pose.pose);
+        trends.extend(accuracy(&place, &same));
+        trends.extend(positions(&place, all, &same));
+        trends.extend(repeatability(&place, &same));
     }
     let homings: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.homing.as_ref()).collect();
     if homings.len() == all.len() {
-        trends.extend(repeatability("homing", &homings));
+        trends.extend(repeatability(&phrase!("homing"), &homings));
     } else if !homings.is_empty() {
         missing.push(phrase!("homing").argument());
     }
@@ -41,25 +41,20 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
     trends
 }
 
-fn accuracy(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
+fn accuracy(place: &Phrase, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
     let known = |p: &&Iso9283Pose| Some((p.ap_mm?, p.ap_interval?.low_mm, p.ap_interval?.high_mm));
     let values = all.iter().map(known).collect::<Option<Vec<Recovered>>>()?;
     let change = |(from, to)| changed((from, to), &recovered(values[from], values[to]), None);
-    Some(CompareTrend {
-        family: CompareFamily::PoseAccuracy,
-        name: format!("AP, {name}"),
-        unit: "mm".to_owned(),
-        values: values
-            .iter()
-            .map(|v| CompareValue { value: Some(v.0), standard_uncertainty: None, low: Some(v.1), high: Some(v.2) })
-            .collect(),
-        changes: pairs(all.len()).into_iter().map(change).collect(),
-    })
+    let value =
+        |v: &Recovered| CompareValue { value: Some(v.0), standard_uncertainty: None, low: Some(v.1), high: Some(v.2) };
+    let changes = pairs(all.len()).into_iter().map(change).collect();
+    let values = values.iter().map(value).collect();
+    Some(TrendName::at("AP", place).trend(CompareFamily::PoseAccuracy, "mm", values, changes))
 }
 
 /// Mean of each coordinate: from the visits if all documents have them, otherwise from the
 /// commanded position.
-fn positions(name: &str, documents: &[&Iso9283Document], all: &[&Iso9283Pose]) -> Vec<CompareTrend> {
+fn positions(place: &Phrase, documents: &[&Iso9283Document], all: &[&Iso9283Pose]) -> Vec<CompareTrend> {
     let visited = |(d, p): (&&Iso9283Document, &&Iso9283Pose)| {
         let of_pose = d.visits.iter().filter(|v| v.pose == p.pose).map(|v| v.attained_mm);
         of_pose.collect::<Vec<_>>()
@@ -87,7 +82,7 @@ fn positions(name: &str, documents: &[&Iso9283Document], all: &[&Iso9283Pose]) -
                 })
                 .collect(),
         };
-        let of = (CompareFamily::MeanPosition, format!("mean {letter}, {name}"), "mm");
+        let of = (CompareFamily::MeanPosition, TrendName::at(phrase!("mean-of-axis", axis = letter), place), "mm");
         trends.extend(estimates.map(|estimates| of_estimates(of, &estimates)));
     }
     trends
@@ -98,7 +93,7 @@ fn mean(value: f64, deviation: f64, visits: usize) -> Estimate {
     Estimate { value, standard_uncertainty: deviation / n.sqrt(), degrees: n - 1.0 }
 }
 
-fn repeatability(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
+fn repeatability(place: &Phrase, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
     let known = |p: &&Iso9283Pose| Some((p.rp_mm?, p.rp_interval_analytic?, p.cycles as f64));
     let values = all.iter().map(known).collect::<Option<Vec<_>>>()?;
     let change = |(from, to): (usize, usize)| {
@@ -115,11 +110,7 @@ fn repeatability(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
         low: Some(v.1.low_mm),
         high: Some(v.1.high_mm),
     };
-    Some(CompareTrend {
-        family: CompareFamily::PoseRepeatability,
-        name: format!("RP, {name}"),
-        unit: "mm".to_owned(),
-        values: values.iter().map(value).collect(),
-        changes: pairs(all.len()).into_iter().filter_map(change).collect(),
-    })
+    let changes = pairs(all.len()).into_iter().filter_map(change).collect();
+    let values = values.iter().map(value).collect();
+    Some(TrendName::at("RP", place).trend(CompareFamily::PoseRepeatability, "mm", values, changes))
 }

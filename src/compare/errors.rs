@@ -1,7 +1,8 @@
 //! Errors before and after calibration over campaigns.
 
 use super::significance::Estimate;
-use super::trend::of_estimates;
+use super::trend::{TrendName, of_estimates};
+use etalon_base::phrase;
 use etalon_documents::*;
 
 /// Mean errors of position and orientation, before and after calibration, of all sets of poses that
@@ -12,9 +13,9 @@ pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<Com
     for set in &first.1.sets {
         let kinds = [ErrorQuantity::Position, ErrorQuantity::Orientation].into_iter().chain(ErrorQuantity::OTHERS);
         for error in kinds.filter_map(|q| set.of(q)) {
-            for (word, of) in [
-                ("before", (|e| e.before) as fn(&ErrorStatistics) -> Statistics),
-                ("after", |e: &ErrorStatistics| e.after),
+            for (when, of) in [
+                (phrase!("before"), (|e| e.before) as fn(&ErrorStatistics) -> Statistics),
+                (phrase!("after"), |e: &ErrorStatistics| e.after),
             ] {
                 let estimate = |c: &&(ParametersDocument, AccuracyDocument)| {
                     let set = c.1.sets.iter().find(|s| s.name == set.name)?;
@@ -22,7 +23,8 @@ pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<Com
                 };
                 let estimates: Vec<Option<Estimate>> = all.iter().map(estimate).collect();
                 if estimates.iter().all(Option::is_some) {
-                    let name = format!("{} of {} poses, {word}", error.quantity, set.name);
+                    let (quantity, set) = (error.quantity.phrase(), set.name.phrase());
+                    let name = TrendName::Words(phrase!("mean-error-of-set", quantity, set, when));
                     trends.push(of_estimates((CompareFamily::MeanError, name, &error.unit), &estimates));
                 }
             }

@@ -10,8 +10,9 @@ mod paths;
 pub mod significance;
 mod trend;
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result, one_line};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use std::collections::{BTreeMap, BTreeSet};
 use trend::judge;
@@ -67,10 +68,12 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     judge(&mut trends, |names, pair| Some(parameters::change(&identified, names, pair)?.correlation()));
     messages.extend(disorder(all));
     messages.extend(paths::doubt(&trends));
+    let conventions = conventions(all, &trends, !between_series.is_empty());
     Ok(CompareDocument {
         schema: "etalon/compare/1".to_owned(),
         robot: identified.first().map(|i| i.0.robot.clone()),
-        conventions: conventions(all, &trends, !between_series.is_empty()),
+        conventions: conventions.iter().map(Phrase::to_string).collect(),
+        convention_phrases: conventions,
         campaigns: all.iter().map(campaign).collect(),
         trends,
         together,
@@ -169,87 +172,43 @@ fn campaign(c: &Compared) -> ComparedCampaign {
     }
 }
 
-fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<String> {
+fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<Phrase> {
     let there = |family| trends.iter().any(|t| t.family == family);
-    let mut said = vec![
-        "a change is significant where its probability by chance, corrected for the number of quantities of its family in one pair of \
-         campaigns, is below 5 %: of parameters by the distribution of the largest change, with their covariances (Westfall & Young \
-         1993), of others by Holm (1979); intervals are of 95 %, not corrected"
-            .to_owned(),
-        "every campaign is compared with the first and with the one before, in the order named".to_owned(),
-    ];
+    let mut said = vec![phrase!("convention-significance"), phrase!("convention-compared-with")];
     if there(CompareFamily::Robot) || there(CompareFamily::SetUp) {
-        said.push(
-            "parameters: change over the root of u1² + u2², by Student's t with Welch's degrees of freedom where \
-             uncertainties are estimated from residuals; both campaigns are taken as independent"
-                .to_owned(),
-        );
-        said.push(
-            "parameters of base and targets change with every set-up: a change there need not be the robot's"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-change-of-parameters"));
+        said.push(phrase!("convention-set-up"));
     }
     if between {
-        said.push(
-            "where the model misfits: intervals of changes of parameters are enlarged by the Birge ratio of all robot parameters of both \
-             campaigns, at least 1, because parameters take up what the model leaves out at the poses that were measured"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-birge"));
     }
     if all.iter().filter_map(|c| c.identified.as_ref()).any(|i| parameters::degrees(i).is_finite()) {
-        said.push(
-            "parameters all together: F test; where uncertainties are those that the errors of poses leave it is approximate, and \
-             with one or two coordinates measured a pose it calls too much changed"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-f-test"));
     }
     if there(CompareFamily::MeanError) {
-        said.push(
-            "mean errors: Welch's t test, as many errors as poses; where both campaigns measured the same poses it calls too \
-             little changed rather than too much"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-mean-errors"));
     }
     if there(CompareFamily::PoseRepeatability) {
-        said.push(
-            "RP: F test of the ratio, with the degrees of freedom of the interval in closed form (Gaussian scatter)"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-rp-ratio"));
     }
     if there(CompareFamily::PoseAccuracy) {
-        said.push("AP: interval of the difference recovered from both intervals (MOVER, Zou & Donner 2008)".to_owned());
+        said.push(phrase!("convention-ap-interval"));
     }
     if there(CompareFamily::MeanPosition) {
-        said.push(
-            "mean positions: Welch's t test of each coordinate, from the scatter of the visits alone: how well the frame was \
-             found again is not in it"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-mean-positions"));
     }
     if there(CompareFamily::PathAccuracy) || there(CompareFamily::PathRepeatability) {
-        said.push(
-            "AT: interval of the difference recovered from both intervals, as of AP; RT: the same on the logarithmic scale about \
-             the middles of both intervals, which stand for infinitely many passes; the bootstrap's intervals hold the truth in \
-             90 to 98 % of simulated tests of ten passes, by the kind of scatter, and not in 95 % of all"
-                .to_owned(),
-        );
+        said.push(phrase!("convention-at-rt"));
     }
     said.push(shared_instrument(all));
     said
 }
 
 /// Effect of a shared instrument, or of different instruments, on changes.
-fn shared_instrument(all: &[Compared]) -> String {
+fn shared_instrument(all: &[Compared]) -> Phrase {
     let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.as_deref()).collect();
     match (names.len(), names.first()) {
-        (1, Some(Some(name))) => format!(
-            "all campaigns share the instrument {}: errors of it that stay the same are in every value and cancel in the \
-             changes, so that changes are known better than stated where they are part of u; what it drifted by between \
-             campaigns looks like a change of the robot",
-            one_line(name)
-        ),
-        _ => "the campaigns have different instruments: a systematic difference between them, which no scatter shows, looks \
-              like a change of the robot"
-            .to_owned(),
+        (1, Some(Some(name))) => phrase!("convention-shared-instrument", instrument = one_line(name)),
+        _ => phrase!("convention-different-instruments"),
     }
 }

@@ -1,7 +1,7 @@
 //! Parameters over campaigns.
 
 use super::significance::{Estimate, LEVEL};
-use super::trend::{of_estimates, pairs};
+use super::trend::{TrendName, of_estimates, pairs};
 use etalon_base::message::Message;
 use etalon_base::warning;
 use etalon_documents::*;
@@ -52,7 +52,7 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         // only base and targets are fitted before the calibration
         let set_up = entries.iter().flatten().any(|e| e.before != e.nominal);
         let family = if set_up { CompareFamily::SetUp } else { CompareFamily::Robot };
-        trends.push(of_estimates((family, p.name.clone(), &p.unit), &estimates));
+        trends.push(of_estimates((family, TrendName::Parameter(p.name.clone()), &p.unit), &estimates));
     }
     if !held.is_empty() {
         messages.push(warning!("parameters-not-in-all", parameters = held));

@@ -1,7 +1,7 @@
 //! AT and RT of recorded motions over campaigns, matched by the name of the stream.
 
 use super::significance::{Difference, Recovered, recovered};
-use super::trend::{changed, pairs};
+use super::trend::{TrendName, changed, pairs};
 use etalon_base::message::{Message, one_line};
 use etalon_base::warning;
 use etalon_documents::*;
@@ -66,13 +66,9 @@ fn accuracy(name: &str, all: &[Iso9283Path]) -> CompareTrend {
         let found = known(&all[from]).zip(known(&all[to])).map(|(a, b)| recovered(a, b));
         changed((from, to), &found.unwrap_or(unknown(all[to].at_mm - all[from].at_mm)), None)
     };
-    CompareTrend {
-        family: CompareFamily::PathAccuracy,
-        name: format!("AT, {name}"),
-        unit: "mm".to_owned(),
-        values: all.iter().map(value).collect(),
-        changes: pairs(all.len()).into_iter().map(change).collect(),
-    }
+    let changes = pairs(all.len()).into_iter().map(change).collect();
+    let values = all.iter().map(value).collect();
+    TrendName::at("AT", &name).trend(CompareFamily::PathAccuracy, "mm", values, changes)
 }
 
 /// Compares RT by the ratio of the RT of infinitely many passes. RT itself, the maximum of many
@@ -95,13 +91,9 @@ fn repeatability(name: &str, all: &[Iso9283Path]) -> Option<CompareTrend> {
         let ratio = Difference { change: d.change.exp(), low: d.low.exp(), high: d.high.exp(), p: d.p };
         changed((from, to), &ratio, Some(difference))
     };
-    Some(CompareTrend {
-        family: CompareFamily::PathRepeatability,
-        name: format!("RT, {name}"),
-        unit: "mm".to_owned(),
-        values: values.iter().zip(all).map(value).collect(),
-        changes: pairs(all.len()).into_iter().map(change).collect(),
-    })
+    let changes = pairs(all.len()).into_iter().map(change).collect();
+    let values = values.iter().zip(all).map(value).collect();
+    Some(TrendName::at("RT", &name).trend(CompareFamily::PathRepeatability, "mm", values, changes))
 }
 
 fn with_interval(value: f64, interval: Option<Iso9283Interval>) -> CompareValue {

@@ -1,6 +1,8 @@
 //! Quantities over campaigns, of any kind.
 
 use super::significance::{Difference, Estimate, LEVEL, holm, step_down};
+use etalon_base::catalogue::{IntoArgument, Phrase};
+use etalon_base::phrase;
 use etalon_documents::{CompareChange, CompareFamily, CompareTrend, CompareValue};
 use nalgebra::DMatrix;
 use std::collections::BTreeMap;
@@ -13,9 +15,39 @@ pub(super) fn pairs(count: usize) -> Vec<(usize, usize)> {
     all
 }
 
+/// Name of a quantity.
+pub(super) enum TrendName {
+    /// Name of a parameter.
+    Parameter(String),
+    /// Quantity in words.
+    Words(Phrase),
+}
+
+impl TrendName {
+    /// Characteristic at a pose or along a path.
+    pub fn at(quantity: impl IntoArgument, place: &impl IntoArgument) -> Self {
+        Self::Words(phrase!("quantity-at", quantity, place))
+    }
+
+    /// Document form of the quantity.
+    pub fn trend(
+        self,
+        family: CompareFamily,
+        unit: &str,
+        values: Vec<CompareValue>,
+        changes: Vec<CompareChange>,
+    ) -> CompareTrend {
+        let (name, name_phrase) = match self {
+            Self::Parameter(name) => (name, None),
+            Self::Words(phrase) => (phrase.to_string(), Some(phrase)),
+        };
+        CompareTrend { family, name, name_phrase, unit: unit.to_owned(), values, changes }
+    }
+}
+
 /// A quantity with standard uncertainties.
 pub(super) fn of_estimates(
-    (family, name, unit): (CompareFamily, String, &str),
+    (family, name, unit): (CompareFamily, TrendName, &str),
     estimates: &[Option<Estimate>],
 ) -> CompareTrend {
     let value = |e: &Option<Estimate>| e.as_ref().map(estimated).unwrap_or_default();
@@ -25,7 +57,7 @@ pub(super) fn of_estimates(
     };
     let values = estimates.iter().map(value).collect();
     let changes = pairs(estimates.len()).into_iter().filter_map(change).collect();
-    CompareTrend { family, name, unit: unit.to_owned(), values, changes }
+    name.trend(family, unit, values, changes)
 }
 
 fn estimated(e: &Estimate) -> CompareValue {

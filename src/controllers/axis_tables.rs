@@ -80,8 +80,8 @@ impl Sign {
     fn remark(self) -> String {
         let does = if self == Self::Add { "adds" } else { "subtracts" };
         format!(
-            "values as for a control that {does} them, as stated: not published by its maker. Check on the machine: at a node, the axis \
-             moves by the value {}when the table is switched on",
+            "values for a control that {does} them, as stated; the maker does not publish the sign. Check on the machine: at a \
+             node, the axis moves by the value {}when the table is switched on",
             if self == Self::Add { "" } else { "times -1 " }
         )
     }

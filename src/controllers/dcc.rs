@@ -237,8 +237,8 @@ fn results(given: &Given, stated: &Stated) -> Element {
     let (alone, held): (Vec<_>, Vec<_>) = all.iter().filter(apart).partition(|p| p.standard_uncertainty.is_some());
     let groups = [
         ("Identified parameters", REGION, list(&in_matrix, Some(&given.parameters.covariance))),
-        ("Identified parameters whose covariance is left out", "Standard uncertainties.", list(&alone, None)),
-        ("Parameters that are held", "Not identified: they have no uncertainty here.", list(&held, None)),
+        ("Identified parameters without stated covariance", "Standard uncertainties.", list(&alone, None)),
+        ("Parameters that are held", "Not identified: held parameters have no uncertainty here.", list(&held, None)),
     ];
     let results = groups.into_iter().filter_map(|(name, description, values)| {
         let quantity = element("dcc:quantity", [values?]);

@@ -100,7 +100,7 @@ impl Towers {
             "frame of this file in the base: x {x:.6} mm, y {y:.6} mm, turned by {turned:.6} deg about z"
         ));
         if !self.lost.is_empty() {
-            lines.push(format!("not in this format, towers are upright: {}", self.lost.join(", ")));
+            lines.push(format!("not in this format, whose towers are vertical: {}", self.lost.join(", ")));
         }
         Ok(lines)
     }

@@ -2,7 +2,7 @@
 //!
 //! All formats write numbers that read back bit for bit, and reject data that must not reach a
 //! machine: non-finite values, duplicate parameters, and parameters of a solver that did not
-//! converge or that cannot be the robot's.
+//! converge or that are implausible.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod arrays;

@@ -119,7 +119,7 @@ fn decimal(value: f64) -> String {
     if decimals > 24 { format!("{value:.24}") } else { text }
 }
 
-/// Value of a parameter; that of a ratio names its unit.
+/// Value of a parameter; a ratio has the name of its unit.
 fn value(p: &ParameterEntry, name: &'static str, value: f64) -> Element {
     let value = leaf(name, decimal(value));
     if matches!(p.unit.as_str(), "mm" | "deg") { value } else { value.with("unitName", "1") }

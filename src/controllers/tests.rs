@@ -75,7 +75,13 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             held_singular_values: vec![],
             rank_cut: 1e-9,
         }),
-        solver: SolverSummary { method: "lm".to_owned(), iterations: 3, termination, meaning: termination.to_string() },
+        solver: SolverSummary {
+            method: "lm".to_owned(),
+            method_phrase: None,
+            iterations: 3,
+            termination,
+            meaning: termination.to_string(),
+        },
         messages: vec![],
         provenance: Provenance {
             version: "0.1.0".to_owned(),
@@ -330,7 +336,7 @@ fn constants_of_plcs_read_back_bit_for_bit() {
     assert_eq!(read, expected);
 }
 
-/// Parameters of a solver that did not converge, and of a result that cannot be the robot: each
+/// Parameters of a solver that did not converge, and of an implausible result: each
 /// file says so, or is not written.
 #[test]
 fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {

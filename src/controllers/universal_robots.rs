@@ -9,7 +9,8 @@ use etalon_robots::{ChainJoint, Parameter};
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-/// Largest shift (mm) and turn (cells of the rotation matrix) of a flange that rounding leaves.
+/// Largest shift (mm) and rotation (cells of the rotation matrix) of a flange that is attributed to
+/// rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// YAML with the frame of each joint in the previous one (m, rad).
@@ -52,7 +53,7 @@ impl Exporter for UniversalRobots {
             .push("ur_description reads this file (kinematics_params_file); the controller itself does not".to_owned());
         let nominal = six_axes(self.name(), robot, &robot.nominal())?;
         header.extend(moved(&nominal.flange, &chain.flange).map(|(xyz, rpy)| {
-            format!("flange in the frame of wrist_3: xyz {xyz} mm, rpy {rpy} deg; ur_description has it at its nominal place: teach tools again")
+            format!("flange in the frame of wrist_3: xyz {xyz} mm, rpy {rpy} deg; ur_description has the nominal flange: teach tools again")
         }));
         let hash = match given.controller_hash {
             Some(hash) => hash.to_owned(),
@@ -69,7 +70,7 @@ impl Exporter for UniversalRobots {
     }
 }
 
-/// Position (mm) and angles (deg) of a flange that is not at its nominal place behind the last
+/// Position (mm) and angles (deg) of a flange that is not at its nominal position after the last
 /// joint: the file has no frame for it.
 fn moved(nominal: &Pose, flange: &Pose) -> Option<(String, String)> {
     let shift = norm(minus(flange.translation_mm, nominal.translation_mm));

@@ -3,6 +3,7 @@
 use super::LimitVerdict;
 use super::{CampaignReference, Effect, Figure, Provenance, ReadingReliability, ToolFrame, UncertaintySource};
 use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -48,15 +49,19 @@ pub struct AccuracyDocument {
     /// by `effects = "proven"`, and effects that are not identified.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<EffectProof>,
-    /// Standard uncertainties of the errors after calibration that the limits judge: of the
-    /// validation poses, or of the calibration poses in a campaign without validation. The
-    /// parameters are what is judged, and add nothing. Empty if no uncertainty is stated.
+    /// Standard uncertainties of the limited errors after calibration: of the validation poses, or
+    /// of the calibration poses in a campaign without validation. The parameters are under test and
+    /// contribute nothing. Empty if no uncertainty is stated.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budget: Vec<FigureBudget>,
     /// Dependence of the mean errors of the calibration poses after identification on joints, reach
     /// and time; empty with fewer than ten poses.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub trends: Vec<ResidualTrend>,
+    /// Effects of the identified parameters of the robot at the measured points, the largest change
+    /// first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parameter_influences: Vec<ParameterInfluence>,
     /// Limits that the campaign states, with their verdicts.
     pub limits: Vec<LimitVerdict>,
     /// Expected error at the tool point; absent without a tool point or a covariance.
@@ -80,7 +85,7 @@ pub struct AccuracyDocument {
 pub struct PlacedApart {
     /// Name of the target or fixture.
     pub name: String,
-    /// Number of readings that place the target.
+    /// Number of readings that locate the target.
     pub readings: usize,
     /// Mean redundancy number r of the readings: the share of an error that its reading shows. For
     /// n positions of a target, r = 1 − 1/n.
@@ -111,6 +116,24 @@ pub struct EffectProof {
     pub gain_over_u: Option<f64>,
     /// Probability of the F statistic of the effect.
     pub p_value: Option<f64>,
+}
+
+/// Effect of a parameter at the measured point that it moves most, with all other parameters, base
+/// and targets unchanged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ParameterInfluence {
+    /// Name of the parameter.
+    pub name: String,
+    /// Pose of the point.
+    pub pose: PoseName,
+    /// Displacement of the point by identified minus nominal value (mm), with the sign of the
+    /// change.
+    pub change_mm: f64,
+    /// Displacement of the point by the standard uncertainty of the parameter (mm, k = 1).
+    pub standard_uncertainty_mm: Option<f64>,
+    /// Displacement of the point by the stated tolerance of the parameter (mm).
+    pub tolerance_mm: Option<f64>,
 }
 
 /// F test of a trend in the errors after identification: a parabola in one quantity against a
@@ -291,6 +314,14 @@ impl PoseSet {
     /// Both sets, calibration first.
     pub const ALL: [Self; 2] = [Self::Calibration, Self::Validation];
 
+    /// Text of the catalogue.
+    pub fn phrase(self) -> Phrase {
+        match self {
+            Self::Calibration => phrase!("calibration"),
+            Self::Validation => phrase!("validation"),
+        }
+    }
+
     /// Name of the set.
     pub fn name(self) -> &'static str {
         self.into()
@@ -349,11 +380,26 @@ pub enum ErrorQuantity {
     Surface,
     /// Distance of a target from the socket that it touches.
     Contact,
-    /// Error of one coordinate that was measured by itself.
+    /// Error of one coordinate that was measured singly.
     Coordinate,
 }
 
 impl ErrorQuantity {
+    /// Text of the catalogue.
+    pub fn phrase(self) -> Phrase {
+        match self {
+            Self::Position => phrase!("position"),
+            Self::X => phrase!("axis-x"),
+            Self::Y => phrase!("axis-y"),
+            Self::Z => phrase!("axis-z"),
+            Self::Orientation => phrase!("orientation"),
+            Self::Distance => phrase!("distance"),
+            Self::Surface => phrase!("surface"),
+            Self::Contact => phrase!("contact"),
+            Self::Coordinate => phrase!("coordinate"),
+        }
+    }
+
     /// Coordinates, in order.
     pub const AXES: [Self; 3] = [Self::X, Self::Y, Self::Z];
     /// Quantities of single errors that are no position.
@@ -460,8 +506,8 @@ pub struct PointError {
     /// for validation poses.
     #[serde(default)]
     pub reliability: Option<ReadingReliability>,
-    /// Redundancy number of a reading that places its own target or fixture, which no calibration
-    /// pose shows; absent for all other readings.
+    /// Redundancy number of a reading that locates its own target or fixture, which has no
+    /// calibration reading; absent for all other readings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub own_redundancy: Option<f64>,
 }

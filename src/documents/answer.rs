@@ -2,7 +2,7 @@
 //! export, simulate, init.
 
 use super::{ControllerErrors, Source};
-use etalon_base::catalogue::{Arguments, Entry};
+use etalon_base::catalogue::{Arguments, Entry, Phrase};
 use etalon_base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -171,15 +171,50 @@ pub struct FormatsDocument {
     pub readings: Vec<Reading>,
     /// Reasons for the first proposal.
     pub reasons: Vec<String>,
+    /// Texts of the catalogue that are `reasons` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub reason_phrases: Vec<Phrase>,
     /// Doubts about the first proposal.
     pub doubts: Vec<String>,
+    /// Texts of the catalogue that are `doubts` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub doubt_phrases: Vec<Phrase>,
     /// Facts that the file cannot state and the campaign must.
     pub questions: Vec<String>,
+    /// Texts of the catalogue that are `questions` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub question_phrases: Vec<Phrase>,
     /// Join with a log, if several files were named.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub join: Option<FormatsJoin>,
     /// Proposal as lines for campaign.toml, with reasons, doubts and questions as comments.
     pub toml: String,
+}
+
+impl FormatsDocument {
+    /// Adds a reason for the proposal.
+    pub fn because(&mut self, reason: Phrase) {
+        self.reasons.push(reason.to_string());
+        self.reason_phrases.push(reason);
+    }
+
+    /// Adds a doubt about the proposal.
+    pub fn doubt(&mut self, doubt: Phrase) {
+        self.doubts.push(doubt.to_string());
+        self.doubt_phrases.push(doubt);
+    }
+
+    /// Adds a question that the campaign has to answer.
+    pub fn ask(&mut self, question: Phrase) {
+        self.questions.push(question.to_string());
+        self.question_phrases.push(question);
+    }
+
+    /// Removes the doubts of an id of the catalogue.
+    pub fn dispel(&mut self, id: &str) {
+        self.doubt_phrases.retain(|doubt| doubt.id != id);
+        self.doubts = self.doubt_phrases.iter().map(Phrase::to_string).collect();
+    }
 }
 
 /// Proposed join of an export with a log.
@@ -210,8 +245,14 @@ pub struct FormatsColumn {
     pub unit: Option<String>,
     /// Proposed contents of the column.
     pub taken_for: String,
+    /// Text of the catalogue that is `taken_for` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub taken_for_phrase: Option<Phrase>,
     /// Evidence for the contents.
     pub why: String,
+    /// Text of the catalogue that is `why` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why_phrase: Option<Phrase>,
 }
 
 /// One reading of a delimited text, without the unit of lengths.

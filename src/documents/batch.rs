@@ -1,9 +1,11 @@
 //! Answer of `etalon batch --json`.
 
 use crate::Acceptance;
+use etalon_base::catalogue::Phrase;
 use indexmap::IndexSet;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::hash::{Hash, Hasher};
 
 /// Outcome of the campaigns of a batch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -13,7 +15,7 @@ pub struct BatchDocument {
     pub schema: String,
     /// Number of campaigns that meet all limits or state none.
     pub done: usize,
-    /// Number of campaigns that fail a limit, or whose result cannot be the robot.
+    /// Number of campaigns that fail a limit, or whose result is implausible.
     pub not_met: usize,
     /// Number of campaigns that did not run.
     pub failed: usize,
@@ -36,6 +38,9 @@ pub struct BatchEntry {
     pub robot: Option<String>,
     /// Date of the measurement.
     pub date: Option<String>,
+    /// Last day on which the calibration is valid, as stated: year-month-day.
+    #[serde(default)]
+    pub valid_until: Option<String>,
     /// Outcome.
     pub ended: BatchEnd,
     /// `true` if the campaign was run; `false` if nothing has changed since its last run.
@@ -79,7 +84,7 @@ pub struct BatchCheck {
 pub enum BatchEnd {
     /// All limits are met, or no limit is stated.
     Done,
-    /// A limit is not met, or the result cannot be the robot.
+    /// A limit is not met, or the result is implausible.
     NotMet,
     /// The campaign did not run.
     #[default]
@@ -101,12 +106,20 @@ impl BatchEnd {
 }
 
 /// A quantity on the overview page of all campaigns.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BatchQuantity {
     /// Name of the quantity.
     pub name: String,
+    /// Text of the catalogue that is `name` in English; absent for a parameter.
+    pub name_phrase: Option<Phrase>,
     /// Unit of the quantity.
     pub unit: String,
+}
+
+impl Hash for BatchQuantity {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (&self.name, &self.unit).hash(state);
+    }
 }
 
 /// Results of the campaigns of a batch that the overview page shows.
@@ -130,13 +143,10 @@ pub struct BatchValue {
 }
 
 impl BatchFigures {
-    /// Adds the next campaign: names, units, values and their standard uncertainties.
-    pub fn add<'a>(&mut self, figures: impl Iterator<Item = (&'a str, &'a str, f64, Option<f64>)>) {
-        let mut place = |name: &str, unit: &str| {
-            self.quantities.insert_full(BatchQuantity { name: name.to_owned(), unit: unit.to_owned() }).0
-        };
-        let value = |(name, unit, value, standard_uncertainty)| BatchValue {
-            quantity: place(name, unit),
+    /// Adds the next campaign: quantities, values and their standard uncertainties.
+    pub fn add(&mut self, figures: impl Iterator<Item = (BatchQuantity, f64, Option<f64>)>) {
+        let value = |(quantity, value, standard_uncertainty)| BatchValue {
+            quantity: self.quantities.insert_full(quantity).0,
             value,
             standard_uncertainty,
         };

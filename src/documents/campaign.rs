@@ -1,7 +1,7 @@
 //! `campaign.json`: statements of the campaign about itself, test conditions, and presentation of
 //! the report.
 
-use super::DecisionRule;
+use super::{DecisionRule, WrittenFile};
 use etalon_base::country::Country;
 use etalon_base::pose::Vector;
 use schemars::JsonSchema;
@@ -41,9 +41,18 @@ pub struct CampaignSummary {
     pub contact: Option<ContactSummary>,
     /// Temperature during the campaign.
     pub temperature_c: Option<f64>,
+    /// Lowest and highest temperature (°C) that rows of the exports state.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub temperature_range_c: Option<[f64; 2]>,
     /// Conditions of a test.
     #[serde(default)]
     pub conditions: Conditions,
+    /// Last day on which the calibration is valid, as stated: year-month-day.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub valid_until: Option<String>,
+    /// Controller files that the run wrote.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub controller_files: Vec<WrittenFile>,
     /// Identification of the report.
     #[serde(default)]
     pub issue: Issue,

@@ -2,6 +2,7 @@
 
 use super::UncertaintyFrom;
 use super::{Conditions, Provenance};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -16,6 +17,9 @@ pub struct CompareDocument {
     pub robot: Option<String>,
     /// Rules for judging changes, and their limitations, in words.
     pub conventions: Vec<String>,
+    /// Texts of the catalogue that are `conventions` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub convention_phrases: Vec<Phrase>,
     /// Compared campaigns.
     pub campaigns: Vec<ComparedCampaign>,
     /// Every quantity over the campaigns.
@@ -95,6 +99,9 @@ pub struct CompareTrend {
     pub family: CompareFamily,
     /// Name of the parameter, or the quantity in words.
     pub name: String,
+    /// Text of the catalogue that is `name` in English; absent for a parameter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name_phrase: Option<Phrase>,
     /// `mm`, `deg` or `1`.
     pub unit: String,
     /// One value per campaign.

@@ -1,5 +1,6 @@
 //! Answer of `etalon compensate`.
 
+use etalon_base::catalogue::Phrase;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -56,4 +57,7 @@ pub struct UnreachableTarget {
     pub target: String,
     /// Limit that forbids the target, or that the target is out of reach.
     pub reason: String,
+    /// Text of the catalogue that is `reason` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason_phrase: Option<Phrase>,
 }

@@ -1,10 +1,11 @@
 //! Answer of `etalon fit`: an element, the probe, and the values that a file states.
 
 use super::Termination;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
-use etalon_base::warning;
-use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, Side};
+use etalon_base::{phrase, warning};
+use etalon_fit::{Compensation, Element, Enclosing, Fit, ForeignPoints, MinimumZone, RobustElement, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -60,6 +61,9 @@ pub struct FitDocument {
     /// For a minimum-zone circle in space: flatness of the plane in which roundness is measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flatness: Option<FitFlatness>,
+    /// Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub set_aside: Option<Vec<usize>>,
     /// Standard uncertainties from the residuals; absent without redundancy.
     pub standard_uncertainty: Option<FitUncertainty>,
     /// Probe and fit before compensation, if the points are probe centres.
@@ -170,6 +174,9 @@ impl FitContacts {
 pub struct FitSolver {
     /// Algorithm.
     pub method: String,
+    /// Text of the catalogue that is `method` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub method_phrase: Option<Phrase>,
     /// Number of steps; 0 for closed-form solutions.
     pub iterations: usize,
     /// Reason of the termination.
@@ -179,6 +186,15 @@ pub struct FitSolver {
     /// Condition number of the Jacobian with columns scaled to unit length.
     pub condition: Option<f64>,
 }
+
+/// Numbers of points in a message.
+fn listed(numbers: &[usize]) -> String {
+    let shown: Vec<String> = numbers.iter().take(MOST_LISTED).map(usize::to_string).collect();
+    shown.join(", ") + if numbers.len() > MOST_LISTED { ", ..." } else { "" }
+}
+
+/// Largest number of points that a message lists.
+const MOST_LISTED: usize = 20;
 
 impl FitDocument {
     /// Creates the document of a least-squares fit.
@@ -211,11 +227,13 @@ impl FitDocument {
             coverage_deg: fit.coverage_deg(),
             contacts: None,
             flatness: None,
+            set_aside: None,
             standard_uncertainty: uncertainty,
             probe: fit.compensation.as_ref().map(FitProbe::new),
             stated: None,
             solver: FitSolver {
-                method: fit.method.to_owned(),
+                method: fit.method.to_string(),
+                method_phrase: Some(fit.method.clone()),
                 iterations: fit.iterations,
                 termination: fit.termination.into(),
                 degrees_of_freedom: fit.degrees_of_freedom,
@@ -225,12 +243,36 @@ impl FitDocument {
         }
     }
 
+    /// Creates the document of a least-squares fit without foreign points; `points` is the number
+    /// of all points.
+    pub fn robust(label: Option<String>, found: &RobustElement) -> Self {
+        let numbers: Vec<usize> = found.set_aside.iter().map(|i| i + 1).collect();
+        let mut document = Self::new(label, &found.fit);
+        document.points += numbers.len();
+        if !numbers.is_empty() {
+            let listed = listed(&numbers);
+            document.messages.push(warning!("points-set-aside", count = numbers.len(), points = listed));
+        }
+        document.set_aside = Some(numbers);
+        document
+    }
+
+    /// Adds the warning that foreign points shift the fit.
+    pub fn with_foreign(mut self, foreign: Option<&ForeignPoints>) -> Self {
+        if let Some(foreign) = foreign {
+            let numbers: Vec<usize> = foreign.points.iter().map(|i| i + 1).collect();
+            let (count, points, shift) = (numbers.len(), listed(&numbers), foreign.shift);
+            self.messages.push(warning!("foreign-points", count, points, shift));
+        }
+        self
+    }
+
     /// Creates the document of a smallest enclosing circle or sphere. Residuals are distances from
     /// the centre minus the radius.
     pub fn enclosing(element: &str, label: Option<String>, points: &[Vector], found: &Enclosing) -> Self {
         let residuals: Vec<f64> = points.iter().map(|p| norm(minus(*p, found.center_mm)) - found.radius_mm).collect();
         let depth = -residuals.iter().fold(0.0f64, |m, r| m.min(*r));
-        let method = format!("smallest enclosing, held by {} points", found.support.len());
+        let method = phrase!("method-enclosing", points = found.support.len());
         Self {
             center_mm: Some(found.center_mm),
             radius_mm: Some(found.radius_mm),
@@ -273,7 +315,7 @@ impl FitDocument {
                 found.element.name(),
                 label,
                 &found.residuals_mm,
-                "minimum zone (Chebyshev)".to_owned(),
+                phrase!("method-minimum-zone"),
                 found.iterations,
             )
         }
@@ -281,7 +323,7 @@ impl FitDocument {
 
     /// Document of an element that is defined by a few extreme points; their scatter yields no
     /// uncertainty.
-    fn of_extremes(element: &str, label: Option<String>, residuals: &[f64], method: String, iterations: usize) -> Self {
+    fn of_extremes(element: &str, label: Option<String>, residuals: &[f64], method: Phrase, iterations: usize) -> Self {
         let (low, high) = residuals.iter().fold((0.0f64, 0.0f64), |(low, high), r| (low.min(*r), high.max(*r)));
         let squares: f64 = residuals.iter().map(|r| r * r).sum();
         Self {
@@ -303,11 +345,13 @@ impl FitDocument {
             coverage_deg: None,
             contacts: None,
             flatness: None,
+            set_aside: None,
             standard_uncertainty: None,
             probe: None,
             stated: None,
             solver: FitSolver {
-                method,
+                method: method.to_string(),
+                method_phrase: Some(method),
                 iterations,
                 termination: Termination::StepVanished,
                 degrees_of_freedom: 0,
@@ -332,6 +376,9 @@ pub struct FitProbe {
     /// Statement of the file from which the side was derived.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub side_from: Option<String>,
+    /// Text of the catalogue that is `side_from` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub side_from_phrase: Option<Phrase>,
     /// Point or centre before compensation.
     pub uncompensated_point_mm: Vector,
     /// Radius before compensation.
@@ -355,6 +402,7 @@ impl FitProbe {
             side: side.to_owned(),
             towards,
             side_from: None,
+            side_from_phrase: None,
             uncompensated_point_mm: compensation.point_mm,
             uncompensated_radius_mm: compensation.radius_mm,
             uncompensated_minor_radius_mm: compensation.minor_radius_mm,

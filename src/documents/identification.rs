@@ -99,7 +99,8 @@ pub fn parameters_document(
         robust: None,
         observability: found.observability.as_ref().map(|o| observability_summary(robot, o)),
         solver: SolverSummary {
-            method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),
+            method: solver_method().to_string(),
+            method_phrase: Some(solver_method()),
             iterations: found.iterations,
             termination: found.termination.into(),
             meaning: found.termination.to_string(),
@@ -107,6 +108,11 @@ pub fn parameters_document(
         messages: warning_messages(&found.warnings),
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
     }
+}
+
+/// Algorithm of the identification.
+fn solver_method() -> Phrase {
+    phrase!("method-levenberg-marquardt")
 }
 
 /// Converts warnings of an identification to messages that name keys of a campaign.

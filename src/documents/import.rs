@@ -1,5 +1,6 @@
 //! `import.json`: rows that were read, and rows that were rejected with the reasons.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -33,6 +34,9 @@ pub struct Unmatched {
     pub key: String,
     /// Table without a partner, or number of partners.
     pub reason: String,
+    /// Text of the catalogue that is `reason` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason_phrase: Option<Phrase>,
 }
 
 /// A file that was read.
@@ -50,6 +54,9 @@ pub struct Source {
     pub kind: SourceKind,
     /// Dialect of the file: format, delimiter, decimal mark, unit.
     pub dialect: String,
+    /// Texts of the catalogue that are `dialect` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dialect_phrase: Option<Phrase>,
     /// Number of data rows.
     pub rows_read: usize,
     /// Rejected rows.
@@ -78,6 +85,14 @@ pub enum SourceKind {
     Stream,
 }
 
+impl Source {
+    /// States how the file was read.
+    pub fn read_as(&mut self, dialect: Phrase) {
+        self.dialect = dialect.to_string();
+        self.dialect_phrase = Some(dialect);
+    }
+}
+
 impl SourceKind {
     /// Name of the kind.
     pub fn name(self) -> &'static str {
@@ -95,6 +110,16 @@ pub struct Refused {
     pub text: String,
     /// Rule that rejected the row.
     pub reason: String,
+    /// Text of the catalogue that is `reason` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason_phrase: Option<Phrase>,
+}
+
+impl Refused {
+    /// A rejected row.
+    pub fn new(line: usize, text: impl Into<String>, reason: Phrase) -> Self {
+        Self { line, text: text.into(), reason: reason.to_string(), reason_phrase: Some(reason) }
+    }
 }
 
 /// A standstill in a log, by the limits of the campaign.

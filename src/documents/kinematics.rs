@@ -1,5 +1,6 @@
 //! Answer of `etalon kinematics`.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -42,4 +43,14 @@ pub struct UnreachablePose {
     pub pose: PoseName,
     /// Limit that forbids the pose, or that the pose is out of reach.
     pub reason: String,
+    /// Text of the catalogue that is `reason` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason_phrase: Option<Phrase>,
+}
+
+impl UnreachablePose {
+    /// A pose without solution.
+    pub fn new(pose: PoseName, reason: Phrase) -> Self {
+        Self { pose, reason: reason.to_string(), reason_phrase: Some(reason) }
+    }
 }

@@ -5,7 +5,9 @@
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod accuracy;
+mod actions;
 mod answer;
+mod axes;
 mod axis;
 mod batch;
 mod campaign;
@@ -23,6 +25,7 @@ mod kinematics;
 mod limits;
 mod manifest;
 mod mirror;
+mod names;
 mod parameters;
 mod plan;
 mod recommendation;
@@ -35,7 +38,9 @@ mod verdict;
 mod verification;
 
 pub use accuracy::*;
+pub use actions::{Action, ActionKind, Evidence, WrittenFile};
 pub use answer::*;
+pub use axes::*;
 pub use axis::*;
 pub use batch::*;
 pub use campaign::*;

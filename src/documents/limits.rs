@@ -96,7 +96,7 @@ pub enum LimitQuantity {
     SurfaceMaxMm,
     /// Largest distance of a target from the socket that it touches.
     ContactMaxMm,
-    /// Largest error of a coordinate that was measured by itself.
+    /// Largest error of a coordinate that was measured singly.
     CoordinateMaxMm,
     /// Largest repeatability RP of all poses.
     RepeatabilityMaxMm,

@@ -3,6 +3,7 @@
 use super::{Provenance, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
+use etalon_base::phrase;
 use etalon_base::pose_name::PoseName;
 use etalon_base::sketch::Sketch;
 use schemars::JsonSchema;
@@ -130,20 +131,20 @@ impl ParametersDocument {
     /// assert!((document.covariance[0][0].sqrt() - 0.001).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn check(&self) -> Result<(), String> {
+    pub fn check(&self) -> Result<(), Phrase> {
         let identified = self.identified().count();
         let rows = self.covariance.len();
         if rows != 0 && (rows != identified || self.covariance.iter().any(|row| row.len() != rows)) {
-            return Err(format!("its covariance is not square with {identified} rows, one an identified parameter"));
+            return Err(phrase!("covariance-not-square", identified));
         }
         let variances = self.covariance.iter().enumerate().map(|(i, row)| row[i]);
         if !variances.chain(self.parameters.iter().filter_map(|p| p.standard_uncertainty)).all(|u| u >= 0.0) {
-            return Err("a standard uncertainty or variance is negative or not a number".to_owned());
+            return Err(phrase!("uncertainty-negative"));
         }
         let mut names: Vec<&str> = self.parameters.iter().map(|p| p.name.as_str()).collect();
         names.sort_unstable();
         match names.windows(2).find(|pair| pair[0] == pair[1]) {
-            Some(pair) => Err(format!("it holds the parameter `{}` twice", pair[0])),
+            Some(pair) => Err(phrase!("parameter-listed-twice", parameter = pair[0])),
             None => Ok(()),
         }
     }
@@ -416,6 +417,9 @@ pub struct SingularValueEntry {
 pub struct SolverSummary {
     /// Algorithm.
     pub method: String,
+    /// Text of the catalogue that is `method` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub method_phrase: Option<Phrase>,
     /// Number of steps.
     pub iterations: usize,
     /// Reason of the termination.

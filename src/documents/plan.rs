@@ -21,6 +21,9 @@ pub struct PlanDocument {
     pub index: String,
     /// Definition of the index, with the scaling of the Jacobian; larger is better.
     pub definition: String,
+    /// Text of the catalogue that is `definition` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub definition_phrase: Option<Phrase>,
     /// `true` if the configurations of a pose are chosen together, `false` if one by one.
     pub grouped: bool,
     /// Number of candidates.

@@ -7,6 +7,7 @@ use schemars::JsonSchema;
 pub fn all() -> Vec<(&'static str, String)> {
     vec![
         ("accuracy", schema::<AccuracyDocument>()),
+        ("axes", schema::<AxesDocument>()),
         ("batch", schema::<BatchDocument>()),
         ("campaign", schema::<CampaignSummary>()),
         ("check", schema::<CheckDocument>()),

@@ -1,6 +1,7 @@
 //! Answer of `etalon study`.
 
 use super::Provenance;
+use etalon_base::catalogue::Phrase;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +15,9 @@ pub struct StudiesDocument {
     pub robot: String,
     /// Definition of the errors `before` and `after`, in words.
     pub error: String,
+    /// Text of the catalogue that is `error` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error_phrase: Option<Phrase>,
     /// Number of calibrations whose mean is evaluated.
     pub runs: u64,
     /// Number of such means, over which intervals are taken.

@@ -1,8 +1,9 @@
 //! Verdict on everything that a report judges, with its reasons.
 
 use crate::{
-    Acceptance, AccuracyDocument, Characteristics, Conditions, Conformity, ControllerErrors, ControllersDocument,
-    Iso9283Document, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic, PositionErrors,
+    Acceptance, AccuracyDocument, Action, Characteristics, Conditions, Conformity, ControllerErrors,
+    ControllersDocument, Iso9283Document, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic,
+    PositionErrors,
 };
 use etalon_base::pose_name::PoseName;
 use etalon_standards::iso9283::pose::CYCLES;
@@ -24,6 +25,9 @@ pub struct VerdictDocument {
     pub reasons: Vec<Reason>,
     /// All limits with their verdicts.
     pub limits: Vec<LimitVerdict>,
+    /// Next steps, at most five, those with the largest gain first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub actions: Vec<Action>,
 }
 
 /// Reason why a verdict is not `pass`.
@@ -251,6 +255,7 @@ impl Judged<'_> {
             verdict,
             reasons,
             limits,
+            actions: Vec::new(),
         }
     }
 }

@@ -111,7 +111,7 @@ pub enum VerificationVerdict {
     Other,
 }
 
-/// A movement, and the residuals that it leaves.
+/// A movement, and the remaining residuals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Movement {

@@ -50,9 +50,9 @@ pub(super) fn least_spread(rows: &[[f64; 3]], enough: f64) -> Option<Level> {
     of_few(rows, &set).map(|(level, _)| level)
 }
 
-/// Four additional rows that keep the slope within `reach`: they lie between the extremes while |a|
-/// and |b| are at most `reach`, and beyond them otherwise. Empty if the extremes can change places
-/// within `reach`.
+/// Four additional rows that keep the slope within `reach`. The rows lie between the extremes if
+/// |a| and |b| are at most `reach`, and beyond the extremes otherwise. Empty if the extremes can
+/// change places within `reach`.
 pub(super) fn fence(rows: &[[f64; 3]], reach: f64) -> Vec<[f64; 3]> {
     let (low, high) = extremes(rows, [0.0; 2]);
     let [x, y, z] = rows[high];

@@ -10,6 +10,7 @@ use super::line_and_plane::{diagonal_matrix, plane_variances};
 use super::result::{ElementCovariance, Fit, QUANTITIES, Residuals, largest_component_positive, propagate};
 use super::solver::{Refined, Surface, refine};
 use etalon_base::message::Result;
+use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_math::{smallest_eigenvector, symmetric_eigen};
 
@@ -101,7 +102,7 @@ pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit>
     let local = circle.covariance(fit.degrees_of_freedom);
     fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, [a, b], cloud.scale_mm));
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
-    fit.method = "least-squares plane, projection, circle in the plane by orthogonal distance";
+    fit.method = phrase!("method-circle-in-plane");
     fit.direction = Some(normal);
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.finished(settings)

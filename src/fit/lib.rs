@@ -23,6 +23,7 @@ mod minimum_zone;
 mod packed;
 mod result;
 mod rigid;
+mod robust;
 mod round_zone;
 mod search;
 mod solver;
@@ -40,6 +41,7 @@ pub use minimum_zone::minimum_zone;
 pub use packed::PackedPoints;
 pub use result::{Compensation, ElementCovariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
 pub use rigid::{RigidFit, rigid, rotation_onto};
+pub use robust::{ForeignPoints, RobustElement, foreign_points, robust_element};
 pub use torus::torus;
 pub use zone::{MinimumZone, Multipliers};
 

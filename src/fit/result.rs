@@ -10,10 +10,10 @@
 use super::cloud::{Cloud, Gather};
 use super::element::{Element, FitSettings, Probe, Side};
 use super::f64x8::{F64x8, Points};
-use etalon_base::catalogue::IntoArgument;
+use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_math::{Termination, symmetric_eigen};
 
 /// Number of quantities in an [`ElementCovariance`].
@@ -180,7 +180,7 @@ pub struct Fit {
     /// Fit to the probe centres before compensation, if the points are probe centres.
     pub compensation: Option<Compensation>,
     /// Name of the method.
-    pub method: &'static str,
+    pub method: Phrase,
     /// Number of solver steps; zero for closed-form solutions.
     pub iterations: usize,
     /// Reason of the solver's termination.
@@ -207,7 +207,7 @@ impl Fit {
             coverage_rad: None,
             condition: 1.0,
             compensation: None,
-            method: "principal directions of the centred points",
+            method: phrase!("method-principal-directions"),
             iterations: 0,
             termination: Termination::StepVanished,
             warnings: Vec::new(),

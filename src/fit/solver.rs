@@ -21,9 +21,9 @@ use super::coverage::Coverage;
 use super::element::Element;
 use super::f64x8::{F64x8, LANES, Points};
 use super::result::{Fit, QUANTITIES, Residuals, propagate};
-use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 use etalon_math::{Factor, Termination, TrustRegion, norm, svd};
 
 /// Element with `N` parameters and `K` distances per point, in normalised coordinates.
@@ -243,7 +243,7 @@ impl<S, const N: usize> Refined<S, N> {
             covariance: covariance.map(|c| propagate(&c, &by_parameter, cloud.scale_mm)),
             coverage_rad: Some(C::angle_rad(covered)),
             condition,
-            method: "orthogonal distance, Gauss-Newton in a trust region",
+            method: phrase!("method-orthogonal-distance"),
             iterations: self.iterations,
             termination: self.termination,
             ..Fit::new(element, cloud, point, residuals)

@@ -1,5 +1,5 @@
-//! Fast reader of plain tables: rows of an optional label and x, y, z, and nothing else. Any other
-//! table is left to the strict reader, which reports each problem with its place.
+//! Fast reader of plain tables: rows of an optional label and x, y, z, without other columns. The
+//! strict reader reads any other table, and reports each problem with its place.
 
 use super::exports::{Format, Plain};
 use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
@@ -48,7 +48,7 @@ struct Part {
 /// number of threads.
 ///
 /// # Errors
-/// If the file cannot be read.
+/// Fails if the file cannot be read.
 pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
     let in_mm = |mut part: Part| {
         part.xyz.iter_mut().flatten().for_each(|value| *value *= unit.in_mm());
@@ -60,7 +60,7 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
 /// Reads the points of a table of plain rows without labels, in half the memory of [`cloud`].
 ///
 /// # Errors
-/// If the file cannot be read.
+/// Fails if the file cannot be read.
 pub fn packed_points(path: &Path, format: &Format, unit: Unit) -> Result<Option<PackedPoints>> {
     let parts = read(path, format, unit, |part| PackedPoints::of(&part.xyz, unit.in_mm()))?;
     Ok(parts.map(|parts| {
@@ -172,8 +172,8 @@ fn together(mut parts: Vec<Part>) -> Result<Cloud> {
     Ok(Cloud { labels, table: crate::table::frame(height, columns)? })
 }
 
-/// First byte that is read of the block from `start`: one before it shows whether a line begins
-/// with the block.
+/// First byte to read for the block from `start`: the byte before the block shows whether a line
+/// begins with it.
 fn first_byte(start: u64) -> u64 {
     start.saturating_sub(1)
 }
@@ -257,7 +257,7 @@ struct Names<'a> {
 }
 
 impl<'a> Names<'a> {
-    /// The place of a name, and whether it is new.
+    /// Index of a name, and `true` if the name is new.
     fn place(&mut self, name: &'a [u8]) -> (u32, bool) {
         let guess = self.next.get(self.last).copied().unwrap_or_default();
         let known = self.all.get_index(guess).is_some_and(|known| same(known, name));
@@ -287,7 +287,7 @@ mod tests {
 
     type Rows = Option<Vec<(String, [u64; 3])>>;
 
-    /// Labels and the bits of the coordinates, as the fast and the strict reader see them.
+    /// Labels and the bits of the coordinates from the fast and the strict reader.
     fn both(text: &str, format: &Format, unit: Unit) -> (Rows, Rows) {
         let file = tempfile::NamedTempFile::new().unwrap();
         std::fs::write(file.path(), text).unwrap();

@@ -18,9 +18,9 @@ pub struct Export {
     /// Name of the file.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// Format of the file: a name, or a table of text key by key.
+    /// Format of the file: a name, or a table of keys that describes text.
     pub format: Format,
-    /// Encoding of its characters, where no byte-order mark states it.
+    /// Character encoding, if no byte-order mark states it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
     /// Length unit of the file.
@@ -28,15 +28,15 @@ pub struct Export {
     /// Pattern of the labels, with `{target}`, `{pose}` and `{cycle}`.
     #[schemars(with = "Option<String>")]
     pub label: Option<Spanned<String>>,
-    /// Columns of the joints, of a file that carries them beside the points: by the joint with its
-    /// unit, as in a log. Its rows are joined with themselves, and no `[log]` is needed.
+    /// Columns of the joints in a file with joints and points, by the joint with its unit, as in a
+    /// log. Each row is joined with itself, without a `[log]`.
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, Column>")]
     pub joints: BTreeMap<Spanned<String>, Column>,
-    /// Target of all rows, where the file does not name it.
+    /// Target of all rows, if the file does not name it.
     pub target: Option<String>,
-    /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for
-    /// a second file of the same targets.
+    /// Pose number from the number of the data row: `row`, or `row + 100` with an offset for a
+    /// second file of the same targets.
     pub pose: Option<FromRow>,
 }
 

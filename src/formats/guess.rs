@@ -1,7 +1,9 @@
 //! Guesses of the dialect of a text: every delimiter with every pair of marks gets a score.
 
 use super::lexer::{Row, parsed, split};
-use crate::dialect::{ColumnRole, Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands};
+use crate::dialect::{ColumnRole, Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands, two_commas};
+use etalon_base::message::Message;
+use etalon_base::phrase;
 use std::borrow::Cow;
 
 /// Number of lines of the first ranking.
@@ -25,6 +27,17 @@ const MARKS: [(Decimal, Option<Thousands>); 7] = [
     (Decimal::Point, Some(Thousands::Blank)),
     (Decimal::Comma, Some(Thousands::Blank)),
 ];
+
+/// Returns the error about two commas in a text; the hint states the marks that split its rows.
+pub(crate) fn two_commas_in(text: &str) -> Message {
+    let guess = guesses(text, None).into_iter().next().map(|guess| guess.dialect);
+    match guess.and_then(|dialect| Some((dialect.delimiter?, dialect.decimal))) {
+        Some((delimiter, decimal)) if (delimiter, decimal) != (Delimiter::Comma, Decimal::Comma) => {
+            two_commas().hint(phrase!("state-delimiter", delimiter = delimiter.name(), decimal = decimal.name()))
+        }
+        _ => two_commas(),
+    }
+}
 
 /// One dialect of a text, with its evidence.
 #[derive(Clone, Debug)]

@@ -11,7 +11,7 @@ use etalon_base::{error, files, phrase};
 use std::io::{self, Read as _};
 use std::path::Path;
 
-/// Text of an input file and its bytes; where it cannot be read the message points at the campaign.
+/// Text of an input file and its bytes; if it cannot be read, the message points at the campaign.
 pub fn read_text(path: &Path, encoding: Option<Encoding>, place: &Place) -> Read<(String, Vec<u8>)> {
     let bytes = bytes_of(path).map_err(|problems| problems.at(place))?;
     let text = text_of(path, &bytes, encoding, &Format::default()).map_err(|problems| problems.at(place))?;
@@ -33,6 +33,7 @@ pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format
         Some(sheet) => workbook::text(&bytes, sheet),
         None if magic::arrays(&bytes).is_some() => return Err(arrays_not_text(path, &bytes).into()),
         None if ros_bag::is_recording(&bytes) => Err(topic_not_stated(&bytes)),
+        None if workbook::is_workbook(&bytes) => Err(sheet_not_stated(&bytes)),
         None => decode(bytes, encoding),
     };
     Ok(text.map_err(|message| message.within(phrase!("in-file", file = path.display().to_string())))?)
@@ -52,6 +53,21 @@ fn topic_not_stated(bytes: &[u8]) -> Message {
             error!("topic-not-stated").hint_names("", readable.map(|topic| topic.name.as_str()))
         }
         Err(message) => message,
+    }
+}
+
+/// Error about a workbook without a statement of the sheet; the hint states the first sheet with
+/// more than one row.
+fn sheet_not_stated(bytes: &[u8]) -> Message {
+    let names = match workbook::sheets(bytes) {
+        Ok(names) => names,
+        Err(message) => return message,
+    };
+    let has_rows = |name: &&String| workbook::text(bytes, name).is_ok_and(|text| text.lines().nth(1).is_some());
+    let message = error!("sheet-not-stated", sheets = names);
+    match names.iter().find(has_rows) {
+        Some(sheet) => message.hint(phrase!("state-sheet", sheet)),
+        None => message,
     }
 }
 
@@ -110,7 +126,8 @@ const PIECE: usize = 1 << 20;
 /// Reads all bytes of a file with lines.
 ///
 /// # Errors
-/// If reading fails, or at the first line that is too long; the rest of the file is not read.
+/// Fails if the file cannot be read, or at the first line that is too long; the rest of the file is
+/// then not read.
 fn bounded(mut from: impl io::Read, file: &str) -> Result<Vec<u8>, Message> {
     let mut bytes = Vec::new();
     let (mut number, mut start) = (1, 0);
@@ -180,7 +197,7 @@ fn coding(encoding: Encoding) -> &'static encoding_rs::Encoding {
     }
 }
 
-/// The encoding that the first bytes name, and how many they are.
+/// The encoding that the first bytes state, and the number of these bytes.
 fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
     let (marked, length) = encoding_rs::Encoding::for_bom(bytes)?;
     let all = [Encoding::Utf8, Encoding::Utf16Le, Encoding::Utf16Be];
@@ -191,8 +208,8 @@ fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
 /// and line feed.
 ///
 /// # Errors
-/// If a byte does not belong to the encoding, if the mark names another encoding than the campaign,
-/// or if the text holds a NUL.
+/// Fails if a byte does not belong to the encoding, if the mark names another encoding than the
+/// campaign, or if the text holds a NUL.
 pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Message> {
     let marked = mark(&bytes);
     let encoding = match (stated, marked) {
@@ -222,7 +239,7 @@ fn line_of(bytes: &[u8], at: usize) -> usize {
     bytes[..at].iter().filter(|b| **b == b'\n').count() + 1
 }
 
-/// Error for the byte `at` of the text behind a byte-order mark of `skipped` bytes.
+/// Error for the byte `at` of the text after a byte-order mark of `skipped` bytes.
 fn not_in_encoding(bytes: &[u8], at: usize, skipped: usize, encoding: Encoding) -> Message {
     let hex = format!("0x{:02X}", bytes.get(at).copied().unwrap_or_default());
     error!("encoding-invalid", byte = skipped + at, line = line_of(bytes, at), hex, encoding = encoding.name())
@@ -236,7 +253,7 @@ fn not_utf8(bytes: &[u8], at: usize) -> Message {
     }
 }
 
-/// The text of bytes; or the first byte that does not belong to the encoding.
+/// The text of bytes, or the first byte that does not belong to the encoding.
 fn decoded(bytes: &[u8], encoding: Encoding) -> Result<String, usize> {
     let mut decoder = coding(encoding).new_decoder_without_bom_handling();
     let mut text = String::with_capacity(decoder.max_utf8_buffer_length(bytes.len()).unwrap_or(0));
@@ -264,7 +281,7 @@ fn line_ends(text: String) -> String {
 mod tests {
     use super::*;
 
-    /// So many bytes, then `end`; counts what was taken.
+    /// Reader of this number of bytes, followed by `end`; counts the bytes taken.
     struct Endless {
         left: usize,
         taken: usize,

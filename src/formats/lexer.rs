@@ -13,7 +13,7 @@ use std::borrow::Cow;
 pub(crate) struct Row<'t> {
     /// Line in the file, from 1.
     pub line: usize,
-    /// The line itself.
+    /// Text of the line before it is split.
     pub text: &'t str,
     /// The fields.
     pub fields: Vec<Cow<'t, str>>,
@@ -68,7 +68,8 @@ pub(super) fn split<'t>(file: &str, text: &'t str, dialect: &Dialect) -> (Vec<Ro
     (rows.collect(), problems)
 }
 
-/// Rows of a text one after the other: all rows together take several times the memory of the text.
+/// Rows of a text one after the other: all rows together would need several times the memory of the
+/// text.
 pub(super) fn each_row<'t>(
     file: &str,
     text: &'t str,
@@ -89,7 +90,7 @@ pub(super) fn each_row<'t>(
     })
 }
 
-/// Fields of so many characters each; what comes behind them is one more.
+/// Fields of these widths (characters); the rest of the line is one more field.
 fn fixed<'t>(line: &'t str, widths: &[usize]) -> Vec<Cow<'t, str>> {
     let mut rest = line;
     let mut take = |width: usize| {
@@ -106,7 +107,7 @@ fn fixed<'t>(line: &'t str, widths: &[usize]) -> Vec<Cow<'t, str>> {
     fields
 }
 
-/// The fields of a line; one in double quotes may contain what separates fields.
+/// The fields of a line; a field in double quotes may contain separators.
 fn fields<'t>(line: &'t str, delimiter: Delimiter, fields: &mut Vec<Cow<'t, str>>) -> std::result::Result<(), Stray> {
     let mut scanner = Scanner { bytes: line.as_bytes(), at: 0, delimiter: delimiter.byte() };
     loop {
@@ -129,7 +130,7 @@ pub(super) const WHOLE: f64 = 9e15;
 /// Maximum length of a number (characters): the smallest double written out is shorter.
 const LONGEST: usize = 1100;
 
-/// A number in the stated decimal mark, nothing else around it.
+/// A number in the stated decimal mark, without other text.
 pub(crate) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
     marked(field, decimal, None)
 }
@@ -222,7 +223,7 @@ fn wrong(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Message
     }
 }
 
-/// Lines of a cloud of points are shorter.
+/// Maximum length of a line of a cloud of points.
 pub(super) const LONGEST_LINE: usize = 4096;
 /// Powers of ten that are exact.
 const TENS: [f64; 23] = [
@@ -318,7 +319,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// The next cell, without blanks around it, and what separates it from the one behind it.
+    /// The next cell, without blanks around it, and its separator from the next cell.
     fn cell(&mut self) -> std::result::Result<Cell, Stray> {
         self.skip_blanks();
         let mut cell = Cell { start: self.at, end: self.at, quoted: false, last: false };
@@ -367,7 +368,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// The label, and what separates it from the next field; none if it may need more than a look.
+    /// The label, and its separator from the next field; `None` if it may need the slower reader.
     #[inline]
     pub fn label(&mut self) -> Option<&'a [u8]> {
         self.skip_blanks();
@@ -380,7 +381,7 @@ impl<'a> Scanner<'a> {
         })
     }
 
-    /// A label of less than sixteen letters of ASCII that its separator ends at once.
+    /// A label of fewer than sixteen ASCII letters directly before its separator.
     #[inline]
     fn short_label(&mut self) -> Option<&'a [u8]> {
         let rest = &self.bytes[self.at..];
@@ -435,7 +436,7 @@ impl<'a> Scanner<'a> {
         })
     }
 
-    /// A number, and what separates it from the next field, if anything does.
+    /// A number, and its separator from the next field, if any.
     #[inline(always)]
     pub fn number(&mut self) -> Option<f64> {
         self.skip_blanks();

@@ -31,10 +31,11 @@ pub use input::{bytes_of, into_text, read_text, text_of};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Line, Names, Point, SharedText, Stated, table, to_parquet};
-pub use propose::{FilesProposal, label_form, propose, propose_file, propose_file_for, propose_files};
+pub use propose::{FilesProposal, JOINTS_REMARK, label_form, propose, propose_file, propose_file_for, propose_files};
 pub use tables::observations::{TableLayout, observations, observations_with};
 
 use crate::dialect::{Encoding, Unit};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
@@ -45,7 +46,7 @@ use std::path::Path;
 /// Reads a file in a format, without a campaign; rows that were not measured are `refused`.
 ///
 /// # Errors
-/// All rows that cannot be read, with their lines.
+/// Reports all unreadable rows, with their lines.
 pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
     let name = path.display().to_string();
     let here = |problems: Problems| problems.at(&Place::file(name.as_str()));
@@ -81,7 +82,7 @@ pub fn points_and_refused(
     problems.check()?;
     let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some()).collect();
     let said = refused.first().map(|first| {
-        let reason = first.refused.as_deref().unwrap_or_default();
+        let reason = first.refused.as_deref().map_or_else(|| "".argument(), IntoArgument::argument);
         warning!("rows-left-out", count = refused.len(), reason).at(first.place_in(file))
     });
     let points = rows.iter().filter(|row| row.refused.is_none()).map(|row| (row.label.to_string(), row.xyz_mm));
@@ -99,7 +100,7 @@ pub fn text_in(path: &Path, format: &Format) -> Result<String> {
 /// Returns the samples of a recording as a table `line time_s x_mm y_mm z_mm`.
 ///
 /// # Errors
-/// All rows that cannot be read or were not measured.
+/// Reports all rows that cannot be read or were not measured.
 pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
     let (points, mut problems) = format.read(file, &text.into(), unit);
     let refused = points.iter().filter_map(|point| Some((point, point.refused.as_ref()?)));

@@ -1,6 +1,7 @@
 //! Points of exports.
 
 use crate::table::{RowGroups, frame, pose_column_as};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Place, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -11,9 +12,9 @@ use std::fmt::{self, Debug, Display, Formatter};
 use std::ops::{Deref, DerefMut};
 use std::sync::{Arc, LazyLock};
 
-/// Row of an export. The reader fills in what the row states; statements of the campaign follow.
-/// Exports have millions of rows, most of which state a label and a place only: what else a row
-/// states is in [`Stated`], to which a point dereferences.
+/// Row of an export. The reader fills in the contents of the row; statements of the campaign
+/// follow. Exports have millions of rows, most of which state a label and a place only: what else
+/// a row states is in [`Stated`], to which a point dereferences.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File as named in the campaign.
@@ -53,7 +54,7 @@ pub struct Stated {
     /// Temperature during the measurement (°C), if the file states it.
     pub temperature_c: Option<f64>,
     /// Rule that rejects the row.
-    pub refused: Option<String>,
+    pub refused: Option<Box<Phrase>>,
 }
 
 impl Stated {

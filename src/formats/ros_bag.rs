@@ -103,7 +103,7 @@ pub(crate) fn topics(bytes: &[u8]) -> Result<Vec<Topic>, Message> {
 /// Returns the messages of a topic as a table.
 ///
 /// # Errors
-/// If the recording cannot be read, lacks the topic, or the messages are of another type or
+/// Fails if the recording cannot be read, lacks the topic, or the messages are of another type or
 /// encoding.
 pub(crate) fn text(bytes: &[u8], wanted: &str) -> Result<String, Message> {
     let (mut names, mut rows) = (BTreeMap::new(), Table::default());

@@ -176,7 +176,7 @@ pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
 /// Checks that the table has these columns.
 ///
 /// # Errors
-/// Each missing column, at line 1 of the file.
+/// Reports each missing column, at line 1 of the file.
 pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
     let header = Place { line: Some(1), ..Place::default() };
     let missing = names.iter().filter_map(|name| column(table, name).err());
@@ -188,8 +188,22 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
         // the program adds the column `line`
         let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| *name != "line");
         let names: Vec<&str> = names.collect();
-        error!("column-unknown", column = name).hint_names(name, names).into()
+        let foreign: Vec<&str> = names.iter().copied().filter(|name| !is_own(name)).collect();
+        let message = error!("column-unknown", column = name);
+        match foreign[..] {
+            [heading] if !heading.contains('"') => message.hint(phrase!("state-column", column = name, heading)).into(),
+            _ => message.hint_names(name, names).into(),
+        }
     })
+}
+
+/// `true` if tables of etalon have a column of this name; columns of other programs have other
+/// names.
+fn is_own(name: &str) -> bool {
+    let fixed = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approach", "robot", "reading", "direction", "force_n"];
+    let unit = ["_mm", "_m", "_um", "_inch", "_deg", "_rad", "_ms", "_ns", "_mm2", "_direction"];
+    [&fixed[..], &TEXTS, &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
+        || unit.iter().any(|unit| name.ends_with(unit))
 }
 
 /// Cell of a table as CSV.
@@ -264,7 +278,7 @@ impl<W: Write + Send> RowGroups<W> {
 /// Reads a Parquet file that a stage wrote.
 ///
 /// # Errors
-/// If the number of rows differs; it is checked before any row is read.
+/// Fails if the number of rows differs; it is checked before any row is read.
 pub fn from_parquet(bytes: Vec<u8>, rows: usize) -> Result<DataFrame> {
     let unreadable = |e: PolarsError| Problems::from(error!("stored-table-damaged", reason = e.to_string()));
     let mut reader = ParquetReader::new(Cursor::new(bytes));

@@ -2,8 +2,8 @@
 //! numbers of the sheet.
 
 use calamine::{DataRef, Reader, Xlsx};
-use etalon_base::catalogue::IntoArgument;
-use etalon_base::message::{Message, count};
+use etalon_base::catalogue::{IntoArgument, Phrase};
+use etalon_base::message::Message;
 use etalon_base::{error, phrase};
 use std::io::{Cursor, Read};
 
@@ -99,10 +99,9 @@ fn field(value: &DataRef) -> String {
 }
 
 /// Remark of a proposal about the other sheets of a workbook.
-pub(super) fn others(names: &[String], taken: &str) -> Option<String> {
+pub(super) fn others(names: &[String], taken: &str) -> Option<Phrase> {
     let others: Vec<&str> = names.iter().map(String::as_str).filter(|name| *name != taken).collect();
-    (!others.is_empty())
-        .then(|| format!("the workbook has {} more: {}", count(others.len(), "sheet"), others.join(", ")))
+    (!others.is_empty()).then(|| phrase!("doubt-other-sheets", count = others.len(), sheets = others))
 }
 
 #[cfg(test)]

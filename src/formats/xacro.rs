@@ -1,5 +1,5 @@
-//! xacro, as far as it is properties, arguments and includes: expanded to plain URDF. Macros,
-//! conditions and YAML are refused with the command that expands them.
+//! xacro with properties, arguments and includes only, expanded to plain URDF. For other constructs
+//! (macros, conditions, YAML) the error names the command that expands them.
 //!
 //! Source: the documentation and the source text of xacro 2 (ROS 2), which define the order of
 //! evaluation, the types of values and the escapes `$${` and `$$(`.
@@ -21,9 +21,9 @@ const LARGEST: usize = 64 << 20;
 const LONGEST_VALUE: usize = 64 << 10;
 /// Maximum number of files, and maximum depth of includes.
 const MOST_FILES: usize = 256;
-/// Maximum depth of parentheses, and of properties that use other properties.
+/// Maximum depth of parentheses, and of properties that refer to other properties.
 const DEEPEST: usize = 32;
-/// Number of folders above a file in which a package is looked for.
+/// Number of folders above a file in which a package is searched for.
 const FOLDERS_ABOVE: usize = 4;
 
 /// Text of a URDF without xacro.
@@ -31,7 +31,7 @@ const FOLDERS_ABOVE: usize = 4;
 pub struct Expanded {
     /// Name of the file, for messages.
     pub name: String,
-    /// Expanded text; the text of the file if it holds no xacro.
+    /// Expanded text; the text of the file if it contains no xacro.
     pub text: String,
     /// Included files and their stamps, each once.
     pub included: Vec<(PathBuf, Stamp)>,
@@ -64,13 +64,13 @@ impl Expanded {
     }
 }
 
-/// Expands a text; `path` is its file, beside which included files are looked for. `arguments` are
-/// stated as for xacro: `NAME:=VALUE`. Elements that `skipped` names, with all that they hold, are
-/// expanded as far as possible: the rest of them is left as it is.
+/// Expands a text; `path` is its file, beside which included files are searched for. `arguments`
+/// have the form of xacro: `NAME:=VALUE`. Elements that `skipped` names, with their contents, are
+/// expanded as far as possible; the rest is left unchanged.
 ///
 /// # Errors
-/// If the text holds what is not expanded here, if an argument has no value, or if an included
-/// file cannot be read.
+/// Fails if the text contains constructs that are not expanded here, if an argument has no value,
+/// or if an included file cannot be read.
 pub fn expand(path: &Path, text: String, arguments: &[String], skipped: fn(&str) -> bool) -> Result<Expanded> {
     let name = path.display().to_string();
     let stated: Vec<(String, String)> = arguments.iter().map(|text| argument(text)).collect::<Result<_>>()?;
@@ -88,7 +88,7 @@ pub fn expand(path: &Path, text: String, arguments: &[String], skipped: fn(&str)
     Ok(Expanded { name, text: out, included, lines, names })
 }
 
-/// Name of the URDF that an expanded file is written to: `arm.urdf` for `arm.urdf.xacro`.
+/// Name of the URDF to which an expanded file is written: `arm.urdf` for `arm.urdf.xacro`.
 pub fn plain_name(name: &str) -> String {
     let stem = name.strip_suffix(".xacro").unwrap_or(name);
     let plain = format!("{}.urdf", stem.strip_suffix(".urdf").or(stem.strip_suffix(".xml")).unwrap_or(stem));
@@ -178,7 +178,7 @@ impl Display for Value {
     }
 }
 
-/// A property, which is evaluated when it is used first.
+/// A property, which is evaluated at its first use.
 #[derive(Clone)]
 enum Property {
     Stated(String, Place),
@@ -265,7 +265,7 @@ impl Expander {
 
     fn events(&mut self, source: &Source) -> Result<()> {
         let mut reader = Reader::from_str(source.text);
-        // depths of open elements: all, within a lenient one, within one that is dropped
+        // depths of open elements: all, within a lenient one, within a dropped one
         let (mut depth, mut lenient, mut dropped) = (0usize, 0usize, 0usize);
         loop {
             let start = reader.buffer_position() as usize;
@@ -321,7 +321,7 @@ impl Expander {
         }
     }
 
-    /// Obeys an element of xacro, and returns how the element is treated.
+    /// Processes an element of xacro, and returns the treatment of the element.
     fn element(&mut self, source: &Source, tag: &BytesStart, start: usize) -> Result<Element> {
         let name = tag.name().into_inner();
         let Some(directive) = name.strip_prefix("xacro:") else {
@@ -391,15 +391,14 @@ impl Expander {
 
     /// Appends an included file.
     fn include(&mut self, source: &Source, file: &str, optional: bool) -> std::result::Result<(), Included> {
-        let hint = phrase!("expand-xacro", command = self.command());
+        let command = self.command();
+        let with_hint = |message: Message| message.hint(phrase!("expand-xacro", command));
         let folder = source.path.parent().unwrap_or(Path::new(""));
         let path = match file.strip_prefix("package://").map(|file| file.split_once('/').unwrap_or((file, ""))) {
             None => normal(&folder.join(file)),
             Some((package, file)) => {
-                let Some(found) = folder_of(package, folder) else {
-                    return Err(error!("xacro-package", package).hint(hint).into());
-                };
-                found.join(file)
+                let found = folder_of(package, folder);
+                found.ok_or_else(|| with_hint(error!("xacro-package", package)))?.join(file)
             }
         };
         if self.open.iter().any(|open| normal(open) == path) {
@@ -414,7 +413,7 @@ impl Expander {
         }
         let (text, stamp) = files::read_statement(&path).map_err(|Problems(all)| {
             let reason = all.first().map_or_else(String::new, |message| message.what.clone());
-            error!("xacro-include-unreadable", reason).hint(hint)
+            with_hint(error!("xacro-include-unreadable", reason))
         })?;
         if self.included.iter().all(|(known, _)| *known != path) {
             self.included.push((path.clone(), stamp));
@@ -599,7 +598,7 @@ fn attribute(tag: &BytesStart, name: &str) -> Option<String> {
     found.normalized_value(XmlVersion::Implicit1_0).ok().map(|value| value.into_owned())
 }
 
-/// Path without `.` and without `..` where its folder is known.
+/// Path without `.`, and without `..` if its folder is known.
 fn normal(path: &Path) -> PathBuf {
     let mut out = PathBuf::new();
     for part in path.components() {
@@ -614,8 +613,8 @@ fn normal(path: &Path) -> PathBuf {
     out
 }
 
-/// Folder of a package: a folder of this name above the file in `folder`, or beside one of those.
-/// It is named from the folder as the user names it.
+/// Folder of a package: a folder of this name above the file in `folder`, or beside one of those
+/// folders. The path begins with the folder as the user names it.
 fn folder_of(package: &str, folder: &Path) -> Option<PathBuf> {
     if package.is_empty() || package.contains(['/', '\\']) || package.starts_with('.') {
         return None;
@@ -633,9 +632,9 @@ fn folder_of(package: &str, folder: &Path) -> Option<PathBuf> {
 /// A part of a text.
 enum Piece<'a> {
     Plain(&'a str),
-    /// `${...}`.
+    /// Content of `${...}`.
     Expression(&'a str),
-    /// `$(...)`.
+    /// Content of `$(...)`.
     Substitution(&'a str),
 }
 
@@ -787,7 +786,7 @@ impl<'a> Parser<'_, 'a> {
         self.arithmetic(&base, &exponent, whole, f64::powf)
     }
 
-    /// Result of an operation: a whole number where that of whole numbers is one.
+    /// Result of an operation: a whole number if the operation on whole numbers yields one.
     fn arithmetic(
         &self,
         a: &Value,

@@ -1,5 +1,5 @@
-//! A small XML tree for untrusted files: no document types, no entities of their own, bounded depth
-//! and size.
+//! A small XML tree for untrusted files: no document types, no custom entities, bounded depth and
+//! size.
 
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::{error, phrase};
@@ -18,13 +18,13 @@ const LONGEST_LINE: usize = 200;
 pub struct Elements<'a> {
     file: &'a str,
     text: &'a str,
-    /// Beginning of each line (bytes), so that a place is found quickly.
+    /// Beginning of each line (bytes), for fast lookup of a place.
     lines: Vec<usize>,
     elements: Vec<Element<'a>>,
 }
 
 struct Element<'a> {
-    /// Without its prefix.
+    /// Name without its prefix.
     name: &'a str,
     attributes: &'a str,
     /// Beginning in the file (bytes).
@@ -42,10 +42,10 @@ pub struct Node<'t, 'a> {
 }
 
 impl<'a> Elements<'a> {
-    /// Reads a text. `skipped` states which elements are left out with all that they hold.
+    /// Reads a text. `skipped` states the elements that are omitted with their contents.
     ///
     /// # Errors
-    /// If the text is not well-formed XML, or if it declares a document type.
+    /// Fails if the text is not well-formed XML, or if it declares a document type.
     pub fn read(file: &'a str, text: &'a str, skipped: impl Fn(&str) -> bool) -> Result<Self> {
         let breaks = text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i + 1);
         let mut tree = Self { file, text, lines: std::iter::once(0).chain(breaks).collect(), elements: Vec::new() };
@@ -153,7 +153,7 @@ impl<'a> Elements<'a> {
         }
     }
 
-    /// The document element; `None` of an empty file.
+    /// The document element; `None` for an empty file.
     pub fn root(&self) -> Option<Node<'_, 'a>> {
         (!self.elements.is_empty()).then_some(Node { tree: self, index: 0 })
     }
@@ -186,12 +186,12 @@ impl<'t, 'a> Node<'t, 'a> {
         self.element().name
     }
 
-    /// Its own text, without blanks around it.
+    /// Text of the element itself, without blanks around it.
     pub fn text(self) -> &'t str {
         self.element().text.trim()
     }
 
-    /// Line of the file, from 1, and the beginning of that line's element as a message may show it.
+    /// Line of the file, from 1, and the beginning of the element for a message.
     pub fn place(self) -> Place {
         self.tree.place(self.element().start)
     }
@@ -207,17 +207,17 @@ impl<'t, 'a> Node<'t, 'a> {
         })
     }
 
-    /// The first element of this name directly within.
+    /// The first direct child of this name.
     pub fn child(self, name: &str) -> Option<Node<'t, 'a>> {
         self.children().find(|c| c.name() == name)
     }
 
-    /// The element itself and all within, in document order.
+    /// The element itself and all descendants, in document order.
     pub fn all(self) -> impl Iterator<Item = Node<'t, 'a>> {
         (self.index..self.element().after).map(move |index| Node { tree: self.tree, index })
     }
 
-    /// Value of an attribute; `None` where it is not there or is malformed.
+    /// Value of an attribute; `None` if it is missing or malformed.
     pub fn attribute(self, name: &str) -> Option<Cow<'a, str>> {
         let mut attributes = quick_xml::events::attributes::Attributes::new(self.element().attributes, 0);
         // looking for attributes stated twice takes time in the square of their number
@@ -225,7 +225,7 @@ impl<'t, 'a> Node<'t, 'a> {
         found.normalized_value(quick_xml::XmlVersion::Implicit1_0).ok()
     }
 
-    /// Its `id`; `None` where it has none, or one that needs decoding.
+    /// Value of `id`; `None` if it is missing or needs decoding.
     pub fn id(self) -> Option<&'t str> {
         match self.attribute("id")? {
             Cow::Borrowed(id) => Some(id),
@@ -233,7 +233,7 @@ impl<'t, 'a> Node<'t, 'a> {
         }
     }
 
-    /// The numbers of its text, separated by blanks.
+    /// The numbers in the text, separated by blanks.
     pub fn numbers(self) -> std::result::Result<Vec<f64>, Message> {
         let number =
             |field: &str| super::lexer::number(field, crate::dialect::Decimal::Point).map_err(|m| m.at(self.place()));

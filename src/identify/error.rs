@@ -1,5 +1,5 @@
-//! Reasons why there is no result. They name neither keys nor options: who knows where a value was
-//! stated adds the remedy.
+//! Reasons for a missing result. They name neither keys nor options: the caller that knows the
+//! origin of a value adds the remedy.
 
 use crate::warning::{SetUpError, Warning};
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
@@ -10,23 +10,23 @@ use etalon_math::Termination;
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// Reason why there is no result. Not a [`std::error::Error`], so that no caller passes it on by
-/// `?` without its remedy.
+/// Reason for a missing result. Not a [`std::error::Error`], so that no caller passes it on by `?`
+/// without its remedy.
 #[derive(Clone, Debug)]
 pub enum Error {
     /// Residuals of the pose mix mm and rad, and no standard uncertainty of a coordinate is stated.
     PoseWithoutUncertainty,
-    /// A common uncertainty is stated without one that each observation has of its own, or for
+    /// A common uncertainty is stated without an independent one for each observation, or for
     /// residuals of the pose.
     CommonUncertaintyAlone,
-    /// Name of a parameter to hold that the robot lacks.
+    /// A parameter to hold does not exist in the robot.
     UnknownParameter {
         /// The name, in which `*` stands for any text.
         pattern: String,
         /// Names of the robot's parameters.
         names: Vec<String>,
     },
-    /// Observations other than coordinates are for arms.
+    /// Observations other than coordinates need an arm.
     NotAnArm {
         /// Model of the robot.
         model: String,
@@ -34,11 +34,11 @@ pub enum Error {
     /// Observations of several kinds have no common scale without the standard uncertainty of a
     /// coordinate.
     KindsWithoutUncertainty,
-    /// Readings with an uncertainty of their own are poses, or have another uncertainty in common.
+    /// Readings with their own uncertainties are poses, or have another uncertainty in common.
     OwnUncertainties,
     /// Some readings have no uncertainty.
     ReadingsWithoutUncertainty {
-        /// Number of readings without one.
+        /// Number of readings without an uncertainty.
         without: usize,
         /// Number of all readings.
         readings: usize,
@@ -48,7 +48,7 @@ pub enum Error {
         /// Model of the robot.
         model: String,
     },
-    /// The robot has no such part to state a tool point on.
+    /// The robot lacks the part in whose frame the tool point is stated.
     NoSuchPart {
         /// Model of the robot.
         model: String,
@@ -62,20 +62,20 @@ pub enum Error {
         /// Number of parameters.
         parameters: usize,
     },
-    /// Base and targets cannot be placed from the poses.
+    /// Base and targets cannot be located from the poses.
     BaseNotFound,
     /// Every parameter is held, or the data depend on none.
     NothingLeft {
-        /// Why, where the observations show it.
+        /// Cause, if the observations show it.
         cause: Option<Cause>,
-        /// The change of the set-up that explains the observations, where there is one.
+        /// Change of the set-up that explains the observations, if one exists.
         set_up: Option<SetUpError>,
     },
-    /// The observations determine fewer parameters than are wanted.
+    /// The observations determine fewer parameters than are free.
     Undetermined {
         /// Number of residuals, of poses, of independent residuals and of parameters.
         counts: [usize; 4],
-        /// Each undetermined parameter, with the parameters that act alike.
+        /// Each undetermined parameter, with the parameters that have the same effect.
         groups: Vec<(String, Vec<String>)>,
     },
     /// The set of separately identifiable parameters changes from step to step.
@@ -84,9 +84,9 @@ pub enum Error {
     Failed {
         /// Termination of the solver.
         termination: Termination,
-        /// Why, where the observations show it.
+        /// Cause, if the observations show it.
         cause: Option<Cause>,
-        /// The change of the set-up that explains the observations, where there is one.
+        /// Change of the set-up that explains the observations, if one exists.
         set_up: Option<SetUpError>,
     },
     /// The robot or its set-up does not explain the observations.
@@ -107,16 +107,16 @@ pub enum Cause {
         /// Extent of the points of the model.
         model_mm: f64,
     },
-    /// The tool is not where the stated assembly mode puts it.
+    /// The tool contradicts the stated assembly mode.
     AssemblyMode {
-        /// The poses of which this is true.
+        /// Poses with the contradiction.
         poses: BTreeSet<PoseName>,
-        /// The pose that is farthest off.
+        /// Pose with the largest deviation.
         worst: PoseName,
-        /// Its stated mode, 1 or -1.
+        /// Stated mode of this pose, 1 or -1.
         mode: f64,
         /// Distances (mm) of the model from the measured position, in the stated mode and in the
-        /// other one.
+        /// other mode.
         left_mm: [f64; 2],
     },
 }

@@ -1,6 +1,8 @@
-//! Identification: parameters from observations, which of them the data determine, and how well.
+//! Identification: parameters from observations, the parameters that the data determine, and their
+//! uncertainty.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+pub mod axes;
 mod error;
 pub mod geometric;
 mod judgement;
@@ -81,12 +83,12 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 pub struct Settings {
     /// Residuals of single targets, or of the pose (eq. 3.26).
     pub kind: ResidualKind,
-    /// Standard uncertainty of one measured coordinate in mm; `None` takes it from the residuals.
+    /// Standard uncertainty of one measured coordinate (mm); `None` estimates it from the
+    /// residuals.
     pub standard_uncertainty_mm: Option<f64>,
-    /// Standard uncertainty in mm of what a coordinate has in common with all observations of the
-    /// very same coordinates, beside [`Self::standard_uncertainty_mm`], which is then what each
-    /// observation has of its own: a ball measured once and touched in several working modes.
-    /// Targets only.
+    /// Standard uncertainty (mm) common to all observations with the very same coordinates, in
+    /// addition to [`Self::standard_uncertainty_mm`], which is then independent for each
+    /// observation: a ball measured once and touched in several working modes. Targets only.
     pub common_uncertainty_mm: Option<f64>,
     /// Names of parameters held at their nominal value; `*` stands for any text.
     pub hold: Vec<String>,
@@ -103,8 +105,8 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Standard uncertainty of one measured coordinate with what it has in common with others, mm;
-    /// 0 where none is stated.
+    /// Standard uncertainty (mm) of one measured coordinate, including its common part; 0 if none
+    /// is stated.
     pub fn coordinate_uncertainty_mm(&self) -> f64 {
         self.standard_uncertainty_mm.unwrap_or(0.0).hypot(self.common_uncertainty_mm.unwrap_or(0.0))
     }
@@ -114,13 +116,13 @@ impl Settings {
         Self { prior: found.prior, ..self.with_weight(found.weight) }
     }
 
-    /// These settings without nominal values.
+    /// Returns these settings without nominal values.
     fn without_prior(&self) -> Self {
         Self { prior: Prior::None, ..self.clone() }
     }
 
-    /// These settings with stated shapes and nominal values that weigh as against residuals of this
-    /// standard deviation.
+    /// Returns these settings with stated shapes and nominal values weighted relative to residuals
+    /// of this standard deviation.
     fn with_weight(&self, weight: f64) -> Self {
         let mut settings = self.clone();
         settings.prior = settings.prior.with_weight(weight);
@@ -129,14 +131,14 @@ impl Settings {
     }
 }
 
-/// Why a parameter has the value that it has.
+/// Reason for the value of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Status {
     /// Found by least squares.
     Identified,
-    /// Held by the settings, or not part of these residuals.
+    /// Held by the settings, or independent of these residuals.
     Fixed,
-    /// Held because the data do not determine it separately from others, or not at all.
+    /// Held because the data do not determine it, or only together with others.
     NotIdentifiable,
 }
 
@@ -173,16 +175,16 @@ pub struct Identification {
     pub status: Vec<Status>,
     /// Indices of the identified parameters: the order of `covariance`.
     pub free: Vec<usize>,
-    /// Number of identified parameters that were eliminated because they are many: coordinates of
-    /// targets, or of sockets and planes.
+    /// Number of identified parameters that were eliminated because of their large number:
+    /// coordinates of targets, or of sockets and planes.
     pub eliminated: Vec<usize>,
     /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where it cannot be
     /// determined.
     pub covariance: Option<Vec<f64>>,
     /// Source of the covariance.
     pub uncertainty_from: UncertaintyFrom,
-    /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty
-    /// where these rest on stated ones.
+    /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty if
+    /// these follow from stated uncertainties.
     pub effective_degrees: Vec<f64>,
     /// Ratio (median) of the standard uncertainties to those from the instrument's uncertainty
     /// alone.
@@ -191,12 +193,12 @@ pub struct Identification {
     pub groups: Vec<Group>,
     /// Sets of parameters that are weakly identifiable.
     pub weak: Vec<WeakGroup>,
-    /// Singular values of the Jacobian and what follows from them; `None` where they are not
+    /// Singular values of the Jacobian and indices computed from them; `None` if they are not
     /// numbers.
     pub observability: Option<Observability>,
     /// Contributions to the covariance.
     pub budget: Budget,
-    /// Scatter of repeats against the rest; `None` where no pose was repeated.
+    /// Scatter of repeats compared with the rest; `None` if no pose was repeated.
     pub replicates: Option<Replicates>,
     /// Root mean square of the residuals, in mm (mm and rad mixed for pose residuals, as in eq.
     /// 3.26).
@@ -205,16 +207,16 @@ pub struct Identification {
     pub max: f64,
     /// Equations minus identified parameters.
     pub degrees_of_freedom: usize,
-    /// Sum of squares of residuals over their uncertainties; `None` where no uncertainty is stated
-    /// or nothing is left over.
+    /// Sum of squares of residuals over their uncertainties; `None` if no uncertainty is stated or
+    /// no degrees of freedom are left.
     pub chi_square: Option<f64>,
-    /// Standard deviation of a residual, which rows of stated shapes and nominal values were
-    /// multiplied by.
+    /// Standard deviation of a residual, by which the rows of stated shapes and nominal values were
+    /// multiplied.
     pub weight: f64,
     /// Weight of nominal values.
     pub prior: Prior,
-    /// Number of parameters that the data determine: all identified ones if nominal values are no
-    /// readings.
+    /// Number of parameters that the data determine: all identified ones if nominal values do not
+    /// count as readings.
     pub determined: f64,
     /// Steps taken.
     pub iterations: usize,
@@ -224,7 +226,7 @@ pub struct Identification {
     pub warnings: Vec<Warning>,
 }
 
-/// A parameter of which the data determine a smaller share has no value by them.
+/// Minimum share of a parameter that the data must determine for a value from the data.
 const LEAST_SHARE: f64 = 1e-3;
 
 impl Identification {
@@ -244,8 +246,8 @@ impl Identification {
         Some(self.covariance.as_ref()?[k * self.free.len() + k].sqrt())
     }
 
-    /// Value and standard uncertainty of an identified parameter by everything but its own nominal
-    /// value; `None` where that is all there is.
+    /// Value and standard uncertainty of an identified parameter from everything except its own
+    /// nominal value; `None` if there is nothing else.
     pub fn without_nominal(&self, robot: &dyn Robot, index: usize) -> Option<(f64, f64)> {
         let (value, u) = (self.values[index], self.standard_uncertainty(index)?);
         let nominal = robot.parameters()[index].nominal;
@@ -259,15 +261,16 @@ impl Identification {
         }
     }
 
-    /// Share of its value that the data determine, 1 − (u/s)² with u after the identification and s
-    /// by its tolerance alone: 0 where the data say nothing, 1 where the nominal value does not
-    /// count. `None` where nominal values are no readings, and of what has none.
+    /// Share of the value that the data determine, 1 − (u/s)² with u after the identification and s
+    /// from its tolerance alone: 0 if the data contribute nothing, 1 if the nominal value has no
+    /// influence. `None` if nominal values do not count as readings, or the parameter has none.
     pub fn determined(&self, robot: &dyn Robot, index: usize) -> Option<f64> {
         let (u, s) = (self.standard_uncertainty(index)?, self.prior.uncertainty(robot, index)?);
         Some((1.0 - (u / s).powi(2)).clamp(0.0, 1.0))
     }
 
-    /// Effective degrees of freedom of it; `None` where it rests on stated uncertainties.
+    /// Effective degrees of freedom of a parameter; `None` if its uncertainty follows from stated
+    /// ones.
     pub fn degrees_of_freedom(&self, index: usize) -> Option<f64> {
         self.effective_degrees.get(self.free.iter().position(|&i| i == index)?).copied()
     }
@@ -313,7 +316,7 @@ pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Sett
     identify_from(robot, observations, settings, &start)
 }
 
-/// [`identify`] from starting values of all parameters, for instance those of [`fit_frames`].
+/// [`identify`] with starting values of all parameters, for instance those of [`fit_frames`].
 pub fn identify_from(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -323,7 +326,7 @@ pub fn identify_from(
     identify_with(robot, observations, settings, start, &Systematic::default())
 }
 
-/// [`identify_from`] of observations that have these errors in common.
+/// [`identify_from`] for observations with these common errors.
 pub fn identify_with(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -340,9 +343,9 @@ pub fn identify_with(
     Ok(found)
 }
 
-/// All parameters identified again from other observations of the same poses or some of them, with
-/// the same parameters held and from the solution found; `None` where the solver fails or the
-/// observations do not determine them.
+/// Identifies all parameters again from other observations of the same poses or some of them, with
+/// the same parameters held and starting from the solution; `None` if the solver fails or the
+/// observations do not determine the parameters.
 pub fn identify_again(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -354,7 +357,7 @@ pub fn identify_again(
     solved_from(&problem, &found.free_values())
 }
 
-/// All parameters of the solution of `problem`; `None` where the solver fails or it does not
+/// All parameters of the solution of `problem`; `None` if the solver fails or the problem does not
 /// determine them.
 fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
     let solution = solve(problem, x, Options::default());
@@ -362,13 +365,13 @@ fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
     (solution.termination.is_success() && regular).then(|| problem.all(&solution.x))
 }
 
-/// A fit from near its solution, without uncertainties: to be compared with one of fewer
+/// A fit that starts near its solution, without uncertainties, for comparison with a fit of fewer
 /// parameters.
 #[derive(Clone, Debug)]
 pub struct NestedFit {
     /// All parameters (mm, rad, 1).
     pub values: Vec<f64>,
-    /// Sum of squares of what was measured, over the variances that are stated.
+    /// Sum of squares of the measurements, over the stated variances.
     pub squares: f64,
     /// Equations minus parameters that the data determine.
     pub degrees_of_freedom: f64,
@@ -380,10 +383,10 @@ pub struct NestedFit {
 }
 
 impl NestedFit {
-    /// Fits what `settings` ask for, from `start`.
+    /// Fits the parameters that `settings` select, from `start`.
     ///
     /// # Errors
-    /// Settings and observations that do not go together, or a solver that fails.
+    /// Fails if settings and observations do not match, or if the solver fails.
     pub fn new(robot: &dyn Robot, observations: &[Observation], settings: &Settings, start: &[f64]) -> Result<Self> {
         let wanted = wanted_parameters(robot, observations, settings)?;
         let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
@@ -401,8 +404,8 @@ impl NestedFit {
         })
     }
 
-    /// All parameters from part of the observations, with the same parameters held; `None` where
-    /// the solver fails or they do not determine the parameters.
+    /// All parameters from part of the observations, with the same parameters held; `None` if the
+    /// solver fails or the observations do not determine the parameters.
     pub fn again(&self, robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Vec<f64>> {
         let settings = Settings { prior: self.prior, ..settings.with_weight(self.weight) };
         let problem = Residuals::new(robot, observations, &settings, &self.free, &self.values).ok()?;
@@ -411,21 +414,21 @@ impl NestedFit {
     }
 }
 
-/// [`identify_again`] from measurements that differ from one by their errors alone, many times.
+/// [`identify_again`] for many measurements that differ only by their errors.
 pub struct Repeated<'a> {
     robot: &'a dyn Robot,
     settings: Settings,
     found: &'a Identification,
-    /// Readings that are common to several observations there.
+    /// Readings that are common to several of these observations.
     common: Option<Common>,
-    /// Standard deviations of the rows of what is not a coordinate of a target.
+    /// Standard deviations of the rows that are not coordinates of targets.
     stated: Vec<f64>,
     /// Factor of the Jacobian at the solution, and the scales of its columns.
     linearised: Option<(Factor, Vec<f64>)>,
 }
 
-/// A step this much shorter than the first is the last one: the next, a tenth of it at most, would
-/// be less than a ten-thousandth of what was drawn.
+/// Convergence tolerance: step length relative to the first step. The next step, at most a tenth of
+/// it, would be less than a ten-thousandth of the drawn errors.
 const LAST_STEP: f64 = 1e-3;
 
 impl<'a> Repeated<'a> {
@@ -446,14 +449,14 @@ impl<'a> Repeated<'a> {
         Self { robot, settings, found, common, stated, linearised: linearised.filter(|(factor, _)| regular(factor)) }
     }
 
-    /// Standard deviations of what is stated beside coordinates of targets: by conditions, shapes
-    /// and known points.
+    /// Standard deviations of the rows beside coordinates of targets: conditions, shapes and known
+    /// points.
     pub fn stated(&self) -> &[f64] {
         &self.stated
     }
 
     /// All parameters from another measurement of the same targets at the same poses. `drawn` are
-    /// the errors of what is stated beside.
+    /// the errors of the rows beside coordinates.
     pub fn identify(&self, observations: &[Observation], drawn: Vec<f64>) -> Option<Vec<f64>> {
         let (found, x) = (self.found, self.found.free_values());
         let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
@@ -465,8 +468,8 @@ impl<'a> Repeated<'a> {
     }
 }
 
-/// Parameters of the nominal robot with only base and targets fitted, wherever they are: what
-/// accuracy is before a calibration, and where the identification starts.
+/// Parameters of the nominal robot with only base and targets fitted, wherever they are: the state
+/// before calibration, and the start of the identification.
 pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
     let frames = wanted_frames(robot, observations, settings)?;
     if frames.is_empty() {
@@ -487,7 +490,7 @@ pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Se
     }
 }
 
-/// These parameters with only base and targets fitted, from where they are.
+/// These parameters with only base and targets fitted, starting from their values.
 pub fn refit_frames(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -501,7 +504,7 @@ pub fn refit_frames(
     Ok(solve_identifiable(robot, observations, settings, &frames, values)?.values)
 }
 
-/// Indices of the parameters of base, targets and fixtures that are wanted.
+/// Indices of the free parameters of base, targets and fixtures.
 pub fn wanted_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     Ok(wanted.into_iter().filter(|&i| robot.parameters()[i].role != Role::Robot).collect())
@@ -539,7 +542,7 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     Ok((0..robot.parameters().len()).filter(|&i| !fixed(i)).collect())
 }
 
-/// The parameter that residuals of this kind do not show: of a pose, the distance of its two
+/// The parameter that residuals of this kind do not contain: for a pose, the distance of its two
 /// targets.
 fn unseen_by(robot: &dyn Robot, kind: ResidualKind) -> Option<usize> {
     (kind == ResidualKind::Pose).then(|| robot.platform().map(|platform| platform.target_distance()))?

@@ -18,13 +18,13 @@ pub struct Warning {
 /// Subject of a warning.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Subject {
-    /// Parameters that the choice of base and targets fixes are held: others could be.
+    /// Parameters are held that the choice of base and targets fixes; others could be held instead.
     HeldByFrames,
     /// The measurements contradict the stated shape of a part.
     Shape(Contradicted),
     /// A change of the set-up explains the measurements.
     SetUp(SetUpError),
-    /// Anything that the message says completely.
+    /// Any other subject; the message is complete.
     Other,
 }
 
@@ -42,21 +42,21 @@ impl Deref for Warning {
     }
 }
 
-/// Statement of the part of a set-up that is wrong.
+/// Statement of the wrong part of a set-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// The unit of the measured points.
     Unit,
     /// The points that define the world frame.
     WorldFrame,
-    /// The change itself names it.
+    /// The change itself names the part.
     Named,
 }
 
 /// Change of a set-up that explains the measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetUpError {
-    /// The change, and others that explain the data as well: "`q7` reversed".
+    /// The change, and others that explain the data equally well: "`q7` reversed".
     pub changes: Vec<(Phrase, Origin)>,
     /// Root mean square error (mm) after an identification with the set-up as stated; infinite if a
     /// pose is out of reach.
@@ -66,8 +66,8 @@ pub struct SetUpError {
 }
 
 impl SetUpError {
-    /// Hint at the change. `statement` returns the place where the origin of a change is stated, if
-    /// a layer above knows it.
+    /// Hint at the change. `statement` returns the place where the wrong part is stated, if a layer
+    /// above knows it.
     pub fn to_check(&self, statement: impl Fn(Origin) -> Option<Phrase>) -> Phrase {
         let named = self.changes.iter().map(|(slip, origin)| {
             let origin = statement(*origin).map_or_else(|| "none".argument(), |stated| stated.argument());

@@ -1,5 +1,5 @@
 //! Jacobians in which most columns occur in few rows only, such as the coordinates of a target,
-//! which occur in its own rows alone.
+//! which occur only in the rows of this target.
 //!
 //! Such columns form blocks. The rows of a block are factored with the columns of the block first;
 //! the remaining rows depend on the common columns only (Triggs et al. 2000, "Bundle adjustment - a

@@ -17,7 +17,7 @@ pub struct Solution {
     /// divided by their standard uncertainties, it is a chi-square.
     pub cost: f64,
     /// Factor of the Jacobian at `x`, with columns divided by `scale`; `None` if it could not be
-    /// computed, and with a loss, where it would not belong to the residuals.
+    /// computed, or with a loss, whose weights would not match the residuals.
     pub factor: Option<Factor>,
     /// Norms of the columns of the Jacobian.
     pub scale: Vec<f64>,

@@ -7,7 +7,8 @@ use super::number::{apart, decimals, quantile, significant, stated, with_uncerta
 use super::words::{Words, names, tr};
 use etalon_base::message::one_line;
 use etalon_documents::{
-    Acceptance, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, LimitQuantity, Presentation,
+    Acceptance, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchQuantity, BatchValue,
+    LimitQuantity, Presentation,
 };
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -38,6 +39,7 @@ struct Page<'a> {
     subtitle: String,
     class: &'static str,
     checks: Vec<String>,
+    counted: Vec<Counted>,
     headings: Vec<String>,
     worst: Vec<Plain<'a>>,
     left_out: usize,
@@ -50,6 +52,7 @@ struct Plain<'a> {
     report: Option<&'a str>,
     robot: &'a str,
     date: &'a str,
+    valid_until: &'a str,
     ended: String,
     grade: &'static str,
     cause: String,
@@ -62,6 +65,13 @@ struct Plain<'a> {
 struct Checked {
     said: String,
     grade: &'static str,
+}
+
+/// Number of campaigns with each verdict on a check: pass, conditional, undecided, fail.
+#[derive(Serialize)]
+struct Counted {
+    check: String,
+    counts: [usize; 4],
 }
 
 #[derive(Clone, Default, Serialize)]
@@ -92,7 +102,7 @@ pub fn write(
     presentation: &Presentation,
     into: &mut impl Write,
 ) -> anyhow::Result<()> {
-    let words = Words::of(presentation.language)?;
+    let words = Words::of(presentation.language);
     let rows = rows(document, figures, (folder, &words));
     let (order, checks) = (order(figures), check_names(document));
     let page = html::batch(&contents(document, figures, &rows, &words), presentation, &words)?;
@@ -101,7 +111,7 @@ pub fn write(
     let quantities: Vec<Value> = order
         .iter()
         .filter_map(|i| figures.quantities.get_index(*i))
-        .map(|q| json!([named(&q.name, &words), q.unit]))
+        .map(|q| json!([named(q, &words), q.unit]))
         .collect();
     write!(into, "{{\"quantities\":{},\"rows\":[", script_safe(&quantities)?)?;
     for (i, row) in rows.iter().enumerate() {
@@ -120,6 +130,8 @@ pub fn write(
             outliers,
             row.badness(),
             checked.into_iter().map(|c| [c.said, c.grade.to_owned()]).collect::<Vec<_>>(),
+            entry.valid_until,
+            limits_of(row, &order, figures),
         ]);
         write!(into, "{}{}", if i > 0 { ",\n" } else { "" }, script_safe(&data)?)?;
     }
@@ -208,6 +220,49 @@ fn checked(entry: &BatchEntry, name: &str, words: &Words) -> Checked {
     check.map_or_else(Checked::default, |c| Checked { said: said(c.verdict, words), grade: grade_of(c.verdict) })
 }
 
+/// Verdicts on each check, counted over all campaigns.
+fn counted(document: &BatchDocument, checks: &[&str], words: &Words) -> Vec<Counted> {
+    const ORDER: [Acceptance; 4] = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail];
+    let all = |name: &str| -> Vec<Acceptance> {
+        let found = document.campaigns.iter().flat_map(|c| &c.checks).filter(|c| c.name == name);
+        found.map(|c| c.verdict).collect()
+    };
+    let of = |name: &&str| {
+        let found = all(name);
+        let counts = ORDER.map(|verdict| found.iter().filter(|v| **v == verdict).count());
+        Counted { check: check_name(name, words), counts }
+    };
+    checks.iter().map(of).collect()
+}
+
+/// Limits of a campaign by the column of their quantity: of the validation poses if these have a
+/// value, otherwise of the calibration poses.
+fn limits_of(row: &Row, order: &[usize], figures: &BatchFigures) -> Vec<(usize, f64)> {
+    let column = |name: &str| {
+        let named = |k: &usize| figures.quantities.get_index(order[*k]).is_some_and(|q| q.name == name);
+        (0..order.len()).filter(|k| row.figures[order[*k]].is_some()).find(named)
+    };
+    let of = |check: &BatchCheck| {
+        let limit = check.limit?;
+        let quantity = LimitQuantity::ALL.iter().find(|q| q.to_string() == check.name)?;
+        let place = match (quantity.of_errors(), quantity) {
+            (Some((errors, figure)), _) => {
+                let statistic = match figure {
+                    etalon_documents::Figure::Max => "max",
+                    etalon_documents::Figure::Rms => "RMS",
+                    etalon_documents::Figure::Mean => return None,
+                };
+                let of_set = |set: &str| column(&format!("{set} {errors} {statistic}"));
+                of_set("validation").or_else(|| of_set("calibration"))
+            }
+            (None, LimitQuantity::AccuracyMaxMm) => column("AP"),
+            (None, _) => column("RP"),
+        };
+        Some((place?, limit))
+    };
+    row.entry.checks.iter().filter_map(of).collect()
+}
+
 /// Reason of a failure, or checks that are not passed, the worst first.
 fn cause(entry: &BatchEntry, words: &Words) -> String {
     let mut open: Vec<&BatchCheck> = entry.checks.iter().filter(|c| c.verdict != Acceptance::Pass).collect();
@@ -252,9 +307,9 @@ fn digits(value: BatchValue) -> String {
     }
 }
 
-/// Translates the name of a quantity word by word: "validation position max".
-fn named(quantity: &str, words: &Words) -> String {
-    quantity.split(' ').map(|word| words.named(word)).collect::<Vec<_>>().join(" ")
+/// Name of a quantity.
+fn named(quantity: &BatchQuantity, words: &Words) -> String {
+    words.worded(&quantity.name, quantity.name_phrase.as_ref())
 }
 
 impl Row<'_> {
@@ -337,6 +392,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
         report: row.report.as_deref(),
         robot: row.entry.robot.as_deref().unwrap_or_default(),
         date: row.entry.date.as_deref().unwrap_or_default(),
+        valid_until: row.entry.valid_until.as_deref().unwrap_or_default(),
         ended: ended(row.entry, words),
         grade: grade(row.entry),
         cause: row.cause.clone(),
@@ -347,7 +403,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     let counts = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail].map(count);
     let [pass, conditional, undecided, fail] = counts;
     let heading = |i: &usize| {
-        figures.quantities.get_index(*i).map_or_else(String::new, |q| format!("{} [{}]", named(&q.name, words), q.unit))
+        figures.quantities.get_index(*i).map_or_else(String::new, |q| format!("{} [{}]", named(q, words), q.unit))
     };
     Page {
         version: env!("CARGO_PKG_VERSION"),
@@ -359,6 +415,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
             _ => "bad",
         },
         checks: checks.iter().map(|name| check_name(name, words)).collect(),
+        counted: counted(document, &checks, words),
         headings: order.iter().map(heading).collect(),
         worst: worst.iter().map(plain).collect(),
         left_out: rows.len().saturating_sub(WORST),
@@ -393,12 +450,17 @@ mod tests {
     use etalon_documents::Language;
 
     /// A hundred campaigns of two robots with one outlier and one failure; names resemble markup.
+    fn figure(name: &str, value: f64) -> (BatchQuantity, f64, Option<f64>) {
+        let quantity = BatchQuantity { name: name.to_owned(), name_phrase: None, unit: "mm".to_owned() };
+        (quantity, value, None)
+    }
+
     fn batch() -> (BatchDocument, BatchFigures) {
         let mut figures = BatchFigures::default();
         let campaigns = (0..100).map(|i| {
             let ended = if i == 7 { BatchEnd::Failed } else { BatchEnd::Done };
             let value = if i == 42 { 9.0 } else { f64::from(i % 10) / 100.0 };
-            figures.add([("validation position max", "mm", value, None)].into_iter().filter(|_| i != 7));
+            figures.add([figure("validation position max", value)].into_iter().filter(|_| i != 7));
             BatchEntry {
                 campaign: format!("c{i}</script><b>"),
                 robot: Some(format!("R{}", i % 2)),
@@ -445,9 +507,9 @@ mod tests {
     #[test]
     fn every_check_has_a_column_the_cause_is_beside_the_verdict_and_validation_comes_first() {
         let mut figures = BatchFigures::default();
-        let errors = [("calibration position max", "mm", 0.1, None), ("validation position max", "mm", 0.2, None)];
-        figures.add([("d_1", "mm", 1.0, None)].into_iter().chain(errors));
-        figures.add(errors.into_iter());
+        let errors = || [figure("calibration position max", 0.1), figure("validation position max", 0.2)];
+        figures.add([figure("d_1", 1.0)].into_iter().chain(errors()));
+        figures.add(errors().into_iter());
         let check = |name: &str, verdict, value, limit| BatchCheck {
             name: name.to_owned(),
             verdict,
@@ -455,8 +517,12 @@ mod tests {
             limit,
             unit: limit.map(|_| "mm".to_owned()),
         };
-        let entry =
-            |ended, checks: &[BatchCheck]| BatchEntry { ended, checks: checks.to_vec(), ..BatchEntry::default() };
+        let entry = |ended, checks: &[BatchCheck]| BatchEntry {
+            ended,
+            checks: checks.to_vec(),
+            valid_until: Some("2027-03-02".to_owned()),
+            ..BatchEntry::default()
+        };
         let undecided = check("position_max_mm", Acceptance::Conditional, Some(0.2), Some(0.21));
         let failed = check("position_rms_mm", Acceptance::Fail, Some(0.1368), Some(0.1));
         let document = BatchDocument::new(vec![
@@ -465,14 +531,20 @@ mod tests {
         ]);
         let page = page(&document, &figures, Language::En);
         assert!(page.contains("0 pass, 1 conditional, 0 undecided, 1 fail, 0 not run, 0 skipped"));
-        let heads: Vec<&str> =
-            page.split("<th").skip(2).map(|h| h.split_once('>').unwrap().1.split('<').next().unwrap()).collect();
+        let heads: Vec<&str> = page
+            .split("id=\"campaigns\"")
+            .nth(1)
+            .unwrap()
+            .split("<th")
+            .skip(2)
+            .map(|h| h.split_once('>').unwrap().1.split('<').next().unwrap())
+            .collect();
         let place =
             |head: &str| heads.iter().position(|h| h.starts_with(head)).unwrap_or_else(|| panic!("{head}: {heads:?}"));
         assert_eq!((place("Campaign"), place("Verdict"), place("Cause")), (0, 1, 2));
         assert!(place("Cause") < place("largest position") && place("RMS position") < place("Robot"), "{heads:?}");
         assert!(place("validation") < place("calibration") && place("calibration") < place("d_1"), "{heads:?}");
-        let worst = page.split("<tbody>").nth(1).unwrap().split("</tr>").next().unwrap();
+        let worst = page.split("<tbody>").nth(2).unwrap().split("</tr>").next().unwrap();
         let [verdict, cause] = [0, 1].map(|i| worst.split("<td").nth(i + 1).unwrap());
         assert!(
             verdict.contains(">fail<")
@@ -480,6 +552,25 @@ mod tests {
             "{worst}"
         );
         assert!(!page.contains("position_max"), "keys are no labels");
+        // a row of the first table: pass, conditional, undecided, fail
+        let counts = page.split("id=\"counts\"").nth(1).unwrap();
+        let of = |check: &str| -> Vec<&str> {
+            let row = counts.split(&format!(">{check}</th>")).nth(1).unwrap().split("</tr>").next().unwrap();
+            row.split("<td class=\"num\">").skip(1).map(|cell| cell.split('<').next().unwrap()).collect()
+        };
+        assert_eq!(of("largest position error"), ["0", "2", "0", "0"]);
+        assert_eq!(of("RMS position error"), ["0", "0", "0", "1"]);
+        // the limit is drawn over the validation poses
+        let data: Value =
+            serde_json::from_str(page.split("id=\"data\">").nth(1).unwrap().split("</script>").next().unwrap())
+                .unwrap();
+        let column = data["quantities"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .position(|q| q[0].as_str().unwrap().contains("validation") && q[0].as_str().unwrap().contains("max"));
+        assert_eq!(data["rows"][0][11], json!([[column.unwrap(), 0.21]]));
+        assert_eq!(data["rows"][0][10], "2027-03-02");
     }
 
     #[test]
@@ -494,7 +585,7 @@ mod tests {
         };
         (0..20).for_each(|i| {
             let value = if i == 7 { 3.0 } else { 0.1 + 0.001 * f64::from(i) };
-            figures.add([("validation position max", "mm", value, None)].into_iter());
+            figures.add([figure("validation position max", value)].into_iter());
         });
         let outliers = |large: &str| {
             let campaigns = (0..20).map(|i| entry(i, if i == 7 { large } else { "small" })).collect();
@@ -509,7 +600,7 @@ mod tests {
         let mut figures = BatchFigures::default();
         let names: Vec<String> = (0..30).map(|k| format!("quantity {k}")).collect();
         let campaigns = (0..10_000u32).map(|i| {
-            figures.add(names.iter().zip(0u32..).map(|(name, k)| (&**name, "mm", f64::from(i * 31 + k).sin(), None)));
+            figures.add(names.iter().zip(0u32..).map(|(name, k)| figure(name, f64::from(i * 31 + k).sin())));
             BatchEntry { campaign: format!("campaigns/{i}"), ended: BatchEnd::Done, ..BatchEntry::default() }
         });
         let document = BatchDocument::new(campaigns.collect());

@@ -22,12 +22,13 @@ mod tests;
 pub(crate) mod words;
 mod workbook;
 
+use etalon_base::date::day_of_epoch;
 use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
     AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument,
-    FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument, PlanDocument,
-    PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
+    Evidence, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument,
+    PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
     VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};
@@ -69,7 +70,8 @@ pub struct Identified<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Verdict on everything that the report judges, with its reasons. Creates no report.
+    /// Verdict on everything that the report judges, with its reasons and next steps. Creates no
+    /// report.
     pub fn judgement(&self) -> VerdictDocument {
         let judged = Judged {
             parameters: self.identified.map(|i| i.parameters),
@@ -78,7 +80,8 @@ impl<'a> Report<'a> {
             controllers: self.controllers,
             conditions: Some(&self.campaign.conditions),
         };
-        judged.verdict()
+        let errors = self.identified.map_or(&[][..], |i| i.errors);
+        Evidence { judged, campaign: self.campaign, errors, messages: self.messages() }.verdict()
     }
 
     /// `true` if the verdict allows the answer to be loaded. Creates no report.
@@ -124,7 +127,8 @@ impl<'a> Report<'a> {
             synthetic: self.campaign.synthetic.iter().cloned().collect(),
             date: self.campaign.date.clone(),
             issued: self.campaign.issue.issued.clone(),
-            draft: None,
+            built: None,
+            draft: sections::checklist::mark(self, words),
             version: self.provenance().version,
             verdict: self.verdict(words),
             sections: sections::all(self, words),
@@ -260,20 +264,23 @@ pub struct Renderer {
 
 impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
-        Self { contents: contents.in_language(&words), attachments, presentation, words }
+        let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.trim().parse().ok());
+        let contents =
+            Contents { built: epoch.and_then(day_of_epoch), ..contents.explained(&words).in_language(&words) };
+        Self { contents, attachments, presentation, words }
     }
 
     /// Creates the report of a campaign.
     pub fn campaign(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         Ok(Self::new(report.contents(&words), report.attachments()?, presentation, words))
     }
 
     /// Creates the report of a comparison of campaigns.
     pub fn comparison(document: &CompareDocument, presentation: Presentation) -> Result<Self> {
         use sections::changes::{lead, sections, verdict};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let synthetic = document
             .campaigns
             .iter()
@@ -295,7 +302,7 @@ impl Renderer {
     /// Creates the report of a plan.
     pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::plan::{sections, verdict};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let robot = words.model(&document.robot);
         let contents = Contents {
             title: tr!(words, "poses-to-measure"),
@@ -319,7 +326,7 @@ impl Renderer {
 
     /// Creates the report of given parameters that were judged on the data of a campaign.
     pub fn validation(document: &AccuracyDocument, presentation: Presentation) -> Result<Self> {
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let verdict = sections::verdict::of_validation(document, &words);
         let limits: Vec<_> = document.limits.iter().collect();
         let limits = sections::limits::of(&limits, false, &words);
@@ -337,7 +344,7 @@ impl Renderer {
     /// Creates the report on whether given parameters still apply.
     pub fn verification(document: &VerificationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{still_valid, verification};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "verification-of-identified-parameters"),
             subtitle: named(&document.robot, &words),
@@ -354,7 +361,7 @@ impl Renderer {
     /// Creates the report of poses that verify parameters.
     pub fn verification_plan(document: &VerificationPlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{chosen, poses_to_verify};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "poses-to-verify-identified-parameters"),
             subtitle: named(&document.robot, &words),
@@ -369,7 +376,7 @@ impl Renderer {
     /// Creates the report of recommended parameters.
     pub fn recommendation(document: &RecommendationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{recommendation, recommended};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "recommendation-title"),
             subtitle: named(&document.robot, &words),
@@ -392,7 +399,7 @@ impl Renderer {
     /// Creates the certificate of a campaign for the customer: a draft until all fields are stated.
     pub fn certificate(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = sections::certificate::contents(report, report.contents(&words), &words);
         Ok(Self::new(contents, report.attachments()?, presentation, words))
     }

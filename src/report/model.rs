@@ -4,12 +4,13 @@
 //! The JSON form of the contents is the input of the templates of page and PDF.
 
 use super::number;
-use super::words::Words;
-use etalon_base::catalogue::Phrase;
+use super::words::{Words, tr};
+use etalon_base::catalogue::{Entry, Phrase, entries};
 use etalon_base::message::one_line;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::Acceptance;
 use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
 
 /// Maximum number of rows of a table on a page; the workbook and the documents contain all rows.
 const ROWS: usize = 500;
@@ -28,7 +29,11 @@ pub(crate) struct Contents {
     pub date: Option<String>,
     /// Date of issue.
     pub issued: Option<String>,
-    /// Mark across every page of what must not be used as a certificate.
+    /// Date of files without a stated date, from `SOURCE_DATE_EPOCH`.
+    #[cfg_attr(not(feature = "pdf"), expect(dead_code, reason = "pages and workbooks print stated dates alone"))]
+    #[serde(skip)]
+    pub built: Option<(i32, u8, u8)>,
+    /// Mark across every page of a document that must not be used as a certificate.
     pub draft: Option<String>,
     /// Number of the report, shown on every page.
     pub number: Option<String>,
@@ -47,6 +52,28 @@ pub(crate) struct Contents {
 }
 
 impl Contents {
+    /// Gives ids of messages their meaning as a tooltip and a link to their explanation, which
+    /// follows the messages; a page that has to fit on one sheet has tooltips only.
+    pub fn explained(mut self, words: &Words) -> Self {
+        let known: BTreeMap<&str, Entry> =
+            entries().into_iter().filter(Entry::is_message).map(|entry| (entry.id, entry)).collect();
+        let mut ids = Vec::new();
+        for block in self.sections.iter_mut().flat_map(|section| &mut section.blocks) {
+            block.explain(&known, !self.compact, &mut ids);
+        }
+        if ids.is_empty() || self.compact {
+            return self;
+        }
+        let at = self.sections.iter().position(|section| section.id == "messages");
+        let at = at.unwrap_or(self.sections.len().saturating_sub(1));
+        let blocks = ids.iter().filter_map(|id| Some(Block::text(Text::explanation(known.get(id.as_str())?, words))));
+        let title = tr!(words, "explanations-of-messages");
+        if let Some(section) = self.sections.get_mut(at) {
+            section.push(Block::Aside { title, blocks: blocks.collect() });
+        }
+        self
+    }
+
     /// Applies a common notation to each column, and the decimal mark of the language to cells,
     /// headlines and figures; sentences contain it already.
     pub fn in_language(mut self, words: &Words) -> Self {
@@ -58,6 +85,9 @@ impl Contents {
         for headline in &mut self.verdict.headlines {
             (headline.before, headline.after) = (words.number(&headline.before), words.number(&headline.after));
         }
+        for figure in &mut self.verdict.graphs {
+            figure.svg = svg_numbers(&figure.svg, words);
+        }
         for section in &mut self.sections {
             section.blocks.iter_mut().for_each(|block| block.numbers(words));
             let cells = section.data.iter_mut().flat_map(|table| table.rows.iter_mut().flatten());
@@ -68,10 +98,10 @@ impl Contents {
 }
 
 /// Adds a capital at the beginning and a full stop at the end.
-fn sentence(text: &str) -> String {
+pub(super) fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
-    let end = if text.ends_with(|c: char| c.is_alphanumeric() || c == ')') { "." } else { "" };
+    let end = if text.ends_with(|c: char| c.is_alphanumeric() || matches!(c, ')' | '`' | '%')) { "." } else { "" };
     first.chain(letters).chain(end.chars()).collect()
 }
 
@@ -86,6 +116,28 @@ pub(crate) struct Verdict {
     /// Subject of the headlines.
     pub about: String,
     pub headlines: Vec<Headline>,
+    /// Limits and headlines in figures.
+    pub graphs: Vec<Figure>,
+    /// Next steps, the most useful first.
+    pub steps: Vec<Step>,
+    /// Fields to complete before signing.
+    pub to_complete: Option<ToComplete>,
+}
+
+/// A next step with its reason.
+#[derive(Debug, Serialize)]
+pub(crate) struct Step {
+    pub what: Text,
+    pub reason: Text,
+    /// Command to run in the folder of the campaign.
+    pub command: Option<String>,
+}
+
+/// Fields without which a report is a draft.
+#[derive(Debug, Serialize)]
+pub(crate) struct ToComplete {
+    pub title: String,
+    pub fields: Vec<String>,
 }
 
 /// Style of a verdict.
@@ -125,6 +177,9 @@ pub(crate) struct Headline {
     pub before: String,
     pub after: String,
     pub unit: &'static str,
+    /// Unit of the documents, and both values in it.
+    #[serde(skip)]
+    pub in_documents: (&'static str, [f64; 2]),
 }
 
 /// A section; its `id` names it in links and templates.
@@ -142,6 +197,8 @@ pub(crate) struct Section {
     /// `true` if the terminal shows the section.
     #[serde(skip)]
     pub on_terminal: bool,
+    /// `true` for a section behind the evidence: folded on a page, after the signatures on paper.
+    pub annex: bool,
 }
 
 /// A name with its value.
@@ -170,9 +227,10 @@ pub(crate) enum Block {
     Figures {
         figures: Vec<Figure>,
     },
-    /// A warning or an error: class and lines.
+    /// A warning or an error: class, id in the catalogue (empty if absent) and lines.
     Notice {
         class: &'static str,
+        id: String,
         lines: Vec<Text>,
     },
     /// Optional reading: folded on a page, in an annex on paper.
@@ -202,6 +260,9 @@ pub(crate) struct Text(Vec<Run>);
 struct Run {
     text: String,
     mark: Mark,
+    /// Tooltip of an id: meaning of the message.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tip: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -215,18 +276,23 @@ enum Mark {
     /// A key or a name between backticks in a text.
     #[serde(rename = "code")]
     Key,
+    /// Id of a message, which links to its explanation.
+    Id,
+    /// Id of a message at its explanation.
+    Explained,
 }
 
 impl Text {
-    /// A text; what stands between backticks in a sentence is a key or a name.
+    /// A text; parts between backticks in a sentence are keys or names.
     fn of(text: String, mark: Mark) -> Self {
         let is_sentence = matches!(mark, Mark::Own | Mark::English);
         if !is_sentence || !text.contains('`') || !text.matches('`').count().is_multiple_of(2) {
-            return Self(vec![Run { text, mark }]);
+            return Self(vec![Run { text, mark, tip: None }]);
         }
         let run = |(i, piece): (usize, &str)| Run {
             text: piece.to_owned(),
             mark: if i.is_multiple_of(2) { mark } else { Mark::Key },
+            tip: None,
         };
         Self(text.split('`').enumerate().map(run).filter(|run| !run.text.is_empty()).collect())
     }
@@ -241,15 +307,9 @@ impl Text {
         Self::of(text.to_owned(), Mark::English)
     }
 
-    /// A text of a document in the language of the report; texts without translation are marked as
-    /// English.
-    pub fn document(text: &str, words: &Words) -> Self {
-        words.of_document(text).map_or_else(|| Self::english(text), Self::from)
-    }
-
     /// A text of a document in the language of the report; English without a catalogue entry.
     pub fn worded(text: &str, phrase: Option<&Phrase>, words: &Words) -> Self {
-        phrase.map_or_else(|| Self::document(text, words), |phrase| words.tr(phrase).into())
+        phrase.map_or_else(|| Self::english(text), |phrase| words.tr(phrase).into())
     }
 
     /// A line of a file, or a checksum.
@@ -257,9 +317,22 @@ impl Text {
         Self::of(one_line(text), Mark::Code)
     }
 
+    /// Explanation of a message, in English in every language.
+    fn explanation(entry: &Entry, words: &Words) -> Self {
+        let of = |text: &str| Self::from(" ").and(Self::english(text));
+        let label = |label: String| Self::from(" ").and(label);
+        let id = Self::of(entry.id.to_owned(), Mark::Explained);
+        id.and(": ")
+            .and(Self::english(&entry.meaning))
+            .and(of(&entry.reason))
+            .and(label(tr!(words, "action-label")).and(of(&entry.action)))
+            .and(label(tr!(words, "example-label")).and(of(&entry.example)))
+    }
+
     /// Joins sentences without full stops to one sentence.
-    pub fn conventions(all: &[String], words: &Words) -> Self {
-        let joined = all.iter().map(|c| Self::document(c, words)).reduce(|a, b| a.and("; ").and(b));
+    pub fn conventions(all: &[String], phrases: &[Phrase], words: &Words) -> Self {
+        let worded = |(i, text): (usize, &String)| Self::worded(text, phrases.get(i), words);
+        let joined = all.iter().enumerate().map(worded).reduce(|a, b| a.and("; ").and(b));
         joined.map_or_else(Self::default, |text| text.and("."))
     }
 
@@ -757,7 +830,7 @@ impl Table {
         self.laid_out(self.on_page())
     }
 
-    /// Layout for a page: what decides is beside the name.
+    /// Layout for a page: the deciding column is beside the name.
     fn laid_on_page(&self) -> Laid<'_> {
         let mut places = self.on_page();
         if let Some(i) = places.iter().position(|i| self.columns[*i].decisive).filter(|i| *i > 1) {
@@ -899,6 +972,25 @@ impl Block {
         }
     }
 
+    /// Adds tooltips and links to the ids of notices; `ids` collects them in the order of reading.
+    fn explain(&mut self, known: &BTreeMap<&str, Entry>, linked: bool, ids: &mut Vec<String>) {
+        match self {
+            Self::Aside { blocks, .. } => blocks.iter_mut().for_each(|block| block.explain(known, linked, ids)),
+            Self::Notice { id, lines, .. } => {
+                let Some(entry) = known.get(id.as_str()) else { return };
+                let runs = lines.iter_mut().flat_map(|line| &mut line.0);
+                for run in runs.filter(|run| run.mark == Mark::Code && run.text == *id) {
+                    run.tip = Some(entry.meaning.replace('`', ""));
+                    run.mark = if linked { Mark::Id } else { Mark::Code };
+                }
+                if !ids.contains(id) {
+                    ids.push(id.clone());
+                }
+            }
+            _ => {}
+        }
+    }
+
     /// `true` if the block shows nothing.
     fn is_empty(&self) -> bool {
         match self {
@@ -923,6 +1015,11 @@ impl Section {
         Self { on_terminal: true, ..self }
     }
 
+    /// Moves the section behind the evidence.
+    pub fn annex(self) -> Self {
+        Self { annex: true, ..self }
+    }
+
     /// Inserts a block before all others.
     pub fn begin(&mut self, block: Block) {
         self.blocks.insert(0, block);
@@ -932,6 +1029,14 @@ impl Section {
     pub fn push(&mut self, block: Block) {
         match block {
             Block::Table(table) if !table.is_shown() && !table.is_empty() => self.data.push(table),
+            Block::Aside { title, blocks } => {
+                let mut inner = Self::default();
+                blocks.into_iter().for_each(|block| inner.push(block));
+                self.data.append(&mut inner.data);
+                if !inner.blocks.is_empty() {
+                    self.blocks.push(Block::Aside { title, blocks: inner.blocks });
+                }
+            }
             block if block.is_empty() => {}
             block => self.blocks.push(block),
         }

@@ -10,6 +10,7 @@ pub(super) fn terminal(contents: &Contents, words: &Words) -> String {
     let mut page = Page { words, brief: contents.brief, text: String::new(), section: None, heading: None };
     page.line(&contents.title);
     contents.verdict.sentences.iter().for_each(|sentence| page.line(sentence));
+    page.steps(contents);
     for section in contents.sections.iter().filter(|s| s.on_terminal) {
         (page.section, page.heading) = (Some(section.title.as_str()), None);
         page.blocks(&section.blocks);
@@ -33,6 +34,23 @@ impl<'a> Page<'a> {
         let marks = ['\u{2068}', '\u{2069}'];
         self.text.extend(text.trim_end().chars().filter(|c| !marks.contains(c)).map(printable_character));
         self.text.push('\n');
+    }
+
+    /// Adds the next steps, and the fields to complete before signing.
+    fn steps(&mut self, contents: &Contents) {
+        let verdict = &contents.verdict;
+        if !verdict.steps.is_empty() {
+            self.line("");
+            self.line(&tr!(self.words, "next-steps"));
+        }
+        for (i, step) in verdict.steps.iter().enumerate() {
+            let command = step.command.as_ref().map_or_else(String::new, |c| format!(" `{c}`"));
+            self.line(&format!("{}. {} {}{command}", i + 1, step.what.plain(), step.reason.plain()));
+        }
+        if let Some(fields) = &verdict.to_complete {
+            self.line("");
+            self.line(&format!("{}: {}", fields.title, fields.fields.join(", ")));
+        }
     }
 
     fn blocks(&mut self, blocks: &'a [Block]) {

@@ -73,6 +73,13 @@ fn summary(contents: &Contents, words: &Words) -> Table {
     let line = |what: String, said: &str| Fact { what, said: said.into(), unit: "" };
     let mut lines = vec![line(tr!(words, "verdict"), &contents.verdict.sentences.join(" "))];
     lines.push(line(tr!(words, "report"), &contents.title));
+    for (i, step) in contents.verdict.steps.iter().enumerate() {
+        let command = step.command.as_ref().map_or_else(String::new, |c| format!(" `{c}`"));
+        let said = format!("{} {}{command}", step.what.plain(), step.reason.plain());
+        lines.push(line(tr!(words, "next-step", number = i + 1), &said));
+    }
+    let fields = contents.verdict.to_complete.iter();
+    lines.extend(fields.map(|fields| line(fields.title.clone(), &fields.fields.join(", "))));
     lines.extend(contents.synthetic.iter().map(|why| line(tr!(words, "synthetic-data"), why)));
     let facts = lines.iter().chain(contents.sections.iter().flat_map(|s| &s.summary));
     let version = line(tr!(words, "written-by"), &format!("etalon {}", contents.version));

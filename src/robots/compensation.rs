@@ -3,6 +3,8 @@
 //! the target.
 
 use super::{Kinematics, Quantity};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus};
 use nalgebra::{DMatrix, DVector};
 
@@ -48,7 +50,7 @@ impl Calibrated<'_> {
     /// # Errors
     ///
     /// Describes the limit that forbids the target.
-    pub fn uncompensated(&self, target: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
+    pub fn uncompensated(&self, target: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
         let nominal = self.arm.nearest_joints(&self.nominal, target, near);
         nominal.or_else(|_| self.arm.nearest_joints(&self.identified, target, near))
     }
@@ -59,11 +61,11 @@ impl Calibrated<'_> {
     /// # Errors
     ///
     /// Describes the limit that forbids the target.
-    pub fn compensate(&self, target: &Pose, uncompensated: &[f64]) -> Result<Compensated, String> {
+    pub fn compensate(&self, target: &Pose, uncompensated: &[f64]) -> Result<Compensated, Phrase> {
         let joints = self.arm.nearest_joints(&self.identified, target, uncompensated)?;
-        let command = self.arm.tool_pose(&self.nominal, &joints).ok_or("out of reach of the nominal robot")?;
+        let command = self.arm.tool_pose(&self.nominal, &joints).ok_or_else(|| phrase!("out-of-nominal-reach"))?;
         if let Some(why) = self.arm.limit_violation(&self.nominal, &joints) {
-            return Err(format!("the controller refuses its command: {why}"));
+            return Err(phrase!("command-refused", reason = why));
         }
         let turned = |i: usize| (joints[i] - uncompensated[i]).abs() > SAME_RAD;
         let angles = self.arm.joints().iter().enumerate().filter(|(_, joint)| joint.quantity == Quantity::Angle);
@@ -79,7 +81,7 @@ impl Calibrated<'_> {
     /// # Errors
     ///
     /// Describes the limit that forbids the command.
-    pub fn attained(&self, command: &Pose, near: &[f64]) -> Result<Pose, String> {
+    pub fn attained(&self, command: &Pose, near: &[f64]) -> Result<Pose, Phrase> {
         let joints = self.arm.nearest_joints(&self.nominal, command, near)?;
         self.at_joints(&joints)
     }
@@ -89,9 +91,9 @@ impl Calibrated<'_> {
     /// # Errors
     ///
     /// Fails if the joint values admit no pose.
-    pub fn at_joints(&self, joints: &[f64]) -> Result<Pose, String> {
+    pub fn at_joints(&self, joints: &[f64]) -> Result<Pose, Phrase> {
         let pose = self.arm.tool_pose(&self.identified, joints);
-        pose.ok_or_else(|| "the robot cannot be where the joints put it".to_owned())
+        pose.ok_or_else(|| phrase!("joints-admit-no-pose"))
     }
 
     /// Deviation along x, y or z (`axes`) of a robot that is commanded positions (mm): desired
@@ -102,7 +104,7 @@ impl Calibrated<'_> {
     /// # Errors
     ///
     /// Describes the limit that forbids a command.
-    pub fn position_deviation(&self, wanted: &Pose, axes: &[usize], near: &mut Vec<f64>) -> Result<Vector, String> {
+    pub fn position_deviation(&self, wanted: &Pose, axes: &[usize], near: &mut Vec<f64>) -> Result<Vector, Phrase> {
         let (mut command, mut left_mm) = (*wanted, 0.0);
         for _ in 0..MOST_CORRECTIONS {
             near.clone_from(&self.arm.nearest_joints(&self.nominal, &command, near)?);
@@ -114,13 +116,13 @@ impl Calibrated<'_> {
             }
         }
         if left_mm > LARGEST_LEFT_MM {
-            return Err(format!("no command brings the robot there: {left_mm:.2e} mm are left"));
+            return Err(phrase!("no-command-leads-there", left_mm));
         }
         Ok(minus(wanted.translation_mm, command.translation_mm))
     }
 
     /// Deviation of a joint by its own errors (mm or rad): commanded value minus the value at which
-    /// the joint moves by the commanded amount. `None` for a joint without errors of its own.
+    /// the joint moves by the commanded amount. `None` for a joint without its own errors.
     pub fn joint_deviation(&self, commanded: &[f64], joint: usize) -> Option<f64> {
         let mut q = commanded.to_vec();
         for _ in 0..MOST_CORRECTIONS {

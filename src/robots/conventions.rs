@@ -8,18 +8,17 @@
 use super::chain::Motion;
 use super::keys::{Description, Reader, Stated};
 use super::serial::{ArmBuilder, Drive, Effects, drawn_link};
+use super::tables::{AxisLine, NEAR_PARALLEL_RAD};
 use super::{
     At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
     meaning, wrong_targets,
 };
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, unit};
 use std::cmp::Ordering;
 
 /// Serial arm.
 pub(super) const MODEL: Model = Model::new::<Keys>("serial");
-
-/// Twist below which axes count as near-parallel, so that Hayati's beta replaces d (3 degrees).
-const NEAR_PARALLEL_RAD: f64 = 0.052;
 
 /// Convention of the description of an arm.
 #[derive(Clone, Copy, Debug)]
@@ -30,12 +29,11 @@ enum Convention {
     Poe,
 }
 
-const CONVENTION: &str = "What the joints of a serial arm state: modified (`mdh`) or standard (`dh`) Denavit-Hartenberg parameters, or screw axes (`poe`).";
+const CONVENTION: &str = "Parameters of the joints of a serial arm: modified (`mdh`) or standard (`dh`) Denavit-Hartenberg parameters, or screw axes (`poe`).";
 const MDH: &str = "Modified Denavit-Hartenberg parameters (Craig): Rx(alpha) Tx(a) Rz(theta + q) Tz(d).";
 const DH: &str = "Standard Denavit-Hartenberg parameters: Rz(theta + q) Tz(d) Tx(a) Rx(alpha).";
 const POE: &str = "Screw axes in the base at zero joints (product of exponentials).";
-const JOINT: &str = "A joint of a serial arm, from the base. In Denavit-Hartenberg parameters alpha, a, theta and d must be stated, each in one of its two\n\
-                     units; of a screw axis its direction, and a point on it where it turns.";
+const JOINT: &str = "A joint of a serial arm, from the base. Denavit-Hartenberg parameters need alpha, a, theta and d, each in one of its two units. A screw axis needs its direction and, if it is revolute, a point on it.";
 
 /// Description of a serial arm.
 struct Keys {
@@ -80,7 +78,7 @@ impl EffectKeys {
             backlash: keys.or(
                 Key::plain(
                     "backlash",
-                    "Joints of an arm with backlash: their numbers, from 1, or names. The direction from which each came is needed: `NAME_direction`.",
+                    "Joints of an arm with backlash: their numbers, from 1, or names. The direction of approach of each is needed: `NAME_direction`.",
                 ),
                 Vec::new(),
             ),
@@ -167,16 +165,15 @@ impl JointKeys {
                 Key::plain("direction", "Direction of a screw axis in the base at zero joints, of any length.")
                     .essential(),
             ),
-            point_mm: keys.in_two_units(Key::length("point", "A point on it.").essential()),
+            point_mm: keys.in_two_units(Key::length("point", "A point on the screw axis.").essential()),
             prismatic: keys.or(Key::plain("prismatic", "The joint is prismatic."), false),
             parallel: keys.optional(Key::plain(
                 "parallel",
-                "Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. By default so below 3 degrees of\n\
-                 twist.",
+                "Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. The default is `true` below 3 degrees of twist.",
             )),
             limits_rad: keys.optional(Key::angle(
                 "limits",
-                "Smallest and largest value of a joint that turns. Where they are not stated, joint values beyond two turns are refused.",
+                "Smallest and largest value of a revolute joint. Without limits, joint values beyond two turns are refused.",
             )),
             travel_mm: keys.optional(Key::length("travel", "Smallest and largest value of a prismatic joint.")),
         }
@@ -226,7 +223,7 @@ impl JointKeys {
     }
 
     /// Joint `i` as a screw axis.
-    fn screw(&self, i: usize) -> Result<Screw, Faults> {
+    fn screw(&self, i: usize) -> Result<AxisLine, Faults> {
         let (mut faults, at) = (Faults::default(), || At::Item("joint", i));
         let table = [self.alpha_rad, self.a_mm, self.theta_rad, self.d_mm];
         if table.iter().any(|stated| !stated.is_missing()) || self.parallel.is_some() {
@@ -250,7 +247,7 @@ impl JointKeys {
                 Vector::default()
             }
         };
-        faults.or(Screw { direction: direction.unwrap_or_default(), point_mm, prismatic: self.prismatic })
+        faults.or(AxisLine { direction: direction.unwrap_or_default(), point_mm, prismatic: self.prismatic })
     }
 }
 
@@ -304,10 +301,12 @@ impl Description for Keys {
             effects: EffectKeys::read(keys),
             flange_xyz_mm: keys.optional(Key::length(
                 "flange_xyz",
-                "Place of the flange in the base at zero joints, where the joints are screw axes.",
+                "Position of the flange in the base at zero joints, for screw axes.",
             )),
-            flange_rpy_rad: keys
-                .optional(Key::angle("flange_rpy", "Orientation of the flange there: rx, ry, rz of Rz Ry Rx.")),
+            flange_rpy_rad: keys.optional(Key::angle(
+                "flange_rpy",
+                "Orientation of the flange at zero joints: rx, ry, rz of Rz Ry Rx.",
+            )),
         }
     }
 
@@ -375,17 +374,6 @@ pub struct SerialJoint {
     pub parallel: bool,
 }
 
-/// Axis of a joint in the base frame at joint values zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Screw {
-    /// Unit direction.
-    direction: Vector,
-    /// Point on the axis (mm).
-    point_mm: Vector,
-    /// `true` if the joint slides along its axis, `false` if it rotates about it.
-    prismatic: bool,
-}
-
 impl Serial {
     /// Creates an arm of `joints` in modified Denavit-Hartenberg parameters, with `targets` on its
     /// last link. `bending` lists the joints (from 1) that bend under gravity; `gravity` is its
@@ -408,11 +396,25 @@ impl Serial {
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }
 
+    /// Creates an arm of `joints` in modified (Craig) or else standard Denavit-Hartenberg
+    /// parameters,
+    /// with `targets` on its last link.
+    pub fn of_axis_table(modified: bool, joints: &[SerialJoint], targets: &[String]) -> Self {
+        let convention = if modified { TableConvention::Modified } else { TableConvention::Standard };
+        Self::of_table(convention, joints, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
+    }
+
+    /// Creates an arm of screw axes in the base frame at joint values zero, with `targets` on its
+    /// flange, whose pose there is `home` (product of exponentials: Brockett 1984).
+    pub fn of_axes(axes: &[AxisLine], home: &Pose, targets: &[String]) -> Self {
+        Self::of_screws(axes, home, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
+    }
+
     /// Arm described by a table of joints, with `targets` on its last link.
     fn of_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String], effects: &Effects) -> Self {
         let other = convention.other();
         let rigid = Effects { gravity: effects.gravity, ..Effects::default() };
-        let what = format!("the table of joints read as {} Denavit-Hartenberg parameters", other.name());
+        let what = phrase!("table-read-as", convention = other.name());
         let as_other = Self::of_one_table(other, joints, targets, &rigid);
         Self::of_one_table(convention, joints, targets, effects).with_other(what, as_other)
     }
@@ -472,7 +474,7 @@ impl Serial {
     /// Arm described by screw axes, with `targets` on its flange; `home` is the pose of the flange
     /// in the base frame at joint values zero. Each axis has small errors in the base frame: two
     /// rotations and, for a revolute joint, two translations.
-    fn of_screws(screws: &[Screw], home: &Pose, targets: &[String], effects: &Effects) -> Self {
+    fn of_screws(screws: &[AxisLine], home: &Pose, targets: &[String], effects: &Effects) -> Self {
         let mut arm = ArmBuilder::new(targets);
         for (i, screw) in screws.iter().enumerate() {
             let at = Pose { translation_mm: screw.point_mm, ..Pose::identity() };

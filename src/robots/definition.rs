@@ -221,12 +221,13 @@ impl Joint {
     }
 
     /// Factor that converts a column of this joint to mm or rad: `q1_deg`, `q1_rad`, `rho1_mm`,
-    /// `rho1_m`. `None` if the column does not belong to this joint.
+    /// `rho1_m`, `rho1_inch`. `None` if the column does not belong to this joint.
     pub fn factor(&self, column: &str) -> Option<f64> {
         match (self.quantity, column.strip_prefix(&self.name)?) {
             (Quantity::Angle, "_deg") => Some(1f64.to_radians()),
             (Quantity::Angle, "_rad") | (Quantity::Length, "_mm") => Some(1.0),
             (Quantity::Length, "_m") => Some(1000.0),
+            (Quantity::Length, "_inch") => Some(25.4),
             _ => None,
         }
     }

@@ -52,16 +52,16 @@ impl Description for FiveBarLimits {
             ];
             let clearance_mm = keys.optional(Key::length(
                 "clearance",
-                "Smallest distance between the proximal link of one arm and the distal link of the other; 0 excludes that they cross.",
+                "Smallest distance between the proximal link of one arm and the distal link of the other; 0 forbids crossing links.",
             ));
             let margins = [
                 keys.optional(Key::angle(
                     "type1_margin",
-                    "Smallest angle of an arm from being stretched or folded (type 1 singularity).",
+                    "Smallest angle of an arm from the stretched or folded position (type 1 singularity).",
                 )),
                 keys.optional(Key::angle(
                     "type2_margin",
-                    "Smallest angle of the distal links from being in line (type 2 singularity).",
+                    "Smallest angle between the distal links and a common line (type 2 singularity).",
                 )),
             ];
             (limits, clearance_mm, margins)
@@ -248,33 +248,28 @@ impl FiveBar {
 
     /// Description of the limit that forbids a configuration, if any: reach, joint limits, margins
     /// or clearance.
-    pub fn violation(&self, p: &[f64], q: [f64; 2], at: &Linkage) -> Option<String> {
+    pub fn violation(&self, p: &[f64], q: [f64; 2], at: &Linkage) -> Option<Phrase> {
         let FiveBarLimits { limits_rad, clearance_mm, type1_margin_rad, type2_margin_rad } = self.limits;
         if !at.e.iter().all(|v| v.is_finite()) {
-            return Some("the arms do not meet".to_owned());
+            return Some(phrase!("arms-do-not-meet"));
         }
         let outside = |(_, (q, [least, greatest])): &(usize, (f64, [f64; 2]))| !(*least..=*greatest).contains(q);
         if let Some((i, (q, ends))) = q.into_iter().zip(limits_rad).enumerate().find(outside) {
             let [q, least, greatest] = [q, ends[0], ends[1]].map(f64::to_degrees);
-            return Some(format!("theta{} = {q:.3} deg, its limits are {least} to {greatest} deg", i + 1));
+            let joint = format!("theta{}", i + 1);
+            return Some(phrase!("angle-beyond-limits", joint, q, least, greatest));
         }
         let far = self.singularity_distance(p, at);
         let type1_rad = far.type1_rad[0].min(far.type1_rad[1]);
-        for (name, found, margin) in [
-            ("type 1 (an arm stretched or folded)", type1_rad, type1_margin_rad),
-            ("type 2 (the distal links in line)", far.type2_rad, type2_margin_rad),
-        ] {
+        for (name, found, margin) in [("1", type1_rad, type1_margin_rad), ("2", far.type2_rad, type2_margin_rad)] {
             if found.is_nan() || found < margin {
                 let [found, margin] = [found, margin].map(f64::to_degrees);
-                return Some(format!(
-                    "{found:.3} deg from the singularity of {name}, at least {margin} deg are asked for"
-                ));
+                return Some(phrase!("singularity-near", kind = name, found, margin));
             }
         }
         let least = clearance_mm?;
         let found = self.clearance_mm(p, at);
-        (found.is_nan() || found <= least)
-            .then(|| format!("links {found:.3} mm apart, more than {least} mm are asked for"))
+        (found.is_nan() || found <= least).then(|| phrase!("links-near", found, least))
     }
 
     /// Smallest distance between the proximal link of one arm and the distal link of the other.
@@ -486,7 +481,7 @@ impl Robot for FiveBar {
         let q = whole.min_by(|a, b| off(a).total_cmp(&off(b)))?;
         Some(vec![q[0], q[1], self.assembly_at(parameters, q, e)])
     }
-    fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
+    fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<Phrase> {
         let &[theta1, theta2, assembly] = joints else { return None };
         self.violation(parameters, [theta1, theta2], &self.direct(parameters, [theta1, theta2], assembly))
     }

@@ -36,10 +36,10 @@ struct LegKeys {
 impl LegKeys {
     fn read(keys: &mut Reader) -> Self {
         Self {
-            base_mm: keys.required(Key::length("base", "Centre of its joint on the base, in the base frame.")),
+            base_mm: keys.required(Key::length("base", "Centre of the leg's joint on the base, in the base frame.")),
             platform_mm: keys.required(Key::length(
                 "platform",
-                "Centre of its joint on the platform, in the frame of the platform.",
+                "Centre of the leg's joint on the platform, in the frame of the platform.",
             )),
             length_mm: keys.or(
                 Key::length("length", "Length of the leg, between these centres, at joint value zero.").essential(),
@@ -53,14 +53,13 @@ impl LegKeys {
 impl Description for Keys {
     fn read(keys: &mut Reader) -> Self {
         Self {
-            legs: keys.tables(Key::plain("leg", "Legs of a hexapod, six."), "A leg of a hexapod.", LegKeys::read),
+            legs: keys.tables(Key::plain("leg", "The six legs of a hexapod."), "A leg of a hexapod.", LegKeys::read),
             home_xyz_mm: keys.required(Key::length(
                 "home_xyz",
-                "Place of a hexapod's platform in the base at a pose inside its workspace. Six lengths leave up to 40 poses: the platform is in\n\
-                 the one that leads from here without a singularity (its assembly mode).",
+                "Position of a hexapod's platform in the base at a home pose inside its workspace. Six lengths permit up to 40 poses; the platform is in the pose that is reached from the home pose without a singularity (its assembly mode).",
             )),
             home_rpy_rad: keys.or(
-                Key::angle("home_rpy", "Orientation of the platform there: rx, ry, rz of Rz Ry Rx.").essential(),
+                Key::angle("home_rpy", "Orientation of the platform at the home pose: rx, ry, rz of Rz Ry Rx.").essential(),
                 [0.0; 3],
             ),
         }

@@ -18,6 +18,7 @@ mod keys;
 mod parallel;
 mod prexyt;
 mod serial;
+mod tables;
 mod urdf;
 
 pub use compensation::{Calibrated, Compensated};
@@ -28,10 +29,12 @@ pub use five_bar::{FiveBar, FiveBarLimits, InverseSolution, Linkage, Singularity
 pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
 pub use prexyt::Prexyt;
 pub use serial::Serial;
+pub use tables::{AxisLine, AxisTable, LostTilt, NEAR_PARALLEL_RAD, frame, modified_table, standard_table};
 pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::expression::Formula;
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::Sketch;
@@ -173,7 +176,7 @@ pub trait Robot: Send + Sync {
 
     /// Description of the stated limit that joint values, followed by the assembly mode, violate,
     /// if any.
-    fn limit_violation(&self, _parameters: &[f64], _joints: &[f64]) -> Option<String> {
+    fn limit_violation(&self, _parameters: &[f64], _joints: &[f64]) -> Option<Phrase> {
         None
     }
 
@@ -226,7 +229,7 @@ pub trait Robot: Send + Sync {
 
     /// Robots that the same numbers describe in other conventions, with the names of the
     /// conventions.
-    fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
+    fn other_conventions(&self) -> Vec<(Phrase, Box<dyn Robot>)> {
         Vec::new()
     }
 
@@ -398,7 +401,7 @@ pub trait Kinematics: Robot {
 
     /// Permissible solution nearest to the joint values `near`; angles may differ by full turns.
     /// The error describes the limit that forbids the nearest solution.
-    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
+    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
         nearest(self, parameters, self.all_joints(parameters, pose), near)
     }
 }
@@ -440,23 +443,22 @@ fn nearest<R: Robot + ?Sized>(
     parameters: &[f64],
     mut all: Vec<Vec<f64>>,
     near: &[f64],
-) -> Result<Vec<f64>, String> {
+) -> Result<Vec<f64>, Phrase> {
     let distance = |q: &Vec<f64>| q.iter().zip(near).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
     all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     let violation = |q: &Vec<f64>| robot.limit_violation(parameters, q);
     let why = all.first().and_then(violation);
     let within = all.into_iter().find(|q| violation(q).is_none());
-    within.ok_or_else(|| why.unwrap_or_else(|| "out of reach".to_owned()))
+    within.ok_or_else(|| why.unwrap_or_else(|| phrase!("out-of-reach")))
 }
 
 /// Description of the joint value beyond its limits (rad or mm), if any.
-fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]) -> Option<String> {
+fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]) -> Option<Phrase> {
     let beyond = |(joint, (q, limit)): (&Joint, (&f64, &Option<[f64; 2]>))| {
         let [lower, upper] = (*limit)?.map(|v| joint.quantity.outward(v));
         let (q, unit) = (joint.quantity.outward(*q), joint.quantity.unit());
         let name = &joint.name;
-        (!(lower..=upper).contains(&q))
-            .then(|| format!("{name} = {q} {unit}, its limits are {lower} and {upper} {unit}"))
+        (!(lower..=upper).contains(&q)).then(|| phrase!("joint-beyond-limits", joint = name, q, unit, lower, upper))
     };
     joints.iter().zip(values.iter().zip(limits)).find_map(beyond)
 }
@@ -531,7 +533,8 @@ pub trait Platform: Robot {
         targets: [[f64; 2]; 2],
     ) -> (Vec<f64>, [[f64; 4]; 3]);
 
-    /// Index of the parameter for the distance between the two targets, which no pose shows.
+    /// Index of the parameter for the distance between the two targets, which poses do not
+    /// determine.
     fn target_distance(&self) -> usize;
 }
 

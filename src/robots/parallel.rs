@@ -10,7 +10,9 @@ use super::{
     Definition, FreeBase, Joint, JointRange, Kinematics, Parameter, Quantity, Robot, Role, base_and_targets, base_pose,
     limit_violation, meaning, normal_equations, pose_outputs, square,
 };
+use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded};
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, cross, minus, norm, turning_axes};
 use etalon_base::scalar::{Dual, Scalar};
 use etalon_base::sketch::{Sketch, StrokeKind};
@@ -344,8 +346,8 @@ impl<L: Legs> Robot for Parallel<L> {
             twists.by_joints.iter().enumerate().for_each(|(j, twist)| write(out, n, j, twist.moves(lever, &base)));
         }
     }
-    fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<String> {
-        let apart = || self.place(parameters, joints).is_none().then(|| "the legs do not meet the platform".to_owned());
+    fn limit_violation(&self, parameters: &[f64], joints: &[f64]) -> Option<Phrase> {
+        let apart = || self.place(parameters, joints).is_none().then(|| phrase!("legs-apart"));
         limit_violation(self.joints(), &self.limits, joints).or_else(apart)
     }
     fn joint_range(&self, joint: usize) -> JointRange {

@@ -282,11 +282,11 @@ impl Robot for Prexyt {
             row.copy_from_slice(&value.gradient);
         }
     }
-    fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
+    fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<Phrase> {
         let ends = self.travel_mm?;
         let off = |(_, (rho, end)): &(usize, (&f64, f64))| !(0.0..=*end).contains(*rho);
         let (i, (rho, end)) = joints.iter().zip(ends).enumerate().find(off)?;
-        Some(format!("rho{} = {rho} mm, its travel is 0 to {end} mm", i + 1))
+        Some(phrase!("actuator-beyond-travel", actuator = format!("rho{}", i + 1), rho = *rho, end))
     }
     fn joint_range(&self, joint: usize) -> JointRange {
         JointRange::of_limits(self.travel_mm.and_then(|ends| Some([0.0, *ends.get(joint)?])))

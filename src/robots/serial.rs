@@ -11,6 +11,7 @@ use super::{
     pose_outputs,
 };
 use super::{limit_violation, nearest, normal_equations, square};
+use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded, derivatives};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
@@ -214,7 +215,7 @@ impl ArmBuilder {
         self.moved.push(Vec::new());
     }
 
-    /// Declares the current frame to be the frame behind the last axis.
+    /// Declares the current frame to be the frame after the last axis.
     pub fn frame(&mut self) {
         let frame = self.elements.len();
         if let Some(axis) = self.axes.last_mut() {
@@ -511,7 +512,7 @@ pub struct Serial {
     /// Drawing of a link with its Denavit-Hartenberg parameters.
     link: Option<Sketch>,
     /// Robot that the same numbers describe in another convention, with the name of the convention.
-    other: Option<(String, Box<Self>)>,
+    other: Option<(Phrase, Box<Self>)>,
 }
 
 impl Serial {
@@ -536,11 +537,11 @@ impl Serial {
     }
 
     /// Sets the robot that the same numbers describe in another convention.
-    pub(super) fn with_other(self, what: String, other: Self) -> Self {
+    pub(super) fn with_other(self, what: Phrase, other: Self) -> Self {
         Self { other: Some((what, Box::new(other))), ..self }
     }
 
-    /// Frames behind all axes, and the flange, in the base frame under these loads.
+    /// Frames after all axes, and the flange, in the base frame under these loads.
     fn frames<T: Scalar>(&self, parameters: &[T], state: State<T>) -> (Vec<Pose<T>>, Pose<T>) {
         let (mut frames, mut pose) = (Vec::with_capacity(self.axes.len()), Pose::identity());
         for (i, element) in self.elements.iter().enumerate().skip(self.based) {
@@ -716,7 +717,7 @@ impl Robot for Serial {
         }
         all
     }
-    fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
+    fn other_conventions(&self) -> Vec<(Phrase, Box<dyn Robot>)> {
         self.other.iter().map(|(what, other)| (what.clone(), other.clone() as _)).collect()
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
@@ -759,7 +760,7 @@ impl Robot for Serial {
     fn approached(&self) -> &[usize] {
         &self.approached
     }
-    fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
+    fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<Phrase> {
         limit_violation(self.joints(), &self.limits, joints)
     }
     fn joint_range(&self, joint: usize) -> JointRange {
@@ -913,7 +914,7 @@ impl Kinematics for Serial {
         all
     }
 
-    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
+    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
         let place = base_pose(parameters).then(pose);
         let turned = |q| self.within_limits(parameters, &place, q, near);
         // the branch of the start or, if that fails, any branch

@@ -280,8 +280,7 @@ impl Description for Keys {
             tree,
             base_link: keys.required(Key::plain(
                 "base_link",
-                "Link of the URDF that is the base: one that does not move, or, where nothing is measured from outside, the flange of another arm\n\
-                 or a part on a positioner.",
+                "Link of the URDF that is the base: a stationary link or, without an external instrument, the flange of another arm or a part on a positioner.",
             )),
             tool_link: keys.required(Key::plain(
                 "tool_link",

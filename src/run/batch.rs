@@ -8,14 +8,16 @@
 use crate::run::documents::{Documents, Run};
 use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::files;
 use etalon_base::folder::{self, Durability};
 use etalon_base::message::{Message, Problems, Rank, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary,
-    Characteristics, Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Reason, Role, VerdictDocument,
+    Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchQuantity,
+    CampaignSummary, Characteristics, Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Reason, Role,
+    VerdictDocument,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -35,6 +37,8 @@ const STACK: usize = 8 << 20;
 struct Row {
     kind: &'static str,
     item: String,
+    /// Text of the catalogue, for results that the page shows.
+    item_phrase: Option<Phrase>,
     unit: String,
     value: f64,
     standard_uncertainty: Option<f64>,
@@ -150,6 +154,7 @@ fn campaign(
 fn describe(entry: &mut BatchEntry, campaign: &CampaignSummary, met: bool, parameters: Option<&ParametersDocument>) {
     entry.ended = if met { BatchEnd::Done } else { BatchEnd::NotMet };
     (entry.name, entry.date) = (campaign.name.clone(), campaign.date.clone());
+    entry.valid_until = campaign.valid_until.clone();
     entry.robot = campaign.robot.clone().or_else(|| parameters.map(|p| p.robot.clone()));
     let given = &campaign.conditions;
     let stated = given.robot_type.as_ref().map(|kind| match &given.robot_maker {
@@ -223,16 +228,24 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
         }));
         for set in &accuracy.sets {
             for errors in &set.errors {
-                let of = |(statistic, value): (&str, f64)| Row {
+                let (set, quantity) = (set.name, errors.quantity);
+                let of = |(statistic, figure, value): (&str, Option<Argument>, f64)| Row {
                     kind: "error",
-                    item: format!("{} {} {statistic}", set.name, errors.quantity),
+                    item: format!("{set} {quantity} {statistic}"),
+                    item_phrase: figure.map(|figure| {
+                        phrase!("figure-of-set", set = set.phrase(), quantity = quantity.phrase(), figure)
+                    }),
                     unit: errors.unit.clone(),
                     value,
                     ..Row::default()
                 };
                 let (before, after) = (&errors.before, &errors.after);
-                let all =
-                    [("RMS before", before.rms), ("max before", before.max), ("RMS", after.rms), ("max", after.max)];
+                let all = [
+                    ("RMS before", None, before.rms),
+                    ("max before", None, before.max),
+                    ("RMS", Some("RMS".argument()), after.rms),
+                    ("max", Some(phrase!("max").argument()), after.max),
+                ];
                 rows.extend(all.map(of));
             }
         }
@@ -255,14 +268,20 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
 }
 
 /// Results that the page shows: errors after calibration, largest AP and RP, and parameters.
-fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64, Option<f64>)> {
+fn shown(rows: &[Row]) -> impl Iterator<Item = (BatchQuantity, f64, Option<f64>)> {
     let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
-    let errors = of("error").filter(|row| !row.item.ends_with("before")).chain(of("parameter"));
+    let errors = of("error").filter(|row| row.item_phrase.is_some()).chain(of("parameter"));
+    let quantity = |name: &str, name_phrase: Option<Phrase>, unit: &str| {
+        let (name, unit) = (name.to_owned(), unit.to_owned());
+        BatchQuantity { name, name_phrase, unit }
+    };
     let largest = PoseCharacteristic::ALL.into_iter().filter_map(move |PoseCharacteristic { symbol: kind, .. }| {
         let value = of(kind).map(|row| row.value).max_by(f64::total_cmp)?;
-        Some((kind, "mm", value, None))
+        Some((quantity(kind, None, "mm"), value, None))
     });
-    largest.chain(errors.map(|row| (row.item.as_str(), row.unit.as_str(), row.value, row.standard_uncertainty)))
+    let error =
+        move |row: &Row| (quantity(&row.item, row.item_phrase.clone(), &row.unit), row.value, row.standard_uncertainty);
+    largest.chain(errors.map(error))
 }
 
 /// Table of results, one a row: parameters, errors before and after, limits, AP and RP by pose.

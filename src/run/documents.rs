@@ -1,7 +1,8 @@
-//! The output folder of a run as others read it: every document is what that run wrote, or the
+//! The output folder of a run for readers: every document is the one that the run wrote, or the
 //! folder is refused.
 
 use crate::stages::evaluate;
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
@@ -32,7 +33,7 @@ pub struct Documents {
 /// The output folder that is named: itself, or by its campaign.
 ///
 /// # Errors
-/// If the campaign cannot be read.
+/// Fails if the campaign cannot be read.
 pub fn folder_of(named: &Path) -> Result<PathBuf> {
     match named.join("campaign.toml").is_file() || named.is_file() {
         true => {
@@ -47,11 +48,11 @@ impl Documents {
     /// The output folder of a run.
     ///
     /// # Errors
-    /// If it has no manifest.
+    /// Fails if the folder has no manifest.
     pub fn open(folder: &Path) -> Result<Self> {
         let path = folder.join(ManifestDocument::NAME);
         if !path.is_file() {
-            return Err(error!("not-an-output-folder", file = path.display().to_string()).into());
+            return Err(error!("not-an-output-folder", folder = folder.display().to_string()).into());
         }
         let manifest = parse(&path, &files::read(&path)?, "manifest")?;
         Ok(Self { folder: folder.to_owned(), manifest })
@@ -70,7 +71,7 @@ impl Documents {
     /// A file as the run wrote it.
     ///
     /// # Errors
-    /// If the run wrote none of this name, or the file holds something else by now.
+    /// Fails if the run wrote no document of this name, or if the file has changed since the run.
     pub fn bytes(&self, name: &str) -> Result<Vec<u8>> {
         let path = self.path(name);
         let Some(sha256) = self.manifest.files.get(name) else {
@@ -103,10 +104,10 @@ impl Documents {
         named.then(|| checked(&self.path(PARAMETERS), &self.bytes(PARAMETERS)?)).transpose()
     }
 
-    /// Writes files beside the others of the run, or in their place; gives their paths.
+    /// Writes files beside the others of the run, or in their place; returns their paths.
     ///
     /// # Errors
-    /// If the folder is of another run by now: the files are made from the earlier one.
+    /// Fails if another run has written the folder since: the files were made from the earlier run.
     pub fn write(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
         let held = FolderLock::take(&self.folder)?;
         self.unchanged()?;
@@ -204,7 +205,7 @@ impl Run {
 /// Files of an output folder, by name.
 type Files = Vec<(String, Vec<u8>)>;
 
-/// These files and the manifest, which lists them and those that are `listed` already.
+/// These files and the manifest, which lists them in addition to the files in `listed`.
 pub(super) fn with_manifest(mut listed: BTreeMap<String, String>, mut files: Files) -> Result<Files> {
     listed.extend(files.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
     files.push((ManifestDocument::NAME.to_owned(), to_json(&ManifestDocument::new(listed))?));
@@ -254,6 +255,6 @@ fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T
     Ok(serde_json::from_value(value).map_err(|e| unreadable(path, &e.to_string()))?)
 }
 
-fn unreadable(path: &Path, reason: &str) -> Message {
+fn unreadable(path: &Path, reason: &impl IntoArgument) -> Message {
     error!("document-unreadable", file = path.display().to_string(), reason)
 }

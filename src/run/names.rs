@@ -3,13 +3,17 @@
 use crate::stages::gather::Gathered;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, JoinBy};
+use etalon_documents::ResidualKind;
 use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
+
+/// Maximum number of targets that a hint states.
+const MOST_TARGETS: usize = 12;
 
 /// Reports labels and features that do not exist: as a warning if an unread export may have them.
 pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) {
@@ -58,11 +62,19 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
         }
     }
     let rigid = file.rigid.iter().flat_map(|r| &r.targets).chain(file.fixed.iter().flat_map(|f| &f.targets));
-    // points that a log touches need not have the name of the robot's target
-    let joined = file.join_targets().filter(|_| file.join_by() != Some(JoinBy::Label));
-    for name in rigid.chain(joined) {
+    for name in rigid {
         want(name, &[&targets], &|target| error!("target-not-exported", target));
     }
+    // points that a log touches need not have the name of the robot's target
+    let joined = || file.join_targets().filter(|_| file.join_by() != Some(JoinBy::Label));
+    let is_measured = |name: &Spanned<String>| targets.contains(name.get_ref().as_str());
+    let odd: Vec<Message> = file.exports.iter().filter_map(|e| other_form(campaign, e, imported)).collect();
+    // where no label has the form that is stated, no target is named
+    let is_odd = complete && !odd.is_empty() && !joined().all(is_measured);
+    for name in joined().filter(|_| !is_odd) {
+        want(name, &[&targets], &|target| error!("target-not-exported", target));
+    }
+    problems.0.extend(odd.into_iter().filter(|_| is_odd));
     if !open.is_empty() {
         open.sort_unstable();
         open.dedup();
@@ -80,13 +92,24 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             problems.0.push(message.hint_names(pattern.get_ref(), names()));
         }
     }
-    for target in campaign.file.join_targets() {
-        if !robot.targets().contains(target.get_ref()) {
-            let message = error!("target-not-of-robot", target = target.get_ref()).at(campaign.place(target));
-            problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
-        }
+    let of_pose = campaign.file.identify.as_ref().is_some_and(|identify| identify.residuals == ResidualKind::Pose);
+    if of_pose && robot.platform().is_none() {
+        let message = error!("pose-residuals-not-planar", model = robot.model());
+        let place = campaign.place_of(&["identify", "residuals"]);
+        problems.0.push(message.hint(phrase!("remedy", remedy = "compare-targets")).at(place));
     }
-    if let Some(targets) = campaign.file.join.as_ref().and_then(|join| join.targets.as_ref()) {
+    let foreign: Vec<_> =
+        campaign.file.join_targets().filter(|target| !robot.targets().contains(target.get_ref())).collect();
+    for target in &foreign {
+        let message = error!("target-not-of-robot", target = target.get_ref()).at(campaign.place(target));
+        // a target that this robot cannot have need not be measured
+        problems.0.retain(|other| other.id != "target-not-exported" || other.place != message.place);
+        problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
+    }
+    // a wrong name stands where the missing one belongs
+    if let (Some(targets), true) =
+        (campaign.file.join.as_ref().and_then(|join| join.targets.as_ref()), foreign.is_empty())
+    {
         let named = |name: &&String| targets.iter().any(|t| t.get_ref() == *name);
         for target in robot.targets().iter().filter(|t| !named(t)) {
             problems.0.push(error!("targets-incomplete", target).at(campaign.place_of(&["join", "targets"])));
@@ -105,6 +128,19 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             problems.0.push(error!("z-column-missing").at(campaign.place(&export.file)));
         }
     }
+}
+
+/// Errors of a robot without targets: with the line that states those that the labels name, and
+/// none if the table that names them does not read.
+pub(super) fn targets_to_state(mut problems: Problems, imported: &Gathered, unread: bool) -> Problems {
+    problems.0.retain(|message| !unread || message.id != "no-target");
+    let at_poses = imported.points.iter().filter(|point| point.pose.is_some());
+    let targets: BTreeSet<&str> = at_poses.filter_map(|point| point.target.as_deref()).collect();
+    for message in problems.0.iter_mut().filter(|message| message.id == "no-target" && !targets.is_empty()) {
+        let targets = format!("{:?}", targets.iter().take(MOST_TARGETS).collect::<Vec<_>>());
+        *message = message.clone().hint(phrase!("state-targets", targets));
+    }
+    problems
 }
 
 /// Checks the logs against the joints of the robot.
@@ -136,7 +172,10 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
         }
         for joint in robot.joints() {
             let column = joint.column();
-            if !log.columns.keys().any(|k| etalon_formats::is_joint_column(k.get_ref(), joint)) {
+            // a key of the joint in another unit is reported by itself
+            let is_meant = |key: &str| key.rsplit_once('_').is_some_and(|(name, _)| name == joint.name);
+            let keys = || log.columns.keys().map(|key| key.get_ref().as_str());
+            if !keys().any(|key| etalon_formats::is_joint_column(key, joint) || is_meant(key)) {
                 let message = error!("log-joint-missing", log = log.name, joint = joint.name, column);
                 problems.0.push(message.at(campaign.place(&log.file)));
             }
@@ -159,10 +198,28 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
     if missing.peek().is_some() && !odd.is_empty() {
         return problems.0.extend(odd);
     }
+    let unnamed: Vec<Message> =
+        campaign.file.exports.iter().filter_map(|e| unstated_form(campaign, e, imported, robot)).collect();
+    if missing.peek().is_some() && !unnamed.is_empty() {
+        return problems.0.extend(unnamed);
+    }
     for target in missing {
         let message = error!("target-not-exported", target).at(campaign.place_of(&["join"]));
         problems.0.push(message.hint_names(target, measured.iter().copied()));
     }
+}
+
+/// Error if the labels of an export name targets of the robot, and the campaign states no form.
+fn unstated_form(campaign: &Campaign, export: &Export, imported: &Gathered, robot: &dyn Robot) -> Option<Message> {
+    if export.label.is_some() || export.target.is_some() {
+        return None;
+    }
+    let own = imported.points.iter().filter(|p| *p.export == **export.file.get_ref());
+    let labels: Vec<&str> = own.filter(|p| p.target.is_none()).map(|p| &*p.label).collect();
+    let (form, targets) = etalon_formats::label_form(&labels)?;
+    let file = export.file.get_ref();
+    let is_named = targets.iter().any(|target| robot.targets().contains(target));
+    is_named.then(|| error!("label-form-missing", file, form).at(campaign.place(&export.file)))
 }
 
 /// Error if no label of an export has the form that the campaign states.

@@ -94,15 +94,15 @@ impl Output {
         files.into_iter().for_each(|(name, bytes)| self.bytes(name, bytes));
     }
 
-    /// `stem`, or `stem-name` where the campaign has several logs and this is not the first.
+    /// `stem`, or `stem-name` if the campaign has several logs and this is not the first.
     fn numbered(stem: &str, name: &str, campaign: &Campaign) -> String {
         let first = campaign.file.logs.first().is_none_or(|log| log.name == name);
         if first { stem.to_owned() } else { format!("{stem}-{name}") }
     }
 
-    /// Replaces the folder by one with these files and what others than etalon put there; gives the
-    /// names of the files written. An input that no longer holds what was read is an error, and so
-    /// is a file of others of the same name.
+    /// Replaces the folder by one with these files and the foreign files of the old one; returns
+    /// the names of the files written. Fails if the contents of an input have changed since it was
+    /// read, or if a foreign file has the same name.
     pub fn write(self, campaign: &Campaign, sources: &[Source], durability: Durability) -> Result<Vec<String>> {
         let names: Vec<String> = self.files.iter().map(|(name, _)| name.clone()).collect();
         // no other process replaces the folder from here on
@@ -126,8 +126,8 @@ impl Output {
         Ok(names)
     }
 
-    /// Names of the files that an earlier run wrote: none in a folder of others; `None` where a
-    /// power cut cut off the manifest.
+    /// Names of the files that an earlier run wrote: none in a foreign folder; `None` if a power
+    /// failure truncated the manifest.
     fn earlier(&self) -> Option<BTreeSet<String>> {
         if let Ok(earlier) = Documents::open(&self.folder) {
             return Some(earlier.manifest.files.into_keys().chain([ManifestDocument::NAME.to_owned()]).collect());
@@ -138,8 +138,8 @@ impl Output {
     }
 }
 
-/// The campaign's output folder, if it holds the results of the campaign's files as they are, by
-/// this version: `file` among them, and all of them whole.
+/// The campaign's output folder, if it holds the results of the current files of the campaign by
+/// this version: with `file`, and undamaged.
 pub fn current(campaign: &Campaign, file: &str) -> Option<Documents> {
     let documents = Documents::open(&campaign.output().ok()?).ok()?;
     let ManifestDocument { version, files, .. } = &documents.manifest;

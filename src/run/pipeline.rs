@@ -4,7 +4,7 @@ use crate::run::output::Output;
 use crate::run::summary::summary;
 use crate::run::walk::{Mode, Walk};
 use crate::stages::controller_files;
-use crate::stages::gather::Gathered;
+use crate::stages::gather::{self, Gathered};
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use crate::stages::kinds;
@@ -14,7 +14,7 @@ use etalon_campaign::Campaign;
 use etalon_controllers::{Description, Exporter, Given};
 use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
-    VerdictDocument,
+    VerdictDocument, WrittenFile,
 };
 use etalon_report::{Renderer, Report};
 use etalon_robots::Robot;
@@ -32,15 +32,15 @@ pub enum Wanted {
 /// Results of a run in memory.
 #[derive(Debug)]
 pub struct Outcome {
-    /// Parameters and errors, where the campaign identifies any.
+    /// Parameters and errors, if the campaign identifies parameters.
     pub identified: Option<Identified>,
-    /// Characteristics of ISO 9283, where the campaign tests any.
+    /// Characteristics of ISO 9283, if the campaign tests them.
     pub tested: Characteristics,
     /// `true` if every limit is met, and the result can be that of a robot.
     pub met: bool,
     /// The verdict with its reasons.
     pub judgement: VerdictDocument,
-    /// The report, where it was wanted.
+    /// The report, if requested.
     pub renderer: Option<Renderer>,
     /// Statements of the campaign about itself.
     pub summary: CampaignSummary,
@@ -59,14 +59,15 @@ pub struct Evaluated {
     geometric: Option<GeometricDocument>,
     controllers: Option<ControllersDocument>,
     summary: CampaignSummary,
-    /// Parameters and errors, where the campaign identifies any.
+    /// Parameters and errors, if the campaign identifies parameters.
     pub identified: Option<Identified>,
-    /// Characteristics of ISO 9283, where the campaign tests any.
+    /// Characteristics of ISO 9283, if the campaign tests them.
     pub tested: Characteristics,
 }
 
-/// Runs a campaign from its exports to the report. Nothing is written before all of it is computed.
-/// Where a stage fails, the warnings of those before it come first: they may say why.
+/// Runs a campaign from its exports to the report. Nothing is written until all results are
+/// computed. If a stage fails, the warnings of previous stages come first, because they may explain
+/// the failure.
 pub fn run(campaign: &Campaign) -> Result<Outcome> {
     run_for(campaign, Wanted::Reports, Durability::Now)
 }
@@ -91,12 +92,29 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     };
     let Walk { gathered, joined, geometric, identified, tested, .. } = walk;
     // formats that leave parameters out hold what is identified without them
-    let summary = summary(campaign, presentation);
+    let temperature_range_c = gather::temperature_range(&gathered.points);
+    let mut summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };
     let controllers = identified.as_ref().filter(|found| found.parameters.is_plausible()).and_then(|found| {
         let given = given(campaign, robot.as_ref(), found, &summary);
         controller_files::identify_again(&given, robot.as_ref(), found, &formats(campaign))
     });
+    if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
+        let given = given(campaign, robot.as_ref(), found, &summary);
+        summary.controller_files = written(&Given { controllers: controllers.as_ref(), ..given }, campaign);
+    }
     Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested })
+}
+
+/// Controller files that are not refused.
+fn written(given: &Given, campaign: &Campaign) -> Vec<WrittenFile> {
+    let is_written = |(name, exporter): &(&str, &dyn Exporter)| {
+        given.statement(*exporter).is_ok_and(|statement| statement.refusal(name).is_none())
+    };
+    let file = |(name, exporter): (&str, &dyn Exporter)| WrittenFile {
+        format: name.to_owned(),
+        file: exporter.file_name().to_owned(),
+    };
+    formats(campaign).into_iter().filter(is_written).map(file).collect()
 }
 
 impl Evaluated {

@@ -1,4 +1,4 @@
-//! Statements of a campaign that contradict each other or have no effect, whatever the files hold.
+//! Statements of a campaign that contradict each other or have no effect, independent of its files.
 
 use etalon_base::date::date;
 use etalon_base::message::{Message, Problems};
@@ -58,6 +58,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(error!("key-uncertainty-implausible", key, value, least, most).at(place()));
         }
     }
+    valid_until(campaign, problems);
     common_errors(campaign, problems);
     without_use(campaign, problems);
     limits(campaign, problems);
@@ -78,6 +79,22 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         problems.0.push(message.at(campaign.place(at)));
     }
     file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
+}
+
+/// Checks that the last day of validity is a date, and not before the measurements.
+fn valid_until(campaign: &Campaign, problems: &mut Problems) {
+    let Some(stated) = &campaign.file.valid_until else { return };
+    let place = || campaign.place_of(&["valid_until"]);
+    let Some(last) = date(stated).filter(|_| stated.len() == 10) else {
+        problems.0.push(error!("valid-until-no-date", date = stated).at(place()));
+        return;
+    };
+    let measured = campaign.file.date.as_deref().and_then(date);
+    if let Some(first) = measured.filter(|first| last < *first) {
+        let (year, month, day) = first;
+        let measured = format!("{year:04}-{month:02}-{day:02}");
+        problems.0.push(error!("valid-until-before-measurements", date = stated, measured).at(place()));
+    }
 }
 
 /// Checks that limits are positive and that the campaign determines their quantities.
@@ -296,7 +313,7 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
 /// Plausible coefficients of thermal expansion (1/°C); a value outside is in another unit.
 const PER_C: std::ops::RangeInclusive<f64> = 0.0..=2e-4;
 
-/// Checks uncertainties that all readings have in common, and those of range and angle.
+/// Checks uncertainties common to all readings, and those of range and angle.
 fn common_errors(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     let mut wrong = |path: &[&str], value: f64, range: std::ops::RangeInclusive<f64>, quantity: &str| {

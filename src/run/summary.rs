@@ -3,7 +3,7 @@
 use etalon_campaign::{Campaign, ReportDefinition};
 use etalon_documents::{CampaignSummary, ContactSummary, Issue, Presentation};
 
-/// The campaign as its report states it.
+/// The campaign as its report states it, before its files are read.
 pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
     let file = &campaign.file;
     CampaignSummary {
@@ -22,7 +22,10 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
             .contact
             .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),
         temperature_c: file.temperature_c,
+        temperature_range_c: None,
         conditions: file.conditions.clone(),
+        valid_until: file.valid_until.clone(),
+        controller_files: Vec::new(),
         issue: issue(&file.report),
         report,
     }

@@ -1,5 +1,5 @@
-//! The hallway: a campaign on its way through the stages, each of which makes something from what
-//! those before it have made.
+//! The walk of a campaign through the stages, each of which computes its result from those of the
+//! previous stages.
 
 use super::{names, statements};
 use crate::stages::controlled;
@@ -33,12 +33,12 @@ pub(super) enum Mode {
     Run,
     /// To its observations; likewise.
     Observe,
-    /// To the solver; every error is collected, and the later stages are tried on what is left of
+    /// To the solver; every error is collected, and later stages are tried on the valid part of
     /// their input.
     Check,
 }
 
-/// A campaign on its way through the stages: what each has made so far.
+/// A campaign on its walk through the stages, with their results so far.
 #[derive(Default)]
 pub(super) struct Walk {
     mode: Mode,
@@ -49,11 +49,11 @@ pub(super) struct Walk {
     pub robot: Option<Box<dyn Robot>>,
     /// Tables and recordings of tests by ISO 9283.
     tests: TestData,
-    /// Measurements of the geometric calibration, where the campaign has one.
+    /// Measurements of the geometric calibration, if the campaign has one.
     measured: Option<geometric::Gathered>,
     /// Language, logo and templates of the report.
     pub presentation: Option<Presentation>,
-    /// All files are read, and the robot has what they need.
+    /// State after reading: all files are read, and the robot has the parameters that they need.
     is_read: bool,
     /// Features and frames are stated, and every label that they name is present.
     is_named: bool,
@@ -79,10 +79,10 @@ pub struct Observed {
     pub joined: Joined,
 }
 
-/// Takes a campaign, which identifies something, as far as its observations.
+/// Takes a campaign with an identification as far as its observations.
 ///
-/// # Errors Everything that is wrong with its statements and files, or what the first stage that
-/// fails reports.
+/// # Errors
+/// Reports all errors of its statements and files, or the errors of the first stage that fails.
 pub fn observed(campaign: &Campaign) -> Result<Observed> {
     let mut walk = Walk::sound(campaign, Mode::Observe)?;
     walk.on(campaign)?;
@@ -118,7 +118,7 @@ pub fn checked(campaign: &Campaign) -> Checked {
 }
 
 impl Walk {
-    /// Gathers; what is wrong ends the walk.
+    /// Gathers the files; an error ends the walk.
     pub fn sound(campaign: &Campaign, mode: Mode) -> Result<Self> {
         let mut walk = Self::gather(campaign, mode);
         std::mem::take(&mut walk.problems).check()?;
@@ -156,7 +156,10 @@ impl Walk {
         problems.0.extend(wrong.0);
         let targets = gathered.observations.as_ref().map(|t| kinds::targets(&t.table).map_err(|more| t.place(more)));
         let targets = targets.and_then(|targets| problems.keep(targets)).unwrap_or_default();
-        walk.robot = problems.keep(campaign.build_robot_with(&targets));
+        let unread = gathered.observations.is_none() && !campaign.file.observations.is_empty();
+        let built =
+            campaign.build_robot_with(&targets).map_err(|more| names::targets_to_state(more, &gathered, unread));
+        walk.robot = problems.keep(built);
         if let Some(robot) = &walk.robot {
             names::robot(campaign, robot.as_ref(), problems);
             let before = problems.0.len();
@@ -170,7 +173,7 @@ impl Walk {
         Self { gathered, tests, ..walk }
     }
 
-    /// Goes on through the stages in their order.
+    /// Continues through the stages in their order.
     pub fn on(&mut self, campaign: &Campaign) -> Result<()> {
         if campaign.unread.affects(&["export"]) {
             // the unit, or the list of points, is not known
@@ -249,8 +252,8 @@ impl Walk {
         Ok(())
     }
 
-    /// Looks for what is wrong with the set-up and with the selections of poses; without a join
-    /// these select from all points.
+    /// Checks the set-up and the selections of poses; without a join, poses are selected from all
+    /// points.
     fn select(&mut self, campaign: &Campaign) {
         let mut poses: BTreeSet<PoseName> = self.gathered.points.iter().filter_map(|p| p.pose).collect();
         if let (Some(robot), Some(joined)) = (&mut self.robot, &self.joined) {
@@ -263,16 +266,18 @@ impl Walk {
             let first = joined.observations.first();
             poses = first.and_then(|(_, first)| first.poses().ok()).unwrap_or_default();
         }
-        // a join by time may find no pose before the log is read
-        if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) {
+        // a join by time may find no pose before the log is read; without any pose the cause is
+        // reported already
+        let without = poses.is_empty() && self.problems.0.iter().any(|m| m.severity == Severity::Error);
+        if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) && !without {
             self.problems.keep(check_selections(campaign, &poses));
         }
     }
 }
 
 impl Mode {
-    /// The value of a stage, or what it fails with: an error that ends the walk, or one of those
-    /// that are collected.
+    /// The value of a stage, or its failure: an error that ends the walk, or one of the collected
+    /// ones.
     fn keep<T>(self, problems: &mut Problems, result: Result<T>) -> Result<Option<T>> {
         match self {
             Self::Check => Ok(problems.keep(result)),

@@ -17,6 +17,7 @@ pub use repeatability::{PoseScatter, Repeating};
 pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_values};
 pub use unmodelled::{Interpolation, Unmodelled};
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::cell::is_formula;
 use etalon_base::error;
 use etalon_base::files;
@@ -71,7 +72,7 @@ impl Scene<'_> {
         };
         let beyond =
             (1..).zip(self.joints.iter().zip(&self.stands)).filter_map(|(pose, p)| Some((pose, violation(p)?)));
-        let told = |(pose, why): (usize, String)| error!("truth-pose-out-of-reach", pose, reason = why);
+        let told = |(pose, why): (usize, Phrase)| error!("truth-pose-out-of-reach", pose, reason = why);
         Problems(beyond.map(told).collect()).check().map(|_| ())
     }
 

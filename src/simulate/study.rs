@@ -6,6 +6,7 @@ use crate::stages::candidates::configurations;
 use crate::stages::remedies::remedied;
 use crate::stages::table_file::TableFile;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
+use etalon_base::catalogue::Phrase;
 use etalon_base::files;
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::noise::Noise;
@@ -113,10 +114,10 @@ pub enum Frame {
 
 impl Frame {
     /// Definition of the error, in words.
-    pub fn error(self) -> &'static str {
+    pub fn error(self) -> Phrase {
         match self {
-            Self::Base => "true pose of the tool in the base frame minus the commanded one",
-            Self::World => "true pose of the tool in the world minus the commanded one",
+            Self::Base => phrase!("study-error-in-base"),
+            Self::World => phrase!("study-error-in-world"),
         }
     }
 }
@@ -361,17 +362,13 @@ impl StudyFile {
     fn bounded(&self) -> Result<()> {
         let count = |places: &[Places]| places.iter().map(Places::count).fold(0u64, u64::saturating_add);
         for set in &self.sets {
-            let what = format!("poses in the set `{}`", set.name);
-            product_at_most(&what, &[("poses", count(&set.poses))], MOST_POSES)?;
+            let (of, poses) = (phrase!("poses-in-set", set = set.name), count(&set.poses));
+            product_at_most(of, &[("poses", poses)], MOST_POSES)?;
         }
         let workspace = count(&self.workspace);
-        product_at_most("positions in `workspace`", &[("poses", workspace)], MOST_POSES)?;
-        product_at_most("calibrations", &[("draws", self.draws), ("runs", self.runs)], MOST)?;
-        product_at_most(
-            "errors to evaluate",
-            &[("draws", self.draws), ("poses of `workspace`", workspace)],
-            MOST_ERRORS,
-        )
+        product_at_most(phrase!("positions-in-workspace"), &[("poses", workspace)], MOST_POSES)?;
+        product_at_most(phrase!("counted-calibrations"), &[("draws", self.draws), ("runs", self.runs)], MOST)?;
+        product_at_most(phrase!("errors-to-evaluate"), &[("draws", self.draws), ("poses", workspace)], MOST_ERRORS)
     }
 
     /// Names of the tables of all sets.

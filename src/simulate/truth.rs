@@ -2,11 +2,11 @@
 
 use super::setup::Setup;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
-use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Place, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 use etalon_campaign::parse;
 use etalon_robots::{PlanarPose, Robot};
 use schemars::JsonSchema;
@@ -87,9 +87,9 @@ impl Truth {
             ("poses", sum(&mut self.poses.iter().map(|poses| poses.count() as u64))),
             ("cycles", self.cycles.max(0) as u64),
         ];
-        product_at_most("poses to simulate", &counts, MOST)?;
+        product_at_most(phrase!("poses-to-simulate"), &counts, MOST)?;
         let repeats = sum(&mut self.points.iter().map(|point| point.repeats as u64));
-        product_at_most("points to simulate", &[("repeats of [[point]]", repeats)], MOST)
+        product_at_most(phrase!("points-to-simulate"), &[("repeats", repeats)], MOST)
     }
 }
 

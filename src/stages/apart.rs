@@ -1,6 +1,6 @@
 //! Targets and fixtures (sockets, anchors, surfaces, stations) of validation poses alone. Their own
-//! readings place them, with the identified robot held; the redundancy that the placement leaves
-//! counts in the statistics.
+//! readings locate them, with the identified robot held; the remaining redundancy counts in the
+//! statistics.
 
 use super::evaluate::{self, Sets};
 use crate::stages::remedies::remedied;
@@ -16,16 +16,16 @@ use etalon_identify::{
 use etalon_robots::{FreeBase, Quantity, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Names that a message has.
+/// Maximum number of names in a message.
 const NAMED: usize = 5;
 
-/// Readings of targets and fixtures that no calibration pose shows.
+/// Readings of targets and fixtures without calibration readings.
 #[derive(Clone, Debug, Default)]
 pub struct Apart {
     /// Parameters of each target and fixture.
     groups: Vec<Vec<usize>>,
     observations: Vec<Observation>,
-    /// Weights of readings, what else was observed, and distances between fixtures.
+    /// Weights of readings, further observations, and distances between fixtures.
     settings: Settings,
 }
 
@@ -41,8 +41,8 @@ pub struct Placed {
 }
 
 impl Apart {
-    /// Takes the readings that no calibration pose shows out of `sets` and `settings`, which hold
-    /// the parameters of their targets and fixtures.
+    /// Moves readings of targets and fixtures without calibration readings out of `sets`;
+    /// `settings` hold the parameters of these targets and fixtures.
     pub(crate) fn take(robot: &dyn Robot, sets: &mut Sets, settings: &mut Settings) -> Self {
         let Some(arm) = robot.free_base() else { return Self::default() };
         let groups = unplaced(robot, arm, sets, settings);
@@ -77,7 +77,7 @@ impl Apart {
         Self { groups, observations, settings: own }
     }
 
-    /// The sets with these readings among them.
+    /// Returns the sets including these readings.
     pub fn beside(&self, sets: &Sets) -> Sets {
         let mut all = sets.clone();
         all.validation.extend(self.observations.iter().cloned());
@@ -85,7 +85,7 @@ impl Apart {
         all
     }
 
-    /// Places everything in both sets of parameters: `before` and `after` an identification.
+    /// Locates everything in both sets of parameters: `before` and `after` an identification.
     pub fn placed(&self, robot: &dyn Robot, before: &mut [f64], after: &mut [f64]) -> Result<Placed> {
         let Some(arm) = robot.free_base().filter(|_| !self.groups.is_empty()) else { return Ok(Placed::default()) };
         let places = self.groups.concat();
@@ -123,7 +123,7 @@ impl Apart {
     }
 }
 
-/// Adds a number to the list at a place, if there is one.
+/// Adds a number to the list at an index, if there is one.
 trait ExtendAt {
     fn extend_at(&mut self, place: Option<usize>, number: f64);
 }
@@ -136,8 +136,8 @@ impl ExtendAt for Vec<Vec<f64>> {
     }
 }
 
-/// Returns the parameters of each target and fixture that only validation readings show: no
-/// calibration reading, no stated place, no tolerance, and no rigid part with a placed target.
+/// Returns the parameters of each target and fixture with validation readings only: no calibration
+/// reading, no stated position, no tolerance, and no rigid part with a located target.
 fn unplaced(robot: &dyn Robot, arm: &dyn FreeBase, sets: &Sets, settings: &Settings) -> Vec<Vec<usize>> {
     let of = |observations: &[Observation], conditions: &[Condition]| -> Vec<Vec<usize>> {
         let conditions = conditions.iter().flat_map(|c| c.shows(arm));
@@ -174,10 +174,10 @@ impl Placed {
         redundancies.iter().any(|&r| documents::counted_share(r).is_some())
     }
 
-    /// A warning that names them.
+    /// Returns a warning that names them.
     ///
     /// # Errors
-    /// If nothing of the validation poses can be judged.
+    /// Fails if no reading of the validation poses can be judged.
     pub fn message(&self, robot: &dyn Robot, sets: &Sets) -> Result<Option<Message>> {
         if self.groups.is_empty() {
             return Ok(None);
@@ -211,8 +211,8 @@ impl Placed {
         self.groups.iter().zip(&self.redundancies).map(of).collect()
     }
 
-    /// Marks the placed parameters in the document, with the uncertainty of their readings beside
-    /// the residuals that were `found`.
+    /// Marks the located parameters in the document, with the uncertainty of their readings and the
+    /// residuals `found`.
     pub fn mark(&self, robot: &dyn Robot, found: &Identification, document: &mut ParametersDocument) {
         let stated = document.residuals.stated_standard_uncertainty_mm.unwrap_or(0.0);
         let equations = (found.degrees_of_freedom + found.free.len()) as f64;
@@ -246,7 +246,7 @@ fn names<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>>) ->
     shown(groups.map(|g| format!("`{}`", name(robot, g))), NAMED)
 }
 
-/// The name that all parameters of a target or fixture begin with.
+/// Common prefix of all parameters of a target or fixture.
 fn name(robot: &dyn Robot, group: &[usize]) -> String {
     let names: Vec<&str> = group.iter().map(|&i| robot.parameters()[i].name.as_str()).collect();
     let mut common = names[0];

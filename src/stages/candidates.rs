@@ -1,5 +1,5 @@
-//! Candidates of a table: poses with joint values, or positions that the robot finds its own joint
-//! values for.
+//! Candidates of a table: poses with joint values, or positions for which the robot computes joint
+//! values.
 
 use crate::stages::remedies::remedied;
 use etalon_base::message::Result;
@@ -13,7 +13,7 @@ use etalon_robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 
-/// The candidates of a table, as far as the robot reaches them.
+/// Candidates of a table within the reach of the robot.
 pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates> {
     let poses = table::poses(table)?;
     let stated = |j: &Joint| table.get_column_names().iter().any(|name| j.factor(name).is_some());
@@ -22,7 +22,7 @@ pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates
     within_reach(robot, all).map_err(remedied)
 }
 
-/// One configuration a row; rows that differ in the target alone are one configuration of several
+/// One configuration a row; rows that differ only in the target are one configuration of several
 /// targets.
 fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let modes = stated_modes(robot, table)?;
@@ -57,7 +57,7 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Resu
     Ok(all)
 }
 
-/// Positions of the tool in the world: every way to reach them is a configuration.
+/// Positions of the tool in the world: every solution is a configuration.
 fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let nominal = robot.nominal();
     let mut all = Vec::new();

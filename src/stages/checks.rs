@@ -1,5 +1,5 @@
-//! Checks of the model by what it leaves: trends of the residuals, how well readings control each
-//! other, which poses decide.
+//! Checks of the model from its residuals: trends, mutual control of readings, and influential
+//! poses.
 
 use crate::stages::shown;
 use etalon_base::message::Message;
@@ -18,12 +18,12 @@ use etalon_robots::Robot;
 use nalgebra::DVector;
 use std::collections::BTreeMap;
 
-/// Poses that a summary names.
+/// Maximum number of poses in a summary.
 const NAMED: usize = 5;
-/// Poses without which no trend is tested.
+/// Minimum number of poses for a test of trends.
 const FEWEST: usize = 10;
 
-/// Reliability as a document states it.
+/// Reliability in the form of a document.
 pub fn reliability_summary(robot: &dyn Robot, found: &Reliability) -> Option<ReliabilitySummary> {
     let readings: Vec<_> = found.readings.iter().flatten().flatten().collect();
     let least = readings.iter().map(|r| r.redundancy).reduce(f64::min)?;
@@ -49,7 +49,7 @@ pub fn reliability_summary(robot: &dyn Robot, found: &Reliability) -> Option<Rel
     })
 }
 
-/// Robust fit as a document states it.
+/// Robust fit in the form of a document.
 pub fn robust_summary(robot: &dyn Robot, found: &RobustComparison) -> RobustSummary {
     let parameter = |c: &RobustChange| {
         let p = &robot.parameters()[c.parameter];
@@ -74,7 +74,7 @@ pub fn robust_summary(robot: &dyn Robot, found: &RobustComparison) -> RobustSumm
     }
 }
 
-/// A warning where a robust fit differs from the plain one by more than chance.
+/// Returns a warning if a robust fit differs from the plain one by more than chance.
 pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Message> {
     let change = found.significant()?;
     let name = &robot.parameters()[change.parameter].name;
@@ -91,7 +91,7 @@ pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Mes
 }
 
 /// Adds the reliability of its readings to each calibration error; the centre of a platform has the
-/// worse of its two.
+/// worse one of its two.
 pub fn with_reliability(robot: &dyn Robot, found: &Reliability, errors: &mut [PointError]) {
     let mut errors = errors.iter_mut().filter(|e| e.set == PoseSet::Calibration);
     for readings in &found.readings {
@@ -112,7 +112,7 @@ pub fn with_reliability(robot: &dyn Robot, found: &Reliability, errors: &mut [Po
     }
 }
 
-/// A pose: its mean error, and what that may depend on.
+/// A pose: its mean error, and the quantities on which it may depend.
 #[derive(Default)]
 struct Mean {
     error_mm: Vector,
@@ -153,7 +153,7 @@ struct Trend {
     p_value: f64,
 }
 
-/// The test against the quantity `k`; `None` where poses are too few or do not differ in it.
+/// Test against the quantity `k`; `None` if poses are too few or do not differ in it.
 fn trend(poses: &BTreeMap<PoseName, Mean>, k: usize) -> Option<Trend> {
     let count = poses.len();
     if count < FEWEST {

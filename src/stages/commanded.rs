@@ -1,4 +1,4 @@
-//! Coordinates that were commanded, not measured: the nominal robot computes them from the joint
+//! Commanded coordinates in place of measured ones: the nominal robot computes them from the joint
 //! values.
 
 use etalon_base::message::Message;
@@ -7,16 +7,17 @@ use etalon_base::{error, phrase};
 use etalon_identify::Observation;
 use etalon_robots::Robot;
 
-/// Fewer positions of a target prove nothing: the places of base and targets fit them.
+/// Minimum number of positions of a target for a proof: fewer are fitted by the positions of base
+/// and targets.
 const FEWEST: usize = 10;
-/// Digits behind the decimal mark (mm) with which files state coordinates.
+/// Numbers of decimals (mm) in files.
 const DIGITS: std::ops::RangeInclusive<i32> = 0..=6;
-/// Allowance for the place of base and targets, which are fitted to rounded coordinates.
+/// Allowance for the positions of base and targets, which are fitted to rounded coordinates.
 const ALLOWANCE: f64 = 1.2;
-/// Difference (mm) of computed coordinates that are not rounded.
+/// Maximum difference (mm) of computed coordinates without rounding.
 const COMPUTED_MM: f64 = 1e-6;
 
-/// Returns an error where `robot` with these values (nominal, base and targets placed) computes the
+/// Returns an error if `robot` with these values (nominal, base and targets located) reproduces the
 /// coordinates of a target from the joint values, to the rounding of the file: they were commanded.
 pub(super) fn commanded(robot: &dyn Robot, values: &[f64], observations: &[Observation]) -> Option<Message> {
     let names = robot.targets().iter().enumerate().filter_map(|(k, name)| {
@@ -33,8 +34,8 @@ pub(super) fn commanded(robot: &dyn Robot, values: &[f64], observations: &[Obser
     Some(error!("coordinates-commanded", targets, largest_mm))
 }
 
-/// The largest difference (mm) of positions from computed ones, if these reproduce them all to
-/// their rounding.
+/// Largest difference (mm) of positions from computed ones, if these reproduce all of them to their
+/// rounding.
 fn reproduced_mm(positions: &[(Vector, Vector)]) -> Option<f64> {
     if positions.len() < FEWEST {
         return None;

@@ -1,5 +1,5 @@
-//! Controls of the frames of a campaign: nominal places of their points, and errors that no data
-//! show.
+//! Checks of the frames of a campaign: nominal positions of their points, and errors that the data
+//! cannot detect.
 
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::phrase;
@@ -12,15 +12,15 @@ use etalon_formats::Point;
 use etalon_robots::{Quantity, Robot, Role};
 use std::f64::consts::FRAC_PI_2;
 
-/// Steps of the fit that makes the largest distance small.
+/// Iterations of the minimax fit.
 const STEPS: usize = 300;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
-/// Largest distance (mm) and rotation (rad) of a base from its nominal place in robot.toml, where
+/// Largest distance (mm) and rotation (rad) of a base from its nominal position in robot.toml, if
 /// robot.toml states no tolerance.
 const BASE: (f64, f64) = (100.0, 0.2);
 
-/// A point with a nominal place.
+/// A point with a nominal position.
 struct Nominal<'a> {
     name: &'a str,
     nominal_mm: Vector,
@@ -29,11 +29,11 @@ struct Nominal<'a> {
     expanded_mm: f64,
 }
 
-/// Rejects points farther from their nominal places than their stated tolerance and uncertainty
+/// Rejects points farther from their nominal positions than their stated tolerance and uncertainty
 /// allow.
 ///
 /// # Errors
-/// A name that was not measured, or the point that is off.
+/// Reports names without a measurement, and the point that is off.
 pub fn check_nominal(campaign: &Campaign, points: &[Point], frames: &FramesDocument) -> Result<()> {
     let Some(world) = campaign.file.world().filter(|world| !world.nominal_mm.is_empty()) else { return Ok(()) };
     let place = || campaign.world_place();
@@ -68,7 +68,7 @@ pub fn check_nominal(campaign: &Campaign, points: &[Point], frames: &FramesDocum
     Err(message.at(place()).into())
 }
 
-/// The points that state a nominal place, where they were measured.
+/// The points with a nominal position, if they were measured.
 fn with_nominal<'c>(
     campaign: &'c Campaign,
     points: &[Point],
@@ -106,7 +106,8 @@ fn with_nominal<'c>(
     Ok(known)
 }
 
-/// Names, measured and nominal distance of the two points whose distance is off most.
+/// Names, measured and nominal distance of the two points with the largest deviation of their
+/// distance.
 fn worst_pair<'a>(known: &[Nominal<'a>]) -> (&'a str, &'a str, f64, f64) {
     let pairs = (0..known.len()).flat_map(|b| (0..b).map(move |a| (&known[a], &known[b])));
     let distances = pairs.map(|(a, b)| {
@@ -117,7 +118,7 @@ fn worst_pair<'a>(known: &[Nominal<'a>]) -> (&'a str, &'a str, f64, f64) {
     distances.max_by(|x, y| off(x).total_cmp(&off(y))).unwrap_or(("", "", f64::NAN, f64::NAN))
 }
 
-/// Returns the motion that brings the first of each pair to the second with the smallest largest
+/// Returns the motion from the first to the second point of each pair with the smallest maximum
 /// distance, and that distance: weighted least squares whose weights grow with the distances
 /// (Lawson 1961).
 fn farthest(pairs: &[(Vector, Vector)]) -> (Pose, f64) {
@@ -145,8 +146,8 @@ fn farthest(pairs: &[(Vector, Vector)]) -> (Pose, f64) {
     best
 }
 
-/// Returns the errors of the frames that no reading of a campaign shows, with the keys that would
-/// control them.
+/// Returns the errors of the frames that no reading of a campaign can detect, with the keys that
+/// would control them.
 pub fn not_controlled(
     campaign: &Campaign,
     robot: Option<&dyn Robot>,
@@ -180,7 +181,7 @@ pub fn not_controlled(
             what: phrase!("unshown-shift").to_string(),
             what_phrase: Some(phrase!("unshown-shift")),
             points: Vec::new(),
-            keys: vec![format!("[nominal] {} of robot.toml", missing.join(", "))],
+            keys: vec![format!("robot.toml: [nominal] {}", missing.join(", "))],
         });
     }
     all
@@ -191,7 +192,7 @@ fn base(robot: &dyn Robot) -> impl Iterator<Item = &str> {
     robot.parameters().iter().filter(|p| p.role == Role::Base).map(|p| p.name.as_str())
 }
 
-/// Labels and features that make a frame, each as often as needed and no more.
+/// Labels and features that define a frame, each as often as needed and no more.
 fn once_measured(world: &WorldDefinition, features: &FeaturesDocument) -> Vec<String> {
     if world.each.is_some() {
         return Vec::new();
@@ -221,7 +222,7 @@ fn once_measured(world: &WorldDefinition, features: &FeaturesDocument) -> Vec<St
     names
 }
 
-/// Returns a warning where the identified base is far from its place in robot.toml, which states no
+/// Returns a warning if the identified base is far from its position in robot.toml, which states no
 /// tolerance.
 pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) -> Option<Message> {
     let stated = base(robot).all(|name| campaign.robot.states_nominal(name)) && robot.free_base().is_some();
@@ -264,7 +265,7 @@ pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) ->
     Some(message.to_decide())
 }
 
-/// The rotations that bring a cube to itself, but for none.
+/// The rotations that map a cube onto itself, without the identity.
 fn cube() -> Vec<Pose> {
     let about = |axis: usize, k: u8| match axis {
         0 => Pose::identity().turn_x(f64::from(k) * FRAC_PI_2),

@@ -1,5 +1,5 @@
-//! Controller files of formats that leave identified parameters out: their values, and errors at
-//! the measured poses.
+//! Controller files of formats that omit identified parameters: their values, and errors at the
+//! measured poses.
 
 use super::evaluate::summarise;
 use super::identification::Identified;
@@ -10,7 +10,7 @@ use etalon_controllers::{Exporter, Given, Statement};
 use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
 use etalon_robots::Robot;
 
-/// Identifies again for each of these formats that leaves identified parameters out; `None` if none
+/// Identifies again for each of these formats that omits identified parameters; `None` if no format
 /// does.
 pub fn identify_again(
     given: &Given,
@@ -37,8 +37,8 @@ pub fn identify_again(
     ControllersDocument::new(files, messages)
 }
 
-/// Refusals of files that are worse than nominal, and warnings about files that are not clearly
-/// better; files of the same errors share a warning.
+/// Refusals of files that are worse than nominal, and warnings about files that are hardly better;
+/// files with the same errors share a warning.
 fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     let (mut refused, mut near) = (Vec::new(), Vec::<(Statement, Vec<&str>)>::new());
     for &(name, exporter) in formats {
@@ -57,8 +57,8 @@ fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     refused
 }
 
-/// Values of a format that leaves parameters out or ties them; `None` if the format holds the
-/// identified values.
+/// Values of a format that omits or ties parameters; `None` if the format holds the identified
+/// values.
 fn of_format(
     given: &Given,
     robot: &dyn Robot,

@@ -1,6 +1,6 @@
 //! Conventions of orientations. A table states orientations in a unit, an order, a handedness and a
-//! direction; each may differ from what the columns say. A slip is named if it brings the observed
-//! orientations to those of the nominal robot, which positions place.
+//! direction; each may differ from the columns. A slip is named if its correction brings the
+//! observed orientations to those of the nominal robot located by positions.
 
 use crate::stages::orientations::{AngleOrder, Form, Written};
 use etalon_base::catalogue::Phrase;
@@ -11,21 +11,21 @@ use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_f
 use etalon_math::statistics::median;
 use etalon_robots::Robot;
 
-/// Poses at which conventions are tried.
+/// Number of poses at which conventions are tried.
 const SUBSET: usize = 48;
 /// Median angle (rad) between observed and nominal orientations below which no slip is searched
-/// for: joints of robots are wrong by as much.
+/// for: joints of robots have errors of this size.
 const RIGHT: f64 = 3.0 * DEG;
-/// Largest share of the angles that a slip leaves, of the angles as stated and of the turns of the
-/// robot itself.
+/// Maximum share of the angles after correction of a slip, relative to the angles as stated and to
+/// the rotations of the robot.
 const LEFT: f64 = 0.2;
-/// Slips that leave at most this many times the least are named beside it.
+/// Slips whose angles are at most this multiple of the smallest are named beside it.
 const AS_GOOD: f64 = 1.5;
-/// Slips that are named.
+/// Maximum number of named slips.
 const NAMED: usize = 3;
 const DEG: f64 = std::f64::consts::PI / 180.0;
 
-/// A slip, the observed orientations without it, and the joint that is reversed.
+/// A slip, the corrected orientations, and the reversed joint.
 struct Slip {
     what: Phrase,
     bodies: Vec<Option<Pose>>,
@@ -33,8 +33,8 @@ struct Slip {
 }
 
 /// Returns an error that names the slip with which observed orientations fit the robot, where they
-/// are far from it as stated. `written` are the orientations of the table, in the order of the
-/// conditions.
+/// are far from it as stated. `written` are the orientations of the table that are in the world, in
+/// the order of the conditions.
 pub fn wrong(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -42,7 +42,7 @@ pub fn wrong(
     written: &[Written],
     order: Option<AngleOrder>,
 ) -> Option<Message> {
-    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
+    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_world_orientation()).collect();
     if conditions.is_empty() || conditions.len() != written.len() || observations.is_empty() {
         return None;
     }
@@ -82,7 +82,7 @@ pub fn wrong(
     Some(message.hint(phrase!("check-slips", slips)))
 }
 
-/// Observed orientations to try slips on.
+/// Observed orientations for the search for slips.
 struct Trial<'a> {
     robot: &'a dyn Robot,
     /// Conditions of orientations.
@@ -92,7 +92,7 @@ struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// Parameters of the nominal robot where positions place it.
+    /// Parameters of the nominal robot located by positions.
     fn placed(&self, reversed: Option<usize>) -> Option<Vec<f64>> {
         let settings = Settings { conditions: Vec::new(), known: Vec::new(), ..self.settings.clone() };
         let mut positions = self.positions.clone();
@@ -105,10 +105,10 @@ impl Trial<'_> {
     /// Median angle between these orientations and those of the robot with `values`, rad.
     fn misfit_rad(&self, bodies: &[Option<Pose>], reversed: Option<usize>, values: &[f64]) -> Option<f64> {
         let condition = |(c, body): (&&Condition, &Option<Pose>)| {
-            let Kind::Orientation(Orientation { mounting, .. }) = c.kind else { return None };
+            let Kind::Orientation(observed) = c.kind else { return None };
             let mut joints = c.joints.clone();
             reversed.into_iter().for_each(|joint| joints[joint] = -joints[joint]);
-            let kind = Kind::Orientation(Orientation { world_T_body: (*body)?, mounting });
+            let kind = Kind::Orientation(Orientation { frame_T_body: (*body)?, ..observed });
             Some(Condition { kind, joints, ..(*c).clone() })
         };
         let conditions: Vec<Condition> = self.conditions.iter().zip(bodies).filter_map(condition).collect();
@@ -119,7 +119,7 @@ impl Trial<'_> {
     }
 }
 
-/// The orientations of a table without one slip, for each.
+/// The orientations of a table with one slip corrected, for each slip.
 fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]) -> Vec<Slip> {
     let mut all = Vec::new();
     let mut add = |slip: &str, name: &str, bodies: Vec<Option<Pose>>| {
@@ -168,7 +168,7 @@ fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]
     all
 }
 
-/// The rotation of a quaternion, the scalar first; `None` where it has no length.
+/// The rotation of a quaternion, the scalar first; `None` if its length is zero.
 fn quaternion(numbers: [f64; 4]) -> Option<Pose> {
     let length = norm([numbers[1], numbers[2], numbers[3]]).hypot(numbers[0]);
     (length > 0.5).then(|| Pose::from_quaternion(numbers))

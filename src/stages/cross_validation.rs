@@ -22,20 +22,21 @@ use etalon_robots::{Effect, Quantity, Robot};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Parts into which the poses are cut.
+/// Number of parts into which the poses are divided.
 const FOLDS: usize = 5;
-/// Fewest parts.
+/// Minimum number of parts.
 const FEWEST: usize = 3;
-/// Number of cuts of this many poses: one where they are many, at most three.
+/// Number of divisions for this number of poses: one if they are many, at most three.
 fn repeats(poses: usize) -> usize {
     (300 / poses).clamp(1, 3)
 }
 
-/// Seed of the parts.
+/// Seed of the division.
 const SEED: u64 = 4;
-/// Significance of a parameter's change, corrected for their number, and of an effect.
+/// Significance level of a parameter's change, corrected for the number of parameters, and of an
+/// effect.
 pub(super) const SIGNIFICANCE: f64 = 0.05;
-/// Poses on which effects that are not identified are tried.
+/// Maximum number of poses on which effects that are not identified are tried.
 const TRIED_POSES: usize = 200;
 
 /// Cross-validation of effects on the poses of a set.
@@ -44,7 +45,7 @@ pub(super) struct Study<'a> {
     /// Readings of the calibration.
     pub sets: &'a Sets,
     settings: Settings,
-    /// Effect of each parameter; `None` of base, targets and fixtures.
+    /// Effect of each parameter; `None` for base and targets.
     pub effects: Vec<Option<Effect>>,
     /// Base and targets alone, fitted to all poses.
     pub before: Vec<f64>,
@@ -53,17 +54,18 @@ pub(super) struct Study<'a> {
     pub poses: usize,
 }
 
-/// Names of parameters to hold, from what those before have identified.
+/// Function that returns the names of parameters to hold, from those that the previous ones
+/// identified.
 type Again<'a> = &'a (dyn Fn(&Identification) -> Vec<String> + Sync);
 /// Squared position errors of poses: mean of each, mm².
 type Squares = BTreeMap<PoseName, f64>;
 
-/// Errors that a choice of parameters leaves.
+/// Errors with a choice of parameters.
 pub(super) struct Tried {
     pub found: Identification,
-    /// At poses that were left out.
+    /// At left-out poses.
     left_out: Squares,
-    /// At all poses, from which it was identified.
+    /// At all poses, from which the parameters were identified.
     fitted: Squares,
 }
 
@@ -71,7 +73,8 @@ impl<'a> Study<'a> {
     /// Study of the calibration readings of `sets`; `settings` have their conditions.
     ///
     /// # Errors
-    /// Too few poses, readings without a length, or a failed fit of base and targets.
+    /// Fails with too few poses, with readings that have no length, or if the fit of base and
+    /// targets fails.
     pub fn new(robot: &'a dyn Robot, sets: &'a Sets, settings: Settings) -> Result<Self> {
         let names = poses(&sets.calibration, &settings.conditions);
         let parts = FOLDS.min(names.len());
@@ -90,7 +93,7 @@ impl<'a> Study<'a> {
         Ok(study)
     }
 
-    /// Folds of the first cut, in which every pose is left out once.
+    /// Folds of the first division, in which every pose is left out once.
     pub fn first_cut(&self) -> &[BTreeSet<PoseName>] {
         &self.folds[..self.folds.len() / repeats(self.poses)]
     }
@@ -101,22 +104,22 @@ impl<'a> Study<'a> {
         held.map(|(i, _)| self.robot.parameters()[i].name.clone()).collect()
     }
 
-    /// The settings that hold these parameters too.
+    /// Returns the settings with these parameters also held.
     pub fn holding(&self, names: Vec<String>) -> Settings {
         with_held(&self.settings, names)
     }
 
-    /// The settings that identify these effects, and base and targets.
+    /// Returns the settings that identify these effects, and base and targets.
     pub fn of_effects(&self, chosen: &[Effect]) -> Settings {
         self.holding(self.held(|i| self.effects[i].is_some_and(|effect| chosen.contains(&effect))))
     }
 
-    /// Identifies from all poses, from where base and targets are.
+    /// Identifies from all poses, starting from base and targets.
     pub fn identify(&self, settings: &Settings) -> Result<Identification> {
         self.identify_from(&self.sets.calibration, settings)
     }
 
-    /// Identifies from all poses but these.
+    /// Identifies from all poses except these.
     pub fn without(&self, fold: &BTreeSet<PoseName>, settings: &Settings) -> Result<Identification> {
         let (sets, settings) = split(self.robot, self.sets, settings, fold);
         self.identify_from(&sets.calibration, &settings)
@@ -126,7 +129,7 @@ impl<'a> Study<'a> {
         etalon_identify::identify_from(self.robot, observations, settings, &self.before).map_err(remedied)
     }
 
-    /// Tries a choice of parameters, which may be made anew in each fold from what that identifies.
+    /// Tries a choice of parameters, which may be made again in each fold from its identification.
     pub fn tried(&self, settings: &Settings, again: Option<Again>) -> Result<Tried> {
         let choose = |observations: &[Observation], settings: &Settings| -> Result<Identification> {
             let found = self.identify_from(observations, settings)?;
@@ -150,8 +153,8 @@ impl<'a> Study<'a> {
         squares_at(self.robot, (observations, conditions), values)
     }
 
-    /// Adds effects one by one, the best of those that are left first, while the poses that were
-    /// left out become better.
+    /// Adds effects one by one, the best of the remaining ones first, while errors at left-out
+    /// poses decrease.
     pub fn steps(&self, none: &Tried, one_more: &mut dyn FnMut()) -> Result<(Vec<EffectStep>, Vec<Effect>)> {
         let mut steps = vec![none.step(None, None, true)];
         let mut chosen: Vec<Effect> = Vec::new();
@@ -183,7 +186,7 @@ impl<'a> Study<'a> {
     }
 }
 
-/// The settings that hold these parameters too.
+/// Returns the settings with these parameters also held.
 fn with_held(settings: &Settings, names: Vec<String>) -> Settings {
     let mut settings = settings.clone();
     settings.hold.extend(names);
@@ -201,7 +204,7 @@ fn joints<'r>(observations: &'r [Observation], conditions: &'r [Condition]) -> i
     observations.iter().map(|o| o.joints.as_slice()).chain(conditions.iter().map(|c| c.joints.as_slice()))
 }
 
-/// The poses in random parts, as often as they are cut.
+/// The poses in random parts, for each division.
 fn folds(mut names: Vec<PoseName>, parts: usize) -> Vec<BTreeSet<PoseName>> {
     let mut folds = Vec::new();
     for repeat in 0..repeats(names.len()) {
@@ -211,8 +214,8 @@ fn folds(mut names: Vec<PoseName>, parts: usize) -> Vec<BTreeSet<PoseName>> {
     folds
 }
 
-/// Returns the readings to identify from (all poses but those of a fold) and the readings to test
-/// on (those of the fold, of targets and fixtures that the other poses show).
+/// Returns the readings for identification (all poses except those of a fold) and the readings for
+/// testing (those of the fold, with targets and fixtures that occur in the other poses).
 fn split(robot: &dyn Robot, all: &Sets, settings: &Settings, fold: &BTreeSet<PoseName>) -> (Sets, Settings) {
     let (validation, calibration) = all.calibration.iter().cloned().partition(|o| fold.contains(&o.pose));
     let (validation_conditions, conditions): (_, Vec<Condition>) =
@@ -234,7 +237,7 @@ fn squares_at(robot: &dyn Robot, (out, conditions): (&[Observation], &[Condition
     all.into_iter().map(|(pose, squares)| (pose, mean(squares))).collect()
 }
 
-/// Means over the cuts.
+/// Means over the divisions.
 fn mean_of(folds: Vec<Squares>) -> Squares {
     let mut all: BTreeMap<PoseName, Vec<f64>> = BTreeMap::new();
     folds.into_iter().flatten().for_each(|(pose, squared)| all.entry(pose).or_default().push(squared));
@@ -260,7 +263,7 @@ fn f_test(before: [f64; 3], after: [f64; 3]) -> [f64; 2] {
     [f, Variance::Estimated(degrees).exceedance(more * f, more as usize)]
 }
 
-/// All effects, the plainer first.
+/// All effects, the simpler ones first.
 pub(super) const ALL: [Effect; 7] = [
     Effect::Zeros,
     Effect::Geometry,
@@ -284,7 +287,7 @@ impl Tried {
         [squares, found.degrees_of_freedom as f64, found.determined]
     }
 
-    /// F of what this explains more, and its p value.
+    /// F statistic of the further explained variance, and its p value.
     fn f_test(&self, before: &Self) -> Option<[f64; 2]> {
         (self.found.free.len() > before.found.free.len()).then(|| f_test(before.fit(), self.fit()))
     }
@@ -309,16 +312,16 @@ impl Tried {
         }
     }
 
-    /// Statistics of the errors of poses that were left out.
+    /// Statistics of the errors at left-out poses.
     pub fn statistics(&self) -> Statistics {
         summarise(self.left_out.values().map(|squared| squared.sqrt()).collect())
     }
 }
 
-/// The effects that poses prove that are left out, and what each of them is worth.
+/// The effects that left-out poses prove, and the benefit of each.
 ///
 /// # Errors
-/// As of [`Study::new`], or a failed identification.
+/// Fails like [`Study::new`], or if the identification fails.
 pub(super) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Result<(Vec<Effect>, Vec<EffectProof>)> {
     let study = Study::new(robot, sets, settings.clone())?;
     let none = study.tried(&study.of_effects(&[]), None)?;
@@ -349,9 +352,8 @@ fn joints_of(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String> {
     joints.into_iter().filter_map(|joint| Some(robot.joints().get(joint)?.name.clone())).collect()
 }
 
-/// Effects that `settings` leave out of the identification and that would prove themselves, each
-/// beside those that are identified. `found` is where they start; errors are those of at most 200
-/// poses.
+/// Effects that `settings` do not identify and that are significant, each in addition to the
+/// identified ones. Fits start at `found`; errors are those of at most 200 poses.
 pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found: &Identification) -> Vec<EffectProof> {
     let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
     let stated = |i: usize| {
@@ -381,10 +383,10 @@ pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
     candidates.filter_map(proof).collect()
 }
 
-/// Number of joints whose bending is tried where robot.toml states none: the first that carry a
+/// Number of joints whose bending is tried if robot.toml states none: the first that carry a
 /// moment.
 const BENDING: usize = 2;
-/// Load of a joint, over the largest that it may have, from which it carries a moment.
+/// Minimum load of a joint that carries a moment, relative to its largest possible load.
 const LOADED: f64 = 0.1;
 
 /// Returns the bending of the first joints of an arm that carry a moment, if robot.toml lacks it
@@ -443,7 +445,7 @@ fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTre
     Some((Sets { calibration, ..Sets::default() }, Settings { conditions, ..settings.clone() }, folds))
 }
 
-/// Returns the gain of an effect that is not identified, if the effect proves itself: fits and
+/// Returns the gain of an effect that is not identified, if the effect is significant: fits and
 /// errors without it and with it.
 fn would_prove(
     (plain, without): ([f64; 3], &Squares),
@@ -472,8 +474,8 @@ struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// Sum of squares, degrees of freedom and parameters of the fit to all poses, and errors of
-    /// poses that were left out.
+    /// Sum of squares, degrees of freedom and parameters of the fit to all poses, and errors at
+    /// left-out poses.
     fn of(&self, settings: &Settings) -> Option<([f64; 3], Squares)> {
         let fit = NestedFit::new(self.robot, &self.sets.calibration, settings, self.start).ok()?;
         let of_fold = |fold: &BTreeSet<PoseName>| -> Option<Squares> {

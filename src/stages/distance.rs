@@ -1,4 +1,4 @@
-//! Distances of the validation poses from the calibration poses: errors apply to poses at such
+//! Distances of the validation poses from the calibration poses: stated errors apply at such
 //! distances.
 
 use crate::stages::evaluate::Sets;
@@ -12,13 +12,13 @@ use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Distance below which a validation pose repeats its neighbour, whose errors the fit made small,
-/// in spacings of the calibration poses.
+/// Distance, in spacings of the calibration poses, below which a validation pose repeats a
+/// calibration pose, whose errors the fit reduced.
 const REPEATED: f64 = 0.1;
-/// Further than three spacings no calibration pose shows what the robot does there.
+/// Distance, in spacings, beyond which calibration poses do not represent the errors of the robot.
 const BEYOND: f64 = 3.0;
 
-/// Joint values of repeats of a pose scatter by less than this share of their range.
+/// Maximum scatter of joint values of repeats of a pose, as a share of their range.
 const SCATTER: f64 = 1e-3;
 
 /// Distances in joint space, each joint scaled by its range over the calibration poses; `None`
@@ -60,7 +60,7 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
     })
 }
 
-/// The space of the joints, each joint in its range over the calibration poses.
+/// Joint space, each joint scaled by its range over the calibration poses.
 struct JointSpace {
     ranges: Vec<(f64, f64)>,
 }
@@ -77,7 +77,8 @@ impl JointSpace {
         (0..self.ranges.len()).map(|axis| self.along(a, b, axis).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Distance from `q` to the nearest other one of `divided` points, or `best` if none is nearer.
+    /// Distance from `q` to the nearest other one of `divided` points, or `best` if that is
+    /// smaller.
     fn nearest(&self, q: &[f64], divided: &[Vec<f64>], axis: usize, mut best: f64) -> f64 {
         let Some(middle) = divided.get(divided.len() / 2) else { return best };
         let (below, above) = (&divided[..divided.len() / 2], &divided[divided.len() / 2 + 1..]);
@@ -92,7 +93,7 @@ impl JointSpace {
 }
 
 /// Orders points so that the middle one divides them along an axis, and each half likewise along
-/// the next (a k-d tree, Bentley 1975).
+/// the next axis (a k-d tree, Bentley 1975).
 fn divide(points: &mut [Vec<f64>], axis: usize) {
     if points.len() > 1 {
         let middle = points.len() / 2;
@@ -104,7 +105,7 @@ fn divide(points: &mut [Vec<f64>], axis: usize) {
     }
 }
 
-/// A warning where validation poses repeat those of the calibration, or lie far from them.
+/// Returns a warning if validation poses repeat the calibration poses, or are far from them.
 pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
     let median = distance.median;
     match () {

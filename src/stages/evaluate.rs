@@ -1,4 +1,5 @@
-//! Errors before and after: measured against predicted, on calibration and validation poses apart.
+//! Errors before and after: measured minus predicted, separately for calibration and validation
+//! poses.
 
 use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
@@ -22,21 +23,21 @@ use etalon_robots::Robot;
 use polars::prelude::{Column, DataFrame};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Observations split into those to identify on and those to test on.
+/// Observations divided into calibration and validation.
 #[derive(Clone, Debug, Default)]
 pub struct Sets {
-    /// To identify on.
+    /// For calibration.
     pub calibration: Vec<Observation>,
-    /// To test on; may be empty.
+    /// For validation; may be empty.
     pub validation: Vec<Observation>,
-    /// Conditions beside the positions, to identify from.
+    /// Conditions in addition to the positions, for calibration.
     pub calibration_conditions: Vec<Condition>,
-    /// Conditions beside the positions, to test on.
+    /// Conditions in addition to the positions, for validation.
     pub validation_conditions: Vec<Condition>,
 }
 
 impl Sets {
-    /// Observations of a set, and what else was observed.
+    /// Observations and conditions of a set.
     pub fn of(&self, set: PoseSet) -> (&[Observation], &[Condition]) {
         match set {
             PoseSet::Calibration => (&self.calibration, &self.calibration_conditions),
@@ -45,8 +46,8 @@ impl Sets {
     }
 }
 
-/// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log
-/// that is identified.
+/// Divides observations; indices of poses count from 0 over `poses`, the remaining poses of the
+/// identified log.
 pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
     let indices: BTreeMap<PoseName, usize> = poses.iter().enumerate().map(|(i, pose)| (*pose, i)).collect();
     let index = |pose: PoseName| indices.get(&pose).copied().unwrap_or_else(|| poses.range(..pose).count());
@@ -115,8 +116,8 @@ impl BeforeAfter<'_> {
         all
     }
 
-    /// Adds the error of a condition: of an orientation the angle, beside the error of the same
-    /// target's position.
+    /// Adds the error of a condition: of an orientation the angle, beside the position error of the
+    /// same target.
     fn condition_error(&self, condition: &Condition, set: PoseSet, all: &mut Vec<PointError>) {
         let Self { robot, before, after } = *self;
         let target = &robot.targets()[condition.target];
@@ -150,7 +151,7 @@ impl BeforeAfter<'_> {
         });
     }
 
-    /// Errors of each target of a pose in space; with three or more, the rotation that is left
+    /// Errors of each target of a pose in space; with three or more, the rotation that remains
     /// between them.
     fn target_errors(&self, o: &Observation, set: PoseSet) -> Vec<PointError> {
         let Self { robot, before, after } = *self;
@@ -184,8 +185,8 @@ impl BeforeAfter<'_> {
     }
 }
 
-/// Adds the time of each observation (s) from the first, as the last of what errors are drawn
-/// against; `true` if there are times.
+/// Adds the time of each observation (s) from the first, as the last of the quantities against
+/// which errors are drawn; `true` if there are times.
 pub fn with_times(errors: &mut [PointError], times: &[ObservationTime]) -> bool {
     if times.is_empty() {
         return false;
@@ -210,8 +211,8 @@ fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
     robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect()
 }
 
-/// Parameters that are judged, with the observations that judge them and those that place base,
-/// targets and fixtures.
+/// Judged parameters, the observations that judge them, and those that locate base, targets and
+/// fixtures.
 #[derive(Clone, Copy)]
 pub struct Judged<'a> {
     /// Robot.
@@ -221,13 +222,13 @@ pub struct Judged<'a> {
     /// Indices of the parameters of base, targets and fixtures that were fitted to the calibration
     /// poses.
     pub set_up: &'a [usize],
-    /// All observations, those of targets that are placed by themselves included.
+    /// All observations, including those of separately located targets.
     pub sets: &'a Sets,
     /// Weights of the observations.
     pub settings: &'a Settings,
 }
 
-/// Uncertainties of measured errors. The parameters are what is judged, and add nothing.
+/// Uncertainties of measured errors. The parameters are under test and contribute nothing.
 #[derive(Clone, Debug, Default)]
 pub struct ErrorUncertainty {
     /// Budget of each figure of lengths.
@@ -240,10 +241,10 @@ pub struct ErrorUncertainty {
 
 impl ErrorUncertainty {
     /// Propagates the uncertainty of instrument, frames, scale, temperature and homing to the
-    /// errors of the poses that decide.
+    /// errors of the deciding poses.
     ///
     /// # Errors
-    /// If residuals cannot be evaluated.
+    /// Fails if residuals cannot be evaluated.
     pub fn of(campaign: &Campaign, judged: Judged, systematic: &Systematic) -> Result<Self> {
         let Judged { robot, values, set_up, sets, settings } = judged;
         let instrument = &campaign.file.instrument;
@@ -286,8 +287,8 @@ impl ErrorUncertainty {
     }
 }
 
-/// Largest standard uncertainty (rad) of the rotation of a frame that was measured again at each
-/// pose; the base is fitted in what all poses have in common.
+/// Largest standard uncertainty (rad) of the rotation of a frame that is measured again at each
+/// pose; the base absorbs the part that is common to all poses.
 fn frame_rotation_rad(systematic: &Systematic, planar: bool) -> f64 {
     let axes = if planar { 5..6 } else { 3..6 };
     let of = |frame: &FrameError| axes.clone().map(|i| frame.covariance[i][i]).sum::<f64>();
@@ -296,7 +297,7 @@ fn frame_rotation_rad(systematic: &Systematic, planar: bool) -> f64 {
 
 /// Standard uncertainty of the rotation of the targets of an observation, rad for 1 mm of a
 /// coordinate: the root of the trace of the inverse of Σ(|r|²I - r rᵀ), r from their centroid;
-/// planar robots turn about z alone.
+/// planar robots rotate about z alone.
 fn rotation_per_mm(o: &Observation, planar: bool) -> Option<f64> {
     let measured: Vec<Vector> = o.targets.iter().flatten().copied().collect();
     let middle = centroid(&measured)?;
@@ -344,6 +345,7 @@ pub fn evaluate(
         effects: Vec::new(),
         budget: uncertainty.figures,
         trends: Vec::new(),
+        parameter_influences: Vec::new(),
         limits: verdicts,
         tool: None,
         map: None,
@@ -351,8 +353,8 @@ pub fn evaluate(
     }
 }
 
-/// Verdicts on the limits of errors, at the poses that decide. A quantity that these do not show is
-/// not assessable.
+/// Verdicts on the limits of errors, at the deciding poses. A limit is not assessable if its
+/// quantity was not measured there.
 fn verdicts(limits: &Limits, judged: Option<&AccuracySet>, uncertainty: &ErrorUncertainty) -> Vec<LimitVerdict> {
     let rule = limits.decision_rule.unwrap_or_default();
     let verdict = |(name, limit): (LimitQuantity, f64)| {
@@ -386,7 +388,7 @@ fn accuracy_of(name: PoseSet, errors: &[&PointError], planar: bool, uncertainty:
     AccuracySet { name, poses: poses.len(), count: errors.len(), errors: quantities }
 }
 
-/// Budgets of figures from the variances that each source contributes (mm²).
+/// Budgets of figures from the variances (mm²) of each source.
 fn budgets(figures: Vec<FigureUncertainty>) -> Vec<FigureBudget> {
     let contribution = |(source, variance): (identify::UncertaintySource, f64)| FigureContribution {
         source: source.into(),
@@ -462,7 +464,7 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
 /// Column of the quantities of errors.
 const QUANTITY: &str = "quantity";
 
-/// Column of the redundancy of readings that place their own target.
+/// Column of the redundancy of readings that locate their own target.
 const OWN_REDUNDANCY: &str = "own_redundancy";
 
 /// Name of a column, and the number in it.

@@ -1,5 +1,5 @@
-//! Excitation: how far each joint moves in the calibration poses, and what that leaves to
-//! tolerances.
+//! Excitation: the range of each joint in the calibration poses, and the parameters that remain at
+//! their tolerances.
 
 use crate::stages::shown;
 use etalon_base::message::Message;
@@ -8,13 +8,13 @@ use etalon_documents::JointTravel;
 use etalon_identify::{Observation, Settings, fit_frames, left_to_tolerances};
 use etalon_robots::{Quantity, Robot};
 
-/// A joint that turns by less does not move, rad.
+/// Minimum motion (rad) of a revolute joint.
 const STILL_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
-/// A sliding joint that moves by less does not move, mm.
+/// Minimum motion (mm) of a prismatic joint.
 const STILL_MM: f64 = 0.5;
-/// Poses that show what joints do not determine.
+/// Number of poses for finding undetermined parameters.
 const SUBSET: usize = 96;
-/// Parameters that a message names.
+/// Maximum number of parameters in a message.
 const NAMED: usize = 8;
 
 /// Ranges of all joints, mm or deg.
@@ -26,13 +26,13 @@ pub(super) fn travels(robot: &dyn Robot, observations: &[Observation], settings:
     robot.joints().iter().enumerate().filter_map(travel).collect()
 }
 
-/// Least and largest value of a joint, mm or rad.
+/// Smallest and largest value of a joint (mm or rad).
 fn ends(observations: &[Observation], settings: &Settings, joint: usize) -> Option<[f64; 2]> {
     let poses = observations.iter().map(|o| &o.joints).chain(settings.conditions.iter().map(|c| &c.joints));
     poses.map(|joints| [joints[joint]; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }
 
-/// Warnings about joints that do not move where the data then leave parameters to their tolerances.
+/// Warnings about joints that do not move, if parameters then remain at their tolerances.
 pub(super) fn still_joints(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Vec<Message> {
     let still = |&joint: &usize| {
         let least = if robot.joints()[joint].quantity == Quantity::Angle { STILL_RAD } else { STILL_MM };

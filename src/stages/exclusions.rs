@@ -1,4 +1,4 @@
-//! Readings and rows that are left out, each with its reason, which the report repeats.
+//! Excluded readings and rows, each with its reason, which the report repeats.
 
 use crate::stages::kinds::Observed;
 use etalon_base::message::{Message, Place, Problems, Result};
@@ -10,7 +10,7 @@ use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
-/// A rule of exclusion, and where it is stated.
+/// A rule of exclusion, and the place where it is stated.
 #[derive(Clone, Debug)]
 pub struct Exclusion {
     /// The rule.
@@ -26,7 +26,7 @@ impl Exclusion {
         stated.exclude.iter().map(rule).collect()
     }
 
-    /// Returns a predicate that is `true` for the readings that the rule names, by pose, cycle and
+    /// Returns a predicate that is `true` for the readings named by the rule, by pose, cycle and
     /// target; `None` for a rule without poses.
     pub fn covering(&self) -> Option<impl Fn(PoseName, i64, &str) -> bool + '_> {
         let Exclude { poses, cycle: only, target: of, .. } = &self.rule;
@@ -38,10 +38,10 @@ impl Exclusion {
         })
     }
 
-    /// The rule that an option `POSES: REASON` states.
+    /// The rule stated by an option `POSES: REASON`.
     ///
     /// # Errors
-    /// An option without a reason.
+    /// Fails if an option states no reason.
     pub fn of_option(option: &str, text: &str) -> Result<(StatedPoses, String)> {
         let (named, reason) = text.split_once(':').unwrap_or((text, ""));
         if reason.trim().is_empty() {
@@ -51,8 +51,8 @@ impl Exclusion {
     }
 }
 
-/// Leaves out the readings of the excluded poses, and names them with their reasons. The readings
-/// of each rule must exist, whatever other rules exclude.
+/// Excludes the readings of the excluded poses, and names them with their reasons. The readings of
+/// each rule must exist, regardless of other rules.
 pub fn exclude(rules: &[Exclusion], robot: &dyn Robot, observed: &mut Observed) -> Result<Vec<Message>> {
     let Observed { observations, settings: Settings { conditions, .. } } = observed;
     let (mut messages, mut problems) = (Vec::new(), Problems::default());
@@ -90,14 +90,14 @@ pub fn exclude(rules: &[Exclusion], robot: &dyn Robot, observed: &mut Observed) 
     Ok(messages)
 }
 
-/// Place of a reading: a target of an observation, or a condition.
+/// Index of a reading: a target of an observation, or a condition.
 #[derive(Clone, Copy, PartialEq)]
 enum Source {
     Target(usize, usize),
     Condition(usize),
 }
 
-/// Reading as rules name it.
+/// Reading in the terms of rules.
 struct Reading {
     pose: PoseName,
     cycle: i64,
@@ -105,7 +105,7 @@ struct Reading {
     source: Source,
 }
 
-/// Everything that was measured.
+/// All readings.
 fn readings(observations: &[Observation], conditions: &[Condition]) -> Vec<Reading> {
     let of_target = |(i, o): (usize, &Observation)| {
         let (pose, cycle) = (o.pose, o.cycle);
@@ -123,7 +123,7 @@ fn readings(observations: &[Observation], conditions: &[Condition]) -> Vec<Readi
     targets.chain(conditions.iter().enumerate().map(of_condition)).collect()
 }
 
-/// The readings that a rule excludes, by their indices.
+/// Indices of the readings that a rule excludes.
 fn readings_of(
     rule: &Exclude,
     poses: &StatedPoses,
@@ -156,10 +156,10 @@ fn readings_of(
     Ok(all)
 }
 
-/// The data rows, from 1, that a rule leaves out.
+/// The data rows, from 1, that a rule excludes.
 ///
 /// # Errors
-/// A rule without a reason or without numbers, or one that names no row.
+/// Fails if a rule has no reason or no numbers, or names no row.
 pub fn excluded_rows(
     stated: &StatedPoses,
     reason: &str,

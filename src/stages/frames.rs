@@ -1,4 +1,4 @@
-//! World frames from features and targets (thesis 3.4.1), and targets brought into them.
+//! World frames from features and targets (thesis 3.4.1), and targets transformed into them.
 
 use crate::stages::gather::used_labels;
 use crate::stages::labelled_points::LabelledPoints;
@@ -85,14 +85,15 @@ fn fitted(element: &str, points: &[Vector], settings: &etalon_fit::FitSettings) 
     }
 }
 
-/// A direction worse known than this spoils a frame: 0.1 deg is 0.5 mm over 300 mm.
+/// Standard uncertainty (deg) of a direction above which a warning is given: 0.1 deg is 0.5 mm over
+/// 300 mm.
 const DIRECTION_POOR_DEG: f64 = 0.1;
 /// Largest standard uncertainty (deg) of a direction that may define a frame.
 const DIRECTION_UNKNOWN_DEG: f64 = 3.0;
-/// `towards` must be off the axis by this share of its distance from the origin.
+/// Minimum distance of `towards` from the axis, as a share of its distance from the origin.
 const OFF_AXIS: f64 = 0.01;
 
-/// Makes the world frame of a campaign; `planar` for robots that move in its xy plane.
+/// Computes the world frame of a campaign; `planar` for robots that move in its xy plane.
 pub fn make_frames(
     campaign: &Campaign,
     points: &[Point],
@@ -113,7 +114,7 @@ pub fn make_frames(
     })
 }
 
-/// The world frame from these points alone, without the covariance of one that features define.
+/// The world frame from these points alone, without the covariance of a frame defined by features.
 pub fn place(campaign: &Campaign, points: &[Point]) -> Result<WorldFrame> {
     placed(campaign, points, &elements(campaign, points)?)
 }
@@ -161,7 +162,7 @@ fn fixed(definition: Phrase, export_T_world: Pose) -> WorldFrame {
 struct Geometry {
     /// Point and direction of the features.
     features: BTreeMap<String, (Vector, Vector)>,
-    /// Places of the labels that are no features.
+    /// Positions of the labels that are not features.
     places: BTreeMap<String, Vector>,
 }
 
@@ -188,7 +189,7 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
     let place = |name: &Spanned<String>| {
         let text = name.get_ref();
         let found = geometry.features.get(text).map(|(point, _)| *point).or_else(|| geometry.places.get(text).copied());
-        found.map(project).ok_or_else(|| error!("frame-name-unknown", name = text).at(campaign.place(name)))
+        found.map(project).ok_or_else(|| error!("point-or-feature-unknown", name = text).at(campaign.place(name)))
     };
     let origin = place(world.origin.as_ref().ok_or_else(|| lacks("origin"))?)?;
     let towards = place(world.towards.as_ref().ok_or_else(|| lacks("towards"))?)?;
@@ -203,7 +204,7 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         _ => [0.0; 3],
     };
     let along = minus(along, normal.map(|n| n * dot(along, normal)));
-    let first = unit(along).ok_or_else(|| error!("world-axis-without-direction").at(campaign.world_place()))?;
+    let first = unit(along).ok_or_else(|| error!("frame-axis-without-direction").at(campaign.world_place()))?;
     let side = minus(towards, origin);
     let off_axis = minus(side, first.map(|v| v * dot(side, first)));
     let other = unit(off_axis)
@@ -222,8 +223,8 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
     Ok(fixed(definition, from_axes(origin, x, y)))
 }
 
-/// Covariance of a world frame by the uncertainty of each point that makes it: Z = (f(x + u) − f(x
-/// − u)) / 2 for each coordinate (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
+/// Covariance of a world frame from the uncertainty of each point that defines it: Z = (f(x + u) −
+/// f(x − u)) / 2 for each coordinate (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
 fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, nominal: &Pose) -> Result<[[f64; 6]; 6]> {
     let mut basis = Basis::of(campaign, points, world);
     let mut sum = [[0.0; 6]; 6];
@@ -243,20 +244,20 @@ fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, no
     Ok(sum)
 }
 
-/// Points whose uncertainty is carried one by one.
+/// Maximum number of points whose uncertainty is propagated one by one.
 const FEW: usize = 300;
-/// Steps of the golden section meet no pattern in which points were measured.
+/// Golden-section steps, which avoid aliasing with patterns of the measured points.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Points that define a world frame. Of many points some of each label stand for all: each has the
-/// weight of those it stands for, and the uncertainty of their mean.
+/// Points that define a world frame. Some points of each label represent many: each has the weight
+/// of the points that it represents, and the uncertainty of their mean.
 struct Basis {
     points: Vec<Vector>,
     weights: Vec<f64>,
     u_mm: Vec<Vector>,
     /// Elements by name, and the points of each.
     features: Vec<(String, &'static str, Vec<usize>)>,
-    /// Labels that are no features, and their points.
+    /// Labels that are not features, and their points.
     places: Vec<(String, Vec<usize>)>,
 }
 
@@ -380,7 +381,7 @@ fn three_two_one_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]
     Some(sum)
 }
 
-/// Mean height of the targets in the world, mm; 0 where there are none.
+/// Mean height of the targets in the world (mm); 0 without targets.
 pub(super) fn target_height_mm(world: &WorldFrame, points: &[Point]) -> f64 {
     let Some(frame) = world.poses.first() else { return 0.0 };
     let world_T_export = frame.export_T_world.inverse();
@@ -390,7 +391,7 @@ pub(super) fn target_height_mm(world: &WorldFrame, points: &[Point]) -> f64 {
 }
 
 /// Moves the covariance of the frame of a planar robot to the mean height of its targets, where a
-/// tilt is a shift.
+/// tilt acts as a shift.
 fn at_height(world: &mut WorldFrame, points: &[Point]) {
     let height_mm = target_height_mm(world, points);
     // shift in x and y at this height, and the turn about z
@@ -423,8 +424,8 @@ fn three_two_one(p: &[Vector]) -> Option<Pose> {
     Some(from_axes(p[0], x, y))
 }
 
-/// Frame that targets carry: their mean places define it, and each pose is the best fit to those
-/// places.
+/// Frame defined by targets: their mean positions define it, and each pose is the best fit to these
+/// positions.
 fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String>], each: bool) -> Result<WorldFrame> {
     let names: Vec<&str> = targets.iter().map(|t| t.get_ref().as_str()).collect();
     if names.len() < 3 {
@@ -496,7 +497,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     })
 }
 
-/// Places of the named targets, by pose and cycle.
+/// Positions of the named targets, by pose and cycle.
 fn measured(points: &[Point], names: &[&str]) -> BTreeMap<Key, Vec<Option<Vector>>> {
     let mut seen: BTreeMap<Key, Vec<Option<Vector>>> = BTreeMap::new();
     for point in points {

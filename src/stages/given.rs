@@ -1,4 +1,4 @@
-//! Parameters that were identified before, to be compared with observations of today.
+//! Previously identified parameters, for comparison with new observations.
 
 use crate::stages::shown;
 use etalon_base::message::{Message, Result};
@@ -9,10 +9,10 @@ use etalon_identify::{GivenParameters, Observation, Settings, Variance};
 use etalon_robots::{Parameter, Robot, Role};
 use std::collections::BTreeMap;
 
-/// The parameters of `robot` that a document holds, those of other targets left out.
+/// The parameters of `robot` in a document, without those of other targets.
 ///
 /// # Errors
-/// A document of another robot, or without a parameter of this one.
+/// Fails if the document is of another robot, or lacks a parameter of this robot.
 pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenParameters> {
     check_described(robot, document)?;
     let mut values = robot.nominal();
@@ -63,11 +63,11 @@ fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &
     if names.is_empty() { message } else { message.hint(phrase!("parameters-lacking", names)) }
 }
 
-/// Rejects parameters of the robot that its description lacks: their values would be left out.
+/// Rejects parameters of the robot that its description lacks: their values would be ignored.
 /// Parameters without effect, at a nominal zero, may be missing.
 ///
 /// # Errors
-/// The names of these parameters, with the lines that robot.toml needs.
+/// Reports the names of these parameters, with the lines that robot.toml needs.
 pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Result<()> {
     let lacks = |entry: &&ParameterEntry| {
         let own = robot.parameters().iter().any(|p| p.name == entry.name && entry.unit == p.quantity.unit());
@@ -83,10 +83,10 @@ pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Resu
     Err(if lines.is_empty() { message } else { message.hint(phrase!("add-lines", lines)) }.into())
 }
 
-/// Parameters that a message names.
+/// Maximum number of parameters in a message.
 const NAMED: usize = 5;
 
-/// Lines of robot.toml that add these parameters to those that the robot has.
+/// Lines of robot.toml that add these parameters to those of the robot.
 fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
     let mut keys: BTreeMap<&str, (bool, Vec<Vec<String>>)> = BTreeMap::new();
     let optional = robot.optional_parameters();
@@ -112,10 +112,10 @@ fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
 }
 
 /// Returns nominal values, with the document's values for parameters of these roles: all parameters
-/// of the robot itself, the others where the document has them.
+/// of the robot itself, and the others that the document has.
 ///
 /// # Errors
-/// A document of another robot.
+/// Fails if the document is of another robot.
 pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[Role]) -> Result<Vec<f64>> {
     check_described(robot, document)?;
     let mut values = robot.nominal();
@@ -133,8 +133,7 @@ pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[R
     Ok(values)
 }
 
-/// Returns a warning where a nominal value of the robot differs from the one that the parameters
-/// were identified with.
+/// Returns a warning if a nominal value of the robot differs from that of the identification.
 pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option<Message> {
     let differs = |p: &&Parameter| {
         let stated = p.quantity.outward(p.nominal);
@@ -152,18 +151,18 @@ pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option
 pub struct ExpectedDeviation {
     /// Standard uncertainty of a measured coordinate, mm.
     pub measured_mm: f64,
-    /// Deviation that the model left unexplained in the calibration (standard deviation, mm).
+    /// Model error of the calibration (standard deviation, mm).
     pub model_mm: f64,
-    /// Kind of both variances.
+    /// Source of both variances.
     pub variance: Variance,
 }
 
 impl ExpectedDeviation {
-    /// Deviation of a calibration; `stated_mm` is the standard uncertainty of a coordinate where it
-    /// is measured with another instrument.
+    /// Deviation of a calibration; `stated_mm` is the standard uncertainty of a coordinate if it is
+    /// measured with another instrument.
     ///
     /// # Errors
-    /// A calibration whose residuals give no standard deviation.
+    /// Fails if the residuals of the calibration yield no standard deviation.
     pub fn of(document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let residuals = &document.residuals;
         let dof = residuals.degrees_of_freedom as f64;
@@ -185,14 +184,14 @@ impl ExpectedDeviation {
         Ok(Self { measured_mm: stated_mm.unwrap_or(u), model_mm, variance })
     }
 
-    /// Both together, mm.
+    /// Root sum of squares of both (mm).
     pub fn total_mm(&self) -> f64 {
         self.measured_mm.hypot(self.model_mm)
     }
 
     /// Returns settings with the noise of a measured coordinate. The covariance of each position
-    /// also holds what the model leaves unexplained: it is common to all positions of a pose, whose
-    /// weights give their mean this variance.
+    /// also contains the model error: it is common to all positions of a pose, whose weights give
+    /// their mean this variance.
     pub fn applied(&self, observations: &mut [Observation], settings: Settings) -> Settings {
         let mut points: BTreeMap<PoseName, usize> = BTreeMap::new();
         for o in observations.iter() {

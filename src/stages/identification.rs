@@ -1,4 +1,4 @@
-//! Identify: observations become parameters, and errors before and after.
+//! Identification: from observations to parameters, and errors before and after.
 
 use crate::stages::apart::Apart;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
@@ -9,6 +9,7 @@ use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
+use crate::stages::influence::influences;
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, RowDefaults};
@@ -26,7 +27,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections, StatedPoses};
 use etalon_documents::parameters_document;
 use etalon_documents::{
-    AccuracyDocument, EffectProof, FramePose, FramesDocument, JointTravel, ParametersDocument, PointError, WorldFrame,
+    AccuracyDocument, Conformity, EffectProof, FramePose, FramesDocument, JointTravel, LimitVerdict,
+    ParametersDocument, PointError, WorldFrame,
 };
 use etalon_formats::table;
 use etalon_identify::{
@@ -45,7 +47,7 @@ pub struct Identified {
     pub accuracy: AccuracyDocument,
     /// Errors of every observation.
     pub errors: Vec<PointError>,
-    /// The observations that were used.
+    /// Observations used.
     pub sets: Sets,
     /// Settings and weights of the identification.
     pub settings: Settings,
@@ -68,7 +70,7 @@ impl Identified {
     /// Errors of all observations with other values of the parameters.
     ///
     /// # Errors
-    /// If targets cannot be placed.
+    /// Fails if targets cannot be placed.
     pub fn errors_with(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<PointError>> {
         let Again { apart, before, .. } = &self.again;
         let mut errors = evaluate::errors(robot, &self.sets, before, values);
@@ -81,7 +83,7 @@ impl Identified {
     /// Identifies again with these parameters held at their nominal values.
     ///
     /// # Errors
-    /// If the solver fails.
+    /// Fails if the solver fails.
     pub fn without(&self, robot: &dyn Robot, held: &[String]) -> Result<Identification> {
         let hold = self.settings.hold.iter().chain(held).cloned().collect();
         let settings = Settings { hold, ..self.settings.clone() };
@@ -92,7 +94,7 @@ impl Identified {
     /// Fits base and targets again to a robot with these parameters.
     ///
     /// # Errors
-    /// If the solver fails.
+    /// Fails if the solver fails.
     pub fn with_frames(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<f64>> {
         etalon_identify::refit_frames(robot, &self.sets.calibration, &self.settings, values).map_err(remedied)
     }
@@ -140,6 +142,7 @@ pub fn identify(
     let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: &all, settings: &settings };
     let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
+    found.warnings.extend(accuracy.limits.iter().filter_map(not_assessable).map(Into::into));
     accuracy.placed_apart = placed.documents(robot);
     accuracy.effects = proofs.unwrap_or_else(|| unused(robot, &sets, &settings, &found));
     accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, &sets, &settings, &found));
@@ -172,9 +175,16 @@ pub fn identify(
         parameters.reliability = reliability_summary(robot, &reliability);
     }
     let base = robot.kinematics().and_then(|k| k.base_in_world(&found.values)).filter(|_| robot.platform().is_none());
+    accuracy.parameter_influences = influences(robot, &all, &found.values, &parameters);
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
     let again = Again { systematic, before, apart };
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })
+}
+
+/// Warning about a limit whose quantity the poses that decide do not show.
+fn not_assessable(limit: &LimitVerdict) -> Option<Message> {
+    (limit.conformity == Conformity::NotAssessable)
+        .then(|| warning!("limit-not-assessable", limit = limit.name.to_string()))
 }
 
 /// Sets the effects that the data prove, if the campaign asks for them, and returns the gain of
@@ -194,7 +204,7 @@ fn proven_effects(
     Ok(Some(proofs))
 }
 
-/// A remark on an effect that is not identified and would prove itself.
+/// Returns a remark on an effect that is not identified but significant.
 fn would_prove(proof: &EffectProof) -> Option<Message> {
     let EffectProof { joints, without_mm, with_mm, is_identified, robot_key, .. } = proof;
     if *is_identified {
@@ -216,7 +226,7 @@ impl Solved {
         Ok(Self { before, found: found.map_err(remedied)? })
     }
 
-    /// Leaves outliers out of the calibration until none is left, and names them.
+    /// Excludes outliers from the calibration until none is left, and names them.
     fn exclude_outliers(
         &mut self,
         robot: &dyn Robot,
@@ -234,8 +244,8 @@ impl Solved {
         Ok(messages)
     }
 
-    /// Returns errors before and after. Warnings that the result can be no robot come first, then
-    /// what is `said`.
+    /// Returns errors before and after. Warnings that the result is implausible come first, then
+    /// those in `said`.
     pub fn judge(
         &mut self,
         robot: &dyn Robot,
@@ -251,15 +261,15 @@ impl Solved {
     }
 }
 
-/// The observations of a campaign in its sets, and what weighs them.
+/// The observations of a campaign in its sets, and their weights.
 pub struct Selected {
     /// Observations by set.
     pub sets: Sets,
     /// Settings of an identification on the calibration poses.
     pub settings: Settings,
-    /// Readings of targets and fixtures that no calibration pose shows: they are in neither set.
+    /// Readings of targets and fixtures without calibration readings: they are in neither set.
     pub apart: Apart,
-    /// Errors that all readings, or those of a pose, have in common.
+    /// Errors common to all readings, or to those of a pose.
     pub systematic: Systematic,
     poses: BTreeSet<PoseName>,
     selections: Selections,
@@ -267,8 +277,8 @@ pub struct Selected {
     pub messages: Vec<Message>,
 }
 
-/// Selects the observations of the first log as the campaign states; the fixed things that they
-/// refer to become parameters of `robot`.
+/// Selects the observations of the first log by the statements of the campaign; fixed points and
+/// surfaces in them become parameters of `robot`.
 pub fn select(
     campaign: &Campaign,
     stated: &Identify,
@@ -292,7 +302,7 @@ pub fn select(
     Ok(Selected { sets, settings, apart, systematic, poses, selections, messages })
 }
 
-/// The uncertainties of the world frame: what each pose has by itself, and what all have in common.
+/// The uncertainties of the world frame: the independent part of each pose, and the common part.
 fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
     let of_pose = |frame: &FramePose| {
         let mut covariance = frame.covariance?;
@@ -305,13 +315,13 @@ fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
     world.poses.iter().filter_map(of_pose).chain(common).collect()
 }
 
-/// Observations, and what a campaign or options state of them.
+/// Observations, and the statements of a campaign or of options about them.
 pub(crate) struct Input<'a> {
     pub observations: &'a Observations,
     pub without: RowDefaults,
     pub settings: Settings,
     pub exclusions: Vec<Exclusion>,
-    /// States where problems of the observations are.
+    /// States the places of problems in the observations.
     pub place: Box<dyn Fn(Problems) -> Problems + 'a>,
 }
 
@@ -334,7 +344,7 @@ impl<'a> Input<'a> {
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })
     }
 
-    /// Observations and their settings; the fixed things that the rows of a table refer to become
+    /// Observations and their settings; fixed points and surfaces in the rows of a table become
     /// parameters of `robot`.
     pub fn read(&self, robot: &mut dyn Robot, messages: &mut Vec<Message>) -> Result<Observed> {
         let checked = match self.observations {
@@ -354,8 +364,8 @@ impl<'a> Input<'a> {
     }
 }
 
-/// Signs of a wrong set-up of the first log that are visible before an identification: repeated
-/// readings, or a nominal robot far from the measurements.
+/// Signs of a wrong set-up of the first log before an identification: repeated readings, or a
+/// nominal robot far from the measurements.
 pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Preview> {
     let (Some(stated), Some((_, observations))) = (&campaign.file.identify, joined.observations.first()) else {
         return Ok(Preview::default());
@@ -384,19 +394,18 @@ pub struct Preview {
     pub joints: Vec<JointTravel>,
 }
 
-/// An error where the nominal robot is nowhere near the measurements.
+/// Returns an error if the nominal robot is far from the measurements.
 pub(super) fn check_set_up(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<()> {
     let problem = || etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm());
     let problem = if observations.is_empty() { None } else { problem() };
     problem.map_or(Ok(()), |problem| Err(etalon_documents::warning_message(&problem).into()))
 }
 
-/// Share of the readings that may be left out as outliers: beyond it the model or the set-up is
-/// wrong.
+/// Maximum share of readings excluded as outliers: beyond it the model or the set-up is wrong.
 const MOST_OUTLIERS: f64 = 0.1;
 
-/// Leaves the outliers of a robust fit out of `observations`, of which `fewest` readings must
-/// remain, and names them; `None` without outliers.
+/// Excludes the outliers of a robust fit from `observations`, of which at least `fewest` readings
+/// must remain, and names them; `None` without outliers.
 fn leave_outliers_out(
     robot: &dyn Robot,
     observations: &mut Vec<Observation>,
@@ -419,15 +428,15 @@ fn leave_outliers_out(
     Ok(Some(outliers_excluded(&robust, robot)))
 }
 
-/// A log, its observations and what they identify.
+/// A log, its observations and their identification.
 struct LogFit<'a> {
     name: &'a str,
     sets: &'a Sets,
     found: &'a Identification,
 }
 
-/// Returns a warning where the residuals with one log correlate with its difference from another
-/// log; `used` is the campaign's choice.
+/// Returns a warning if the residuals with one log correlate with its difference from another log;
+/// `used` is the campaign's choice.
 fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> Option<Message> {
     let compared =
         etalon_identify::compare_logs(robot, &this.found.values, &this.sets.calibration, &that.sets.calibration)?;
@@ -452,7 +461,7 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
     })
 }
 
-/// Errors of selections and tables without a measured pose, and of sets that share poses.
+/// Errors of selections and tables without a measured pose, and of overlapping sets.
 pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Result<()> {
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     // what does not read is reported with the statements
@@ -502,7 +511,7 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     problems.check().map(|_| ())
 }
 
-/// Poses that there are to select from.
+/// Poses available for selection.
 fn measured(poses: &BTreeSet<PoseName>) -> Phrase {
     match (poses.first(), poses.last()) {
         (Some(first), Some(last)) => phrase!("poses-measured", count = poses.len(), first, last),

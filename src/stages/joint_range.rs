@@ -1,5 +1,5 @@
-//! Joint values that no robot reaches: a lost decimal mark, turns too many. A gain would absorb one
-//! of them without a trace, because an angle far from all others weighs more than they do.
+//! Implausible joint values: a missing decimal mark, or too many turns. A gain would absorb such a
+//! value unnoticed, because an angle far from all others has a larger weight.
 
 use crate::stages::exclusions::Exclusion;
 use etalon_base::message::{Message, Place, Problems, Result};
@@ -11,29 +11,29 @@ use etalon_robots::{Joint, JointRange, Quantity, Robot};
 use polars::prelude::DataFrame;
 use std::f64::consts::TAU;
 
-/// Allowance (mm) of a sliding joint beyond its stated limits: rounding of the limits, and
+/// Allowance (mm) of a prismatic joint beyond its stated limits: rounding of the limits, and
 /// overshoot of the drive.
 const OVERSHOOT_MM: f64 = 0.1;
-/// Allowance (rad) of a turning joint beyond its stated limits.
+/// Allowance (rad) of a revolute joint beyond its stated limits.
 const OVERSHOOT_RAD: f64 = 0.1 * TAU / 360.0;
-/// Largest angle of a joint without stated limits, rad: joints of arms turn by up to 1.3 turns to
+/// Largest angle (rad) of a joint without stated limits: joints of arms turn by up to 1.3 turns to
 /// either side.
 const LARGEST_ANGLE: f64 = 2.0 * TAU;
-/// Largest distance of a value from the middle half of its column, in widths of that half, where
-/// the joint turns without end.
+/// Largest distance of a value from the middle half of its column, in widths of that half, for a
+/// continuous joint.
 const WIDTHS_OF_ANGLES: f64 = 3.0;
-/// Largest distance of a value of a sliding joint without stated limits from the middle half, mm:
-/// no machine has a longer axis.
+/// Largest distance (mm) of a value of a prismatic joint without stated limits from the middle
+/// half: no machine has a longer axis.
 const LARGEST_LENGTH: f64 = 1e5;
-/// Largest distance in widths of the middle half, of such a joint.
+/// Largest distance for such a joint, in widths of the middle half.
 const WIDTHS_OF_LENGTHS: f64 = 100.0;
-/// Fewest values of a column with a middle half.
+/// Minimum number of values of a column with a middle half.
 const FEWEST: usize = 8;
 
-/// Joint values of a row, and how the row is named.
+/// Joint values of a row, and the name of the row.
 #[derive(Clone, Debug)]
 pub struct JointRow {
-    /// Name of the pose; empty where none is known.
+    /// Name of the pose; empty if unknown.
     pub pose: String,
     /// Values in the robot's order, mm or rad; NaN where missing.
     pub joints: Vec<f64>,
@@ -41,7 +41,7 @@ pub struct JointRow {
     pub place: Place,
 }
 
-/// Values that a joint may have (mm or rad), and their reason: `limits`, `turns` or `others`.
+/// Possible values of a joint (mm or rad), and their reason: `limits`, `turns` or `others`.
 struct Expected {
     ends: [f64; 2],
     reason: &'static str,
@@ -50,16 +50,17 @@ struct Expected {
 /// Use of joint values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joints {
-    /// Measured: beyond the stated limits no joint can have been.
+    /// Measured values: a joint cannot have been beyond the stated limits.
     Measured,
-    /// Candidates, or values to compute poses of: the caller names values beyond the stated limits.
+    /// Candidates, or values for computing poses: the caller reports values beyond the stated
+    /// limits.
     Proposed,
 }
 
 /// Checks the joint values of a table; rows that `exclusions` leave out do not count.
 ///
 /// # Errors
-/// Every joint value out of range, with its line.
+/// Reports all joint values out of range, with their lines.
 pub fn check_table(robot: &dyn Robot, table: &DataFrame, exclusions: &[Exclusion], of: Joints) -> Result<()> {
     // columns that are missing or do not read are named where the table is read
     let Ok(values) = joint_values(robot, table, &[]) else { return Ok(()) };
@@ -84,7 +85,7 @@ pub fn check_table(robot: &dyn Robot, table: &DataFrame, exclusions: &[Exclusion
 /// Checks the joint values of rows.
 ///
 /// # Errors
-/// Every joint value out of range, with its place.
+/// Reports all joint values out of range, with their places.
 pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
     let mut problems = Problems::default();
     for (k, joint) in robot.joints().iter().enumerate() {
@@ -104,7 +105,7 @@ pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
     problems.check().map(drop)
 }
 
-/// The values that joint `k` may have; `None` where any may be.
+/// The possible values of joint `k`; `None` if all are possible.
 fn expected(robot: &dyn Robot, k: usize, column: &[f64], of: Joints) -> Option<Expected> {
     let is_angle = robot.joints()[k].quantity == Quantity::Angle;
     // limits refer to the joint, logged values perhaps to its motor
@@ -126,7 +127,7 @@ fn expected(robot: &dyn Robot, k: usize, column: &[f64], of: Joints) -> Option<E
     }
 }
 
-/// Values as near to the middle half of a column as `least`, and as `widths` of that half.
+/// Values within `least` of the middle half of a column, and within `widths` of it.
 fn around(column: &[f64], least: f64, widths: f64) -> Option<Expected> {
     let mut sorted: Vec<f64> = column.iter().copied().filter(|value| value.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
@@ -137,8 +138,8 @@ fn around(column: &[f64], least: f64, widths: f64) -> Option<Expected> {
     (sorted.len() >= FEWEST).then_some(Expected { ends, reason: "others" })
 }
 
-/// One message for a joint most of whose values are out of range; `first` is that of the first of
-/// them.
+/// One message for a joint if most of its values are out of range; `first` is the message of the
+/// first one.
 fn column_out_of_range(joint: &Joint, column: &[f64], expected: &Expected, out: usize, first: &Message) -> Message {
     let (factor, units) = match joint.quantity {
         Quantity::Angle => (1f64.to_radians(), "degrees"),
@@ -173,7 +174,7 @@ mod tests {
         <limit lower=\"0\" upper=\"0.8\" effort=\"1\" velocity=\"1\"/></joint>\
         <joint name=\"table\" type=\"continuous\"><parent link=\"b\"/><child link=\"c\"/></joint></robot>";
 
-    /// `true` if the values of a sliding and of a turning joint, mm and deg, are in range.
+    /// `true` if the values of a prismatic and of a revolute joint, mm and deg, are in range.
     fn in_range(robot: &str, rows: impl IntoIterator<Item = [f64; 2]>) -> bool {
         messages(robot, rows).is_empty()
     }

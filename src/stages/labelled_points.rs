@@ -26,12 +26,13 @@ impl<'a> LabelledPoints<'a> {
         Self { campaign, points }
     }
 
-    /// Points whose labels have the form of `pattern`, poses with numbers.
+    /// Returns points whose labels have the form of `pattern`, with numbers as poses.
     pub fn of(&self, pattern: &Spanned<String>) -> Result<PointGroup> {
         self.with_poses(pattern, &[])
     }
 
-    /// The same; `poses` may have names that are not numbers.
+    /// Returns points whose labels have the form of `pattern`; `poses` may have names that are not
+    /// numbers.
     pub fn with_poses(&self, pattern: &Spanned<String>, poses: &[PoseName]) -> Result<PointGroup> {
         let place = || self.campaign.place(pattern);
         let form = LabelPattern::parse(pattern.get_ref()).map_err(|m| m.at(place()))?;
@@ -48,7 +49,7 @@ impl<'a> LabelledPoints<'a> {
         Ok(step)
     }
 
-    /// Points whose label is, or matches, one of `names`.
+    /// Returns points whose label is, or matches, one of `names`.
     pub fn named<'n>(&self, names: impl IntoIterator<Item = &'n Spanned<String>>) -> Vec<Vector> {
         let names: Vec<&str> = names.into_iter().map(|n| n.get_ref().as_str()).collect();
         let bears = |p: &&Point| names.iter().any(|name| matches_pattern(name, &p.label));

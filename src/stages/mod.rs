@@ -17,6 +17,7 @@ pub mod gather;
 pub mod geometric;
 pub mod given;
 pub mod identification;
+mod influence;
 pub mod iso9283;
 pub mod join;
 pub mod joint_range;
@@ -32,6 +33,7 @@ pub mod remedies;
 pub mod repeats;
 mod resolution;
 pub mod solved;
+pub mod sweeps;
 pub(crate) mod table_file;
 pub mod tool;
 mod undescribed;
@@ -40,7 +42,7 @@ pub mod verification;
 
 use etalon_base::catalogue::{Argument, IntoArgument};
 
-/// Returns the first `most` of `all`, and `...` where there are more.
+/// Returns the first `most` of `all`, followed by `...` if there are more.
 fn shown<T: IntoArgument>(all: impl IntoIterator<Item = T>, most: usize) -> Vec<Argument> {
     let mut all = all.into_iter();
     let mut shown: Vec<Argument> = all.by_ref().take(most).map(|value| value.argument()).collect();

@@ -1,6 +1,6 @@
-//! Distributions of the results of a campaign: by draws of everything that it states of its
-//! readings, through frames and identification (JCGM 101:2008, Monte Carlo), and by poses and
-//! cycles drawn from those that were measured (bootstrap).
+//! Distributions of the results of a campaign: by simulated errors of all stated uncertainties of
+//! its readings, propagated through frames and identification (JCGM 101:2008, Monte Carlo), and by
+//! resampling of measured poses and cycles (bootstrap).
 
 use crate::stages::evaluate::summarise;
 use crate::stages::frames;
@@ -26,20 +26,21 @@ use std::collections::BTreeMap;
 /// Number and seed of the draws.
 #[derive(Clone, Copy, Debug)]
 pub struct Draws {
-    /// At most so many; fewer where two digits of every standard uncertainty are reached before.
+    /// Maximum number of draws; fewer if every standard uncertainty has two significant digits
+    /// before.
     pub most: usize,
-    /// Resamples of the bootstrap.
+    /// Number of resamples of the bootstrap.
     pub resamples: usize,
-    /// Seed of both: a trial has its own stream.
+    /// Seed of both: each trial has its own stream.
     pub seed: u64,
 }
 
-/// Draws of one sequence of the adaptive procedure (JCGM 101, 7.9.4 asks for 10⁴; fewer need more
-/// sequences).
+/// Number of draws in one sequence of the adaptive procedure (JCGM 101, 7.9.4 asks for 10⁴; fewer
+/// need more sequences).
 const SEQUENCE: usize = 2_000;
-/// Resamples of which this share fails show nothing.
+/// Maximum share of failed resamples.
 const MOST_FAILED: f64 = 0.05;
-/// Probability with which draws that agree are said to differ.
+/// Significance level of a difference between draws.
 const APART_BY_CHANCE: f64 = 0.01;
 /// Standard deviations of a normal distribution to either side of its mean that hold 95 %.
 const NORMAL_95: f64 = 1.959_963_985;
@@ -69,19 +70,19 @@ pub struct Trials<'a> {
     seed: u64,
 }
 
-/// An observation, and how each of its targets scatters.
+/// An observation, and the scatter of its targets.
 struct Reading {
     observation: Observation,
     /// Root of the covariance of each target, by which independent normal numbers are multiplied;
-    /// `None` where not measured.
+    /// `None` if not measured.
     scatter: Vec<Option<Matrix3<f64>>>,
-    /// The number of the reading that each target is, where one reading is common to several.
+    /// The number of the reading of each target, if one reading is common to several targets.
     numbers: Vec<usize>,
 }
 
 impl<'a> Trials<'a> {
-    /// Trials of a campaign with these `points` and `frames`, from which the parameters were
-    /// `identified`.
+    /// Creates trials of a campaign with these `points` and `frames`, from which the parameters
+    /// were `identified`.
     pub fn new(
         campaign: &'a Campaign,
         robot: &'a dyn Robot,
@@ -115,8 +116,8 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// The distributions of the results, which state no input files; `report` is called with the
-    /// draws made and the most that may be.
+    /// The distributions of the results, without input files; `report` is called with the number of
+    /// draws and their maximum.
     pub fn distributions(self, draws: Draws, report: &mut dyn FnMut(usize, usize)) -> Result<UncertaintyDocument> {
         let trials = Self { seed: draws.seed, ..self };
         let Self { robot, found, settings, .. } = trials;
@@ -196,8 +197,8 @@ impl<'a> Trials<'a> {
         })
     }
 
-    /// Parameters and figures of each draw, and whether two digits of all standard uncertainties
-    /// are reached.
+    /// Parameters and figures of each draw; `true` if all standard uncertainties have two
+    /// significant digits.
     fn monte_carlo(&self, most: usize, report: &mut dyn FnMut(usize, usize)) -> (Vec<Vec<f64>>, bool) {
         let measured = |of: &[Reading]| of.iter().map(|r| r.observation.clone()).collect::<Vec<_>>();
         let room = || [measured(&self.calibration), measured(&self.validation)];
@@ -230,8 +231,8 @@ impl<'a> Trials<'a> {
         (all, false)
     }
 
-    /// One campaign measured again, in the `room` for its observations: its parameters, then
-    /// figures of the validation; `None` where the solver fails.
+    /// One simulated repetition of the campaign, in the `room` for its observations: its
+    /// parameters, then figures of the validation; `None` if the solver fails.
     fn trial(&self, again: &Repeated, number: u64, room: &mut [Vec<Observation>; 2]) -> Option<Vec<f64>> {
         let mut noise = Noise::new(self.seed, number);
         let moved = self.moved_frames(&mut noise)?;
@@ -270,8 +271,8 @@ impl<'a> Trials<'a> {
         Some(all)
     }
 
-    /// For each frame what takes points of the world as measured into that of another measurement;
-    /// empty where none is measured.
+    /// For each frame, the transform from the measured world to that of the repetition; empty if no
+    /// frame is measured.
     fn moved_frames(&self, noise: &mut Noise) -> Option<BTreeMap<Option<(PoseName, i64)>, Pose>> {
         if self.points.is_empty() {
             return Some(BTreeMap::new());
@@ -290,7 +291,8 @@ impl<'a> Trials<'a> {
         Some(world.poses.iter().filter_map(of).collect())
     }
 
-    /// Mean, root mean square and largest position error of these observations; none of none.
+    /// Mean, root mean square and largest position error of these observations; nothing without
+    /// observations.
     fn figures<'o>(&self, values: &[f64], observations: impl Iterator<Item = &'o Observation>) -> Vec<f64> {
         let mut sizes = Vec::new();
         for o in observations {
@@ -316,9 +318,9 @@ impl<'a> Trials<'a> {
         vec![found.mean, found.rms, found.max]
     }
 
-    /// Parameters identified from poses, and of each pose from cycles, that are drawn from the
-    /// measured ones with replacement (Efron & Tibshirani 1993); `None` where readings are common
-    /// to several or of other kinds, or too many draws do not determine the parameters.
+    /// Parameters identified from poses, and cycles of each pose, that are drawn from the measured
+    /// ones with replacement (Efron & Tibshirani 1993); `None` if readings are common to several or
+    /// of other kinds, or too many resamples do not determine the parameters.
     fn bootstrap(&self, resamples: usize) -> Option<Vec<Vec<f64>>> {
         let other_kinds = !self.settings.conditions.is_empty();
         if self.settings.common_uncertainty_mm.is_some() || other_kinds || resamples == 0 {
@@ -349,7 +351,7 @@ impl<'a> Trials<'a> {
     }
 }
 
-/// A reading, its scatter by its own covariance or the stated uncertainty.
+/// A reading, and its scatter by its own covariance or the stated uncertainty.
 fn reading(
     o: &Observation,
     settings: &Settings,
@@ -398,7 +400,7 @@ impl Distribution {
     }
 }
 
-/// Half of the last of two digits of a standard uncertainty (JCGM 101, 7.9.2).
+/// Half a unit in the second digit of a standard uncertainty (JCGM 101, 7.9.2).
 fn numerical_tolerance(u: f64) -> f64 {
     if u > 0.0 { 0.5 * 10f64.powi(u.log10().floor() as i32 - 1) } else { 0.0 }
 }

@@ -22,20 +22,21 @@ const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (["a_rad", "b_rad", "c_rad"], 1.0, true),
 ];
 const DEG: f64 = std::f64::consts::PI / 180.0;
-/// Largest deviation of the length of a measured quaternion from one: it has a few decimals.
+/// Largest deviation of the length of a measured quaternion from one: quaternions in files have a
+/// few decimals.
 const LENGTH_ONE: f64 = 1e-3;
-/// Orders that a message names.
+/// Maximum number of orders in a message.
 const NAMED: usize = 4;
-/// Orders whose misfit is at most this many times the least are named beside it.
+/// Orders whose misfit is at most this multiple of the smallest are named beside it.
 const AS_GOOD: f64 = 3.0;
 /// Largest misfit (deg) of an order of angles that fits the robot.
 const MISFIT_DEG: f64 = 10.0;
 
-/// An orientation as the row of a table states it.
+/// An orientation in the form of the row of a table.
 #[derive(Clone, Copy)]
 pub struct Written {
     pub(super) form: Form,
-    /// Numbers of the form, of three or four the others are 0: rad.
+    /// Numbers of the form (rad); unused ones are 0.
     pub(super) numbers: [f64; 9],
 }
 
@@ -71,7 +72,7 @@ pub fn numbers(body: &Pose, order: Option<AngleOrder>, is_vector: bool) -> Vec<(
 /// The orientations of a table, row by row.
 ///
 /// # Errors
-/// Columns that lack one, or are of two forms.
+/// Reports missing columns, and columns of two forms.
 pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
     let has = |name: &&str| observations.column(name).is_ok();
     let forms = [(&QUATERNION[..], 1.0, Form::Quaternion), (&MATRIX[..], 1.0, Form::Matrix)].into_iter().chain(
@@ -109,16 +110,16 @@ impl Written {
         self.form != Form::None && self.numbers[..count].iter().any(|v| !v.is_nan())
     }
 
-    /// The angles, where they need their order (rad).
+    /// The angles (rad), if they need their order.
     pub fn angles(&self) -> Option<[f64; 3]> {
         let [a, b, c, ..] = self.numbers;
         (self.form == Form::Angles).then_some([a, b, c])
     }
 
-    /// The body in the world; angles without an order in any.
+    /// Orientation of the body in the world; angles without an order in an arbitrary one.
     ///
     /// # Errors
-    /// A number that is missing, or a quaternion that is not of length one.
+    /// Fails if a number is missing, or if a quaternion has a length other than one.
     pub fn pose(&self, order: Option<AngleOrder>) -> Result<Pose> {
         let [a, b, c, d, ..] = self.numbers;
         if !self.numbers.iter().sum::<f64>().is_finite() {
@@ -136,18 +137,18 @@ impl Written {
     }
 }
 
-/// The error about angles whose order is not stated, with those that fit the nominal robot where
-/// positions place it: `angles` are those of the orientations among the conditions of `settings`,
+/// The error about angles without a stated order, with the orders that fit the nominal robot
+/// located by positions: `angles` are those of the orientations among the conditions of `settings`,
 /// in their order.
 pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Settings, angles: &[[f64; 3]]) -> Message {
     let message = error!("angle-order-missing");
-    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
+    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_world_orientation()).collect();
     let positions = Settings { conditions: Vec::new(), known: Vec::new(), ..settings.clone() };
     let Ok(values) = fit_frames(robot, observations, &positions) else { return message };
     let misfit = |order: AngleOrder| {
         let turned = conditions.iter().zip(angles).map(|(c, angles)| match c.kind {
-            Kind::Orientation(Orientation { mounting, .. }) => Condition {
-                kind: Kind::Orientation(Orientation { world_T_body: order.pose(*angles), mounting }),
+            Kind::Orientation(observed) => Condition {
+                kind: Kind::Orientation(Orientation { frame_T_body: order.pose(*angles), ..observed }),
                 ..(*c).clone()
             },
             _ => (*c).clone(),
@@ -165,5 +166,5 @@ pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Sett
     let order =
         |(left_deg, order): &(f64, AngleOrder)| phrase!("angle-order-leaves", order = order.to_string(), left_deg);
     let orders: Vec<_> = fits.map(order).collect();
-    message.hint(phrase!("angle-orders-fit", orders))
+    message.hint(phrase!("angle-orders-fit", order = best.to_string(), orders))
 }

@@ -1,5 +1,5 @@
-//! Plausibility of a result: errors of a result that can be no robot, and must not reach a
-//! controller.
+//! Plausibility of a result: errors of a result that no real robot can have. Such a result must not
+//! reach a controller.
 
 use crate::stages::remedies::{reading, readings_to_check};
 use crate::stages::shown;
@@ -21,33 +21,32 @@ use std::collections::BTreeSet;
 
 /// Coverage factor of values that contradict a tolerance.
 const EXPANDED: f64 = 2.0;
-/// Parameters beyond their tolerance that a message names.
+/// Maximum number of parameters beyond their tolerance in a message.
 const NAMED: usize = 5;
-/// Validation errors beyond this many times their median are named: of normal errors in the plane
-/// one of 60,000 is (Rayleigh).
+/// Validation errors beyond this multiple of their median are named: one in 60,000 normal errors in
+/// the plane exceeds it (Rayleigh).
 const FAR: f64 = 4.0;
-/// Limit for errors along one direction, as distances and planes have them: one in 19,000 normal
-/// errors exceeds it.
+/// Limit for errors along one direction (distances and planes): one in 19,000 normal errors exceeds
+/// it.
 const FAR_ALONG: f64 = 6.0;
-/// A residual this many times the root mean square is looked at as an outlier where no uncertainty
-/// is stated.
+/// Residuals beyond this multiple of the root mean square are examined as outliers if no
+/// uncertainty is stated.
 const SPIKE: f64 = 5.0;
-/// Parameters that must be off by one factor, at least.
+/// Minimum number of parameters with a common factor.
 const FEWEST_SCALED: usize = 4;
-/// Nominal values below this (mm, 1) have no factor.
+/// Minimum nominal value (mm, 1) for a factor.
 const LEAST_NOMINAL: f64 = 0.5;
-/// A common factor below this is within what an instrument and a drawing are wrong by.
+/// Minimum common factor: smaller ones are within the errors of instruments and drawings.
 const LEAST_SCALE: f64 = 2e-4;
-/// A value this many standard uncertainties below zero is negative.
+/// Standard uncertainties below zero at which a value is negative.
 const SIGNIFICANT: f64 = 3.0;
-/// Probability with which independent deviations look like a common factor.
+/// Significance level of a common factor.
 const CHANCE: f64 = 1e-3;
-/// Errors after over errors before beyond which it is not noise that makes an already good robot
-/// look no better.
+/// Maximum ratio of errors after to errors before that noise of an already good robot can cause.
 const WORSE: f64 = 1.1;
 
-/// Messages about what was found and the errors that it leaves: errors where it can be no robot,
-/// and which of the observations to look at first where they do not fit.
+/// Messages about the identified parameters and their errors: errors if the result cannot be a
+/// robot, and the observations to check first if they do not fit.
 pub fn plausibility(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -96,9 +95,9 @@ pub fn plausibility(
     messages
 }
 
-/// Message where the poses give no more coordinates than parameters are identified, so that none is
-/// left to contradict them: an error where parameters rest on the poses alone, a warning beside
-/// nominal values.
+/// Returns a message if the poses have no more coordinates than identified parameters, so that the
+/// parameters are unchecked: an error if parameters rest on the poses alone, a warning with nominal
+/// values.
 fn undetermined(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -121,10 +120,10 @@ fn undetermined(
 }
 
 /// Median angle between observed and predicted orientations beyond which these are of another
-/// convention: joints of robots are wrong by degrees at most.
+/// convention: errors of joints are a few degrees at most.
 const TURNED_DEG: f64 = 10.0;
 
-/// An error where observed orientations are far from those of the identified robot.
+/// Returns an error if observed orientations are far from those of the identified robot.
 fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Message> {
     if !settings.conditions.iter().any(|c| c.kind.is_orientation()) {
         return None;
@@ -134,7 +133,7 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
     Some(error!("orientations-off", robot = "identified", median_deg))
 }
 
-/// A warning about validation readings that lie far from the others: their errors are in the
+/// Returns a warning about validation readings far from the others; their errors contribute to the
 /// accuracy.
 fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == PoseSet::Validation).collect();
@@ -150,8 +149,8 @@ fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message>
     Some(message.to_decide().hint(phrase!("check-readings")))
 }
 
-/// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the
-/// measuring system, or a unit.
+/// Returns a warning if lengths, or gains of prismatic joints, all deviate by one factor: the scale
+/// of the measuring system, or a unit.
 fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let sliding = robot.joints().iter().all(|j| j.quantity == Quantity::Length);
     let of = |quantity: Quantity| -> Vec<usize> {
@@ -176,8 +175,8 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     })
 }
 
-/// A warning where a joint bends against its own torque, which no material does: gravity or an axis
-/// points the other way.
+/// Returns a warning if a joint bends against its own torque: gravity or an axis has the wrong
+/// direction.
 fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let of_one_joint = |p: &Parameter| p.effect == Effect::Bending && p.by.is_some() && p.by == p.joint;
     let negative = |&&i: &&usize| {
@@ -189,8 +188,8 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
     Some(warning!("compliance-negative", parameter, value, unit).to_decide())
 }
 
-/// A warning where a joint is ahead of its motor on the side from which it came: the directions
-/// have the other sign.
+/// Returns a warning if a joint is ahead of its motor: the directions of approach have the wrong
+/// sign.
 fn negative_backlash(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let negative = |&&i: &&usize| {
         let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
@@ -206,13 +205,14 @@ fn outward(p: &Parameter, value: f64) -> (&str, f64, &'static str) {
     (&p.name, p.quantity.outward(value), p.quantity.unit())
 }
 
-/// Largest residual of parameters that explain the measurements, as a share of what tolerances
-/// allow.
+/// Largest residual of parameters that explain the measurements, as a share of the effect of the
+/// tolerances.
 const EXPLAINED: f64 = 0.1;
 
-/// Returns an error where the nominal robot is further from most measurements than its tolerances
+/// Returns an error if the nominal robot is farther from most measurements than its tolerances
 /// allow, and the identified parameters do not explain the measurements within their tolerances.
-/// Few poses in a small volume may place base and targets of the nominal robot anywhere.
+/// Few poses in a small volume determine the positions of base and targets of the nominal robot
+/// poorly.
 fn far_before(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -237,8 +237,7 @@ fn far_before(
         .then(|| warning_message(&far_from_nominal(robot, observations, [rms_mm, allowed_mm], noise_mm)))
 }
 
-/// Errors about the parameters found and the errors that they leave; empty where the result is
-/// plausible.
+/// Errors about the identified parameters and their residuals; empty if the result is plausible.
 fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError], unchecked: bool) -> Vec<Message> {
     let mut messages = Vec::new();
     if let Some((p, value)) = exchanged(robot, &found.values) {
@@ -263,8 +262,8 @@ fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError],
     messages
 }
 
-/// An error about parameters that the data alone put beyond their tolerance, by more than their
-/// uncertainty.
+/// Returns an error about parameters that the data alone put beyond their tolerance, by more than
+/// their uncertainty.
 fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let by_data = |i: usize| match found.covariance {
         Some(_) => found.without_nominal(robot, i),
@@ -286,7 +285,7 @@ fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message
         .then(|| error!("tolerance-exceeded", count = wrong.len(), parameters = shown(wrong.iter().map(text), NAMED)))
 }
 
-/// The distance of K and L where it came out negative: each was measured where the other is.
+/// The distance of K and L if it is negative: each ball was measured under the name of the other.
 fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter, f64)> {
     let i = robot.platform()?.target_distance();
     let p = &robot.parameters()[i];
@@ -301,8 +300,8 @@ mod tests {
     use etalon_identify::identify;
     use etalon_robots::Prexyt;
 
-    /// Message about a common factor where all measured points are scaled by `factor`, and the
-    /// robot's parameters are off nominal by up to `off_mm`.
+    /// Returns a message about a common factor if all measured points are scaled by `factor`, and
+    /// the robot's parameters deviate from nominal by up to `off_mm`.
     fn said(factor: f64, off_mm: f64) -> Option<Message> {
         let (robot, mut noise) = (Prexyt::default(), Noise::new(16, 5));
         let own = |p: &Parameter| p.role == Role::Robot && p.quantity == Quantity::Length && p.nominal != 0.0;

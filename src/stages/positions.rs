@@ -1,5 +1,5 @@
-//! Measured positions of a table, and observations of measured positions with every contradiction
-//! in words.
+//! Measured positions of a table, and observations from measured positions with a message for every
+//! contradiction.
 
 use crate::stages::resolution;
 use etalon_base::message::{Message, Place, Result};
@@ -13,7 +13,7 @@ use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 
 /// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes
-/// that are taken from the measurement are in `messages`.
+/// derived from the measurement are in `messages`.
 pub fn observations(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
     let table = &*resolution::of_table(table, messages)?;
     grouped(robot, &positions(robot, table)?, messages, table::lines(table)?)
@@ -52,7 +52,7 @@ pub fn grouped(
     }
 }
 
-/// A warning about assembly modes that are taken from the measurement.
+/// Returns a warning about assembly modes derived from the measurement.
 fn of_assumed_modes(AssumedModes { positive, negative, least_clear: (pose, d) }: AssumedModes) -> Message {
     let (near_mm, far_mm) = (d.near_mm, d.far_mm);
     warning!("assembly-modes-assumed", count = positive + negative, positive, negative, pose, near_mm, far_mm)
@@ -86,15 +86,15 @@ fn positions(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Measured>> {
 /// Column of the standard uncertainty of every coordinate (mm).
 const ANY_AXIS: &str = "u_mm";
 
-/// Standard uncertainties that a coordinate can have, mm.
+/// Plausible standard uncertainties (mm) of a coordinate.
 const PLAUSIBLE_MM: std::ops::RangeInclusive<f64> = 2e-5..=100.0;
 
 /// The covariance of each row's position, by its columns `ux_mm uy_mm [uz_mm]` or `cxx_mm2 cxy_mm2
 /// .. czz_mm2`; `None` in rows that leave them empty.
 ///
 /// # Errors
-/// A row that states some of them, a value that no coordinate has, or a covariance that is not
-/// positive definite.
+/// Reports rows that state only some of them, impossible values of a coordinate, and covariances
+/// that are not positive definite.
 fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covariance>>> {
     let has = |names: &[&str]| names.iter().any(|name| table.column(name).is_ok());
     if has(&[ANY_AXIS]) && !has(&UNCERTAINTIES) && !has(&COVARIANCES) {

@@ -1,5 +1,6 @@
-//! Measured features fitted again: what a file states against what its points give.
+//! Fits of measured features of a QIF file, compared with the values stated in the file.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
 use etalon_base::{error, phrase};
@@ -7,7 +8,7 @@ use etalon_documents::{FitDocument, FitStated};
 use etalon_fit::{Element, Fit, FitSettings, Probe, Side};
 use etalon_formats::qif::{FeatureGeometry, MeasuredFeature, Touch};
 
-/// Statements of the user on the probe, which replace those of the file.
+/// Statements of the user about the probe, which replace those of the file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ProbeStated {
     /// Its radius.
@@ -16,16 +17,16 @@ pub struct ProbeStated {
     pub side: Option<Side>,
 }
 
-/// Fits a measured feature to its points by `settings` (without probe), compensates it where the
-/// points are probe centres, and sets it against what the file states; `None` where it has no
+/// Fits a measured feature to its points by `settings` (without probe), compensates it if the
+/// points are probe centres, and compares it with the values of the file; `None` if it has no
 /// points or is not an element.
 ///
 /// A circle whose stated normal is exactly an axis of coordinates is fitted in that plane: no
 /// measured normal is.
 ///
 /// # Errors
-/// If its points do not determine the element, or if they are probe centres and neither the file
-/// nor the user states how large the probe was and on which side.
+/// Fails if the points do not determine the element, or if they are probe centres and neither the
+/// file nor the user states the size and side of the probe.
 pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStated) -> Result<Option<FitDocument>> {
     let Some(element) = feature.element().filter(|_| !feature.points_mm.is_empty()) else { return Ok(None) };
     let label = feature.label();
@@ -40,7 +41,8 @@ pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStat
     let fit = centres.compensated(probe).map_err(named)?;
     let mut document = FitDocument::new(Some(label.to_owned()), &fit);
     if let Some(probe) = &mut document.probe {
-        probe.side_from = side_from;
+        probe.side_from = side_from.as_ref().map(Phrase::to_string);
+        probe.side_from_phrase = side_from;
     }
     document.stated = Some(against(feature, &fit));
     Ok(Some(document))
@@ -50,9 +52,8 @@ fn is_coordinate_axis(d: Vector) -> bool {
     d.iter().filter(|x| **x == 0.0).count() == 2
 }
 
-/// The probe whose centres the points are, and what its side was taken from; `None` for contact
-/// points.
-fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, String)>> {
+/// The probe whose centres the points are, and the source of its side; `None` for contact points.
+fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, Phrase)>> {
     let Touch::Centre { radius_mm } = feature.touch else { return Ok(None) };
     let label = feature.label();
     let missing =
@@ -60,17 +61,17 @@ fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Re
     let radius_mm = stated.radius_mm.or(radius_mm);
     let radius_mm = radius_mm.ok_or_else(|| missing("radius"))?;
     let (side, from) = match stated.side {
-        Some(side) => (side, "as stated by the user".to_owned()),
+        Some(side) => (side, phrase!("side-stated")),
         None => side_of(feature, centres, radius_mm).ok_or_else(|| missing("side"))?,
     };
     Ok(Some((Probe { radius_mm, side }, from)))
 }
 
-/// On which side of the feature the probe was, as far as the file states it, and by what.
-fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, String)> {
+/// The side of the probe as far as the file states it, and its source.
+fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, Phrase)> {
     let known = [(&feature.nominal, "nominal"), (&feature.stated, "stated")];
     let first = |side: &dyn Fn(&FeatureGeometry) -> Option<Side>, of: &str| {
-        known.iter().find_map(|(values, name)| Some((side(values)?, format!("from the {name} {of}"))))
+        known.iter().find_map(|(values, name)| Some((side(values)?, phrase!("side-from-values", values = name, of))))
     };
     match centres.element {
         Element::Plane => first(&|values| values.direction.map(Side::Towards), "normal"),
@@ -86,7 +87,7 @@ fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(S
             let side = |inside: bool| if inside { Side::Inside } else { Side::Outside };
             if let Some(inside) = feature.internal {
                 let stated = if inside { "INTERNAL" } else { "EXTERNAL" };
-                return Some((side(inside), format!("from `InternalExternal`: {stated}")));
+                return Some((side(inside), phrase!("side-from-key", value = stated)));
             }
             let by_size = |values: &FeatureGeometry| {
                 let (size, found) = match element {
@@ -101,14 +102,14 @@ fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(S
     }
 }
 
-/// From the line through `axis_point` along `d` to `p`, square to it.
+/// Vector from the line through `axis_point` along `d` to `p`, perpendicular to the line.
 fn from_axis(p: Vector, axis_point: Vector, d: Vector) -> Vector {
     let w = minus(p, axis_point);
     let along = dot(w, d);
     std::array::from_fn(|k| w[k] - along * d[k])
 }
 
-/// The stated values, and how far the fit is from them.
+/// The stated values, and the deviations of the fit from them.
 fn against(feature: &MeasuredFeature, fit: &Fit) -> FitStated {
     let stated = &feature.stated;
     let apart = |p: Vector| match (fit.element, fit.direction) {

@@ -1,4 +1,4 @@
-//! Recommend: which effects the data prove by the poses that are left out, and which parameters
+//! Recommendation: the effects that the data prove at left-out poses, and the parameters that
 //! deserve to be loaded.
 //!
 //! Parameters are chosen within every fold of the cross-validation again, so that the error stated
@@ -20,9 +20,9 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use std::collections::BTreeMap;
 
-/// Judges what is identified from the `selected` observations of a campaign; `inputs` are the files
-/// and their SHA-256, and `report` is called with the choices of parameters that were tried and the
-/// most that may be.
+/// Judges the identification from the `selected` observations of a campaign; `inputs` are the files
+/// and their SHA-256, and `report` is called with the number of choices of parameters tried and
+/// their maximum.
 pub fn recommend(
     robot: &dyn Robot,
     selected: Selected,
@@ -35,16 +35,16 @@ pub fn recommend(
     Recommendation { study: &study }.document(inputs, messages, report)
 }
 
-/// Largest error at left-out poses of the proven parameters alone, over the error of all
+/// Maximum ratio of the error at left-out poses with the proven parameters alone to that with all
 /// parameters.
 const COSTS: f64 = 1.05;
 
-/// Rule by which parameters of the accepted effects are loaded.
+/// Rule for loading parameters of the accepted effects.
 #[derive(Clone, Copy)]
 enum Choice {
-    /// Their change from nominal is proven, and they are stable.
+    /// Parameters with a proven change from nominal that are stable.
     Proven,
-    /// They are stable.
+    /// Stable parameters.
     Stable,
 }
 
@@ -124,7 +124,7 @@ impl Recommendation<'_> {
 
     /// Parameters of the robot itself whose change from nominal is proven: each by itself, and of
     /// the others those without which the rest is not proven together. Correlated parameters may
-    /// each be unproven, and matter.
+    /// each be unproven and still matter.
     fn proven(&self, found: &Identification) -> Vec<usize> {
         let changes = self.changes(found);
         let (load, held): (Vec<&Change>, Vec<&Change>) = changes.iter().partition(|c| c.p_value < SIGNIFICANCE);
@@ -140,8 +140,8 @@ impl Recommendation<'_> {
         load
     }
 
-    /// Dependence of the parameters of the robot itself on the poses that they are identified from:
-    /// without each part of the first cut, and from each half of the measurement.
+    /// Dependence of the parameters of the robot itself on the poses: identified without each part
+    /// of the first division, and from each half of the measurement.
     fn stability(&self, model: &Settings, found: &Identification) -> Result<Vec<Stability>> {
         let (study, calibration) = (self.study, &self.study.sets.calibration);
         let of_robot: Vec<usize> = found.free.iter().copied().filter(|&i| study.effects[i].is_some()).collect();
@@ -161,7 +161,7 @@ impl Recommendation<'_> {
         wanted.into_iter().filter(|i| !unstable(i)).collect()
     }
 
-    /// A warning that names the parameters that are not stable.
+    /// Returns a warning that names the unstable parameters.
     fn unstable(&self, stability: &[Stability]) -> Option<Message> {
         let of = |s: &Stability| {
             let parameter = &self.study.robot.parameters()[s.parameter].name;
@@ -207,8 +207,7 @@ impl Recommendation<'_> {
         changes
     }
 
-    /// The verdict on each parameter that can be identified; those of the model that is recommended
-    /// are judged in it.
+    /// The verdict on each identifiable parameter; those of the recommended model are judged in it.
     fn verdicts(
         &self,
         [all, model]: [&Identification; 2],

@@ -17,14 +17,14 @@ pub fn remedied(error: Error) -> Problems {
         Error::PoseWithoutUncertainty => Some("pose-uncertainty"),
         Error::CommonUncertaintyAlone => Some("contact-uncertainty"),
         Error::UnknownParameter { pattern, names } => {
-            let message = error!("hold-unknown", pattern);
+            let message = error!("parameter-unknown", pattern);
             return message.hint_names(pattern, names.iter().map(String::as_str)).into();
         }
         Error::NotAnArm { .. } => Some("targets"),
         Error::KindsWithoutUncertainty => Some("uncertainty"),
         Error::OwnUncertainties => Some("own-uncertainties"),
         Error::ReadingsWithoutUncertainty { .. } => Some("row-uncertainty"),
-        Error::NotPlanar { model } => return error!("residuals-pose-not-planar", model).into(),
+        Error::NotPlanar { .. } => Some("compare-targets"),
         Error::NoSuchPart { .. } => Some("part"),
         Error::TooFewPoses { .. } => Some("positions"),
         Error::BaseNotFound => Some("base"),
@@ -58,17 +58,17 @@ fn check(cause: &Cause) -> &'static str {
     }
 }
 
-/// Size of an error with the reading that has it.
+/// Size of an error with its reading.
 pub(super) fn reading(off_mm: f64, target: &str, pose: PoseName, cycle: i64) -> Phrase {
     phrase!("reading-off", off_mm, target, pose, cycle)
 }
-/// Number of readings that are named where none is an outlier.
+/// Number of readings that are named without outliers.
 const NAMED: usize = 3;
-/// Largest number of outliers that are named.
+/// Maximum number of named outliers.
 const NAMED_OUTLIERS: usize = 40;
 
-/// Readings to look at first where the instrument does not explain the residuals: the outliers, or
-/// the largest residuals.
+/// Readings to check first if residuals exceed the instrument's uncertainty: the outliers, or the
+/// largest residuals.
 pub(super) fn readings_to_check(robust: &RobustFit, robot: &dyn Robot) -> Message {
     match robust.outliers().is_empty() {
         true => {
@@ -78,7 +78,7 @@ pub(super) fn readings_to_check(robust: &RobustFit, robot: &dyn Robot) -> Messag
     }
 }
 
-/// Outliers that were left out of the identification.
+/// Outliers that were excluded from the identification.
 pub(super) fn outliers_excluded(robust: &RobustFit, robot: &dyn Robot) -> Message {
     warning!("outliers-excluded", outliers = outliers(robust, robot))
 }

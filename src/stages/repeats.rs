@@ -1,5 +1,5 @@
-//! Repeated values: readings and joint values that stayed the same, and repeats of a fixed point
-//! that disagree.
+//! Repeated values: readings and joint values that are identical, and repeats of a fixed point that
+//! disagree.
 
 use crate::stages::shown;
 use etalon_base::message::Message;
@@ -13,23 +13,20 @@ use etalon_math::statistics::middle_pair;
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
 
-/// Two readings are of two poses where the nominal robot moves its target by this or more between
-/// them, mm.
+/// Minimum motion (mm) of a target by the nominal robot between two different poses.
 const MOVED_MM: f64 = 1.0;
-/// Repeats of a point that are further apart than this many standard uncertainties of a coordinate
-/// are not of one point: in three coordinates the instrument does that fewer than once in ten
-/// thousand times.
+/// Maximum distance of repeats of one point, in standard uncertainties of a coordinate: the
+/// instrument exceeds it in three coordinates fewer than once in ten thousand times.
 const APART: f64 = 5.0;
-/// A repeat further from the others than this many standard uncertainties spoils the frame: what
-/// follows would be wrong by many of its own.
+/// Distance of a repeat from the others, in standard uncertainties, that falsifies the frame.
 const SPOILS: f64 = 20.0;
 /// Distance (mm) beyond which most points of a label are several points by design.
 const SEVERAL_MM: f64 = 1.0;
-/// Pairs, or repeats, that are named.
+/// Maximum number of named pairs or repeats.
 const NAMED: usize = 5;
 
-/// Warnings about measured positions, or joint values, that are the same to the last digit at poses
-/// where the others are not: what was read there is that of another pose.
+/// Warnings about measured positions, or joint values, that are identical to the last digit at
+/// poses where the others differ: the reading belongs to another pose.
 pub fn stale(robot: &dyn Robot, observations: &[Observation]) -> Vec<Message> {
     let nominal = robot.nominal();
     let mut at_place: BTreeMap<(usize, [u64; 3]), Vec<&Observation>> = BTreeMap::new();
@@ -93,9 +90,9 @@ fn is_scan(points: &[&Point], near_mm: f64) -> bool {
     2 * off().count() > points.len() && off().fold(0.0, f64::max) > SEVERAL_MM
 }
 
-/// Messages about points of the same label whose repeats are further apart than the instrument
-/// explains, for the labels of features and frames; `names` are those labels. An error where one
-/// repeat spoils what is made from them.
+/// Messages about points of the same label whose repeats scatter more than the instrument explains,
+/// for the labels of features and frames; `names` are those labels. An error if one repeat
+/// falsifies the results.
 pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Vec<Message> {
     let instrument = &campaign.file.instrument;
     let mut repeats: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();

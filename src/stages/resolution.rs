@@ -1,4 +1,4 @@
-//! Standard uncertainties that a column rounds to zero: each is read as the resolution of its
+//! Standard uncertainties that a column rounds to zero: each is taken as the resolution of its
 //! column.
 
 use etalon_base::message::{Message, Place, Result};
@@ -9,10 +9,9 @@ use etalon_formats::{Export, Point};
 use polars::prelude::{Column, DataFrame};
 use std::borrow::Cow;
 
-/// Most decimals of a column with a resolution: with more, its numbers are not rounded.
+/// Maximum number of decimals of a column with a resolution; numbers with more are not rounded.
 const MOST_DECIMALS: i32 = 9;
-/// Smallest standard uncertainty that a zero is read as, in the unit of its column: 0.02 µm or
-/// 0.00002 degrees.
+/// Smallest standard uncertainty of a zero, in the unit of its column: 0.02 µm or 0.00002 degrees.
 const LEAST: f64 = 2e-5;
 /// Columns of standard uncertainties and covariances of a table of observations.
 const COLUMNS: [&str; 11] =
@@ -33,8 +32,9 @@ pub(super) fn step(values: impl Iterator<Item = f64> + Clone, most_decimals: i32
 /// Zeros of a column of standard uncertainties.
 struct Zeros {
     count: usize,
-    /// Standard uncertainty that zeros are read as: half of the last digit d as the half-width of a
-    /// rectangular distribution, d/(2√3) (GUM 4.3.7); `None` if the column shows no resolution.
+    /// Standard uncertainty of the zeros: half of the last digit d as the half-width of a
+    /// rectangular distribution, d/(2√3) (GUM 4.3.7); `None` if the column does not show its
+    /// resolution.
     read_as: Option<f64>,
 }
 
@@ -61,7 +61,7 @@ impl Zeros {
     }
 }
 
-/// The table of observations with zeros of its standard uncertainties read as their resolution,
+/// The table of observations with zeros of its standard uncertainties taken as their resolution,
 /// which `messages` state.
 pub fn of_table<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) -> Result<Cow<'t, DataFrame>> {
     let mut columns: Vec<(&str, Vec<f64>)> = Vec::new();
@@ -100,8 +100,8 @@ pub fn of_table<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) ->
     Ok(Cow::Owned(table::frame(observations.height(), all)?))
 }
 
-/// Reads zeros of the standard uncertainties of an export as their resolution, or, where none
-/// shows, as the uncertainty of the instrument.
+/// Takes zeros of the standard uncertainties of an export as their resolution, or, if unknown, as
+/// the uncertainty of the instrument.
 pub(super) fn of_export(campaign: &Campaign, export: &Export, rows: &mut [Point]) -> Vec<Message> {
     let (mut messages, in_mm) = (Vec::new(), export.unit.in_mm());
     let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();

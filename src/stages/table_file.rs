@@ -1,9 +1,10 @@
-//! A table that a command is given, or a campaign names: every one is read here.
+//! Tables of commands and campaigns: all are read here.
 
-use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result};
-use etalon_campaign::{Campaign, ObservationsDefinition};
+use etalon_base::{error, phrase};
+use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition, TableKeys};
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
 use etalon_formats::table;
@@ -13,10 +14,10 @@ use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
 use std::path::Path;
 use toml::Spanned;
 
-/// A table with the text that it was read from.
+/// A table with its text.
 #[derive(Clone, Debug)]
 pub(crate) struct TableFile {
-    /// The file as the user named it.
+    /// File name stated by the user.
     pub name: String,
     text: String,
     pub table: DataFrame,
@@ -25,10 +26,10 @@ pub(crate) struct TableFile {
     more: Vec<(String, String)>,
 }
 
-/// Lines of the second file of several begin behind this, those of the third behind twice of it.
+/// Offset of the line numbers of each further file.
 const FILE: usize = 1_000_000_000;
 
-/// Problems of the rows of several files, with the file and the line that each is about.
+/// Problems of the rows of several files, each with its file and line.
 pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
     for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
         if let Some(line) = place.line.filter(|line| *line >= FILE) {
@@ -40,7 +41,7 @@ pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
     if files.len() > 1 { problems } else { problems.at(&Place::file(first)) }
 }
 
-/// Problems of rows that a join made, which are in no file: about the campaign.
+/// Problems of rows of a join, which belong to no file: about the campaign.
 pub(crate) fn in_campaign(mut problems: Problems, path: &str) -> Problems {
     for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
         if place.file.is_empty() {
@@ -52,24 +53,19 @@ pub(crate) fn in_campaign(mut problems: Problems, path: &str) -> Problems {
 
 impl TableFile {
     pub fn read(path: &Path) -> Result<Self> {
-        Self::read_with(path, etalon_formats::observations)
+        Self::of(path, files::text(path, files::read(path)?)?, etalon_formats::observations)
     }
 
-    /// A table of observations in this layout, in a text of this encoding or in a sheet of a
-    /// workbook.
-    pub fn observations(
-        path: &Path,
-        bytes: &[u8],
-        mut layout: TableLayout,
-        encoding: Option<Encoding>,
-        sheet: Option<&str>,
-    ) -> Result<Self> {
-        let format = Format::from(Dialect { sheet: sheet.map(str::to_owned), ..Dialect::default() });
-        if sheet.is_some() {
+    /// A table of this form, in a text or in a sheet of a workbook.
+    pub fn observations(path: &Path, bytes: &[u8], form: &TableForm) -> Result<Self> {
+        let format = Format::from(Dialect { sheet: form.sheet.clone(), ..Dialect::default() });
+        let mut layout = form.layout.clone();
+        if form.sheet.is_some() {
             // its cells are read as a text with tabs
             (layout.delimiter, layout.decimal) = (Delimiter::Tab, Decimal::Point);
+            layout.is_sheet = true;
         }
-        let text = etalon_formats::text_of(path, bytes, encoding, &format)?;
+        let text = etalon_formats::text_of(path, bytes, form.encoding, &format)?;
         Self::of(path, text, |name, text| etalon_formats::observations_with(name, text, &layout))
     }
 
@@ -84,13 +80,8 @@ impl TableFile {
         Self::of(Path::new(name), text.to_owned(), table)
     }
 
-    /// A text of another form, which `table` makes a table of, given the file's name and the text.
-    pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
-        Self::of(path, files::text(path, files::read(path)?)?, table)
-    }
-
-    /// Reads a table from the text of the file.
-    fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
+    /// Reads a table from the text of the file, by its name and text.
+    pub fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         let name = path.display().to_string();
         Ok(Self { table: table(&name, &text)?, name, text, more: Vec::new() })
     }
@@ -100,7 +91,7 @@ impl TableFile {
         &self.text
     }
 
-    /// Takes the rows out for which `left_out` is true.
+    /// Removes the rows for which `left_out` is true.
     pub fn leave_out(&mut self, left_out: &[bool]) -> Result<()> {
         if left_out.contains(&true) {
             let kept: Vec<bool> = left_out.iter().map(|out| !out).collect();
@@ -125,7 +116,7 @@ impl TableFile {
         NamedTable { file: &self.name, frame: &self.table }
     }
 
-    /// Problems of the table, with the lines they are about.
+    /// Problems of the table, each with its line.
     pub fn place(&self, problems: Problems) -> Problems {
         if self.more.is_empty() {
             return problems.in_text(&self.name, &self.text);
@@ -142,7 +133,7 @@ impl TableFile {
         })
     }
 
-    /// This table and the rows of another behind its own.
+    /// This table, followed by the rows of another one.
     fn followed_by(mut self, other: Self) -> Result<Self> {
         let number = self.more.len() + 1;
         let lines: Vec<i64> =
@@ -155,6 +146,27 @@ impl TableFile {
     }
 }
 
+/// Form of a table: its layout, and the encoding or the sheet of its file.
+#[derive(Clone, Debug)]
+pub(crate) struct TableForm {
+    pub layout: TableLayout,
+    pub encoding: Option<Encoding>,
+    pub sheet: Option<String>,
+}
+
+impl Default for TableForm {
+    /// Form of the tables of etalon.
+    fn default() -> Self {
+        Self { layout: TableLayout::of_any_columns(), encoding: None, sheet: None }
+    }
+}
+
+impl From<&TableKeys> for TableForm {
+    fn from(keys: &TableKeys) -> Self {
+        Self { layout: keys.layout(), encoding: keys.encoding, sheet: keys.sheet.clone() }
+    }
+}
+
 /// Reads the tables that a campaign names, and lists them as its inputs.
 #[derive(Debug)]
 pub(crate) struct CampaignTables<'a> {
@@ -163,25 +175,41 @@ pub(crate) struct CampaignTables<'a> {
 }
 
 impl CampaignTables<'_> {
-    /// A table; `holds` describes it in the list of inputs.
-    pub fn read(&mut self, file: &Spanned<String>, holds: &str) -> Result<TableFile> {
-        self.read_with(file, SourceKind::Table, holds, etalon_formats::observations)
+    /// A table in the form that the campaign states, of one file or of several; `holds` describes
+    /// it in the list of inputs.
+    pub fn read(&mut self, table: &TableDefinition, kind: SourceKind, holds: Phrase) -> Result<TableFile> {
+        self.read_in(table, &TableForm::default(), kind, holds)
     }
 
-    /// A table in this layout and encoding.
-    pub fn laid_out(
+    /// A table in its own form, or in `form` where it states none.
+    pub fn read_in(
         &mut self,
-        file: &Spanned<String>,
-        holds: &str,
-        layout: TableLayout,
-        encoding: Option<Encoding>,
+        table: &TableDefinition,
+        form: &TableForm,
+        kind: SourceKind,
+        holds: Phrase,
     ) -> Result<TableFile> {
-        self.listed(file, SourceKind::Table, holds, |path, bytes| {
-            TableFile::observations(path, &bytes, layout, encoding, None)
-        })
+        if let Some(key) = table.keys().and_then(TableKeys::meaningless_beside_sheet) {
+            return Err(error!("key-of-text-table", key).at(self.campaign.place(table.first())).into());
+        }
+        let own = table.keys().map(TableForm::from);
+        let form = own.as_ref().unwrap_or(form);
+        let mut problems = Problems::default();
+        let mut all: Option<TableFile> = None;
+        for file in table.files() {
+            let read =
+                self.listed(file, kind, holds.clone(), |path, bytes| TableFile::observations(path, &bytes, form));
+            let Some(read) = problems.keep(read) else { continue };
+            all = match all {
+                Some(before) => problems.keep(before.followed_by(read)),
+                None => Some(read),
+            };
+        }
+        problems.check()?;
+        all.ok_or_else(|| error!("data-rows-missing").at(self.campaign.place(table.first())).into())
     }
 
-    /// The tables of observations, one behind the other.
+    /// The tables of observations, one after the other.
     pub fn all_observations(&mut self, stated: &[ObservationsDefinition]) -> Result<Option<TableFile>> {
         let mut all: Option<TableFile> = None;
         for definition in stated {
@@ -200,27 +228,33 @@ impl CampaignTables<'_> {
             let place = self.campaign.place_of(&["observations", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
-        self.listed(&stated.file, SourceKind::Table, "observations", |path, bytes| {
-            TableFile::observations(path, &bytes, stated.layout(), stated.encoding, stated.sheet.as_deref())
+        self.listed(&stated.file, SourceKind::Table, phrase!("table-of-observations"), |path, bytes| {
+            let form = TableForm { layout: stated.layout(), encoding: stated.encoding, sheet: stated.sheet.clone() };
+            TableFile::observations(path, &bytes, &form)
         })
     }
 
-    /// A table of another kind, which `table` makes of the file's name and text.
-    pub fn read_with(
-        &mut self,
-        file: &Spanned<String>,
-        kind: SourceKind,
-        holds: &str,
-        table: impl FnOnce(&str, &str) -> Result<DataFrame>,
-    ) -> Result<TableFile> {
-        self.listed(file, kind, holds, |path, bytes| TableFile::of(path, files::text(path, bytes)?, table))
+    /// A recorded motion: an export in its format, or a table of etalon.
+    pub fn recording(&mut self, stream: &StreamDefinition) -> Result<TableFile> {
+        self.listed(&stream.file, SourceKind::Stream, phrase!("recorded-motion-file"), |path, bytes| {
+            match (&stream.format, stream.unit) {
+                (Some(format), Some(unit)) => {
+                    let text = etalon_formats::text_of(path, &bytes, stream.encoding, format)?;
+                    TableFile::of(path, text, |file, text| etalon_formats::recorded_points(file, text, format, unit))
+                }
+                _ => {
+                    let form = TableForm { encoding: stream.encoding, ..TableForm::default() };
+                    TableFile::observations(path, &bytes, &form)
+                }
+            }
+        })
     }
 
     fn listed(
         &mut self,
         file: &Spanned<String>,
         kind: SourceKind,
-        holds: &str,
+        holds: Phrase,
         read: impl FnOnce(&Path, Vec<u8>) -> Result<TableFile>,
     ) -> Result<TableFile> {
         let here = self.campaign.place(file);
@@ -233,7 +267,8 @@ impl CampaignTables<'_> {
             sha256: stamp.sha256,
             bytes: stamp.size,
             kind,
-            dialect: holds.to_owned(),
+            dialect: holds.to_string(),
+            dialect_phrase: Some(holds),
             rows_read: table.table.height(),
             refused: Vec::new(),
             standstills: Vec::new(),

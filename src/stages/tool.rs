@@ -1,4 +1,4 @@
-//! The error to expect at the tool point.
+//! The expected error at the tool point.
 
 use super::evaluate::{Sets, summarise};
 use crate::stages::remedies::remedied;
@@ -18,9 +18,9 @@ use std::collections::BTreeSet;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
 
-/// The error that the controller will make at a point with what was found. Its variance is the sum
-/// of those of the predicted position, of parameters that the data do not determine, of what the
-/// model leaves out, and of the point's place.
+/// The expected error of the controller at a point with the identified parameters. Its variance is
+/// the sum of those of the predicted position, of parameters that the data do not determine, of the
+/// model error, and of the position of the point.
 pub struct Expected<'a> {
     prediction: ToolPrediction<'a>,
     model_mm: f64,
@@ -28,8 +28,8 @@ pub struct Expected<'a> {
 }
 
 impl<'a> Expected<'a> {
-    /// The error by a prediction, and by what the measured accuracy shows beyond the instrument
-    /// that `settings` state.
+    /// The error from a prediction, and from the excess of the measured accuracy over the
+    /// instrument's uncertainty in `settings`.
     pub fn new(prediction: ToolPrediction<'a>, settings: &Settings, accuracy: &AccuracyDocument) -> Self {
         let dimension = prediction.robot.dimension() as f64;
         // what is measured beyond the instrument's own error, where the residuals show that there
@@ -54,7 +54,7 @@ impl<'a> Expected<'a> {
         error.parameters_mm.hypot(error.held_mm).hypot(self.model_mm).hypot(self.place_mm)
     }
 
-    /// Over the poses that are judged; `None` without a covariance.
+    /// Over the judged poses; `None` without a covariance.
     pub fn accuracy(&self, sets: &Sets, accuracy: &AccuracyDocument) -> Result<Option<ToolAccuracy>> {
         let Some(judged) = accuracy.sets.last() else { return Ok(None) };
         let (observations, _) = sets.of(judged.name);
@@ -127,7 +127,7 @@ impl<'a> Expected<'a> {
         }))
     }
 
-    /// A node, where the robot reaches it with joint values within those of the calibration.
+    /// A node, if the robot reaches it with joint values within those of the calibration.
     fn node(&self, kinematics: &dyn Kinematics, poses: &[Spanning], at_mm: Vector) -> Result<Option<MapNode>> {
         let distance = |pose: &&Spanning| norm(minus(pose.at_mm, at_mm));
         let Some(near) = poses.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else { return Ok(None) };
@@ -161,11 +161,11 @@ impl<'a> Expected<'a> {
     }
 }
 
-/// Joint values beyond those of the calibration by less than this are within them, mm or rad.
+/// Maximum excess of joint values over the range of the calibration (mm or rad).
 const SAME: f64 = 1e-9;
-/// Nodes that a map has at least: with fewer it shows nothing of the workspace.
+/// Minimum number of nodes of a map; fewer do not represent the workspace.
 const FEWEST_NODES: usize = 10;
-/// Nodes that a map has at most.
+/// Maximum number of nodes of a map.
 const MOST_NODES: usize = 300;
 
 /// A pose of the calibration.
@@ -175,8 +175,9 @@ struct Spanning<'a> {
     joints: &'a [f64],
 }
 
-/// The places of a grid over the box of these poses, and its spacing: the least of 1, 2, 5, 10 ...
-/// that makes few enough. Along an axis in which the poses differ by less than that, the middle.
+/// The positions of a grid over the box of these poses, and its spacing: the smallest of 1, 2, 5,
+/// 10 ... that makes few enough nodes. Along an axis in which the poses differ by less than the
+/// spacing, the middle.
 fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
     let bounds: [[f64; 2]; 3] = std::array::from_fn(|axis| {
         let of = |pick: fn(f64, f64) -> f64| poses.iter().map(|p| p.at_mm[axis]).reduce(pick).unwrap_or(0.0);
@@ -195,9 +196,9 @@ fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
     (x.iter().flat_map(yz).collect(), spacing)
 }
 
-/// The size that a normal error of this covariance exceeds once in 20 times: the sum of squares has
-/// nearly the distribution g χ²(ν) with the same mean and variance (Box 1954, Ann. Math. Statist.
-/// 25, 290, theorem 3.1).
+/// The size that a normal error of this covariance exceeds with a probability of 5 %: the sum of
+/// squares has nearly the distribution g χ²(ν) with the same mean and variance (Box 1954, Ann.
+/// Math. Statist. 25, 290, theorem 3.1).
 fn p95(covariance: &Matrix3<f64>) -> f64 {
     let (trace, of_square) = (covariance.trace(), (covariance * covariance).trace());
     match Gamma::new(0.5 * trace.powi(2) / of_square, 0.5 * trace / of_square) {

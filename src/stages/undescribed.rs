@@ -1,5 +1,4 @@
-//! Readings that an identified robot does not describe: whose they are, and what they have in
-//! common.
+//! Readings that an identified robot does not describe: their targets, and their common property.
 
 use crate::stages::remedies::reading;
 use crate::stages::shown;
@@ -12,28 +11,28 @@ use etalon_fit::rotation_onto;
 use etalon_math::statistics::rms;
 use std::collections::BTreeMap;
 
-/// A calibrated model leaves thousandths of the workspace; more than this share of it is another
-/// robot.
+/// Maximum error as a share of the workspace: errors of calibrated models are thousandths of it;
+/// more is another robot.
 const LEFT: f64 = 0.02;
-/// Largest share of the errors that a motion of the frame leaves if it explains them.
+/// Maximum share of the errors that remains after a motion of the frame that explains them.
 const EXPLAINS: f64 = 0.2;
-/// Readings or targets that a message names.
+/// Maximum number of readings or targets in a message.
 const NAMED: usize = 5;
 
 /// Fit of the calibration poses, as evidence about errors of the validation poses.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum CalibrationFit {
-    /// They fit, with coordinates to spare.
+    /// They fit, with redundant coordinates.
     Fits,
-    /// They fit because they leave no coordinate to check: other places of base and targets fit
-    /// them as well.
+    /// They fit without a redundant coordinate: other positions of base and targets fit equally
+    /// well.
     Unchecked,
     /// They do not fit, or are the poses in question.
     Unknown,
 }
 
-/// An error where the positions of `set` are not those of the identified robot: what is seen, and
-/// where. A cause is named only where the errors show it.
+/// Returns an error if the positions of `set` are not those of the identified robot: the
+/// observation, and its place. A cause is named only if the errors show it.
 pub(super) fn undescribed(set: PoseSet, errors: &[PointError], calibration: CalibrationFit) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == set).collect();
     let after_mm = rms(of.iter().map(|e| norm(e.after_mm)));
@@ -51,7 +50,7 @@ pub(super) fn undescribed(set: PoseSet, errors: &[PointError], calibration: Cali
     Some(message.hint(hint))
 }
 
-/// Returns what the errors of `of` have in common; `far` are the readings beyond the limit.
+/// Returns the common property of the errors of `of`; `far` are the readings beyond the limit.
 fn undescribed_hint(of: &[&PointError], far: Vec<&PointError>, calibration: CalibrationFit, after_mm: f64) -> Phrase {
     if let Some(targets) = targets_alone(of, &far) {
         return phrase!("undescribed-targets", targets);
@@ -70,8 +69,8 @@ fn undescribed_hint(of: &[&PointError], far: Vec<&PointError>, calibration: Cali
     }
 }
 
-/// The targets all of whose readings are far, where no reading of another one is and there are
-/// others.
+/// The targets all of whose readings are far, if no reading of another target is and there are
+/// other targets.
 fn targets_alone(of: &[&PointError], far: &[&PointError]) -> Option<Vec<Argument>> {
     let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
     of.iter().for_each(|e| counts.entry(&e.target).or_default()[0] += 1);

@@ -1,4 +1,5 @@
-//! Validate: given parameters judged on the data of a campaign; nothing of the robot is identified.
+//! Validation: given parameters judged on the data of a campaign, without identification of the
+//! robot.
 
 use super::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
@@ -12,7 +13,7 @@ use etalon_documents::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDo
 use etalon_identify::{Comparison, GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
 
-/// Errors of given parameters, and what a reader must know of them.
+/// Errors of given parameters, and remarks for the reader.
 #[derive(Clone, Debug)]
 pub struct Validated {
     /// Errors before and after.
@@ -106,8 +107,8 @@ impl Values {
     }
 }
 
-/// The given parameters with the most probable base and targets, by what they are given with and by
-/// the calibration poses.
+/// The given parameters with the most probable base and targets, given their covariance and the
+/// calibration poses.
 fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Vec<f64>> {
     if !sets.calibration_conditions.is_empty() {
         return Err(error!("prior-of-conditions").into());
@@ -129,7 +130,7 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
     calibration.most_probable().map_err(remedied)
 }
 
-/// The nominal parameters, where base and targets are among them.
+/// The nominal parameters, if base and targets are among them.
 fn stated(robot: &dyn Robot) -> Result<Vec<f64>> {
     match robot.parameters().iter().find(|p| !p.tolerance.is_finite()) {
         Some(p) => Err(error!("place-without-nominal", parameter = p.name).into()),
@@ -137,8 +138,8 @@ fn stated(robot: &dyn Robot) -> Result<Vec<f64>> {
     }
 }
 
-/// Probability of errors as large as these of the parameters, base and targets that are given, by
-/// their uncertainty and that of the measurement.
+/// Probability of errors this large with the given parameters, base and targets, by their
+/// uncertainty and that of the measurement.
 fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Option<f64>> {
     let mut observations = sets.calibration.clone();
     let calibrated =
@@ -151,7 +152,7 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
     Ok(all.p_value(noise.variance).ok())
 }
 
-/// Definition of errors with other parameters before and after.
+/// Definition of errors for other parameters before and after.
 fn definition(of: Option<Phrase>, identified: bool, frames: GivenFrames) -> Phrase {
     let values = match (identified, frames) {
         (true, GivenFrames::Refit) => phrase!("values-given-refit"),
@@ -163,7 +164,7 @@ fn definition(of: Option<Phrase>, identified: bool, frames: GivenFrames) -> Phra
     of.unwrap_or_else(|| Phrase::new("error-definition")).with("values", &values)
 }
 
-/// A warning where the given parameters are worse than nominal ones.
+/// Returns a warning if the given parameters are worse than nominal ones.
 fn worse(accuracy: &AccuracyDocument) -> Option<Message> {
     let position = accuracy.sets.last()?.leading()?;
     let (given_mm, nominal_mm) = (position.after.rms, position.before.rms);

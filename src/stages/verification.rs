@@ -1,4 +1,4 @@
-//! Verify: whether parameters that were identified before still hold for some few observations.
+//! Verification: test of previously identified parameters on a few observations.
 
 use super::given::{ExpectedDeviation, given, other_nominal};
 use super::repeats::stale;
@@ -17,8 +17,8 @@ use etalon_robots::{Quantity, Robot};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A calibration that may still hold: the robot with its identified parameters as nominal values,
-/// and how well these predict a coordinate.
+/// A calibration under test: the robot with its identified parameters as nominal values, and the
+/// uncertainty of predicted coordinates.
 pub struct EarlierCalibration<'r> {
     robot: &'r dyn Robot,
     parameters: GivenParameters,
@@ -27,11 +27,12 @@ pub struct EarlierCalibration<'r> {
 }
 
 impl<'r> EarlierCalibration<'r> {
-    /// The calibration that a document states. `stated_mm` is the standard uncertainty of a
-    /// coordinate where it is not that of the calibration.
+    /// The calibration in a document. `stated_mm` is the standard uncertainty of a coordinate if it
+    /// is not that of the calibration.
     ///
     /// # Errors
-    /// A document of another robot, or a calibration whose residuals give no standard deviation.
+    /// Fails if the document is of another robot, or if the residuals of the calibration yield no
+    /// standard deviation.
     pub fn new(robot: &'r mut dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let parameters = given(robot, document)?;
         let noise = ExpectedDeviation::of(document, stated_mm)?;
@@ -113,10 +114,9 @@ pub fn verify(
     })
 }
 
-/// Chooses `count` of the candidate poses, by what the parameters of a calibration and their
-/// uncertainty leave to detect: one by one the pose with which the least detectable changes, and
-/// those from which on a joint is named, have the least product; then each is exchanged for a
-/// better one (Fedorov 1972).
+/// Chooses `count` of the candidate poses for a calibration and its uncertainty: one by one the
+/// pose with the smallest product of the smallest detectable changes and of those from which a
+/// joint is named; then each is exchanged for a better one (Fedorov 1972).
 pub fn plan(
     calibration: EarlierCalibration,
     mut candidates: Vec<Observation>,
@@ -180,10 +180,10 @@ pub fn plan(
     })
 }
 
-/// Assumed size (mm or rad) of a change that the chosen poses do not show.
+/// Assumed size (mm or rad) of a change that the chosen poses do not detect.
 const UNSEEN: f64 = 1e3;
 
-/// An error where two targets with each other's names are where the parameters put them.
+/// Returns an error if two targets fit the parameters with exchanged names.
 fn exchanged_targets(
     robot: &dyn Robot,
     values: &[f64],
@@ -219,10 +219,10 @@ fn exchanged_targets(
     (left_mm < 0.1 * before_mm).then(|| error!("target-names-exchanged", first, second, before_mm, left_mm))
 }
 
-/// Poses that are tried without.
+/// Maximum number of poses that are left out in turn.
 const MOST_POSES: usize = 100;
 
-/// A warning where the parameters are valid without one of the poses.
+/// Returns a warning if the parameters are valid without one of the poses.
 fn wrong_pose(poses: &BTreeSet<PoseName>, valid: impl Fn(&dyn Fn(PoseName) -> bool) -> bool) -> Option<Message> {
     if !(3..=MOST_POSES).contains(&poses.len()) {
         return None;
@@ -237,7 +237,7 @@ fn sum_of_squares(test: &etalon_identify::Test) -> SumOfSquares {
     SumOfSquares { value: test.sum, degrees_of_freedom: test.degrees_of_freedom, p_value: test.p_value }
 }
 
-/// Names and quantities of the numbers of a motion.
+/// Names and quantities of the values of a motion.
 fn components(robot: &dyn Robot, moved: Moved) -> Vec<(String, Quantity)> {
     let of = |names: &[&str], quantity| names.iter().map(|n| ((*n).to_owned(), quantity)).collect::<Vec<_>>();
     match moved {
@@ -250,11 +250,12 @@ fn components(robot: &dyn Robot, moved: Moved) -> Vec<(String, Quantity)> {
     }
 }
 
-/// Smallest share of the excess of squares that names a motion which does not explain everything.
+/// Minimum share of the excess of squares at which a motion that does not explain everything is
+/// named.
 const DOMINANT: f64 = 0.5;
 
-/// The motion that explains most of what the parameters and their uncertainty do not, with its
-/// share; `None` if no motion explains half of it.
+/// The motion that explains most of the deviation beyond the parameters and their uncertainty, with
+/// its share; `None` if no motion explains half of it.
 fn dominant(found: &Verification) -> Option<(&Explanation, f64)> {
     let (changes, rest) = (&found.of_changes, &found.of_rest);
     let excess = changes.sum + rest.sum - (changes.degrees_of_freedom + rest.degrees_of_freedom) as f64;
@@ -330,7 +331,7 @@ fn number(v: &MovementValue) -> String {
     format!("{} {:+.digits$}{u} {}", v.name, v.value, v.unit)
 }
 
-/// A warning where several motions explain the residuals as well.
+/// Returns a warning if several motions explain the residuals equally well.
 fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     let cause = found.cause()?;
     let as_well = |e: &&Explanation| *e != cause && e.p_left > etalon_identify::EXPLAINED;

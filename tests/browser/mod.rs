@@ -2,6 +2,7 @@
 
 mod driver;
 mod pages;
+mod samples;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -235,7 +236,7 @@ fn marks_answer_to_the_pointer_and_to_the_keyboard(browser: &mut Browser, report
     for page in &reports.pages {
         browser.open(page);
         let at = browser.evaluate(
-            "(() => { const mark = [...document.querySelectorAll('figure svg circle.map, figure svg circle.cal')].find(m => {
+            "(() => { const mark = [...document.querySelectorAll('.figures svg circle.map, .figures svg circle.cal')].find(m => {
                  // one that no other mark or name covers
                  m.scrollIntoView({ block: 'center' });
                  const box = m.getBoundingClientRect();
@@ -257,7 +258,7 @@ fn marks_answer_to_the_pointer_and_to_the_keyboard(browser: &mut Browser, report
         // away from it, and on with the keys
         browser.call("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": 1, "y": 1 }));
         assert_eq!(browser.evaluate(tip), "", "{}", page.display());
-        browser.evaluate("document.querySelector('svg[tabindex]').focus()");
+        browser.evaluate("document.querySelector('.figures svg[tabindex]').focus()");
         let press = |browser: &mut Browser| {
             browser.call(
                 "Input.dispatchKeyEvent",

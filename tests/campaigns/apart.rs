@@ -87,7 +87,7 @@ fn targets_of_validation_poses_are_placed_and_count_by_their_redundancy() {
         &scratch,
         "run",
         0,
-        &["[placed-by-validation]: 60 targets measured at validation poses alone: `V0`, `V1`", "placed by"],
+        &["[placed-by-validation]: 60 targets measured only at validation poses: `V0`, `V1`", "located by"],
     );
     assert!(!said.contains("[placed-by-validation-unjudged]") && !said.contains("another campaign"), "{said}");
     let accuracy = document(&scratch, "accuracy.json");
@@ -151,7 +151,7 @@ fn anchors_and_sockets_of_validation_poses_are_placed() {
     }
     campaign(&scratch, &table);
     let what = [
-        "[placed-by-validation-unjudged]: 3 fixtures measured at validation poses alone: `anchor_0`, `anchor_1`, `cup`",
+        "[placed-by-validation-unjudged]: 3 fixtures measured only at validation poses: `anchor_0`, `anchor_1`, `cup`",
     ];
     let said = ends(&scratch, "run", 0, &what);
     assert!(!said.contains("another campaign"), "{said}");

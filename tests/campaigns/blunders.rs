@@ -111,8 +111,8 @@ fn a_tolerance_or_targets_that_mean_nothing_are_refused() {
     let label = rows(6, |k, pose| Some(format!("{}_{pose}_1 {}", NAMES[k], place(k, pose))));
     let exports = [("format = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"", label)];
     for (from, to, part) in [
-        ("0.1", "nan", "`nan` is not a measured value"),
-        ("0.1", "inf", "`inf` is not a measured value"),
+        ("0.1", "nan", "[not-a-measured-value]"),
+        ("0.1", "inf", "[not-a-measured-value]"),
         ("0.1", "-0.1", "error[limit-not-positive]: `tolerance_mm`"),
         ("\"L\"", "\"K\"", "error[rigid-targets]"),
         ("\"K\", \"L\"", "", "error[rigid-targets]"),

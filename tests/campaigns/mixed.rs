@@ -58,11 +58,11 @@ fn a_file_with_joints_and_points_is_joined_by_its_rows() {
     let unnamed = campaign(&format!("{FORMAT} }} }}\n{JOINTS}"), "", &rows);
     ends(&unnamed, "check", 0, &[]);
     for (export, more, part) in [
-        (format!("{apart}\n{JOINTS}"), log, "the joints are stated twice"),
-        (format!("{apart}\n{JOINTS}"), "[join]\nby = [\"pose\"]\n", "is joined by its rows"),
-        (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "error[column-unknown]: there is no column `RP9`"),
+        (format!("{apart}\n{JOINTS}"), log, "[joints-twice]"),
+        (format!("{apart}\n{JOINTS}"), "[join]\nby = [\"pose\"]\n", "[joints-joined-by-row]"),
+        (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "error[column-unknown]"),
         (format!("{apart}\n{}", JOINTS.replace("rho3_mm", "rho3_m m")), "", "all.csv"),
-        (format!("{apart}\n{}", JOINTS.replace(", rho3_mm = \"RP3\"", "")), "", "has no column for joint `rho3`"),
+        (format!("{apart}\n{}", JOINTS.replace(", rho3_mm = \"RP3\"", "")), "", "[log-joint-missing]"),
     ] {
         let scratch = campaign(&export.replace("rho3_m m", "\"rho3_m m\""), more, &rows);
         select(&scratch);
@@ -104,8 +104,8 @@ fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
     for (rule, part) in [
         ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"119\"\nreason = \"r\"\n", "there is no row 119"),
         ("[[identify.exclude]]\nfile = \"al.csv\"\nrows = \"1\"\nreason = \"r\"\n", "did you mean `all.csv`"),
-        ("[[identify.exclude]]\nrows = \"1\"\nreason = \"r\"\n", "either poses or the rows of a file"),
-        ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"1\"\nreason = \" \"\n", "an exclusion needs its reason"),
+        ("[[identify.exclude]]\nrows = \"1\"\nreason = \"r\"\n", "[exclusion-mixed]"),
+        ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"1\"\nreason = \" \"\n", "[exclusion-without-reason]"),
     ] {
         let scratch = campaign(&weighted, "", &rows);
         add(&scratch, rule);
@@ -160,12 +160,7 @@ fn a_serial_arm_touches_points_by_their_label() {
     let found = parameters(&scratch);
     assert!(found.residuals.rms < 1e-6, "{}", found.residuals.rms);
     scratch.replace("log.csv", "hole 7;", "hole seven;");
-    ends(
-        &scratch,
-        "check",
-        2,
-        &["error[label-not-measured]: no measured point has the label `hole seven`", "log.csv:9"],
-    );
+    ends(&scratch, "check", 2, &["error[label-not-measured]", "`hole seven`", "log.csv:9"]);
     scratch.replace("log.csv", "hole seven;", "hole 7;");
     scratch.replace("campaign.toml", "targets = [\"tip\"]", "targets = [\"tip\", \"tap\"]");
     ends(&scratch, "check", 2, &["error[join-by-label-targets]"]);
@@ -262,11 +257,11 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
         let (code, said, _) = campaign(&proposed.replacen(from, to, 1));
         assert!(code == Some(2) && said.contains(expected), "{code:?} {said}");
     };
-    slip("\"J1\"", "\"J7\"", "error[column-unknown]: there is no column `J7`");
-    slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "error[column-stated-twice]: the column `J1`");
+    slip("\"J1\"", "\"J7\"", "error[column-unknown]");
+    slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "error[column-stated-twice]");
     slip("delimiter =", "sheet = \"A\"\ndelimiter =", "error[key-of-text-table]: `delimiter`");
     slip("x_mm =", "x =", "error[observation-column-unknown]: `x`");
-    slip("pose = \"row\"", "", "no column `pose`");
+    slip("pose = \"row\"", "", "[column-unknown]");
     let spoilt = own.replacen(';', ";x", 9);
     std::fs::write(folder.path().join("cobot/own.csv"), own_head.to_owned() + &spoilt).unwrap();
     let (code, said, _) = campaign(&proposed);
@@ -409,12 +404,9 @@ fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
 
     // slips: the same poses twice, other joints for one file, and a file whose joints are those of another
     let (code, said) = run(&(both.clone() + &export("b.csv", 1, "LR", "")));
-    assert!(code == Some(2) && said.contains("is there twice at pose 1") && said.contains("row + 100"), "{said}");
+    assert!(code == Some(2) && said.contains("occurs twice at pose 1") && said.contains("row + 100"), "{said}");
     let (code, said) = run(&(export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "").replace("\"J2\"", "\"J3\"")));
-    assert!(code == Some(2) && said.contains("state different `joints`"), "{said}");
+    assert!(code == Some(2) && said.contains("[joints-differ]"), "{said}");
     let (code, said) = run(&export("a.csv", 1, "LR", "").replace("target = \"LR\"\n", ""));
-    assert!(
-        code == Some(2) && said.contains("at least one target") && said.contains("`target` of the exports"),
-        "{said}"
-    );
+    assert!(code == Some(2) && said.contains("[no-target]") && said.contains("`target` of the exports"), "{said}");
 }

@@ -67,7 +67,7 @@ fn firmwares_move_the_carriages_of_the_identified_delta() {
         }
         // lean has no place there
         let (_, _, text) = exported("delta_linear", format, |r| disturbed(r, &[]));
-        assert!(text.contains("not in this format, towers are upright: tower_ry_1"), "{text}");
+        assert!(text.contains("not in this format, whose towers are vertical: tower_ry_1"), "{text}");
     }
 }
 

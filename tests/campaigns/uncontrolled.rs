@@ -44,7 +44,7 @@ fn points_of_a_frame_without_redundancy_are_listed_and_nominal_places_control_th
     std::fs::write(&world, text).unwrap();
     for (from, to, what) in [
         ("R_home = [312", "R_hom = [312", "error[nominal-point-unmeasured]: `nominal_mm` names `R_hom`"),
-        ("tolerance_mm = 0.2\n", "", "belong together"),
+        ("tolerance_mm = 0.2\n", "", "[nominal-without-tolerance]"),
     ] {
         let before = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
         scratch.replace("campaign.toml", from, to);

@@ -79,7 +79,7 @@ fn a_plane_with_its_table_is_where_it_is_programmed() {
     for (sign, adds) in [("add", 1.0), ("subtract", -1.0)] {
         let written = |corrected| cross.written(&[&axes[..], &["--sign", sign, "--corrected", corrected]].concat());
         let (first, second) = (written("q1_mm"), written("q2_mm"));
-        assert!(first.contains("as stated: not published by its maker"), "{first}");
+        assert!(first.contains("as stated; the maker does not publish the sign"), "{first}");
         for (table, number) in [(&first, 4.0), (&second, 7.0)] {
             assert_eq!(value(table, "kopf.achs_nr"), number);
             assert_eq!([1, 2].map(|m| value(table, &format!("kw.crosscomp2.master{m}_ax_nr"))), [4.0, 7.0]);
@@ -228,7 +228,10 @@ fn leads_and_measured_errors_become_tables() {
     }
     for (arguments, why) in [
         (&["geometric.json", "--axis", "rho1_mm=0:100:50"][..], "error[lead-not-measured]: no lead of `rho1_mm` "),
-        (&["geometric.json", "--axis", "rho3_mm=0:400:50"], "rho3_mm = 350: the lead was not measured there"),
+        (
+            &["geometric.json", "--axis", "rho3_mm=0:400:50"],
+            "rho3_mm = 350: the lead was not measured at this position",
+        ),
         (&["geometric.json", "--axis", "rho3_mm"], "error[axis-without-positions]"),
         (&["errors.csv", "--axis", "x"], "error[not-a-grid]"),
         (&["um.csv", "--axis", "x"], "changes by 3.5 from 0 to 50"),

@@ -78,9 +78,9 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
     let back = back.trends.iter().find(|t| t.name == "s").unwrap().changes[0];
     assert!((back.change + change.change).abs() < 1e-12 && (back.p.unwrap() - change.p.unwrap()).abs() < 1e-12);
 
-    refused(&etalon(at, &["compare", "spring", "spring"]), &["`spring` is named twice"]);
-    refused(&etalon(at, &["compare", "spring", "./spring/out/"]), &["`./spring/out/` is named twice"]);
-    refused(&etalon(at, &["compare", "spring", "nowhere"]), &["nowhere/manifest.json", "hint: "]);
+    refused(&etalon(at, &["compare", "spring", "spring"]), &["[campaign-twice]", "`spring`"]);
+    refused(&etalon(at, &["compare", "spring", "./spring/out/"]), &["[campaign-twice]", "`./spring/out/`"]);
+    refused(&etalon(at, &["compare", "spring", "nowhere"]), &["[not-an-output-folder]", "nowhere", "hint: "]);
     let edit = |file: &str, from: &str, to: &str| {
         let path = at.join("autumn/out").join(file);
         let whole = std::fs::read_to_string(&path).unwrap();
@@ -103,7 +103,7 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
     );
     refused(&edit("parameters.json", "{", "["), &["parameters.json", "run the campaign again"]);
     let named = |name: &str| edit("campaign.json", "\"robot\": \"PreXYT\"", &format!("\"robot\": \"{name}\""));
-    refused(&named("PreXYT 2"), &["different robots", "PreXYT 2"]);
+    refused(&named("PreXYT 2"), &["[robots-differ]", "PreXYT 2"]);
     std::fs::remove_file(at.join("autumn/out/accuracy.json")).unwrap();
     refused(&etalon(at, &["compare", "spring", "autumn"]), &["accuracy.json"]);
 }

@@ -288,7 +288,7 @@ fn g_code_keeps_its_modal_words() {
         ("G91\nG0 X1 Y1 C0\n", "error[movement-not-compensated]: `G91`"),
         ("G0 X200 Y150\n", "error[coordinate-unknown]: `C`"),
         ("G0 X[#1+2] Y150 C0\n", "error[coordinate-not-number]: `X`"),
-        ("G55 G0 X200 Y150 C0\n", "the program uses `G55`"),
+        ("G55 G0 X200 Y150 C0\n", "[program-frames]"),
         ("G0 X900 Y150 C0\n", "target line 1: rho1 = "),
     ] {
         let (new, code, said) = real.compensate("part.ngc", program.as_bytes(), &[]);

@@ -189,7 +189,7 @@ fn without_the_run(twin: &Twin, robot: &Serial, again: &Value) {
     std::fs::copy(folder.join("out/parameters.json"), folder.join("alone/parameters.json")).unwrap();
     let arguments = ["export", "alone/parameters.json", "--robot", "robot.toml", "--format", "universal-robots"];
     let exported = etalon(&folder, &arguments);
-    assert!(exported.status.success() && text(&exported.stderr).contains("its error was not measured"));
+    assert!(exported.status.success() && text(&exported.stderr).contains("[controller-error-not-measured]"));
     let yaml = std::fs::read_to_string(folder.join("alone").join(SAMPLE_OF_FILE)).unwrap();
     assert!(yaml.contains("# conditioned on nominal values of: gain_1"), "{yaml}");
     let document = std::fs::read(folder.join("alone/parameters.json")).unwrap();
@@ -221,7 +221,7 @@ fn a_file_that_is_worse_than_nominal_is_refused() {
     let ran = etalon(&folder, &["run", "."]);
     let said = text(&ran.stderr);
     assert_eq!(ran.status.code(), Some(1), "{said}");
-    for words in ["format `universal-robots` is not written", "gain_4", "with nominal parameters", "--force"] {
+    for words in ["[file-worse-than-nominal]", "gain_4", "with nominal parameters", "--force"] {
         assert!(said.contains(words), "{words}: {said}");
     }
     assert!(!folder.join("out").join(SAMPLE_OF_FILE).exists() && folder.join("out/controller.json").exists());

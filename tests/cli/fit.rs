@@ -121,7 +121,7 @@ fn qif_features_are_set_against_what_the_file_states() {
     // other texts do not say their element
     std::fs::write(folder.path().join("b.txt"), ball()).unwrap();
     let said = text(&etalon(folder.path(), &["fit", "b.txt"]).stderr);
-    assert!(said.contains("the element is not stated") && said.contains("hint:"), "{said}");
+    assert!(said.contains("[fit-element-missing]") && said.contains("hint:"), "{said}");
 }
 
 #[test]
@@ -238,4 +238,29 @@ fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
         assert_eq!(refused.status.code(), Some(2));
         assert!(text(&refused.stderr).contains(part), "{}", text(&refused.stderr));
     }
+}
+
+#[test]
+fn foreign_points_are_named_and_set_aside_on_request() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut lines = ball();
+    lines += "14 0 0.5\n";
+    std::fs::write(folder.path().join("b.txt"), &lines).unwrap();
+    let run = |rest: &[&str]| {
+        let output = etalon(folder.path(), &[&["fit", "sphere", "b.txt", "--unit", "mm", "--json"], rest].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        serde_json::from_slice::<FitDocument>(&output.stdout).unwrap()
+    };
+    let plain = run(&[]);
+    assert!(
+        plain.messages.iter().any(|m| m.id == "foreign-points") && plain.set_aside.is_none(),
+        "{:?}",
+        plain.messages
+    );
+    let robust = run(&["--robust"]);
+    assert_eq!((robust.set_aside, robust.points), (Some(vec![21]), 21));
+    assert!((robust.radius_mm.unwrap() - 12.5).abs() < 1e-9);
+    std::fs::write(folder.path().join("b.txt"), ball()).unwrap();
+    assert_eq!(run(&[]).messages, []);
+    assert_eq!(run(&["--robust"]).set_aside, Some(Vec::new()));
 }

@@ -59,7 +59,7 @@ fn a_compensation_table_holds_the_means_of_both_directions() {
         assert!(out.lines().any(|l| l == line), "{line}: {out} {err}");
     }
     let (code, _, err) = answer(&uneven, &["--compensation", "sinumerik"]);
-    assert!(code == Some(2) && err.contains("constant distance"), "{err}");
+    assert!(code == Some(2) && err.contains("[axis-positions-uneven]"), "{err}");
 }
 
 /// The control adds the table to the actual value, and the axis moves the other way (Siemens, K3): what it then reaches is programmed.
@@ -94,7 +94,7 @@ fn tables_that_are_no_test_of_an_axis_are_refused() {
             "0,0.001,1\n0,0.002,1\n0,0,-1\n",
             "error[iso230-few-runs]: position 0 mm has fewer than two runs in direction -1",
         ),
-        ("0,0.001,2\n", "a row has no position"),
+        ("0,0.001,2\n", "[iso230-row-incomplete]"),
         ("", "error[data-rows-missing]"),
         // measured in metres
         (

@@ -88,7 +88,7 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (good.clone(), "--path far.csv", "error[path-without-pass]"),
         (good.clone(), "--path spatial.csv", "error[coordinates-differ]"),
         (good.clone(), "--path point.csv", "error[commanded-point-repeated]"),
-        (good.clone(), "--path nowhere.csv", "error[cannot-read-file]: cannot read `nowhere.csv`"),
+        (good.clone(), "--path nowhere.csv", "error[input-missing]: there is no file `nowhere.csv`"),
         (good.clone(), "--commanded twice.csv", "error[pose-commanded-twice]: pose 1"),
         (good.clone(), "--columns x,y --delimiter comma", "error[option-unit-missing]"),
         (
@@ -137,8 +137,8 @@ fn a_loaded_robot_gives_way_by_what_the_table_says() {
     for (from, to, said) in [
         ("+x,1,10,", "up,1,10,", "error[load-direction-unknown]: `up`"),
         ("+x,1,10,", "+x,1,-10,", "error[force-not-a-number]: `-10`"),
-        ("+x,1,0,", "+x,1,5,", "no row without force"),
-        ("force_n", "force", "error[column-unknown]: there is no column `force_n`"),
+        ("+x,1,0,", "+x,1,5,", "[unloaded-position-missing]"),
+        ("force_n", "force", "error[column-unknown]"),
         ("+x,1,10,500.01", "+x,1,10,", "error[coordinate-missing]"),
     ] {
         let refused = answer(&table.replacen(from, to, 1));
@@ -228,7 +228,7 @@ fn reference_targets_carry_positions_back_and_must_be_there_from_the_first_cycle
     for (rows, said) in [
         (nests(3), "error[cycle-before-reference-targets]: cycle 1"),
         (nests(1) + &nests(3).replace("3,c,", "3,d,"), "error[reference-targets-differ]"),
-        (nests(1) + &nests(1), "error[reference-target-twice]: the reference target `a`"),
+        (nests(1) + &nests(1), "error[reference-target-twice]"),
         (nests(1).replace(",700,", ",0,"), "nests.csv"),
     ] {
         let refused = answer(&rows);
@@ -288,8 +288,10 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
     for (found, expected) in numbers(&back).iter().zip(numbers(&still)) {
         assert!((found - expected).abs() < 1e-9, "{found} instead of {expected}");
     }
-    assert!(back.conventions.iter().any(|c| c == "positions and orientations are carried back by reference targets"));
-    // without the order positions alone are carried back, and that is told
+    assert!(
+        back.conventions.iter().any(|c| c == "drift of positions and orientations is compensated by reference targets")
+    );
+    // without the order the drift of positions alone is compensated, and that is told
     let (half, said) = answer(&order[..2]);
     assert!((half.poses[0].ap_mm.unwrap() - still.poses[0].ap_mm.unwrap()).abs() < 1e-9);
     assert!(half.poses[0].rp_c_deg.unwrap() > 10.0 && said.contains("warning[angles-not-compensated]"), "{said}");

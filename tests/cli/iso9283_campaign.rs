@@ -170,7 +170,7 @@ fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
         ("loads.csv", "+x,1,3,", "+x,1,-3,", &["loads.csv:3", "error[force-not-a-number]"]),
         ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "error[load-direction-unknown]"]),
         ("campaign.toml", "\"loads.csv\"", "\"no.csv\"", &["no.csv", "campaign.toml:"]),
-        ("campaign.toml", "\"poses.csv\"", "\"../poses.csv\"", &["leaves the folder", "campaign.toml:"]),
+        ("campaign.toml", "\"poses.csv\"", "\"../poses.csv\"", &["[path-outside]", "campaign.toml:"]),
         (
             "campaign.toml",
             "drift_set = 5 ",
@@ -178,9 +178,9 @@ fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
             &["error[drift-set-too-small]: `drift_set`", "campaign.toml:"],
         ),
         ("campaign.toml", "drift_set = 5 ", "drift_set = 40 ", &["drift: 0 sets", "campaign.toml:"]),
-        ("campaign.toml", "drift_set", "drift_sett", &["unknown key `drift_sett`", "drift_set"]),
+        ("campaign.toml", "drift_set", "drift_sett", &["[unknown-key]", "`drift_sett`", "drift_set"]),
         ("campaign.toml", "accuracy_max_mm = 0.400", "position_max_mm = 1", &["needs [identify]"]),
-        ("campaign.toml", "reference = ", "output = ", &["unknown key `output`"]),
+        ("campaign.toml", "reference = ", "output = ", &["[unknown-key]", "`output`"]),
     ] {
         let scratch = copy_sample("pose-test");
         let path = scratch.path().join(file);
@@ -202,7 +202,7 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
     for (from, to, parts) in [
         ("3,20,", "3,twenty,", &["positions.csv:4", "twenty"][..]),
         ("3,20,", "2,20,", &["positions.csv:4", "error[pose-commanded-twice]: pose 2"]),
-        ("3,20,229,42\n", "", &["positions.csv", "error[commanded-pose-missing]: no position is commanded for pose 3"]),
+        ("3,20,229,42\n", "", &["positions.csv", "error[commanded-pose-missing]"]),
         ("pose,x_mm,y_mm,z_mm", "pose,x_mm,y_mm,a_deg", &["positions.csv", "error[commanded-angle-unmeasured]"]),
         (good, "", &["positions.csv", "error[data-rows-missing]"]),
     ] {
@@ -281,8 +281,9 @@ fn a_limit_that_a_pose_cannot_be_judged_by_is_an_error() {
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(done.status.code(), Some(2), "{}", text_of(&done));
     assert!(
-        text_of(&done)
-            .contains("error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: pose 1"),
+        text_of(&done).contains(
+            "error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: it has no value at pose 1"
+        ),
         "{}",
         text_of(&done)
     );

@@ -43,7 +43,7 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
         assert_eq!((status, format!("{proved:?}").as_str()), (Some(code), expected));
     }
     for (options, said) in
-        [(" --rp-limit-mm 0", "--rp-limit-mm must be positive"), (" --ap-limit-mm NaN", "must be positive")]
+        [(" --rp-limit-mm 0", "--rp-limit-mm must be positive"), (" --ap-limit-mm NaN", "[option-not-positive]")]
     {
         let refused = run(here, &format!("{line}{options}"));
         assert_eq!(refused.status.code(), Some(2));
@@ -85,7 +85,7 @@ fn robots_approaches_and_cycles_are_told_apart() {
     let (one, _) = answer(&of_a);
     assert!(all.poses == one.poses && all.distances == one.distances && all.drifts == one.drifts);
     assert!((all.exchangeability_mm.unwrap() - 0.5).abs() < 0.01 && one.exchangeability_mm.is_none());
-    assert!(all.conventions.iter().any(|c| c == "of 2 robots: all is of `A`, but for exchangeability"));
+    assert!(all.conventions.iter().any(|c| c == "2 robots: all results except exchangeability refer to `A`"));
 
     // two ways a cycle: sets of drift are of cycles, and what is no RP of the standard is said
     let (ways, said) = answer(&table(&[("A", 0.0)], &[("east", 0.0), ("west", 0.1)]));
@@ -96,9 +96,5 @@ fn robots_approaches_and_cycles_are_told_apart() {
     // a typing error in a title is told
     let typed = table(&[("A", 0.0)], &[("east", 0.0)]).replacen("approach", "aproach", 1);
     let (_, said) = answer(&typed);
-    assert!(
-        said.contains("warning[columns-not-read]: not read: column `aproach`")
-            && said.contains("did you mean `approach`?"),
-        "{said}"
-    );
+    assert!(said.contains("warning[columns-not-read]") && said.contains("did you mean `approach`?"), "{said}");
 }

@@ -146,16 +146,16 @@ fn tables_that_do_not_fit_are_refused_by_name() {
     let bars = root().join("samples/dextar/robot.toml");
     let pose = "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
     let all = [
-        ("direct", &arm, "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg\n1,1,2,3,4,5\n".to_owned(), 2, "no column `q6_deg`"),
+        ("direct", &arm, "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg\n1,1,2,3,4,5\n".to_owned(), 2, "[column-unknown]"),
         (
             "direct",
             &arm,
             "pose,q1_deg,q2_mm,q3_deg,q4_deg,q5_deg,q6_deg\n1,1,2,3,4,5,6\n".to_owned(),
             2,
-            "no column `q2_deg`",
+            "[column-unknown]",
         ),
-        ("direct", &xyt, "pose,rho1_mm,rho2_mm,rho3_mm\n1,1,2,\n".to_owned(), 2, "a value is missing"),
-        ("direct", &bars, "pose,theta1_deg,theta2_deg\n1,54.36,153.77\n".to_owned(), 2, "no column `assembly`"),
+        ("direct", &xyt, "pose,rho1_mm,rho2_mm,rho3_mm\n1,1,2,\n".to_owned(), 2, "[table-value-missing]"),
+        ("direct", &bars, "pose,theta1_deg,theta2_deg\n1,54.36,153.77\n".to_owned(), 2, "[column-unknown]"),
         (
             "inverse",
             &arm,
@@ -163,7 +163,7 @@ fn tables_that_do_not_fit_are_refused_by_name() {
             2,
             "error[table-quaternion-length]: the quaternion has the length 1.41",
         ),
-        ("inverse", &arm, "pose,x_mm,y_mm,z_mm\n1,300,0,500\n".to_owned(), 2, "no column `qw`"),
+        ("inverse", &arm, "pose,x_mm,y_mm,z_mm\n1,300,0,500\n".to_owned(), 2, "[column-unknown]"),
         ("inverse", &arm, format!("{pose}far,3000,0,500,1,0,0,0\n"), 1, "pose far: out of reach"),
         ("inverse", &xyt, format!("{pose}up,200,150,10,1,0,0,0\n"), 1, "pose up: out of reach"),
         ("inverse", &xyt, format!("{pose}1,900,150,0,1,0,0,0\n"), 1, "its travel is"),

@@ -274,5 +274,5 @@ fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
         ],
     );
     assert_eq!(wrong.status.code(), Some(2));
-    assert!(text_of(&wrong).contains("names no format of targets"), "{}", text_of(&wrong));
+    assert!(text_of(&wrong).contains("[targets-format-unknown]"), "{}", text_of(&wrong));
 }

@@ -31,14 +31,15 @@ pub(super) fn tool(program: &str, arguments: &[&str], file: &Path) -> Option<Str
     }
 }
 
-/// Texts of a page between its tags, and what only some of them are marked as: English.
+/// Texts of a page between its tags, and those marked as English, without the explanations of messages.
 fn texts(page: &str) -> (Vec<String>, Vec<String>) {
     let body = page.split_once("<body").unwrap().1.split_once("<script>").unwrap().0;
     let (mut own, mut english) = (Vec::new(), Vec::new());
-    for piece in body.split('<').filter_map(|piece| piece.split_once('>')) {
+    let worded: Vec<&str> = body.lines().filter(|line| !line.contains("<code id=\"message-")).collect();
+    for piece in worded.join("\n").split('<').filter_map(|piece| piece.split_once('>')) {
         match piece.0 {
             "bdi lang=\"en\"" => english.push(piece.1.to_owned()),
-            tag if tag == "code" || tag.starts_with("style") => {}
+            tag if tag == "code" || tag.starts_with("code ") || tag.starts_with("style") => {}
             _ => own.extend(piece.1.lines().map(str::to_owned)),
         }
     }

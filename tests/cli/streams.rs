@@ -91,12 +91,12 @@ fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
             &["error[option-not-positive]: `band_mm`", "campaign.toml:"],
         ),
         ("campaign.toml", "path = \"path.csv\"", "", &["error[path-not-stated]: `velocity_mm_s`"]),
-        ("campaign.toml", "band_mm = 0.02", "band = 0.02", &["unknown key `band`"]),
+        ("campaign.toml", "band_mm = 0.02", "band = 0.02", &["[unknown-key]", "`band`"]),
         (
             "campaign.toml",
             "band_mm = 0.02",
             "weave_hz = 2",
-            &["error[weave-incomplete]: the weave lacks `weave_stroke_mm`", "the weave lacks `weave_across`"],
+            &["error[weave-incomplete]", "`weave_stroke_mm`", "[weave-incomplete]", "`weave_across`"],
         ),
         (
             "campaign.toml",
@@ -104,7 +104,7 @@ fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
             "weave_stroke_mm = 2\nweave_hz = 3\nweave_across = [0, 1]",
             &["error[path-not-stated]: `weave_stroke_mm`", "error[weave-direction-count]"],
         ),
-        ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["needs its `unit`"]),
+        ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["`format` and `unit` of a recording belong together"]),
         ("path.csv", "250,50\n", "250,fifty\n", &["path.csv", "fifty"]),
         ("exports/motion.csv", "0.03,", "0.01,", &["motion.csv:5", "error[time-not-increasing]"]),
     ] {

@@ -173,7 +173,7 @@ fn uncertainties_that_are_none_are_refused() {
         &[],
         &["error[position-covariance-invalid]"],
     );
-    refused(&table(&rows, ",ux_mm", |_| ",0.003".to_owned()), &[], &["no column `uy_mm`"]);
+    refused(&table(&rows, ",ux_mm", |_| ",0.003".to_owned()), &[], &["[column-unknown]", "`uy_mm`"]);
     let option = ["--standard-uncertainty-um", "3", "--pose-residuals"];
     refused(&with(",0.003,0.003"), &option, &["[own-uncertainties-unusable]"]);
     // a name that is mistaken is not read, and said

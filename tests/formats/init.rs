@@ -1,5 +1,6 @@
 //! `etalon init --from`: a stranger's files become a campaign that runs, after the questions that `check` asks one after the other.
 
+use super::recordings::{Cdr, JOINTS, recording};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::documents::ParametersDocument;
@@ -140,10 +141,12 @@ fn labels_and_poses_join_an_export_and_a_log() {
     std::fs::write(at.join("points.csv"), export).unwrap();
     let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "points.csv", "log.csv"]);
     assert_eq!(code, Some(0), "{said}");
-    let answers = [("name", "\"tracker\""), ("expanded_uncertainty_um", "20"), ("unit", "\"mm\""), ("UNIT", "deg")];
-    assert_eq!(answer(at, &answers).len(), 4);
+    // units follow from the kinematics of the nominal robot
+    let answers = [("name", "\"tracker\""), ("expanded_uncertainty_um", "20")];
+    assert_eq!(answer(at, &answers).len(), 2);
     let text = std::fs::read_to_string(at.join("mine/campaign.toml")).unwrap();
     assert!(text.contains("label = \"{target}-{pose}\"") && text.contains("by = [\"pose\"]"), "{text}");
+    assert!(!text.contains("UNIT deg, rad"), "{text}");
     is_calibrated(&found(at));
     // a file of which nothing is known, and a folder that is there
     std::fs::write(at.join("notes.txt"), "no numbers here\n").unwrap();
@@ -151,4 +154,76 @@ fn labels_and_poses_join_an_export_and_a_log() {
     assert!(code == Some(2) && !at.join("other").exists(), "{said}");
     let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "points.csv"]);
     assert!(code == Some(2) && said.contains("error[file-exists]"), "{said}");
+}
+
+/// A recording of the joints in motion, and points with the times of another clock.
+#[test]
+fn a_recording_and_points_with_times_are_a_campaign() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let names = ["elbow", "base", "shoulder", "wrist_1", "wrist_2", "wrist_3"];
+    let mut urdf = "<robot name=\"arm\"><link name=\"root\"/>\n".to_owned();
+    let origins = [
+        ("0 0 0.3", "0 0 0"),
+        ("0.1 0 0.1", "-1.57 0 0"),
+        ("0.45 0 0", "0 0 0"),
+        ("0.4 0 0.1", "0 0 0"),
+        ("0 0.1 0", "1.57 0 0"),
+        ("0 0 0.1", "-1.57 0 0"),
+    ];
+    let order = ["base", "shoulder", "elbow", "wrist_1", "wrist_2", "wrist_3"];
+    for (k, (xyz, rpy)) in origins.iter().enumerate() {
+        let parent = if k == 0 { "root".to_owned() } else { format!("l{k}") };
+        let _ = writeln!(
+            urdf,
+            "<link name=\"l{0}\"/><joint name=\"{1}\" type=\"revolute\"><parent link=\"{parent}\"/><child link=\"l{0}\"/>\
+             <origin xyz=\"{xyz}\" rpy=\"{rpy}\"/><axis xyz=\"0 0 1\"/><limit lower=\"-3\" upper=\"3\"/></joint>",
+            k + 1,
+            order[k]
+        );
+    }
+    std::fs::write(at.join("arm.urdf"), urdf + "</robot>\n").unwrap();
+    assert_eq!(program(at, &["init", "nominal", "--urdf", "arm.urdf"]).0, Some(0));
+    let arm = etalon::campaign::read_robot(&at.join("nominal/robot.toml")).unwrap();
+    let arm = arm.build(&["SMR".to_owned()]).unwrap();
+    let mut values = arm.nominal();
+    for (p, value) in arm.parameters().iter().zip(&mut values) {
+        *value += if p.name == "base_x" { 900.0 } else { 0.0 };
+    }
+    let target = arm.parameters().iter().position(|p| p.name == "SMR_x").unwrap();
+    values[target] += 60.0;
+    let mut noise = Noise::new(24, 1);
+    let (mut messages, mut csv, mut time, mut q) = (Vec::new(), "Time;Point;X;Y;Z\n".to_owned(), 0.0, vec![0.0; 6]);
+    let mut emit = |q: &[f64], time: f64| {
+        // the message names its joints in another order than the chain
+        let positions: Vec<f64> = names.iter().map(|name| q[order.iter().position(|o| o == name).unwrap()]).collect();
+        let stamp = (1000 + time as i32, ((time % 1.0) * 1e9) as u32);
+        messages.push(("/joint_states", JOINTS, Cdr::joints(stamp, &names, &positions)));
+    };
+    for pose in 0..36 {
+        let next: Vec<f64> = (0..6).map(|_| noise.uniform(1.4)).collect();
+        for step in 1..=5 {
+            time += 0.2;
+            emit(&q.iter().zip(&next).map(|(a, b)| a + (b - a) * f64::from(step) / 5.0).collect::<Vec<_>>(), time);
+        }
+        q = next;
+        let stand = 8 + (pose * 7) % 5;
+        let p = arm.position(&values, &q, 0).map(|v| v + noise.gaussian(0.01));
+        let _ =
+            writeln!(csv, "{:.3};SMR;{:.4};{:.4};{:.4}", 36_000.0 + time + 0.1 * f64::from(stand), p[0], p[1], p[2]);
+        for _ in 0..stand {
+            time += 0.2;
+            emit(&q, time);
+        }
+    }
+    std::fs::write(at.join("run.mcap"), recording(&messages)).unwrap();
+    std::fs::write(at.join("tracker.csv"), csv).unwrap();
+    let (code, said) = program(at, &["init", "mine", "--urdf", "arm.urdf", "--from", "tracker.csv", "run.mcap"]);
+    assert_eq!(code, Some(0), "{said}");
+    let answers = [("name", "\"tracker\""), ("expanded_uncertainty_um", "20"), ("unit", "\"mm\"")];
+    assert_eq!(answer(at, &answers).len(), 3);
+    let document = found(at);
+    assert!(document.residuals.rms < 0.03, "{}", document.residuals.rms);
+    let found = |name: &str| document.parameters.iter().find(|p| p.name == name).unwrap().value;
+    assert!((found("SMR_x") - values[target]).abs() < 0.2, "{}", found("SMR_x"));
 }

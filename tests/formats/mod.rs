@@ -153,6 +153,7 @@ fn read(path: &Path, lines: &str, right: &Right) -> Result<(), String> {
             bytes: 0,
             kind: SourceKind::Log,
             dialect: String::new(),
+            dialect_phrase: None,
             rows_read: 0,
             refused: Vec::new(),
             standstills: Vec::new(),

@@ -9,7 +9,7 @@ use etalon::stages::gather::{Gathered, gather};
 
 /// A message in CDR, little endian: numbers at multiples of their size behind four bytes.
 #[derive(Clone)]
-struct Cdr(Vec<u8>);
+pub(super) struct Cdr(Vec<u8>);
 
 impl Cdr {
     fn new(stamp: (i32, u32)) -> Self {
@@ -32,7 +32,7 @@ impl Cdr {
         values.iter().fold(self, |message, value| message.put(value.to_le_bytes()))
     }
 
-    fn joints(stamp: (i32, u32), names: &[&str], positions: &[f64]) -> Vec<u8> {
+    pub(super) fn joints(stamp: (i32, u32), names: &[&str], positions: &[f64]) -> Vec<u8> {
         let named = Self::new(stamp).put((names.len() as u32).to_le_bytes());
         let named = names.iter().fold(named, |message, name| message.text(name));
         let placed = named.put((positions.len() as u32).to_le_bytes()).numbers(positions);
@@ -45,7 +45,7 @@ impl Cdr {
 }
 
 /// A recording without chunks: topic, type and data of each message.
-fn recording(messages: &[(&str, &str, Vec<u8>)]) -> Vec<u8> {
+pub(super) fn recording(messages: &[(&str, &str, Vec<u8>)]) -> Vec<u8> {
     let text = |text: &str| [&(text.len() as u32).to_le_bytes(), text.as_bytes()].concat();
     let record = |kind: u8, body: &[u8]| [&[kind][..], &(body.len() as u64).to_le_bytes(), body].concat();
     let mut out = [&b"\x89MCAP0\r\n"[..], &record(1, &[text("ros2"), text("")].concat())].concat();
@@ -59,7 +59,7 @@ fn recording(messages: &[(&str, &str, Vec<u8>)]) -> Vec<u8> {
     out
 }
 
-const JOINTS: &str = "sensor_msgs/msg/JointState";
+pub(super) const JOINTS: &str = "sensor_msgs/msg/JointState";
 
 fn sample() -> Vec<u8> {
     recording(&[

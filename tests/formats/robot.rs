@@ -159,7 +159,7 @@ fn commanded_coordinates_are_named_and_the_data_of_another_robot_are_not_explain
     // too few rows test nothing
     let few: String = text.lines().take(10).map(|line| format!("{line}\n")).collect();
     let document = proposed(at, arm.as_ref(), &few);
-    assert!(document.doubts.iter().any(|d| d.contains("does not test the proposal")), "{}", document.toml);
+    assert!(document.doubts.iter().any(|d| d.contains("the proposal cannot be tested")), "{}", document.toml);
 }
 
 #[test]

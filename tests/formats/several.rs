@@ -65,7 +65,10 @@ fn the_lines_of_an_export_and_a_log_run_as_they_are() {
         "by = [\"pose\"]",
         "label = \"{target}-{pose}\"   # all 50 labels have this form",
         "targets = [\"SMR\"]",
-        "the nominal robot reproduces `X`, `Y`, `Z` in mm",
+        "[coordinates-commanded]",
+        "`X`",
+        "`Y`",
+        "`Z`",
     ];
     run(at, &["log.csv", "points.csv"], &parts);
 }

@@ -62,7 +62,8 @@ const FRAME: &str = "[frame.world]\nas_exported = true\n";
 /// The same poses as a table of observations and in every form of an export, and the log.
 fn write_files(at: &Path, rows: &[Row]) {
     let mut plain = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz\n".to_owned();
-    let mut log = "pose,t,q1,q2,q3,q4,q5,q6\n".to_owned();
+    let mut log = "pose,label,t,q1,q2,q3,q4,q5,q6\n".to_owned();
+    let mut labels = "name,x,y,z,qw,qx,qy,qz\n".to_owned();
     let mut quaternions =
         "X  [mm],Y  [mm],Z  [mm],U(95) X  [mm],U(95) Y  [mm],U(95) Z  [mm],Q0 ,Q1 ,Q2 ,Q3\n".to_owned();
     let mut matrices = "n,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33,bad\n".to_owned();
@@ -72,7 +73,8 @@ fn write_files(at: &Path, rows: &[Row]) {
     for (i, (q, p, o)) in (1..).zip(rows) {
         let pose = Pose::from_quaternion(*o);
         let _ = writeln!(plain, "{i},probe,{},{},{}", line(q.clone()), line(*p), line(*o));
-        let _ = writeln!(log, "{i},{},{}", 1000 + 10 * i, line(q.clone()));
+        let _ = writeln!(log, "{i},M{i},{},{}", 1000 + 10 * i, line(q.clone()));
+        let _ = writeln!(labels, "M{i},{},{}", line(*p), line(*o));
         let _ = writeln!(quaternions, "{},0.02,0.02,0.02,{}", line(*p), line(*o));
         let _ = writeln!(matrices, "{i},{},{},0", line(*p), line(pose.rotation.into_iter().flatten()));
         let rad = order.angles(&pose);
@@ -90,6 +92,7 @@ fn write_files(at: &Path, rows: &[Row]) {
     for (name, text) in [
         ("plain.csv", &plain),
         ("log.csv", &log),
+        ("labels.csv", &labels),
         ("at960.csv", &quaternions),
         ("matrices.csv", &matrices),
         ("angles.csv", &angles),
@@ -119,6 +122,8 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
                   \"r23\", \"r31\", \"r32\", \"r33\", \"deleted\"] }";
     let angle = "{ delimiter = \";\", header = 1, columns = [\"timestamp\", \"x\", \"y\", \"z\", \"rx_deg\", \"ry_deg\", \"rz_deg\"], rotation = \"zyx\" }";
     let vector = "{ delimiter = \",\", header = 1, columns = [\"pose\", \"x\", \"y\", \"z\", \"rx_rad\", \"ry_rad\", \"rz_rad\"] }";
+    let label =
+        "{ delimiter = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\"] }";
     // seconds from 1970 to the first log time: the stamps count from 15:00:10.25, the log from 1010 s
     let offset = 1_665_500_400.0 + 10.25 - 1010.0;
     let time = format!("by = \"time\"\nclock_offset_s = {offset}\ntolerance_s = 0.01");
@@ -128,6 +133,7 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
         export("matrices.csv", "mm", matrix, "", "pose = \"pose\", ", pose),
         export("vectors.csv", "m", vector, "", "pose = \"pose\", ", pose),
         export("angles.csv", "mm", angle, row, "time_s = \"t\", ", &time),
+        export("labels.csv", "mm", label, "", "label = \"label\", ", "by = \"label\""),
     ] {
         let (code, said, found) = run(at, &body);
         assert_eq!(code, Some(0), "{body}\n{said}");
@@ -172,6 +178,12 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
         let (code, said, _) = run(at, &body);
         assert!(matches!(code, Some(1 | 2)), "{body}\n{code:?} {said}");
     }
+    // a label that the log names again is a place: its orientation is not that of the body
+    let log = std::fs::read_to_string(at.join("c/log.csv")).unwrap();
+    std::fs::write(at.join("c/log.csv"), log.replace(",M2,", ",M1,")).unwrap();
+    let (_, said, _) = run(at, &export("labels.csv", "mm", label, "", "label = \"label\", ", "by = \"label\""));
+    assert!(said.contains("warning[label-orientations-unused]"), "{said}");
+    std::fs::write(at.join("c/log.csv"), log).unwrap();
     refused_statements(at, &|format| export("at960.csv", "mm", format, row, "", "by = \"row\""));
 }
 
@@ -195,4 +207,87 @@ fn refused_statements(at: &Path, campaign: &dyn Fn(&str) -> String) {
         let (code, said, _) = run(at, &campaign(format));
         assert!(code == Some(2) && said.contains(part), "{format}: {said}");
     }
+}
+
+/// Every second pose from another station: the same robot, and the pose of the station.
+#[test]
+fn poses_of_a_table_may_be_of_another_station() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rows = rows(at);
+    let station = Pose { translation_mm: [700.0, -1200.0, 250.0], ..Pose::from_rotation_vector([0.2, -0.1, 1.9]) };
+    let mut table =
+        "station,pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz\n".to_owned();
+    for (i, (q, p, o)) in (1..).zip(&rows) {
+        let world = Pose { translation_mm: *p, ..Pose::from_quaternion(*o) };
+        let (name, seen) = if i % 2 == 0 { ("T2", station.inverse().then(&world)) } else { ("T1", world) };
+        let _ = writeln!(
+            table,
+            "{name},{i},probe,{},{},{}",
+            line(q.clone()),
+            line(seen.translation_mm),
+            line(seen.quaternion())
+        );
+    }
+    std::fs::write(at.join("c/stations.csv"), &table).unwrap();
+    let (code, said, found) = run(at, "[observations]\nfile = \"stations.csv\"");
+    assert_eq!(code, Some(0), "{said}");
+    let found = found.unwrap();
+    let value = |name: &str| found.parameters.iter().find(|p| p.name == name).unwrap().value;
+    for (name, right) in [("T2_x", 700.0), ("T2_y", -1200.0), ("T2_z", 250.0)] {
+        assert!((value(name) - right).abs() < 0.2, "{name}: {}", value(name));
+    }
+    // a slip of the second station alone: its scalar last
+    let slip: String = table
+        .lines()
+        .map(|row| {
+            let mut cells: Vec<&str> = row.split(',').collect();
+            if cells[0] == "T2" {
+                cells[12..].rotate_left(1);
+            }
+            cells.join(",") + "\n"
+        })
+        .collect();
+    std::fs::write(at.join("c/stations.csv"), slip).unwrap();
+    let (code, said, _) = run(at, "[observations]\nfile = \"stations.csv\"");
+    assert!(code != Some(0), "{said}");
+}
+
+#[test]
+fn temperatures_of_rows_are_a_condition_and_contradict_statements() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rows = rows(at);
+    write_files(at, &rows);
+    let mut text = "x,y,z,t\n".to_owned();
+    for (i, (_, p, _)) in rows.iter().enumerate() {
+        let _ = writeln!(text, "{},{}", line(*p), 19.5 + 0.1 * i as f64);
+    }
+    std::fs::write(at.join("c/warm.csv"), text).unwrap();
+    let body = |more: &str| {
+        format!(
+            "{more}\n[[export]]\nfile = \"warm.csv\"\nunit = \"mm\"\ntarget = \"probe\"\npose = \"row\"\n\
+             format = {{ delimiter = \",\", header = 1, columns = [\"x\", \"y\", \"z\", \"temperature_c\"] }}\n\
+             [log]\nfile = \"log.csv\"\ncolumns = {{ pose = \"pose\", {LOG} }}\n[join]\nby = [\"pose\"]\n{FRAME}"
+        )
+    };
+    let expansion = |expanded: f64| {
+        format!(
+            "[expansion]\nexpanded_temperature_uncertainty_c = {expanded}\ncoverage_factor = 2\nrobot_per_c = 23e-6\n"
+        )
+    };
+    let (code, said, _) = run(at, &body(""));
+    assert!(code == Some(0) && !said.contains("[temperature"), "{said}");
+    let campaign = std::fs::read_to_string(at.join("c/out/campaign.json")).unwrap();
+    let campaign: serde_json::Value = serde_json::from_str(&campaign).unwrap();
+    assert_eq!(campaign["temperature_range_c"], serde_json::json!([19.5, 22.4]));
+    let (_, said, _) = run(at, &body(&expansion(1.0)));
+    assert!(said.contains("warning[temperature-varies]"), "{said}");
+    let (_, said, _) = run(at, &body(&expansion(2.0)));
+    assert!(!said.contains("[temperature"), "{said}");
+    // degrees Fahrenheit
+    let text = std::fs::read_to_string(at.join("c/campaign.toml")).unwrap();
+    std::fs::write(at.join("c/campaign.toml"), text.replacen("name = ", "temperature_c = 68.0\nname = ", 1)).unwrap();
+    let (_, _, said) = program(at, &["check", "c"]);
+    assert!(said.contains("warning[temperature-elsewhere]"), "{said}");
 }

@@ -1,6 +1,7 @@
 //! One language for all tables: columns by name, number or expression, constants, filters, several files.
 
 use crate::support::scratch::{Scratch, copy_sample, ends};
+use etalon::base::phrase;
 use etalon::documents::ParametersDocument;
 use etalon::formats::table::{coordinates, numbers, texts};
 use etalon::formats::{Export, TableLayout, observations_with};
@@ -62,10 +63,10 @@ fn cells_that_were_not_measured_are_missing_and_others_are_errors() {
     assert!(z[0].is_nan() && z[1].is_nan() && z[2] == 4.0, "{z:?}");
     for (stated, part) in [
         ("columns = { z_mm = \"x_mm + y_mn\" }", "did you mean `y_mm`"),
-        ("columns = { z_mm = 9 }", "error[column-number-unknown]: there is no column 9"),
+        ("columns = { z_mm = 9 }", "error[column-number-unknown]"),
         ("columns = { z_mm = \"x_mm / 0\" }", "error[computed-not-finite]"),
         ("columns = { z = 1 }", "error[observation-column-unknown]: `z`"),
-        ("only = { quality = 1 }", "error[column-unknown]: there is no column `quality`"),
+        ("only = { quality = 1 }", "error[column-unknown]"),
         ("only = { target = \"B\" }", "error[no-row-selected]"),
         ("target = \"A\"", "error[stated-and-in-table]: `target`"),
         ("missing = [\"none\"]", "[not-a-number]: `nan`"),
@@ -90,7 +91,7 @@ fn exports_have_computed_columns_and_filters_too() {
         text,
     );
     assert_eq!(points[0], ([9.5, 19.75, 31.0], None), "{problems}");
-    assert_eq!(points[1].1.as_deref(), Some("left out: `deleted` is `1`"));
+    assert_eq!(points[1].1.as_deref(), Some(&phrase!("row-left-out-by-cell", column = "deleted", cell = "1")));
     // without a header
     let (points, problems) =
         read("{ delimiter = \"blank\", columns = { x = \"25.4 * $2\", y = 3, z = \"$1\" } }", "1 2 3\n4 5 6\n");
@@ -275,4 +276,91 @@ fn loads_are_read_in_the_same_language() {
     let plain = of("plain.csv", &[]);
     let stated = ["--delimiter", ";", "--decimal", ",", "--column", "force_n=F [N]"];
     assert_eq!(of("other.csv", &stated), plain);
+}
+
+/// Tables of a section in a form of their own, in several files: the same characteristics.
+#[test]
+fn tables_inside_other_sections_state_their_form() {
+    let plain = copy_sample("pose-test");
+    ends(&plain, "run", 0, &[]);
+    let own = copy_sample("pose-test");
+    let text = |name: &str| std::fs::read_to_string(own.path().join(name)).unwrap();
+    let write = |name: &str, text: String| std::fs::write(own.path().join(name), text).unwrap();
+    // loads in kilograms of a thousandth of a newton, half of them in each of two files, with rows that are deleted
+    let loads = text("loads.csv");
+    let rows: Vec<&str> = loads.lines().skip(1).collect();
+    let row = |line: &&str| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        cells[2] = format!("{}", 1000.0 * cells[2].parse::<f64>().unwrap());
+        format!("{};0\n", cells.join(";").replace('.', ","))
+    };
+    let head = "Belastung\nRichtung;Zyklus;F [mN];X;Y;Z;weg\n";
+    let deleted = "+x;9;nan;1;2;3;1\n";
+    let (first, second) = rows.split_at(rows.len() / 2);
+    for (name, part) in [("lx.csv", first), ("ly.csv", second)] {
+        write(name, head.to_owned() + &part.iter().map(row).collect::<String>() + deleted);
+    }
+    // commanded poses without a header, separated by blanks
+    let commanded = text("commanded.csv");
+    write("cmd.txt", commanded.split_once('\n').unwrap().1.replace(',', " "));
+    own.replace(
+        "campaign.toml",
+        "file = \"loads.csv\"",
+        "file = [\"lx.csv\", \"ly.csv\"]\ndelimiter = \";\"\ndecimal = \",\"\nheader = 2\n\
+         columns = { direction = \"Richtung\", cycle = \"Zyklus\", force_n = \"F [mN] / 1000\", x_mm = \"X\", y_mm = \"Y\", z_mm = \"Z\" }\n\
+         without = { weg = 1 }",
+    );
+    own.replace(
+        "campaign.toml",
+        "commanded = \"commanded.csv\"",
+        "commanded = { file = \"cmd.txt\", delimiter = \"blank\", header = false, columns = { pose = 1, x_mm = 2, y_mm = 3, z_mm = 4, \
+         a_deg = 5, b_deg = 6, c_deg = 7 } }",
+    );
+    let said = ends(&own, "run", 0, &[]);
+    assert!(!said.contains("columns-not-read"), "{said}");
+    let document = |scratch: &Scratch, name: &str| {
+        let text = std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap();
+        serde_json::from_str::<serde_json::Value>(&text).unwrap()
+    };
+    assert_eq!(document(&own, "iso9283.json"), document(&plain, "iso9283.json"));
+    let directions = |scratch: &Scratch| {
+        let all = document(scratch, "iso9283-compliance.json")["directions"].clone();
+        let all: Vec<(String, f64)> = all
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|d| (d["direction"].to_string(), d["compliance_mm_n"].as_f64().unwrap()))
+            .collect();
+        all
+    };
+    let (found, right) = (directions(&own), directions(&plain));
+    assert_eq!(found.len(), 6);
+    assert!(found.iter().zip(&right).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-12), "{found:?} {right:?}");
+    // slips: a cell of the second file, a delimiter that is not stated, a key of a text beside a sheet
+    write("ly.csv", text("ly.csv").replacen("+x;9;nan", "+w;9;1", 1).replacen(";1\n", ";0\n", 1));
+    ends(&own, "check", 2, &["[load-direction-unknown]", "ly.csv:"]);
+    own.replace("campaign.toml", "delimiter = \";\"\ndecimal = \",\"", "decimal = \",\"");
+    ends(&own, "check", 2, &["[comma-ambiguous]", "state `delimiter = \";\"` and `decimal = \",\"`"]);
+    own.replace("campaign.toml", "decimal = \",\"\n", "decimal = \",\"\nsheet = \"Loads\"\n");
+    ends(&own, "check", 2, &["[key-of-text-table]"]);
+}
+
+#[test]
+fn points_are_fitted_from_any_form() {
+    let points =
+        "Name;X (in);Y (in);Z (in);weg\nA;1,5;0,5;2;0\nB;0,5;1,5;2;0\nC;-0,5;0,5;2;0\nD;0,5;-0,5;2;0\nE;9;9;9;1\n";
+    let scratch = Scratch::with(&[("p.csv", points), ("q.csv", "1.5,0.5,2\n0.5,1.5,2\n-0.5,0.5,2\n0.5,-0.5,2\n")]);
+    let (code, right) =
+        answer(&scratch, &["fit", "circle3d", "q.csv", "--unit", "inch", "--delimiter", ",", "--columns", "x,y,z"]);
+    assert_eq!(code, Some(0), "{right}");
+    assert!(right.contains("25.4"), "a circle of one inch: {right}");
+    let form = ["--unit", "inch", "--delimiter", ";", "--decimal", ",", "--without", "weg=1"];
+    let named = ["--column", "x=X (in)", "--column", "y=Y (in)", "--column", "z=Z (in)"];
+    let (code, found) = answer(&scratch, &[&["fit", "circle3d", "p.csv"][..], &form, &named].concat());
+    assert_eq!((code, &found), (Some(0), &right));
+    let (code, said) = answer(&scratch, &["fit", "circle3d", "p.csv", "--unit", "inch", "--decimal", ","]);
+    assert!(code == Some(2) && said.contains("[column-separation-unclear]"), "{said}");
+    let both = [&["fit", "circle3d", "p.csv"][..], &form, &named, &["--columns", "label,x,y,z"]].concat();
+    let (code, said) = answer(&scratch, &both);
+    assert!(code == Some(2) && said.contains("[option-columns-twice]"), "{said}");
 }

@@ -262,7 +262,7 @@ fn no_cell_that_is_written_is_a_formula() {
     let scratch = copy_sample("draw-wire");
     scratch.replace("observations.csv", ",ball,", &format!(",{formula},"));
     for command in ["check", "run"] {
-        ends(&scratch, command, 2, &["error[name-is-formula]: the name `=cmd|'/C calc'!A0`", "observations.csv:2:12"]);
+        ends(&scratch, command, 2, &["error[name-is-formula]", "`=cmd|'/C calc'!A0`", "observations.csv:2:12"]);
     }
     let arguments = ["identify", "--robot", "campaign/robot.toml", "--observations", "campaign/observations.csv"];
     let (code, said) = said(&scratch, &arguments);

@@ -208,7 +208,7 @@ fn with_unplaced_targets(more: usize) -> Scratch {
 fn targets_of_validation_poses_alone_are_not_judged() {
     let said = ends(&with_unplaced_targets(7), "run", 0, &[]);
     let parts = [
-        "[placed-by-validation-unjudged]: 7 targets measured at validation poses alone: `V0`, `V1`, `V2`, `V3`, `V4`, ...",
+        "[placed-by-validation-unjudged]: 7 targets measured only at validation poses: `V0`, `V1`, `V2`, `V3`, `V4`, ...",
     ];
     assert!(parts.iter().all(|part| said.contains(part)), "{said}");
     assert!(!said.contains("another campaign") && !said.contains("do not depend"), "{said}");
@@ -232,7 +232,7 @@ fn targets_of_validation_poses_alone_are_not_judged() {
     };
     let text: Vec<String> = std::fs::read_to_string(&path).unwrap().lines().filter(alone).map(str::to_owned).collect();
     std::fs::write(path, text.join("\n") + "\n").unwrap();
-    ends(&scratch, "run", 2, &["7 targets measured at validation poses alone", "error[validation-leaves-nothing]"]);
+    ends(&scratch, "run", 2, &["7 targets measured only at validation poses", "error[validation-leaves-nothing]"]);
 }
 
 #[test]

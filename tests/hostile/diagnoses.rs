@@ -172,7 +172,7 @@ fn slips_in_joints_are_named() {
     for k in (3..rows.len()).rev() {
         rows[k].q = rows[k - 3].q.clone();
     }
-    named(&positions(&rows), "with the joints of each pose taken from the next one");
+    named(&positions(&rows), "with the joint values of each pose taken from the next pose");
 }
 
 const QUATERNION: &str = ",qw,qx,qy,qz";

@@ -35,10 +35,10 @@ fn what_is_no_text_with_numbers_is_an_error_with_a_reason_and_not_a_long_wait() 
         ("random.bin", "[encoding-invalid]"),
         ("a.xls", "[file-not-text]"),
         ("cut.xlsx", "[workbook-unreadable]"),
-        ("bomb.xml", "error[file-without-points]: this is an XML document"),
+        ("bomb.xml", "error[file-without-points]"),
         ("exports", "[input-is-folder]: `exports`"),
         ("huge.txt", "[line-too-long]"),
-        ("nowhere.txt", "[input-missing]: there is no file `nowhere.txt`"),
+        ("nowhere.txt", "[input-missing]"),
     ] {
         let (code, said, seconds) = formats(folder.path(), file);
         assert!(code == Some(2) && said.contains(part) && said.starts_with("error"), "{file}: {code:?} {said}");

@@ -27,10 +27,10 @@ fn errors_about_files_say_what_to_do() {
     hinted(&scratch, &["[input-is-folder]: `campaign/exports`", "poses.txt"]);
     let scratch = copy_sample("prexyt-cmm");
     std::fs::write(scratch.path().join("exports/world.txt"), "").unwrap();
-    hinted(&scratch, &["holds no points"]);
+    hinted(&scratch, &["[export-empty]"]);
     let text =
         "[instrument]\nname = \"Mitutoyo BRIGHT-STRATO 7106\"\nexpanded_uncertainty_um = 2.7\ncoverage_factor = 2\n";
-    hinted(&changed("campaign.toml", text, ""), &["the key `instrument` is missing", "calibration certificate"]);
+    hinted(&changed("campaign.toml", text, ""), &["[key-missing]", "`instrument`", "calibration certificate"]);
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn an_assembly_mode_that_is_none_has_its_line() {
 #[test]
 fn a_pattern_that_no_label_has_points_at_the_pattern() {
     let scratch = changed("campaign.toml", "{target}_{pose}_{cycle}", "{target}-{pose}-{cycle}");
-    let said = hinted(&scratch, &["has the form `{target}-{pose}-{cycle}`", "campaign.toml:21", "`K_1_1`"]);
+    let said = hinted(&scratch, &["[label-form-differs]", "`{target}-{pose}-{cycle}`", "campaign.toml:21", "`K_1_1`"]);
     assert_eq!(said.lines().filter(|l| l.starts_with("error")).count(), 1, "{said}");
 }
 

@@ -131,3 +131,140 @@ as_exported = true
 [identify]
 calibration = "all"
 "#;
+
+/// Pastes the first line of the hint at `path`: this error is gone, whatever else is said.
+fn goes(scratch: &Scratch, id: &str, path: &[&str]) {
+    let (_, said) = etalon(scratch, "check");
+    let pasted = lines(&said, id).into_iter().next().unwrap_or_else(|| panic!("no line for {id}: {said}"));
+    let file = scratch.path().join("campaign.toml");
+    let mut campaign: toml::Table = toml::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    table(&mut campaign, path).extend(pasted);
+    std::fs::write(&file, toml::to_string(&campaign).unwrap()).unwrap();
+    let (_, after) = etalon(scratch, "check");
+    assert!(!after.contains(&format!("[{id}]")), "{id} remains after its hint: {after}");
+}
+
+#[test]
+fn hints_of_units_labels_and_targets() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace(
+        "campaign.toml",
+        "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = \"mm\"",
+        "file = \"exports/poses.txt\"\nformat = \"polyworks\"",
+    );
+    works(&scratch, "key-missing", &["export.1"], 1);
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "label = \"{target}_{pose}_{cycle}\"\n", "");
+    works(&scratch, "label-form-missing", &["export.1"], 1);
+    let scratch = copy_sample("column-arm");
+    scratch.replace("campaign.toml", "targets = [\"SMR_1\", \"SMR_2\", \"SMR_3\"]\n", "");
+    works(&scratch, "no-target", &["join"], 1);
+}
+
+#[test]
+fn hints_of_columns_and_headers() {
+    for (heading, other) in [("q1_deg", "J1"), ("target", "Ziel"), ("pose", "Nr")] {
+        let scratch = copy_sample("probe-poses");
+        rewrite(&scratch, "observations.csv", |text| text.replacen(heading, other, 1));
+        works(&scratch, "column-unknown", &["observations"], 1);
+    }
+    // no header: every row would be read one too late
+    for (sample, file, path) in
+        [("probe-poses", "observations.csv", "observations"), ("prexyt-cmm", "encoders.csv", "log")]
+    {
+        let scratch = copy_sample(sample);
+        rewrite(&scratch, file, |text| text.split_once('\n').unwrap().1.to_owned());
+        let (_, said) = etalon(&scratch, "check");
+        assert_eq!(said.matches("error[").count(), 1, "one cause, one error: {said}");
+        goes(&scratch, "header-holds-numbers", &[path]);
+    }
+}
+
+#[test]
+fn hints_of_sheets_and_marks_of_tables() {
+    let scratch = copy_sample("probe-poses");
+    std::fs::copy("tests/workbooks/synthetic-openpyxl.xlsx", scratch.path().join("book.xlsx")).unwrap();
+    scratch.replace("campaign.toml", "file = \"observations.csv\"", "file = \"book.xlsx\"");
+    goes(&scratch, "sheet-not-stated", &["observations"]);
+    for mark in [";", "\t"] {
+        let scratch = copy_sample("probe-poses");
+        rewrite(&scratch, "observations.csv", |text| text.replace(',', mark));
+        let (_, said) = etalon(&scratch, "check");
+        assert_eq!(said.matches("error[").count(), 1, "one cause, one error: {said}");
+        works(&scratch, "delimiter-does-not-split", &["observations"], 2);
+    }
+    // a decimal comma is stated, and the default delimiter is a comma too
+    let scratch = copy_sample("probe-poses");
+    rewrite(&scratch, "observations.csv", |text| text.replace(',', ";").replace('.', ","));
+    scratch.replace("campaign.toml", "file = \"observations.csv\"", "file = \"observations.csv\"\ndecimal = \",\"");
+    works(&scratch, "comma-ambiguous", &["observations"], 2);
+}
+
+#[test]
+fn hints_of_orientations_and_uncertainties() {
+    use etalon::base::pose::Pose;
+    // the angles of the sample in the order of fixed axes x, y, z, which is not stated
+    let scratch = copy_sample("probe-poses");
+    let order: etalon::base::angle_order::AngleOrder = "fixed xyz".parse().unwrap();
+    rewrite(&scratch, "observations.csv", |text| {
+        let mut lines = text.lines();
+        let head = lines.next().unwrap().replace("qw,qx,qy,qz", "a_deg,b_deg,c_deg");
+        let row = |line: &str| {
+            let cells: Vec<&str> = line.split(',').collect();
+            let (rest, q) = cells.split_at(cells.len() - 4);
+            let q: Vec<f64> = q.iter().map(|v| v.parse().unwrap()).collect();
+            let angles = order.angles(&Pose::from_quaternion([q[0], q[1], q[2], q[3]])).map(f64::to_degrees);
+            format!("{},{},{},{}\n", rest.join(","), angles[0], angles[1], angles[2])
+        };
+        format!("{head}\n") + &lines.map(row).collect::<String>()
+    });
+    works(&scratch, "angle-order-missing", &["observations"], 1);
+}
+
+#[test]
+fn one_cause_is_one_error() {
+    let count = |scratch: &Scratch| etalon(scratch, "check").1.matches("error[").count();
+    // a wrong target, a wrong form of labels, a joint in an unknown unit
+    for (from, to) in [
+        ("by = [\"pose\", \"cycle\"]", "by = [\"pose\", \"cycle\"]\ntargets = [\"K\", \"M\"]"),
+        ("{target}_{pose}_{cycle}", "{target}-{pose}-{cycle}"),
+        ("rho1_mm = ", "rho1_cm = "),
+    ] {
+        let scratch = copy_sample("prexyt-cmm");
+        scratch.replace("campaign.toml", from, to);
+        assert_eq!(count(&scratch), 1, "{to}: {}", etalon(&scratch, "check").1);
+    }
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "{target}_{pose}_{cycle}", "{target}-{pose}-{cycle}");
+    scratch.replace(
+        "campaign.toml",
+        "by = [\"pose\", \"cycle\"]",
+        "by = [\"pose\", \"cycle\"]\ntargets = [\"K\", \"L\"]",
+    );
+    assert_eq!(count(&scratch), 1, "{}", etalon(&scratch, "check").1);
+    // one wrong column: its rows are one error, with the first three of them
+    for (sample, file, from, part) in [
+        ("prexyt-cmm", "encoders.csv", "0.000000", "also in lines"),
+        ("probe-poses", "observations.csv", "probe,", "also in lines"),
+        ("pose-test", "poses.csv", "1,1,", "also in lines"),
+    ] {
+        let scratch = copy_sample(sample);
+        let to = if sample == "prexyt-cmm" { "n.a." } else { "probe,n.a." };
+        match sample {
+            "pose-test" => rewrite(&scratch, file, |text| {
+                let row = |line: &str| {
+                    let mut cells: Vec<&str> = line.split(',').collect();
+                    if cells[0] != "pose" {
+                        cells[3] = "n.a.";
+                    }
+                    cells.join(",") + "\n"
+                };
+                text.lines().map(row).collect()
+            }),
+            _ => rewrite(&scratch, file, |text| text.replace(from, to)),
+        }
+        let (_, said) = etalon(&scratch, "check");
+        assert_eq!(said.matches("error[").count(), 1, "{sample}: {said}");
+        assert!(said.contains(part), "{sample}: {said}");
+    }
+}

@@ -41,7 +41,7 @@ const GALIL: &str = "format = \"galil\"\ncolumns = { a_mm = { name = \"A\", per_
 fn galil_holes_fractions_and_wraps_are_told_with_their_places() {
     let good = read("A,B\n1,2\n3,4\n", GALIL).unwrap();
     assert_eq!((column(&good, "a_mm"), column(&good, "b_mm")), (vec![0.5, 1.5], vec![4.0, 8.0]));
-    refused("A,B\n1,2\n,4\n5,6\n", GALIL, &["error[galil-array-hole]: the array of `a_mm`", "encoders.csv:3"]);
+    refused("A,B\n1,2\n,4\n5,6\n", GALIL, &["error[galil-array-hole]", "`a_mm`", "encoders.csv:3"]);
     refused("A,B\n1,2\n3.5,4\n", GALIL, &["error[not-a-count]: 3.5", "encoders.csv:3:1"]);
     refused("A,B\n2147483000,2\n-2147483000,4\n", GALIL, &["error[counter-wrapped]", "encoders.csv:3:1"]);
     refused("A,B\n,2\n,4\n", GALIL, &["error[galil-array-empty]"]);
@@ -54,7 +54,7 @@ fn what_columns_state_and_cannot_mean_is_an_error_of_the_campaign() {
         ("columns = { a_mm = { name = \"A\", number = 1 } }", "either a `name` or a `number`"),
         ("columns = { a_mm = { name = \"A\", zero_count = 1 } }", "without `per_count`"),
         ("columns = { a_mm = { name = \"A\", per_count = 0 } }", "`per_count` is not 0"),
-        ("columns = { a_mm = { name = \"A\", factor = 1 } }", "unknown key `factor`"),
+        ("columns = { a_mm = { name = \"A\", factor = 1 } }", "[unknown-key]"),
         (
             "columns = { time_s = { name = \"A\", per_count = 1 }, a_mm = \"B\" }",
             "error[log-key-inapplicable]: `per_count`",
@@ -146,13 +146,17 @@ fn twincat_holes_and_clocks_that_stand_are_told_at_once() {
         CHANNELS,
         &["error[time-not-increasing]", "encoders.csv:11:1", "`4,5`", "encoders.csv:13:3", "error[channel-resumes]"],
     );
-    refused(&SCOPE.replace("3\t4.5\n", "3\t4.5\t\t\t9\n"), CHANNELS, &["error[row-field-count]", "at most 4"]);
+    refused(
+        &SCOPE.replace("3\t4.5\n", "3\t4.5\t\t\t9\n"),
+        CHANNELS,
+        &["error[row-field-count]", "[joints-need-delimited-text]"],
+    );
     refused("no scope\n", CHANNELS, &["error[twincat-head-malformed]"]);
-    refused("Name\tx\n", CHANNELS, &["error[twincat-head-malformed]", "names the channels"]);
+    refused("Name\tx\n", CHANNELS, &["error[twincat-head-malformed]", "[twincat-head-malformed]"]);
     refused(
         &SCOPE.replace("Offset\t0\tOffset\t0\n\n", "Offset\t0\tOffset\t0\n"),
         CHANNELS,
-        &["error[twincat-head-malformed]", "empty line"],
+        &["error[twincat-head-malformed]", "[twincat-head-malformed]"],
     );
     refused(SCOPE, &CHANNELS.replace("\"b\"", "\"c\""), &["error[column-unknown]", "`c`"]);
     refused(

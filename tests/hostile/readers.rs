@@ -157,11 +157,7 @@ fn what_is_wrong_in_a_q_das_file_is_refused_with_its_line() {
     refused("aqdef", &AQDEF.replace("K2142/0 mm", "K2142/0 inch"), &["[unit-differs]", "inch (K2142)", "f.txt:4"]);
     refused("aqdef", &AQDEF.replace("K2142/0 mm", "K2142/2 deg"), &["[unit-unknown]: `deg`", "f.txt:4"]);
     refused("aqdef", &AQDEF.replace("1.5", "1,5"), &["[not-a-number]: `1,5`", "f.txt:9", "\"aqdef, decimal comma\""]);
-    refused(
-        "aqdef",
-        &AQDEF.replace("K0100 4", "K0100 3"),
-        &["[characteristic-beyond-count]", "characteristic 4", "states 3", "f.txt:8", "f.txt:14"],
-    );
+    refused("aqdef", &AQDEF.replace("K0100 4", "K0100 3"), &["[characteristic-beyond-count]", "f.txt:8", "f.txt:14"]);
     refused("aqdef", &AQDEF.replace("K0100 4\n", ""), &["[format-differs]", "`K0100`", ".dfd", ".dfx"]);
     refused("aqdef", &format!("{AQDEF}K0100 4\n"), &["[several-data-sets]", "`K0100`", "f.txt:15"]);
     refused("aqdef", &AQDEF[..AQDEF.find("K0001").unwrap()], &["[no-measured-points]", "`K0001`"]);

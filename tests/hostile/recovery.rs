@@ -21,11 +21,16 @@ fn a_missing_key_hides_nothing_behind_it() {
     scratch.replace("campaign.toml", "exports/world.txt", "exports/word.txt");
     scratch.replace("robot.toml", "\nd3 = ", "\nd33 = ");
     let parts = [
-        "unknown key `coverage_facter`",
-        "the key `coverage_factor` is missing in `instrument`",
+        "[unknown-key]",
+        "`coverage_facter`",
+        "[key-missing]",
+        "`coverage_factor`",
+        "`instrument`",
         "`rail9_a`",
-        "error[column-unknown]: there is no column `RP33`",
-        "[input-missing]: there is no file `campaign/exports/word.txt`",
+        "error[column-unknown]",
+        "`RP33`",
+        "[input-missing]",
+        "`campaign/exports/word.txt`",
         "did you mean `world.txt`",
         "[nominal] names `d33`",
     ];
@@ -65,11 +70,8 @@ fn a_wrong_unit_is_one_error() {
 fn a_column_for_a_joint_that_the_robot_does_not_have() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho3_mm = \"RP3\"", "rho4_mm = \"RP3\"");
-    let parts = [
-        "error[log-joint-unknown]: `rho4_mm`",
-        "campaign.toml:25:77",
-        "error[log-joint-missing]: log `log` has no column for joint `rho3`",
-    ];
+    let parts =
+        ["error[log-joint-unknown]: `rho4_mm`", "campaign.toml:25:77", "error[log-joint-missing]", "`log`", "`rho3`"];
     let said = refused(&scratch, &parts);
     assert_eq!(errors(&said), 2, "{said}");
 }
@@ -99,10 +101,10 @@ fn arm(change: impl Fn(String) -> String) -> String {
 #[test]
 fn a_joint_that_does_not_read_is_still_a_joint() {
     let said = arm(|text| text.replacen("a_mm = 1.0\n", "", 1));
-    assert!(said.contains("the key `a_mm` is missing in `joint`"), "{said}");
+    assert!(said.contains("[joint-key-missing]"), "{said}");
     // of the third joint, at its own place
     let said = arm(|text| text.trim_end().strip_suffix("d_mm = 290.0").unwrap().to_owned());
-    assert!(said.contains("the key `d_mm` is missing in `joint`") && said.contains("robot.toml:14:1"), "{said}");
+    assert!(said.contains("[joint-key-missing]") && said.contains("robot.toml:14:1"), "{said}");
     let said = arm(|text| text + "d_m = 0.29\n");
     assert!(said.contains("error[keys-state-the-same]: `d_mm`, `d_m` ") && said.contains("robot.toml:14:1"), "{said}");
     let said = arm(|text| text.replacen("a_mm = 1.0\n", "a_mm = \"one\"\n", 1));
@@ -131,10 +133,10 @@ fn a_joint_without_its_head_is_one_error() {
 fn geometry_of_the_robot_is_never_filled_in() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("robot.toml", "\ns = 394.0", "");
-    refused(&scratch, &["[nominal] does not state `s`", "robot.toml", "hint: state the geometry"]);
+    refused(&scratch, &["[nominal-missing]", "`s`", "robot.toml", "hint: state the geometry"]);
     let scratch = copy_sample("prexyt-cmm");
     std::fs::write(scratch.path().join("robot.toml"), "model = \"prexyt\"\n").unwrap();
-    refused(&scratch, &["[nominal] does not state `s`, `d`"]);
+    refused(&scratch, &["[nominal-missing]", "`s`", "`d`"]);
     assert_eq!(etalon(&scratch, "run").0, Some(2));
 }
 
@@ -142,5 +144,5 @@ fn geometry_of_the_robot_is_never_filled_in() {
 fn a_key_of_the_top_level_in_a_section_is_told_where_it_stands() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "coverage_factor = 2", "coverage_factor = 2\ntemperature_c = 20.0");
-    assert_eq!(errors(&refused(&scratch, &["unknown key `temperature_c`", "belongs at the top"])), 1);
+    assert_eq!(errors(&refused(&scratch, &["[unknown-key]", "`temperature_c`", "belongs at the top"])), 1);
 }

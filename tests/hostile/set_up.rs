@@ -21,7 +21,7 @@ fn the_world_export_in_another_unit_is_refused_and_named() {
     let scratch = copy_sample("prexyt-cmm");
     let world = "file = \"exports/world.txt\"\nformat = \"polyworks\"\nunit = ";
     scratch.replace("campaign.toml", &format!("{world}\"mm\""), &format!("{world}\"in\""));
-    let parts = ["the nominal robot misses the measurements", "with the world frame turned by", "`unit`"];
+    let parts = ["[nominal-robot-far]", "with the world frame turned by", "`unit`"];
     ends(&scratch, "check", 2, &parts);
     ends(&scratch, "run", 1, &["`x_o` = -7829", "no controller file is written"]);
     assert!(!scratch.path().join("out/controller.json").exists());
@@ -32,17 +32,12 @@ fn a_repeat_of_a_fixed_point_that_lies_elsewhere_is_named_with_its_line() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/world.txt", "R_home 312.63723 ", "R_home 313.63723 ");
     for command in ["check", "run"] {
-        let said = ends(
-            &scratch,
-            command,
-            2,
-            &["error[repeat-off]: 1 of 5 repeats of `R_home` lies 0.99", "exports/world.txt:16"],
-        );
+        let said = ends(&scratch, command, 2, &["error[repeat-off]", "`R_home`", "0.99", "exports/world.txt:16"]);
         assert!(said.starts_with("error"), "{said}");
     }
     // ten micrometres: the instrument does not explain them, and the result is not spoilt
     scratch.replace("exports/world.txt", "R_home 313.63723 ", "R_home 312.64723 ");
-    ends(&scratch, "check", 0, &["warning[repeat-off]: 1 of 5 repeats of `R_home` lies 0.0"]);
+    ends(&scratch, "check", 0, &["warning[repeat-off]", "`R_home`", "0.0"]);
 }
 
 #[test]
@@ -119,7 +114,7 @@ fn outliers_are_left_out_where_the_campaign_says_so() {
     };
     std::fs::write(&path, text.lines().map(spoil).collect::<String>()).unwrap();
     let parts = [
-        "[outliers-excluded]: excluded by `outliers",
+        "[outliers-excluded]",
         "3 of 400 readings",
         "(K, pose 5, cycle 3)",
         "(L, pose 17, cycle 1)",
@@ -137,8 +132,8 @@ fn outliers_are_left_out_where_the_campaign_says_so() {
 #[test]
 fn a_tolerance_is_checked_and_kept() {
     for (text, said) in [
-        ("tolerance = { length_mm = -1 }", "the tolerance `length_mm` must be positive"),
-        ("tolerance = { a_99 = 1 }", "`tolerance` names `a_99`, which is not a parameter of this robot"),
+        ("tolerance = { length_mm = -1 }", "[tolerance-not-positive]"),
+        ("tolerance = { a_99 = 1 }", "[nominal-unknown]"),
     ] {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("robot.toml", "model = \"prexyt\"", &format!("model = \"prexyt\"\n{text}"));
@@ -147,15 +142,7 @@ fn a_tolerance_is_checked_and_kept() {
     // the table's d3 is 0.85 mm from its drawing
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("robot.toml", "model = \"prexyt\"", "model = \"prexyt\"\ntolerance = { d3 = 0.5 }");
-    let said = ends(
-        &scratch,
-        "run",
-        1,
-        &[
-            "error[tolerance-exceeded]: 1 parameter is beyond the tolerance of the robot: `d3` = 0.85",
-            "tolerance 0.500 mm",
-        ],
-    );
+    let said = ends(&scratch, "run", 1, &["error[tolerance-exceeded]", "`d3`", "0.85", "tolerance 0.500 mm"]);
     assert!(said.contains("no controller file is written"), "{said}");
 }
 
@@ -163,10 +150,10 @@ fn a_tolerance_is_checked_and_kept() {
 fn nominal_values_ten_times_too_large_are_refused() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("robot.toml", "\ns = 394.0", "\ns = 3940.0");
-    ends(&scratch, "check", 2, &["the nominal robot misses the measurements", "with `s` = 39"]);
+    ends(&scratch, "check", 2, &["[nominal-robot-far]", "with `s` = 39"]);
     let mirrored = copy_sample("dextar");
     mirrored.replace("robot.toml", "l12 = 230.0", "l12 = -230.0");
-    ends(&mirrored, "check", 2, &["the length `l12` must be positive", "robot.toml:7:7"]);
+    ends(&mirrored, "check", 2, &["[nominal-length-not-positive]", "`l12`", "robot.toml:7:7"]);
     assert_ne!(etalon(&scratch, "run").0, Some(0));
 }
 
@@ -201,7 +188,7 @@ fn a_ball_that_bears_the_coordinates_of_another_is_named() {
         scratch.replace("exports/plate.txt", &ball.join(","), &[&ball[..3], &other[3..]].concat().join(","));
         let (found, _) = etalon::run::walk::everything(&Campaign::read(&scratch.path()).unwrap());
         let said: String = found.messages.iter().map(|m| m.what.clone() + "\n").collect();
-        let named = |a: &str, b: &str| said.contains(&format!("`{a}` lies where `{b}` is"));
+        let named = |a: &str, b: &str| said.contains(&format!("`{a}` has the position of `{b}`"));
         assert!(named(&ball[2], &other[2]) || named(&other[2], &ball[2]), "{}: {said}", ball[2]);
     }
 }
@@ -221,7 +208,7 @@ fn as_many_parameters_as_coordinates_are_said_to_be_unchecked() {
             .unwrap();
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(code), "{prior}: {said}");
-        let unchecked = "[no-coordinates-to-check]: 6 coordinates of the calibration poses determine 6 parameters";
+        let unchecked = "[no-coordinates-to-check]: 6 coordinates of the calibration poses for 6 parameters";
         assert!(said.contains(unchecked), "{prior}: {said}");
     }
 }
@@ -261,7 +248,7 @@ fn reference_targets_that_make_poses_scatter_more_are_named() {
     let (_, said) = etalon(&scratch, "run");
     assert!(
         said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 lie 0.0")
-            && said.contains("rigid motion"),
+            && said.contains("[reference-targets-misshapen]"),
         "{said}"
     );
 }

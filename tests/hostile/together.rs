@@ -14,11 +14,11 @@ fn a_robot_file_that_does_not_read_hides_nothing() {
     scratch.replace("robot.toml", "[nominal]", "[nominal");
     scratch.replace("campaign.toml", "[join]", "[join]\ncolour = 1");
     scratch.replace("campaign.toml", "\"rail2_a\",", "\"rail2_x\",");
-    said(&scratch, &["robot.toml:5", "unknown key `colour`", "no point has the label `rail2_x`"]);
+    said(&scratch, &["robot.toml:5", "[unknown-key]", "`colour`", "[label-unknown]", "`rail2_x`"]);
     scratch.replace("campaign.toml", "robot = \"robot.toml\"", "robot = \"robto.toml\"");
-    said(&scratch, &["robto.toml`", "campaign.toml:2:9", "unknown key `colour`", "`rail2_x`"]);
+    said(&scratch, &["robto.toml`", "campaign.toml:2:9", "[unknown-key]", "`colour`", "`rail2_x`"]);
     scratch.replace("campaign.toml", "robot = \"robto.toml\"", "robot = \"../robot.toml\"");
-    said(&scratch, &["leaves the folder of the campaign", "unknown key `colour`", "`rail2_x`"]);
+    said(&scratch, &["[path-outside]", "[unknown-key]", "`colour`", "`rail2_x`"]);
 }
 
 #[test]
@@ -30,11 +30,13 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
     scratch.replace("campaign.toml", "y_axis = [\"R_home\", \"R_end\"]", "y_axis = [\"R_home\"]");
     scratch.replace("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\"");
     let parts = [
-        "no point has the label `R_no`",
-        "[point-or-feature-unknown]: there is no point or feature `rail9_a`",
+        "[label-unknown]",
+        "`R_no`",
+        "[point-or-feature-unknown]",
+        "`rail9_a`",
         "feature `rails`: ",
         "error[frame-axis-without-direction]",
-        "`exports/poses.txt` has 590 rows, log `log` has 295",
+        "`exports/poses.txt` has 590 rows, but log `log` has 295",
     ];
     let said = said(&scratch, &parts);
     for part in parts {
@@ -104,14 +106,14 @@ fn statements_that_count_for_nothing_are_refused() {
         &["[key-of-other-join]: `clock_offset_s`", "campaign.toml:"],
     );
     campaign("\"rail2_a\", ", "\"rail2_a\", \"rail2_a\", ", &["feature `rails` names `rail2_a` twice", ":31:21"]);
-    campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["both calibration and validation: 13", ":43:14"]);
-    campaign("by = [\"pose\", \"cycle\"]", "by = \"time\"", &["a join by time needs", "campaign.toml:28:6"]);
+    campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["[sets-overlap]", "13", ":43:14"]);
+    campaign("by = [\"pose\", \"cycle\"]", "by = \"time\"", &["[join-clock-missing]", "campaign.toml:28:6"]);
     campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["[feature-element]", ".toml:3"]);
     let delimited = "format = { delimiter = \"blank\", columns = [\"pose\", \"target\", \"x\", \"y\", \"z\"] }\ntarget = \"K\"\npose = \"row\"";
     campaign(
         "format = \"polyworks\"",
         delimited,
-        &["`pose` is stated twice", "`target` is stated twice", "campaign.toml:"],
+        &["[key-and-column]", "`pose`", "[key-and-column]", "`target`", "campaign.toml:"],
     );
 }
 
@@ -119,7 +121,7 @@ fn statements_that_count_for_nothing_are_refused() {
 fn a_target_that_nobody_measured_points_at_the_campaign() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/poses.txt", "L_", "M_");
-    said(&scratch, &["[target-not-exported]: no export contains the target `L`", "--> campaign/campaign.toml"]);
+    said(&scratch, &["[target-not-exported]", "`L`", "--> campaign/campaign.toml"]);
 }
 
 #[test]
@@ -138,7 +140,7 @@ fn a_log_in_another_dialect_is_told_which() {
 fn a_numbered_column_beyond_the_width_is_said_once() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho3_mm = \"RP3\"", "rho3_mm = 9");
-    let said = said(&scratch, &["error[column-number-unknown]: there is no column 9", "campaign.toml:25"]);
+    let said = said(&scratch, &["error[column-number-unknown]", "campaign.toml:25"]);
     assert_eq!(said.lines().filter(|l| l.starts_with("error")).count(), 1, "{said}");
 }
 
@@ -184,7 +186,7 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
             "1,1,L,1,2,3,4,5,6\n",
             ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "error[row-field-count]: the row has 9 fields"],
         ),
-        ("1,1,K,1,2,3,4,5\n", ["observations.csv:3", "| 1,1,K,1,2,3,4,5", "occurs twice"]),
+        ("1,1,K,1,2,3,4,5\n", ["observations.csv:3", "| 1,1,K,1,2,3,4,5", "[target-repeated]"]),
     ] {
         let said = refused(PREXYT, &format!("{head}{good}{rows}"));
         assert!(parts.iter().all(|part| said.contains(part)), "{parts:?}:\n{said}");
@@ -193,20 +195,17 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
     let said = refused(PREXYT, &format!("{head}{good}1.5,1,L,1,2,3,4,5\n2,1,K,1,x,3,4,5\n"));
     assert!(said.contains("observations.csv:3") && said.contains("observations.csv:4"), "{said}");
     let said = refused(PREXYT, &(head.replace("rho2_mm", "rho2").replace("x_mm", "x") + good));
-    for part in ["no column `rho2_mm`", "no column `x_mm`", "observations.csv:1", "| pose,cycle,target,x,"] {
+    for part in ["[column-unknown]", "[column-unknown]", "observations.csv:1", "| pose,cycle,target,x,"] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
     // repeats in a column of another name are readings of one target that occur twice
     let said = refused(PREXYT, &(head.replace("cycle", "run") + good + "1,2,K,1,2,3,4,5\n"));
     assert!(
-        said.contains("observations.csv:3") && said.contains("occurs twice") && said.contains("column `cycle`"),
+        said.contains("observations.csv:3") && said.contains("[target-repeated]") && said.contains("column `cycle`"),
         "{said}"
     );
     let said = refused(PREXYT, &(head.replace("rho2_mm", "rho1_mm") + good));
-    assert!(
-        said.contains("error[heading-twice]: the header names `rho1_mm`") && said.contains("observations.csv:1"),
-        "{said}"
-    );
+    assert!(said.contains("error[heading-twice]") && said.contains("observations.csv:1"), "{said}");
 }
 
 #[test]
@@ -214,5 +213,5 @@ fn no_target_of_an_arm_is_called_base() {
     let joint = "[[joint]]\nalpha_deg = 0.0\na_mm = 0.0\ntheta_deg = 0.0\nd_mm = 290.0\n";
     let robot = format!("model = \"serial\"\n{joint}{joint}");
     let said = refused(&robot, "pose,cycle,target,x_mm,y_mm,z_mm,q1_deg,q2_deg\n1,1,base,1,2,3,4,5\n");
-    assert!(said.contains("no target can be called `base`"), "{said}");
+    assert!(said.contains("a target must not be called `base`"), "{said}");
 }

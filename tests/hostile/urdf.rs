@@ -10,26 +10,32 @@ fn wrong_urdf_files_are_refused_by_name() {
         (
             "<link name=\"tool\">",
             "<link name=\"tools\">",
-            vec!["error[urdf-joint-link-unknown]", "names the link `tool`", "arm.urdf:113", "did you mean `tools`"],
+            vec![
+                "error[urdf-joint-link-unknown]",
+                "[urdf-joint-link-unknown]",
+                "`tool`",
+                "arm.urdf:113",
+                "did you mean `tools`",
+            ],
         ),
         ("<child link=\"tool\"/>", "", vec!["joint `flange_to_tool` has no <child", "arm.urdf:113"]),
         (
             "<parent link=\"base_link\"/>",
             "<parent link=\"tool\"/>",
-            vec!["form a loop", "arm.urdf:", "a URDF is a tree"],
+            vec!["[urdf-loop]", "arm.urdf:", "a URDF is a tree"],
         ),
-        ("<parent link=\"shoulder_link\"/>", "<parent link=\"flange\"/>", vec!["form a loop"]),
+        ("<parent link=\"shoulder_link\"/>", "<parent link=\"flange\"/>", vec!["[urdf-loop]"]),
         (
             "<child link=\"wrist_1_link\"/>",
             "<child link=\"flange\"/>",
-            vec!["link `flange` has two parents", "`wrist_2_link`"],
+            vec!["[urdf-two-parents]", "`flange`", "`wrist_2_link`"],
         ),
         (upper, "<mimic joint=\"lifts\"/>", vec!["mimics `lifts`", "did you mean `lift`"]),
-        (upper, "<mimic joint=\"column_upper_joint\"/>", vec!["`column_upper_joint` mimics itself"]),
+        (upper, "<mimic joint=\"column_upper_joint\"/>", vec!["[urdf-mimics-itself]", "`column_upper_joint`"]),
         (
             "<axis xyz=\"0 1 1\"/>",
             "<axis xyz=\"0 0 0\"/>",
-            vec!["the axis of joint `wrist_2` has no direction", "arm.urdf:"],
+            vec!["[urdf-axis-without-direction]", "`wrist_2`", "arm.urdf:"],
         ),
         (
             "<axis xyz=\"0 1 1\"/>",
@@ -39,7 +45,7 @@ fn wrong_urdf_files_are_refused_by_name() {
         (
             "xyz=\"0 -0.1 0.4\"",
             "xyz=\"0 -100 400\"",
-            vec!["412 m from its parent", "divide those of this file by 1000"],
+            vec!["412 m from its parent", "divide the lengths of this file by 1000"],
         ),
         ("rpy=\"0.1 0 0\"", "rpy=\"90 0 0\"", vec!["error[urdf-angles-beyond-turn]", "radians"]),
         ("xyz=\"0 0 0.36\"", "xyz=\"0 0 O.36\"", vec!["`O.36` is not a number", "arm.urdf:"]),
@@ -50,13 +56,9 @@ fn wrong_urdf_files_are_refused_by_name() {
             vec!["error[xacro-construct]", "`<xacro:arm>`", "arm.urdf > ", "arm-expanded.urdf"],
         ),
         ("name=\"wrist_1\" type=\"revolute\"", "name=\"wrist_1\" type=\"planar\"", vec!["joint `wrist_1` is planar"]),
-        ("name=\"wrist_1\" type", "name=\"elbow\" type", vec!["there are two joints `elbow`"]),
+        ("name=\"wrist_1\" type", "name=\"elbow\" type", vec!["[urdf-joint-twice]", "`elbow`"]),
         ("name=\"elbow\" type", "name=\"elbo\" type", vec!["no joint `elbow`"]),
-        (
-            "lower=\"-2.6\" upper=\"2.6\"",
-            "lower=\"2.6\" upper=\"-2.6\"",
-            vec!["the limits of joint `elbow` are exchanged"],
-        ),
+        ("lower=\"-2.6\" upper=\"2.6\"", "lower=\"2.6\" upper=\"-2.6\"", vec!["[urdf-limits-exchanged]", "`elbow`"]),
         ("<robot name=\"column_arm\">", "<sdf>", vec!["arm.urdf"]),
     ] {
         let scratch = copy_sample("column-arm");
@@ -72,16 +74,16 @@ fn what_robot_toml_states_of_a_urdf_is_checked() {
         (
             "base_link = \"base_link\"",
             "base_link = \"base_lnk\"",
-            vec!["has no link `base_lnk`", "`base_link`", "robot.toml:4"],
+            vec!["[urdf-link-unknown]", "`base_lnk`", "`base_link`", "robot.toml:4"],
         ),
         (
             "base_link = \"base_link\"",
             "base_link = \"column_height\"",
-            vec!["`bending` needs a fixed direction of gravity, and joints move `column_height`", "robot.toml:6"],
+            vec!["`bending` needs a fixed direction of gravity, but joints move `column_height`", "robot.toml:6"],
         ),
         ("\"elbow\"]", "\"elbo\"]", vec!["there is no joint `elbo`", "robot.toml:6"]),
         ("\"elbow\"]", "9]", vec!["there is no joint 9"]),
-        ("model = \"urdf\"", "model = \"serial\"", vec!["`file` means nothing for this model"]),
+        ("model = \"urdf\"", "model = \"serial\"", vec!["`file` has no effect on this model"]),
     ] {
         let scratch = copy_sample("column-arm");
         scratch.replace("robot.toml", from, to);

@@ -6,3 +6,4 @@ mod iso9283_streams;
 mod logs;
 mod qif;
 mod readers;
+mod real;

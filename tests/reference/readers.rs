@@ -94,7 +94,7 @@ fn trap_13_and_17_geopak_writes_angles_under_the_name_of_iges() {
     let told: Vec<usize> = source.refused.iter().map(|r| r.line).collect();
     assert_eq!(
         (told, source.refused[0].reason.as_str()),
-        (vec![4, 11, 14], "a PLANE: its point may lie anywhere on it")
+        (vec![4, 11, 14], "a feature `PLANE`: its point may be anywhere on the feature")
     );
     let features = dmis::features("f", &text(file), dmis::DirectionNotation::Angles, Unit::Inch).unwrap();
     let kinds: Vec<&str> = features.iter().map(|f| f.kind.as_str()).collect();

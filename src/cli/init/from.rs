@@ -1,10 +1,12 @@
 //! `etalon init --from`: a whole campaign from files of measurements and logs.
 
+use etalon_base::catalogue::Argument;
 use etalon_base::message::Problems;
 use etalon_base::{error, files};
+use etalon_campaign::parse_robot;
 use etalon_documents::FormatsDocument;
-use etalon_formats::{Export, Format, label_form, propose_file, read_file};
-use serde::Deserialize;
+use etalon_formats::{FilesProposal, Format, JOINTS_REMARK, propose_files};
+use etalon_robots::Robot;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -12,23 +14,14 @@ use std::path::{Path, PathBuf};
 pub(super) struct RobotFiles {
     /// Names and contents, robot.toml first.
     pub files: Vec<(String, Vec<u8>)>,
+    /// Path that stands for robot.toml: a URDF is beside it.
+    pub path: PathBuf,
     /// `q1_deg`, `lift_m` ...
     pub joints: Vec<String>,
-    /// Targets that the robot has by itself.
+    /// Targets that belong to the robot model.
     pub targets: Vec<String>,
     /// As the campaign states them.
     pub controllers: &'static str,
-}
-
-/// A file and what is proposed of it.
-struct Part {
-    path: PathBuf,
-    name: String,
-    document: FormatsDocument,
-    /// Lines of the campaign.
-    lines: String,
-    /// Keys and values of the lines.
-    stated: toml::Table,
 }
 
 /// Poses from which on some are kept for the validation.
@@ -36,48 +29,71 @@ const ENOUGH: usize = 30;
 
 /// campaign.toml, the robot's files and the files themselves.
 pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
-    let mut parts = paths.iter().map(|path| Part::of(path, &robot)).collect::<Result<Vec<_>, Problems>>()?;
-    for (i, part) in parts.iter().enumerate() {
-        if parts[..i].iter().any(|other| other.name == part.name) {
-            return Err(Problems::from(error!("two-files-of-one-name", name = part.name)).into());
+    let names: Vec<String> = paths.iter().map(|path| file_name(path)).collect();
+    for (i, name) in names.iter().enumerate() {
+        if names[..i].contains(name) {
+            return Err(Problems::from(error!("two-files-of-one-name", name)).into());
         }
     }
-    let mut targets: Vec<String> = robot.targets.clone();
-    for part in &mut parts {
-        part.name_targets(&mut targets);
+    let built = robot.built();
+    let FilesProposal { documents, toml } = propose_files(paths, built.as_deref())?;
+    let mut lines = toml;
+    for document in &documents {
+        let own = joints_named(document.toml.clone(), document, &robot);
+        lines = lines.replacen(&document.toml, &own, 1);
     }
-    let mut text = head(&parts, robot.controllers);
-    for part in &parts {
-        let _ = write!(text, "\n{}", part.lines);
-    }
-    let logs: Vec<&Part> = parts.iter().filter(|part| part.stated.contains_key("log")).collect();
-    let exports: Vec<&Part> = parts.iter().filter(|part| part.document.kind == "export").collect();
-    if let (Some(log), false) = (logs.first(), exports.is_empty()) {
-        text += &join(log, &exports, &targets);
-    }
-    let identifies =
-        parts.iter().any(|part| ["export with joints", "observations"].contains(&part.document.kind.as_str()));
-    if identifies || !logs.is_empty() && !exports.is_empty() {
-        let observed = parts.iter().any(|part| part.document.kind == "observations");
-        if !observed {
-            text += "\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument; or targets that stay\n";
+    let quoted = |text: &str| toml::Value::from(text).to_string();
+    for ((path, name), document) in paths.iter().zip(&names).zip(&documents) {
+        if !toml::from_str::<toml::Table>(&document.toml).is_ok_and(|stated| !stated.is_empty()) {
+            let path = path.display().to_string();
+            return Err(Problems::from(error!("nothing-recognised", name, path)).into());
         }
-        let rows =
-            parts.iter().filter(|part| part.document.kind != "log").map(|part| part.document.rows).sum::<usize>();
-        let poses = rows / targets.len().max(1);
-        text += &split(poses);
+        lines = lines.replace(&quoted(&document.file), &quoted(name));
+        lines = lines.replace(&format!("`{}`", document.file), &format!("`{name}`"));
     }
+    let stated: toml::Table = toml::from_str(&lines)
+        .map_err(|e| Problems::from(error!("proposal-not-toml", name = names.join(" "), error = e.to_string())))?;
+    let mut text = head(&names, &lines, robot.controllers) + "\n" + &lines;
+    text += &identification(&documents, &stated);
     let mut all = vec![("campaign.toml".to_owned(), text.into_bytes())];
     all.extend(robot.files);
-    for part in &parts {
-        all.push((part.name.clone(), files::read(&part.path)?));
+    for (path, name) in paths.iter().zip(names) {
+        all.push((name, files::read(path)?));
     }
     Ok(all)
 }
 
+fn file_name(path: &Path) -> String {
+    path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+impl RobotFiles {
+    /// The nominal robot, whose kinematics test the proposal.
+    fn built(&self) -> Option<Box<dyn Robot>> {
+        let (_, text) = self.files.first()?;
+        let robot = parse_robot(&self.path, &String::from_utf8_lossy(text)).ok()?;
+        let targets = if self.targets.is_empty() { vec!["target".to_owned()] } else { self.targets.clone() };
+        robot.build(&targets).ok()
+    }
+}
+
+/// World and selections, where the files identify a robot.
+fn identification(documents: &[FormatsDocument], stated: &toml::Table) -> String {
+    let is = |kind: &str| documents.iter().any(|document| document.kind == kind);
+    if !(is("export with joints") || is("observations") || stated.contains_key("join")) {
+        return String::new();
+    }
+    let mut text = String::new();
+    if !is("observations") && !stated.contains_key("frame") {
+        text += "\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument; or targets that stay\n";
+    }
+    let rows = documents.iter().filter(|document| document.kind != "log").map(|document| document.rows).sum::<usize>();
+    let targets = stated.get("join").and_then(|join| join.get("targets")?.as_array()).map_or(1, Vec::len);
+    text + &split(rows / targets.max(1))
+}
+
 /// Name, robot and instrument.
-fn head(parts: &[Part], controllers: &str) -> String {
-    let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+fn head(names: &[String], lines: &str, controllers: &str) -> String {
     format!(
         "# Proposed by `etalon init --from {}`. `etalon check` asks for each `\"?\"` and UNIT, one after the other.\n\
          # Lengths are in mm, angles in degrees, unless a key states another unit.\n\n\
@@ -87,12 +103,23 @@ fn head(parts: &[Part], controllers: &str) -> String {
          expanded_uncertainty_um = \"?\"                 # of one coordinate, a number without quotes\n\
          coverage_factor = 2\n{}",
         names.join(" "),
-        match parts.iter().any(Part::has_orientations) {
+        match has_orientations(lines) {
             true =>
                 "expanded_rotation_uncertainty_deg = \"?\"       # of a measured orientation, a number without quotes\n",
             false => "",
         }
     )
+}
+
+/// `true` if the rows or the format of a file state orientations.
+fn has_orientations(lines: &str) -> bool {
+    let oriented = |name: &str| {
+        Format::named(name)
+            .is_some_and(|format| format.dialect.columns.roles().iter().any(|role| role.is_orientation()))
+    };
+    let of_format = lines.lines().filter_map(|line| line.strip_prefix("format = \"")?.split('"').next()).any(oriented);
+    let of_columns = |line: &str| !line.starts_with('#') && ["qw", "r11", "rx_"].iter().any(|name| line.contains(name));
+    of_format || lines.lines().any(of_columns)
 }
 
 /// Lines that split the poses into calibration and validation.
@@ -103,151 +130,8 @@ fn split(poses: usize) -> String {
              validation = \"rest\"\n"
         ),
         false => format!(
-            "\n[identify]\ncalibration = \"all\"                           # {poses} poses or readings are few: none is kept for a validation\n"
+            "\n[identify]\ncalibration = \"all\"                           # {poses} poses or readings are few: none is left for a validation\n"
         ),
-    }
-}
-
-/// Lines that join the exports with the log.
-fn join(log: &Part, exports: &[&Part], targets: &[String]) -> String {
-    let logged = |key: &str| log.columns().iter().any(|name| name.starts_with(key));
-    let measured = |of: &str| exports.iter().all(|part| part.names(of));
-    let rows: Vec<usize> = exports.iter().map(|part| part.document.rows).collect();
-    let same = rows.iter().all(|rows| *rows == log.document.rows);
-    let by_row = exports.iter().all(|part| part.lines.contains("pose = \"row\""));
-    let (by, why, more) = match () {
-        () if logged("pose") && measured("pose") && logged("cycle") && measured("cycle") => {
-            ("[\"pose\", \"cycle\"]", "both name poses and repeats".to_owned(), "")
-        }
-        () if logged("pose") && (measured("pose") || by_row) => ("[\"pose\"]", "both name poses".to_owned(), ""),
-        () if logged("label") => ("\"label\"", "the log names the points that the robot touches".to_owned(), ""),
-        () if same => ("\"row\"", format!("all have {} rows", log.document.rows), ""),
-        () if logged("time") && measured("time") => (
-            "\"time\"",
-            "both have times, and other numbers of rows".to_owned(),
-            "clock_offset_s = \"?\"      # time of the measurement minus time of the log, a number without quotes\n\
-             tolerance_s = \"?\"         # a number without quotes\n",
-        ),
-        () => (
-            "\"?\"",
-            format!(
-                "nothing joins them: {} rows of the log, {rows:?} of the exports; [\"pose\"], \"row\", \"time\" or \"label\"",
-                log.document.rows
-            ),
-            "",
-        ),
-    };
-    format!("\n[join]\nby = {by}                # {why}\n{more}targets = {targets:?}\n")
-}
-
-#[derive(Deserialize)]
-struct Exports {
-    #[serde(default)]
-    export: Vec<Export>,
-}
-
-impl Part {
-    fn of(path: &Path, robot: &RobotFiles) -> Result<Self, Problems> {
-        let document = propose_file(path)?;
-        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let quoted = |text: &str| toml::Value::from(text).to_string();
-        let lines =
-            document.toml.replace(&format!("file = {}", quoted(&document.file)), &format!("file = {}", quoted(&name)));
-        let lines = joints_named(lines, &document, robot);
-        let stated: toml::Table =
-            toml::from_str(&lines).map_err(|e| error!("proposal-not-toml", name, error = e.to_string()))?;
-        if stated.is_empty() {
-            return Err(error!("nothing-recognised", name, path = path.display().to_string()).into());
-        }
-        Ok(Self { path: path.to_owned(), name, document, lines, stated })
-    }
-
-    /// `true` if the rows or the format of the file state orientations.
-    fn has_orientations(&self) -> bool {
-        let named = self.document.format.as_deref().and_then(Format::named);
-        let of_format =
-            named.is_some_and(|format| format.dialect.columns.roles().iter().any(|role| role.is_orientation()));
-        of_format || ["qw", "r11", "rx_"].iter().any(|name| self.lines.contains(name))
-    }
-
-    /// Keys or contents of the columns that the lines state.
-    fn columns(&self) -> Vec<String> {
-        let tables = ["export", "log", "observations"].iter().filter_map(|key| self.stated.get(*key));
-        let tables = tables.flat_map(|value| value.as_array().cloned().unwrap_or_else(|| vec![value.clone()]));
-        let mut names = Vec::new();
-        for table in tables {
-            let columns = table.get("columns").or_else(|| table.get("format")?.get("columns")).cloned();
-            match columns {
-                Some(toml::Value::Table(columns)) => names.extend(columns.keys().cloned()),
-                Some(toml::Value::Array(columns)) => {
-                    names.extend(columns.iter().filter_map(|c| c.as_str().map(str::to_owned)))
-                }
-                _ => {}
-            }
-        }
-        names
-    }
-
-    /// `true` if the rows of the file name `of`, in a column or in their labels.
-    fn names(&self, of: &str) -> bool {
-        self.columns().iter().any(|name| name.starts_with(of)) || self.lines.contains(&format!("{{{of}}}"))
-    }
-
-    /// Replaces what a proposal cannot know of targets: a name, or the form of the labels.
-    fn name_targets(&mut self, targets: &mut Vec<String>) {
-        let mut add = |name: String| {
-            if !targets.contains(&name) {
-                targets.push(name);
-            }
-        };
-        if self.lines.contains("target = \"?\"") {
-            let stem: String = self
-                .name
-                .split('.')
-                .next()
-                .unwrap_or("target")
-                .chars()
-                .filter(|c| c.is_alphanumeric() || *c == '_')
-                .collect();
-            let stem = if stem.is_empty() || stem == "base" { "reflector".to_owned() } else { stem };
-            let line = "target = \"?\"               # which target the rows are of\n";
-            self.lines = self.lines.replace(
-                line,
-                &format!("target = \"{stem}\"           # named after the file: the file names no target\n"),
-            );
-            add(stem);
-        }
-        for export in self.stated.get("export").and_then(toml::Value::as_array).into_iter().flatten() {
-            let stated = export.get("target").and_then(toml::Value::as_str).filter(|name| *name != "?");
-            stated.map(str::to_owned).into_iter().for_each(&mut add);
-        }
-        const PROPOSED: &str =
-            "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
-        if self.lines.contains(PROPOSED) {
-            let (line, found) = self.labels();
-            self.lines = self.lines.replace(PROPOSED, &line);
-            found.into_iter().for_each(add);
-        }
-    }
-
-    /// The line that states the form of the labels, and the targets that they name.
-    fn labels(&self) -> (String, Vec<String>) {
-        let open = || {
-            ("label = \"?\"                # the form of the labels, with {target}, {pose} and {cycle}: none is found\n".to_owned(), Vec::new())
-        };
-        let text = self.lines.replace("unit = \"?\"", "unit = \"mm\"");
-        let Some(export) = toml::from_str::<Exports>(&text).ok().and_then(|all| all.export.into_iter().next()) else {
-            return open();
-        };
-        let Ok(points) = read_file(&self.path, export.encoding, &export.format, export.unit) else { return open() };
-        let labels: Vec<&str> = points.iter().map(|point| &*point.label).collect();
-        let Some((form, mut targets)) = label_form(&labels) else { return open() };
-        let mut line = format!("label = \"{form}\"   # all {} labels have this form\n", labels.len());
-        if targets.is_empty() {
-            targets.push("reflector".to_owned());
-            line += "target = \"reflector\"        # the labels name no target\n";
-        }
-        (line, targets)
     }
 }
 
@@ -255,14 +139,17 @@ impl Part {
 /// the file.
 fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFiles) -> String {
     let columns = document.columns.iter().filter_map(|column| {
-        let number: usize = column.taken_for.strip_prefix("joint ")?.parse().ok()?;
+        let meaning = column.taken_for_phrase.as_ref().filter(|meaning| meaning.id == "means-joint")?;
+        let Some(Argument::Whole(number)) = meaning.arguments.get("number") else { return None };
+        let number = usize::try_from(*number).ok()?;
         Some((number, column.heading.clone().unwrap_or_default()))
     });
     let mut columns: Vec<(usize, String)> = columns.collect();
-    columns.sort_unstable();
     if columns.is_empty() {
         return lines;
     }
+    let in_order = columns.is_sorted_by_key(|(number, _)| *number);
+    columns.sort_unstable();
     let stems: Vec<&str> =
         robot.joints.iter().map(|key| key.rsplit_once('_').map_or(key.as_str(), |(stem, _)| stem)).collect();
     let by_name: Option<Vec<usize>> =
@@ -286,8 +173,9 @@ fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFile
             columns.len(),
             stems.len()
         );
-    } else if !named {
+    } else if !named && in_order {
         remarks += "# the joints are those of robot.toml in the order of the file\n";
     }
-    remarks + &lines
+    let unit = "# for UNIT write deg, rad, mm, m or um: the file does not state it\n";
+    remarks + &lines.replace(JOINTS_REMARK, if lines.contains("_UNIT") { unit } else { "" })
 }

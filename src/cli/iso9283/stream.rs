@@ -2,7 +2,7 @@
 
 use super::super::given::Table;
 use super::super::table_file::TableFile;
-use super::super::text_format::{TextFormat, word};
+use super::super::text_format::{TextForm, TextFormat, word};
 use super::super::{Verdict, answer, remark};
 use crate::stages::iso9283::stated::TestStatement;
 use etalon_base::files;
@@ -78,10 +78,10 @@ impl StreamOptions {
         let inputs = [Some(file), commanded, self.path.as_deref()].into_iter().flatten().map(Path::to_owned);
         files::refuse_overwriting(&self.write_poses, &inputs.collect::<Vec<_>>())?;
         let recording = self.recording(file)?;
-        let poses = commanded.map(|path| poses(&TableFile::read(path)?)).transpose()?;
+        let read = |path: &Path| self.form().read(path);
+        let poses = commanded.map(|path| poses(&read(path)?)).transpose()?;
         let of = file.display().to_string();
-        let path =
-            self.path.as_deref().map(|path| stated_path(&TableFile::read(path)?, &of, &recording)).transpose()?;
+        let path = self.path.as_deref().map(|path| stated_path(&read(path)?, &of, &recording)).transpose()?;
         let settings = stated.settings(poses, path, seed);
         let document = Iso9283StreamDocument::evaluate(&recording, &settings)?;
         if let Some(path) = &self.write_poses {
@@ -94,6 +94,11 @@ impl StreamOptions {
             Iso9283NamedStream { name, file: file.display().to_string(), band_mm: self.band_mm, stream: document };
         let streams = Iso9283StreamsDocument { schema: String::new(), streams: vec![stream] };
         answer(&Renderer::test(&Characteristics { streams: Some(streams), ..Characteristics::default() }), json)
+    }
+
+    /// Options of tables.
+    pub fn form(&self) -> &TextForm {
+        self.text.form()
     }
 
     /// The answer from a recording, commanded poses and a commanded path in memory.
@@ -133,15 +138,17 @@ impl StreamOptions {
     fn recording(&self, path: &Path) -> Result<Recording> {
         let stated = self.format.as_deref().map(|name| word("--format", name)).transpose()?;
         let stated = match stated {
-            None if self.text.stated() => Some(self.text.format()?),
+            None if self.text.in_order() => Some(self.text.format()?),
             stated => stated,
         };
         let recorded = match stated {
             Some(format) => {
                 let unit = self.text.unit()?;
-                TableFile::read_with(path, |file, text| etalon_formats::recorded_points(file, text, &format, unit))?
+                let text = self.text.text(path, &format)?;
+                let points = |file: &str, text: &str| etalon_formats::recorded_points(file, text, &format, unit);
+                TableFile::of(path, text, points)?
             }
-            None => TableFile::read(path)?,
+            None => self.form().read(path)?,
         };
         recording(recorded.named(), self.rate_hz).map_err(|p| recorded.place(p))
     }

@@ -183,8 +183,8 @@ impl Unit {
         let (last, input) = ((joints - 1).to_string(), (inputs - 1).to_string());
         Self {
             name: "FB_EtalonInverse".to_owned(),
-            comment: "Joint values, mm and rad, of a pose x, y, z, r11, r12 ... r33, looked for from start; valid where the pose is \
-                      reached to 1e-9 mm and 1e-12 rad."
+            comment: "Joint values (mm and rad) of a pose x, y, z, r11, r12 ... r33, with starting values start; valid if the pose \
+                      is reached to 1e-9 mm and 1e-12 rad."
                 .to_owned(),
             inputs: vec![array("pose", &[12]), array("start", &[joints])],
             outputs: vec![array("q", &[joints]), Variable { name: "valid", kind: Kind::Truth }],
@@ -199,8 +199,8 @@ impl Unit {
         let block = Variable { name: "iteration", kind: Kind::Block("FB_EtalonStep") };
         Self {
             name: "FB_EtalonDirect".to_owned(),
-            comment: "Pose x, y, z, r11, r12 ... r33 of the platform at joint values, mm and rad, looked for from the pose start; valid where \
-                      it is found to 1e-9 mm."
+            comment: "Pose x, y, z, r11, r12 ... r33 of the platform at joint values (mm and rad), with the starting pose start; \
+                      valid if it is found to 1e-9 mm."
                 .to_owned(),
             inputs: vec![array("q", &[joints]), array("start", &[12])],
             outputs: vec![array("out", &[12]), Variable { name: "valid", kind: Kind::Truth }],
@@ -223,7 +223,7 @@ fn integers(names: &'static [&'static str]) -> impl Iterator<Item = Variable> {
 pub(crate) fn units(given: &Given) -> Result<Vec<Unit>> {
     let mut all = vec![
         Unit::function("ETALON_ATAN2", "Angle of the vector (x, y), rad.", &["y", "x"], ATAN2),
-        Unit::function("ETALON_WRAP", "An angle between -2 pi and 2 pi brought to -pi ... pi.", &["angle"], WRAP),
+        Unit::function("ETALON_WRAP", "Reduces an angle between -2 pi and 2 pi to -pi ... pi.", &["angle"], WRAP),
     ];
     for formula in formulas(given)? {
         all.push(Unit::of(&formula));

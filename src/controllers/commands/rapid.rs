@@ -96,20 +96,31 @@ fn lists(text: &[u8], at: usize) -> Option<(Vec<Vec<Number>>, usize)> {
     }
 }
 
+/// A line up to its comment; a text in quotes may contain an exclamation mark.
+fn without_comment(line: &str) -> &str {
+    let mut quoted = false;
+    let comment = line.char_indices().find(|(_, c)| {
+        quoted ^= *c == '"';
+        *c == '!' && !quoted
+    });
+    comment.map_or(line, |(at, _)| &line[..at])
+}
+
 /// Collects tools, work objects and functions of targets that movements name.
 fn moves(text: &[u8], found: &mut Program) {
     let text = String::from_utf8_lossy(text);
-    for statement in text.split(';').map(str::trim_start) {
+    let text: Vec<&str> = text.lines().map(without_comment).collect();
+    for statement in text.join("\n").split(';') {
         let lower = statement.to_ascii_lowercase();
         for function in ["offs", "reltool"] {
             if lower.contains(&format!("{function}(")) || lower.contains(&format!("{function} (")) {
                 found.computed.insert(if function == "offs" { "Offs" } else { "RelTool" }.to_owned());
             }
         }
-        let moves = ["movej", "movel", "movec"].iter().any(|name| lower.starts_with(name));
-        let Some((_, last)) = statement.rsplit_once(',').filter(|_| moves && !lower.starts_with("moveabsj")) else {
-            continue;
-        };
+        // a movement may follow the head of a routine or a condition, which no semicolon ends
+        let begins = |at: usize| !lower[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
+        let moves = ["movej", "movel", "movec"].iter().any(|name| lower.match_indices(name).any(|(at, _)| begins(at)));
+        let Some((_, last)) = statement.rsplit_once(',').filter(|_| moves) else { continue };
         let mut parts = last.split('\\').map(str::trim);
         found.tools.extend(parts.next().filter(|tool| !tool.eq_ignore_ascii_case("tool0")).map(str::to_owned));
         let object =

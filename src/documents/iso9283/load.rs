@@ -2,8 +2,9 @@
 
 use super::all;
 use crate::mirror::mirror;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_standards::iso9283::load::{CYCLES, DirectionalCompliance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -16,6 +17,9 @@ pub struct Iso9283ComplianceDocument {
     pub schema: String,
     /// Method, and the statement that the clause is not verified against the standard.
     pub conventions: Vec<String>,
+    /// Texts of the catalogue that are `conventions` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub convention_phrases: Vec<Phrase>,
     /// One per direction, in the order of the table.
     pub directions: Vec<Iso9283Compliance>,
     /// Remarks and warnings.
@@ -50,13 +54,11 @@ impl Iso9283ComplianceDocument {
     pub fn new(found: Vec<DirectionalCompliance>) -> Self {
         let short: Vec<&str> = found.iter().filter(|d| d.cycles < CYCLES).map(|d| d.direction).collect();
         let warning = || warning!("few-cycles-of-direction", least = CYCLES, directions = short);
+        let conventions = [phrase!("convention-compliance"), phrase!("convention-compliance-clause")];
         Self {
             schema: "etalon/iso9283-compliance/1".to_owned(),
-            conventions: vec![
-                "compliance: displacement along the force by force, least squares through the unloaded position"
-                    .to_owned(),
-                "clause 10 was not compared with a bought copy of the standard".to_owned(),
-            ],
+            conventions: conventions.iter().map(Phrase::to_string).collect(),
+            convention_phrases: conventions.into(),
             messages: (!short.is_empty()).then(warning).into_iter().collect(),
             directions: all(found),
         }

@@ -2,16 +2,16 @@
 
 use super::{Iso9283Path, Iso9283Weaving, all, degrees};
 use crate::mirror::mirror;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose_name::PoseName;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{MotionSettings, Standing, standing};
 use etalon_standards::iso9283::path::{CORNER_RAD, Driven, PassError, PathSettings};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
 
 /// Recorded motions of a campaign.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -53,6 +53,9 @@ pub struct Iso9283StreamDocument {
     /// Thresholds, origin of times, and clauses that are not verified against the standard, in
     /// words.
     pub conventions: Vec<String>,
+    /// Texts of the catalogue that are `conventions` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub convention_phrases: Vec<Phrase>,
     /// Number of evaluated samples.
     pub samples: usize,
     /// Lines of samples that are left out because no robot moves there from the previous sample in
@@ -157,9 +160,11 @@ impl Iso9283StreamDocument {
         let stream = &recording.stream;
         let standing = standing(recording, settings)?;
         let time_s = stream.time_s();
+        let conventions = conventions(recording, settings);
         let mut document = Self {
             schema: "etalon/iso9283-stream/1".to_owned(),
-            conventions: conventions(recording, settings),
+            conventions: conventions.iter().map(Phrase::to_string).collect(),
+            convention_phrases: conventions,
             samples: stream.len(),
             left_out: recording.left_out.clone(),
             duration_s: time_s[time_s.len() - 1] - time_s[0],
@@ -225,46 +230,31 @@ fn path_messages(driven: &Driven, path: &PathSettings) -> Vec<Message> {
     messages
 }
 
-fn conventions(recording: &Recording, settings: &MotionSettings) -> Vec<String> {
+fn conventions(recording: &Recording, settings: &MotionSettings) -> Vec<Phrase> {
+    let still = settings.still;
     let mut conventions = vec![
         settings.time.clone(),
-        format!(
-            "standing: within {} mm of the mean for {} s or longer; a pose is visited within {} mm; its position is the \
-             mean of the middle half of the standstill",
-            settings.still.radius_mm, settings.still.duration_s, settings.near_mm
-        ),
-        "clauses 7.4, 7.5, 8, 9 and 11 were not compared with a bought copy of the standard".to_owned(),
+        phrase!("convention-standing", radius = still.radius_mm, duration = still.duration_s, near = settings.near_mm),
+        phrase!("convention-motion-clauses"),
     ];
     if let Some(band) = settings.band_mm {
-        conventions.push(format!("limit band: {band} mm about the mean of the standstill"));
+        conventions.push(phrase!("convention-limit-band", band));
     }
     if let Some(path) = &settings.path {
-        let mut text = format!(
-            "path: normal planes at {} command points, the middles of equal parts; the last crossing of each within {} mm",
-            path.points, settings.near_mm
-        );
+        conventions.push(phrase!("convention-path", points = path.points, near = settings.near_mm));
         if path.velocity_mm_s.is_some() && path.weave.is_none() {
-            let _ = write!(text, "; velocities between them in the central {} %", 100.0 * path.central);
+            conventions.push(phrase!("convention-path-velocities", percent = 100.0 * path.central));
         }
         if !path.path.corners(CORNER_RAD).is_empty() {
-            let _ = write!(
-                text,
-                "; none within {} mm of a corner (at most a quarter of its leg), which is reported by itself",
-                settings.near_mm
-            );
+            conventions.push(phrase!("convention-path-corners", near = settings.near_mm));
         }
-        conventions.push(text);
         if path.weave.is_none() {
-            conventions.push(
-                "AT and RT: intervals by parametric bootstrap over the passes, of the AT and RT of infinitely many; in simulated \
-                 tests of ten passes they hold the truth in 90 to 98 % by the kind of scatter"
-                    .to_owned(),
-            );
+            conventions.push(phrase!("convention-path-intervals"));
         }
     }
     if !recording.angles.is_empty() {
-        let names: Vec<&str> = recording.angles.iter().map(|&k| ["a", "b", "c"][k]).collect();
-        conventions.push(format!("angles {} are followed along the motion and treated each alone", names.join(", ")));
+        let angles: Vec<&str> = recording.angles.iter().map(|&k| ["a", "b", "c"][k]).collect();
+        conventions.push(phrase!("convention-angles-of-motion", angles));
     }
     conventions
 }

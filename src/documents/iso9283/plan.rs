@@ -2,6 +2,8 @@
 
 use super::all;
 use crate::mirror::mirror;
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_robots::Robot;
 use etalon_standards::iso9283::plan::programme::{Item, LOADS_PERCENT, programme};
@@ -18,6 +20,9 @@ pub struct Iso9283PlanDocument {
     pub schema: String,
     /// Choices made, and clauses that are not verified against the standard, in words.
     pub conventions: Vec<String>,
+    /// Texts of the catalogue that are `conventions` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub convention_phrases: Vec<Phrase>,
     /// Side of the cube; for planar robots, of the square.
     pub side_mm: f64,
     /// Corners C1 to C8; for planar robots, C1 to C4.
@@ -53,13 +58,16 @@ pub struct Iso9283Places {
 
 mirror! {
     /// A place that the stated robot does not reach.
-    struct Iso9283Unreached of Unreached {
+    struct Iso9283Unreached of Unreached as unreached {
         /// Name of the list.
         places: String,
         /// Number of the point in the list, from 1.
         point: usize,
         /// Reason.
-        reason: String,
+        reason: String = unreached.reason.to_string(),
+        /// Text of the catalogue that is `reason` in English.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        reason_phrase: Option<Phrase> = Some(unreached.reason),
     }
 }
 
@@ -102,9 +110,11 @@ impl Iso9283PlanDocument {
             joints: joints(i),
         };
         let reach = reached.map(|(_, reach)| reach);
+        let conventions = conventions(plan.planar, reach);
         Self {
             schema: "etalon/iso9283-plan/1".to_owned(),
-            conventions: conventions(plan.planar, reach),
+            conventions: conventions.iter().map(Phrase::to_string).collect(),
+            convention_phrases: conventions,
             side_mm: plan.layout.side_mm,
             test_plane: plan.layout.plane.map(|k| format!("C{}", k + 1)).join("-"),
             corners_mm: plan.layout.corners_mm.clone(),
@@ -131,25 +141,15 @@ fn named(robot: &dyn Robot, q: &[f64]) -> BTreeMap<String, f64> {
     joints.chain(assembly).collect()
 }
 
-fn conventions(planar: bool, reach: Option<&Reach>) -> Vec<String> {
-    let cube = if planar { "square" } else { "cube" };
-    let moves = |reach: &Reach| match reach.all_move {
-        true => "all joints move between P1 to P5",
-        false => "not all joints move between P1 to P5, as the standard asks",
-    };
+fn conventions(planar: bool, reach: Option<&Reach>) -> Vec<Phrase> {
+    let shape = if planar { "square" } else { "cube" };
     vec![
-        format!("the largest {cube} in the stated workspace, edges parallel to the axes; C1 to C4 from the smallest x and y"),
-        "P1: centre; P2 to P5: 10 % of the diagonals from the corners of the test plane, in their order".to_owned(),
-        "P1 to P5, loads, velocities and 30 cycles follow the standard's text; paths, other counts and the order of the \
-         corners were not compared with a bought copy"
-            .to_owned(),
+        phrase!("plan-cube", shape),
+        phrase!("plan-poses"),
+        phrase!("plan-clauses"),
         match reach {
-            None => "whether all joints move between poses, and whether the robot reaches them, was not looked at".to_owned(),
-            Some(reach) => format!(
-                "reach: nominal parameters and the limits of the robot file; of several working modes one is kept along a list, the one that \
-                 reaches most of it; {}",
-                moves(reach)
-            ),
+            None => phrase!("plan-reach-not-examined"),
+            Some(reach) => phrase!("plan-reach", moves = if reach.all_move { "all" } else { "some" }),
         },
     ]
 }

@@ -3,10 +3,11 @@
 use super::{all, degrees};
 use crate::mirror::mirror;
 use crate::{Conformity, LimitQuantity, LimitVerdict};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_standards::decision::DecisionRule;
 use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
@@ -14,11 +15,12 @@ use etalon_standards::iso9283::pose::distance::{PairDistance, distances};
 use etalon_standards::iso9283::pose::drift::{Drift, drifts};
 use etalon_standards::iso9283::pose::ellipsoid::Ellipsoid;
 use etalon_standards::iso9283::pose::exchangeability::exchanged;
-use etalon_standards::iso9283::pose::test::PoseTest;
+use etalon_standards::iso9283::pose::test::{PoseTest, from_pose};
 use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, PoseTestSettings, characteristics};
 use etalon_standards::iso9283::statistics::interval::Interval;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Characteristics of ISO 9283:1998 of one test.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -29,12 +31,19 @@ pub struct Iso9283Document {
     /// Meaning of angles, evaluated cycles, and clauses that are not verified against the standard,
     /// in words.
     pub conventions: Vec<String>,
+    /// Texts of the catalogue that are `conventions` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub convention_phrases: Vec<Phrase>,
     /// One entry per pose, in the order of the commanded poses.
     pub poses: Vec<Iso9283Pose>,
     /// One entry per pair of poses that were visited in the same cycles.
     pub distances: Vec<Iso9283Distance>,
     /// One entry per pose that was approached in at least two ways.
     pub approaches: Vec<Iso9283Variation>,
+    /// Texts of the catalogue that are names of approaches in English; names that a table states
+    /// are absent.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub approach_phrases: BTreeMap<String, Phrase>,
     /// Drift of each pose, if sets are stated.
     pub drifts: Vec<Iso9283Drift>,
     /// Largest distance between the barycentres of two robots at any pose, with several robots.
@@ -71,11 +80,14 @@ impl Iso9283Document {
         }
         let test = &robots.of_first_robot();
         let poses: Vec<Iso9283Pose> = all(characteristics(test, settings)?);
+        let conventions = conventions(robots, settings);
         Ok(Self {
             schema: "etalon/iso9283/1".to_owned(),
-            conventions: conventions(robots, settings),
+            conventions: conventions.iter().map(Phrase::to_string).collect(),
+            convention_phrases: conventions,
             distances: all(distances(test)?),
             approaches: all(variations(test)?),
+            approach_phrases: approach_phrases(test),
             drifts: match settings.drift_set {
                 Some(size) => all(drifts(test, size)?),
                 None => Vec::new(),
@@ -92,11 +104,18 @@ impl Iso9283Document {
         })
     }
 
+    /// Adds a convention.
+    pub fn agree(&mut self, convention: Phrase) {
+        self.conventions.push(convention.to_string());
+        self.convention_phrases.push(convention);
+    }
+
     /// Keeps the characteristics of single poses only.
     pub fn of_poses(self) -> Self {
         Self {
             distances: Vec::new(),
             approaches: Vec::new(),
+            approach_phrases: BTreeMap::new(),
             drifts: Vec::new(),
             exchangeability_mm: None,
             coplanarity_mm: None,
@@ -403,43 +422,45 @@ fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
     messages
 }
 
-fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<String> {
+/// Texts of the approaches that are named after the pose before.
+fn approach_phrases(visits: &PoseTest) -> BTreeMap<String, Phrase> {
+    let stated: BTreeSet<&str> =
+        visits.poses.iter().flat_map(|p| &p.attained).filter_map(|v| v.approach.as_deref()).collect();
+    let named = visits.poses.iter().map(|p| (from_pose(p.pose), phrase!("from-pose-named", pose = p.pose)));
+    named.filter(|(name, _)| stated.contains(name.as_str())).collect()
+}
+
+fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<Phrase> {
     let mut conventions = vec![
-        "AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter".to_owned(),
+        phrase!("convention-ap-rp"),
         match settings.expanded_uncertainty_mm {
-            Some(u) => format!(
-                "intervals contain the sampling and the instrument's expanded uncertainty of a coordinate, {} µm (k = 2)",
-                (u * 1e9).round() / 1e6
-            ),
-            None => "intervals contain the sampling alone: no uncertainty of the instrument is stated".to_owned(),
+            Some(u) => phrase!("convention-intervals-instrument", uncertainty_um = (u * 1e9).round() / 1e6),
+            None => phrase!("convention-intervals-sampling"),
         },
-        "RP follows the standard's text (7.2.2); the other clauses were not compared with a bought copy".to_owned(),
+        phrase!("convention-rp-clause"),
     ];
     if visits.poses.iter().all(|p| p.commanded_mm.is_none()) {
-        conventions.push("no commanded poses: AP, distances and drift are not determined, and null".to_owned());
+        conventions.push(phrase!("convention-no-commanded-poses"));
     }
     if settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
         conventions.push(match settings.decision_rule {
-            DecisionRule::Guarded => {
-                "conformity: guarded acceptance (ISO 14253-1) with the interval of 95 %: proven only where all of it is on one side"
-            }
-            DecisionRule::SimpleAcceptance => "conformity: simple acceptance (ILAC-G8:09/2019, 4.2.1)",
-            DecisionRule::SharedRisk => {
-                "conformity: shared risk (JCGM 106:2012, 8.2.1): decided where the expanded uncertainty is at most a quarter of the limit"
-            }
-        }.to_owned());
+            DecisionRule::Guarded => phrase!("convention-guarded-acceptance"),
+            DecisionRule::SimpleAcceptance => phrase!("convention-simple-acceptance"),
+            DecisionRule::SharedRisk => phrase!("convention-shared-risk"),
+        });
     }
     let robots = visits.robots();
     if let (Some(first), true) = (robots.first(), robots.len() > 1) {
-        let one = one_line(first);
-        conventions.push(format!("of {} robots: all is of `{one}`, but for exchangeability", robots.len()));
+        conventions.push(phrase!("convention-first-robot", count = robots.len(), robot = one_line(first)));
     }
     if visits.poses.iter().flat_map(|p| &p.attained).any(|v| v.readings_mm.len() > 1) {
-        conventions.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
+        conventions.push(phrase!("convention-readings-averaged"));
     }
     if !visits.angles.is_empty() {
-        let order = settings.rotation_order.as_deref().unwrap_or("not stated");
-        conventions.push(format!("angles a, b, c are unwrapped and treated each alone; order of rotations: {order}"));
+        conventions.push(match &settings.rotation_order {
+            Some(order) => phrase!("convention-angles", order),
+            None => phrase!("convention-angles-of-unknown-order"),
+        });
     }
     conventions
 }

@@ -280,7 +280,7 @@ impl<'de> Deserialize<'de> for Columns {
             type Value = Columns;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str(
-                    "what each column holds, [\"label\", \"x\", ..], or { label = \"name in the header\", x = .. }",
+                    "the meaning of each column, [\"label\", \"x\", ..], or { label = \"name in the header\", x = .. }",
                 )
             }
             fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Columns, A::Error> {
@@ -412,7 +412,7 @@ impl<'de> Deserialize<'de> for Column {
                     return Err(de::Error::custom("`occurrence` counts from 1, and `per_count` is not 0"));
                 }
                 if zero_count.is_some() && per_count.is_none() {
-                    return Err(de::Error::custom("`zero_count` means nothing without `per_count`"));
+                    return Err(de::Error::custom("`zero_count` has no effect without `per_count`"));
                 }
                 Ok(Column { at, occurrence, per_count, zero_count })
             }
@@ -441,7 +441,7 @@ impl JsonSchema for FromRow {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let description = "The number of the data row, counted from 1, refused rows included, or so many more.";
+        let description = "Number of the data row, from 1 (refused rows count), with an optional offset.";
         json_schema!({ "description": description, "type": "string", "pattern": "^row( *\\+ *[0-9]{1,9})?$" })
     }
 }

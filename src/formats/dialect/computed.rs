@@ -33,11 +33,21 @@ struct Parser<'a> {
 }
 
 impl Expression {
+    /// Adds the indices of the columns that the expression names.
+    pub fn add_columns(&self, to: &mut Vec<usize>) {
+        match self {
+            Self::Number(_) => {}
+            Self::Column(at) => to.push(*at),
+            Self::Negative(inner) => inner.add_columns(to),
+            Self::Pair(left, _, right) => [left, right].iter().for_each(|part| part.add_columns(to)),
+        }
+    }
+
     /// Parses an expression. A name is the longest heading that begins at its place; `$3` is the
     /// third column.
     ///
     /// # Errors
-    /// If a name is not a heading, or the text is malformed.
+    /// Fails if a name is not a heading, or the text is malformed.
     pub fn parse(text: &str, header: &[Cow<str>]) -> Result<Self, Message> {
         if text.len() > LONGEST {
             let start: String = text.chars().take(SHOWN).collect();
@@ -55,7 +65,7 @@ impl Expression {
     /// Returns the value in a row; `None` if a cell was not measured.
     ///
     /// # Errors
-    /// If a cell is not a number: its index and the message.
+    /// Returns the index of a cell that is not a number, and the message.
     pub fn value(&self, cell: &dyn Fn(usize) -> Result<Option<f64>, Message>) -> Result<Option<f64>, (usize, Message)> {
         Ok(match self {
             Self::Number(number) => Some(*number),

@@ -31,7 +31,7 @@ impl ExportFormat for Aqdef {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        let what = "a file in the Q-DAS ASCII transfer format, by its first field";
+        let what = phrase!("is-aqdef");
         Recognised::by(text.starts_with("K0100 "), 1.0, what)
     }
 
@@ -59,7 +59,7 @@ impl ExportFormat for Aqdef {
     }
 }
 
-/// Contents of a file that is being read.
+/// Contents of a file during reading.
 #[derive(Default)]
 struct File<'a> {
     decimal: Decimal,
@@ -68,7 +68,7 @@ struct File<'a> {
     /// Part of the characteristics that follow.
     part: usize,
     characteristics: BTreeMap<usize, Characteristic<'a>>,
-    /// Statements with index 0, which hold for all characteristics.
+    /// Statements with index 0, which apply to all characteristics.
     common: Characteristic<'a>,
     groups: Groups<'a>,
     order: Order,
@@ -119,15 +119,15 @@ struct Value {
 /// Groups of characteristics.
 #[derive(Default)]
 struct Groups<'a> {
-    /// `K2030`: the characteristic that is a group, by the number of the group.
+    /// `K2030`: the characteristic of a group, by the number of the group.
     simple: BTreeMap<usize, usize>,
-    /// `K2031`: the number of the group that a characteristic is an element of.
+    /// `K2031`: the number of the group to which a characteristic belongs.
     elements: BTreeMap<usize, usize>,
     /// `K5002`: names of logical groups.
     names: BTreeMap<usize, &'a str>,
     /// `K5112` and `K5113`: nodes that are characteristics or logical groups.
     nodes: BTreeMap<usize, Node>,
-    /// `K5102`: the node that a characteristic is below; `K5103`: that a node is below.
+    /// `K5102`: the parent node of a characteristic; `K5103`: the parent node of a node.
     above: BTreeMap<usize, usize>,
     nodes_above: BTreeMap<usize, usize>,
 }
@@ -185,7 +185,7 @@ impl<'a> File<'a> {
         Ok(())
     }
 
-    /// An index that is a characteristic of the file.
+    /// Index of a characteristic of the file.
     fn known(&self, index: usize) -> Result<usize, Message> {
         let count = self.stated.unwrap_or(0);
         let known = (1..=count).contains(&index);
@@ -236,7 +236,7 @@ impl<'a> File<'a> {
         Ok(())
     }
 
-    /// The name of the point and the axis that a characteristic is a coordinate of.
+    /// Name of the point and axis of the coordinate in a characteristic.
     fn coordinate(&self, index: usize, one: &Characteristic<'a>) -> Option<(&'a str, usize)> {
         let name = one.called();
         let kind = if one.kind.is_empty() { self.common.kind } else { one.kind };
@@ -254,7 +254,7 @@ impl<'a> File<'a> {
         (!label.is_empty() && words().count() > 1).then_some((label, axis))
     }
 
-    /// The name of the group that a characteristic is an element of.
+    /// Name of the group to which a characteristic belongs.
     fn group(&self, index: usize) -> Option<&'a str> {
         let groups = &self.groups;
         let called = |index: &usize| self.characteristics.get(index).map(Characteristic::called);
@@ -303,7 +303,7 @@ impl<'a> File<'a> {
                 None if self.is_group(*index) => {}
                 None => {
                     let line = one.values.first().map_or(one.line, |value| value.line);
-                    let reason = "no coordinate: the name of the characteristic does not end in X, Y or Z";
+                    let reason = phrase!("characteristic-of-no-axis");
                     others.push(text.no_point(line, one.called(), reason));
                 }
             }
@@ -335,7 +335,7 @@ impl<'a> File<'a> {
         (found != count).then(|| (one.line, error!("coordinate-counts-differ", name, found, count)))
     }
 
-    /// An error where the characteristic is in another unit than the campaign.
+    /// Returns an error if the unit of the characteristic differs from that of the campaign.
     fn unit(&self, one: &Characteristic, text: &Text, stated: Unit) -> Result<(), Message> {
         let Some((line, words)) = one.unit.or(self.common.unit).filter(|(_, words)| !words.is_empty()) else {
             return Ok(());

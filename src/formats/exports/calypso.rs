@@ -24,7 +24,7 @@ impl ExportFormat for Calypso {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("planid\tpartnb"), 1.0, "a table of Zeiss Calypso, by its header")
+        Recognised::by(text.starts_with("planid\tpartnb"), 1.0, phrase!("is-calypso"))
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -56,7 +56,7 @@ impl<'a> Table<'a> {
         self.names.fields.iter().position(|n| n == name)
     }
 
-    /// The cell of a row; empty where there is no such column.
+    /// Cell of a row; empty if the column does not exist.
     fn cell<'r>(&self, row: Option<&'r Fields>, column: Option<usize>) -> &'r str {
         row.zip(column).map_or("", |(row, at)| row.field(at))
     }
@@ -172,7 +172,7 @@ fn features(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems
     for row in &table.rows {
         let name = table.cell(Some(row), label);
         if axes.iter().all(|at| table.cell(Some(row), *at).is_empty()) {
-            points.push(table.text.no_point(row.line, name, "not measured: no coordinates"));
+            points.push(table.text.no_point(row.line, name, phrase!("row-without-coordinates")));
             continue;
         }
         let xyz = axes.map(|at| {
@@ -198,7 +198,8 @@ fn coordinate(table: &Table, row: &Fields, at: Option<usize>, decimal: Decimal) 
     })
 }
 
-/// An error where the row states another unit than the campaign; older versions state none.
+/// Returns an error if the unit of the row differs from that of the campaign; older versions do not
+/// state it.
 fn unit_of(table: &Table, row: &Fields, stated: Unit) -> Result<(), Message> {
     let Some(at) = table.column("unit") else { return Ok(()) };
     let of_file = match row.field(at) {

@@ -1,4 +1,4 @@
-//! Delimited text: rows of columns in a dialect that the campaign states, or that has a name.
+//! Delimited text: rows of columns in a dialect, which the campaign states or names.
 
 use super::stamps;
 use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
@@ -11,6 +11,7 @@ use crate::lexer::{self, Row, WHOLE, column_index, each_row, marked};
 use crate::points::{Line, Names, Point, SharedText};
 use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::{error, phrase};
@@ -53,7 +54,7 @@ impl ExportFormat for Delimited {
     }
 }
 
-/// A dialect that has a name.
+/// A named dialect.
 pub struct NamedDialect {
     pub name: &'static str,
     pub recognise: fn(&str) -> Option<Recognised>,
@@ -87,7 +88,7 @@ impl ExportFormat for NamedDialect {
 }
 
 impl NamedDialect {
-    /// Columns that nothing but the name states.
+    /// Columns that only the name of the dialect states.
     const fn simple(name: &'static str, dialect: fn() -> Dialect) -> Self {
         Self { name, recognise: |_| None, dialect }
     }
@@ -188,7 +189,7 @@ fn points<'t>(
     Ok((points, problems.0))
 }
 
-/// The last row of the header, which is taken off the rows.
+/// Removes the last row of the header from the rows, and returns it.
 fn header<'t>(
     file: &str,
     rows: &mut impl Iterator<Item = Row<'t>>,
@@ -294,10 +295,10 @@ fn computed_cells(
     row.fields.extend(cells.into_iter().map(|text| Cow::Owned(mark(text))));
 }
 
-/// Rows that are left out by the cells of their columns.
+/// Rows that are excluded by the cells of their columns.
 #[derive(Default)]
 struct Filter<'a> {
-    /// Column, its name, its cells, and whether a row with one of them is read.
+    /// Column, its name, its cells, and `true` if rows with one of these cells are read.
     cells: Vec<(usize, &'a str, &'a Cells, bool)>,
 }
 
@@ -317,15 +318,15 @@ impl<'a> Filter<'a> {
     }
 
     /// Reason for leaving out a row.
-    fn refuses(&self, row: &Row) -> Option<String> {
+    fn refuses(&self, row: &Row) -> Option<Phrase> {
         let fails =
             |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
         let (column, name, ..) = self.cells.iter().find(fails)?;
-        Some(format!("left out: `{name}` is `{}`", row.field(*column)))
+        Some(phrase!("row-left-out-by-cell", column = name, cell = row.field(*column)))
     }
 }
 
-/// Numbers of a row, with what they are; coordinates with their columns, in mm or rad.
+/// Numbers of a row with their roles; coordinates with their columns, in mm or rad.
 #[derive(Default)]
 struct Numbers {
     coordinates: Vec<(usize, ColumnRole, f64)>,
@@ -345,7 +346,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Reads one point. Invalid numbers are reported and leave the point without a place; a row
+    /// Reads one point. Invalid numbers are reported and leave the point without a position; a row
     /// with other columns than the stated ones is reported and gives no point.
     fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
         let line = || row.place(self.file);
@@ -380,7 +381,7 @@ impl Reader<'_> {
             .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))));
         let unmeasured = reason.is_some();
         if unmeasured {
-            point.refused = reason;
+            point.refused = reason.map(Box::new);
         }
         let mut numbers = Numbers::default();
         let (mut names, mut stamp) = (Vec::new(), [None; 2]);
@@ -396,7 +397,7 @@ impl Reader<'_> {
                 ColumnRole::TemperatureC if self.dialect.missing.says(field) => {}
                 ColumnRole::TemperatureC => point.temperature_c = Some(value(i, field)),
                 ColumnRole::Deleted if is_deleted(field) => {
-                    point.refused.get_or_insert(format!("left out: it is marked as deleted (`{field}`)"));
+                    point.refused.get_or_insert_with(|| Box::new(phrase!("row-marked-deleted", cell = field)));
                 }
                 ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}
@@ -455,7 +456,7 @@ impl Reader<'_> {
         wrong
     }
 
-    /// Place, uncertainty, orientation and direction of a point from the numbers of its row.
+    /// Position, uncertainty, orientation and direction of a point from the numbers of its row.
     fn place(&self, row: &Row, point: &mut Point, numbers: Numbers, problems: &mut Problems) {
         // u1 is of the first coordinate from the left, or of c1
         let Numbers { mut coordinates, mut uncertain, mut direction, mut turned } = numbers;
@@ -522,17 +523,17 @@ impl Reader<'_> {
 
     /// Reason if the row states that it was not measured. Empty cells count only if all coordinates
     /// are empty.
-    fn not_measured<'r>(&self, cells: impl Iterator<Item = (ColumnRole, &'r str)>) -> Option<String> {
+    fn not_measured<'r>(&self, cells: impl Iterator<Item = (ColumnRole, &'r str)>) -> Option<Phrase> {
         let cells: Vec<(ColumnRole, &str)> = cells.collect();
         let says = |cell: &str| self.dialect.missing.says(cell);
         if says("") && cells.iter().all(|(_, cell)| cell.is_empty()) {
-            return Some("not measured: no coordinates".to_owned());
+            return Some(phrase!("row-without-coordinates"));
         }
         let (role, cell) = cells.into_iter().find(|(_, cell)| !cell.is_empty() && says(cell))?;
-        Some(format!("not measured: {} is `{cell}`", role.name()))
+        Some(phrase!("row-not-measured", column = role.name(), cell))
     }
 
-    /// An error if points that are stated as Cartesian look like angles and distances.
+    /// Returns an error if points that are stated as Cartesian look like angles and distances.
     fn looks_spherical(&self, points: &[Point]) -> Option<Message> {
         let roles: Vec<ColumnRole> = self.roles.iter().copied().filter(|r| r.is_coordinate()).collect();
         if self.dialect.coordinates.is_some() || coordinate_type(&roles) != Some(CoordinateType::Cartesian) {
@@ -555,7 +556,7 @@ fn is_deleted(cell: &str) -> bool {
     ["1", "true", "yes", "y", "x", "deleted", "ja", "oui", "si"].iter().any(|mark| cell.eq_ignore_ascii_case(mark))
 }
 
-/// The quaternion of an orientation; `None` where none of its cells is there.
+/// Quaternion of an orientation; `None` if all of its cells are missing.
 fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Result<Option<[f64; 4]>, Message> {
     numbers.sort_by_key(|(role, _)| *role as usize);
     let Some((first, _)) = numbers.first() else { return Ok(None) };
@@ -591,9 +592,9 @@ fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Res
 /// Largest difference from 1 of the length of a quaternion with three digits.
 const QUATERNION: f64 = 2e-3;
 
-/// Place of a point (mm) from coordinates (mm and rad) in the order of their columns, and its
+/// Position of a point (mm) from coordinates (mm and rad) in the order of their columns, and its
 /// standard uncertainties in x, y and z. Coordinates are independent, to first order; covariances
-/// of x, y and z are left out.
+/// of x, y and z are omitted.
 fn cartesian(of: &[(ColumnRole, f64)], uncertain: Option<&[f64]>) -> (Vector, Option<Vector>) {
     let get = |role: ColumnRole| of.iter().find(|(r, _)| *r == role).map(|(_, value)| *value);
     let turn = if get(ColumnRole::AzimuthClockwise).is_some() { -1.0 } else { 1.0 };

@@ -13,14 +13,14 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Vector, norm};
 use etalon_base::{error, phrase};
 
-/// DMIS output, by how it writes directions.
+/// DMIS output, by its notation of directions.
 pub(super) struct Dmis {
     name: &'static str,
     title: &'static str,
     directions: DirectionNotation,
 }
 
-/// As ISO 22093 has it.
+/// Unit vectors, as in ISO 22093.
 pub(super) const DMIS: Dmis = Dmis { name: "dmis", title: "DMIS output", directions: DirectionNotation::Vectors };
 
 /// The dialect of Mitutoyo GEOPAK.
@@ -40,7 +40,7 @@ impl ExportFormat for Dmis {
         Recognised::by(
             self.directions == DirectionNotation::Vectors && text.starts_with("FILNAM/"),
             1.0,
-            "DMIS output, by its first record",
+            phrase!("is-dmis"),
         )
     }
 
@@ -65,7 +65,7 @@ impl ExportFormat for Dmis {
 pub enum DirectionNotation {
     /// Unit vectors, as ISO 22093 has them.
     Vectors,
-    /// Angles to the axes in degrees, as GEOPAK writes them.
+    /// Angles to the axes in degrees, as written by GEOPAK.
     Angles,
 }
 
@@ -78,7 +78,7 @@ pub struct DmisFeature {
     pub label: String,
     /// `POINT`, `CIRCLE`, `PLANE` ...
     pub kind: String,
-    /// A point of it, the centre of a round one, in millimetres.
+    /// Position (mm): a point, or the centre of a round feature.
     pub point_mm: Vector,
     /// Its direction, if it has one.
     pub direction: Option<Vector>,
@@ -95,7 +95,7 @@ struct Kind {
     directed: bool,
     /// Index of the diameter.
     diameter: Option<usize>,
-    /// The point is where the feature is.
+    /// `true` if the point is the position of the feature.
     located: bool,
 }
 
@@ -116,21 +116,21 @@ const KINDS: [Kind; 8] = [
     Kind::new("CONE", &[7], None, false),
 ];
 
-/// The measured features of a file, `unit` being that of a file that states none.
+/// The measured features of a file; `unit` is the default of files without a unit.
 pub fn features(file: &str, text: &str, directions: DirectionNotation, unit: Unit) -> Result<Vec<DmisFeature>> {
     let text = text.into();
     let (features, _, problems) = read(&Text::new(file, &text, false), directions, unit);
     problems.check().map(|_| features)
 }
 
-/// A row for each measured feature; one whose point may lie anywhere on it is not a point.
+/// A row for each measured feature; a feature whose point is arbitrary is not a point.
 fn rows(text: &Text, directions: DirectionNotation, unit: Unit) -> (Vec<Point>, Problems) {
     let (features, unknown, mut problems) = read(text, directions, unit);
     let row = |feature: &DmisFeature| {
         if KINDS.iter().any(|kind| kind.name == feature.kind && kind.located) {
             return text.point(feature.line, &feature.label, feature.point_mm, Unit::Millimetre);
         }
-        let reason = format!("a {}: its point may lie anywhere on it", feature.kind);
+        let reason = phrase!("feature-of-no-point", kind = feature.kind);
         text.no_point(feature.line, &feature.label, reason)
     };
     let mut points: Vec<Point> = features.iter().map(row).chain(unknown).collect();
@@ -161,7 +161,7 @@ fn read(text: &Text, directions: DirectionNotation, unit: Unit) -> (Vec<DmisFeat
                         Ok(found) => features.push(DmisFeature { label: name.to_owned(), ..found }),
                         Err(more) => problems.0.extend(more.0),
                     },
-                    None => unknown.push(text.no_point(record.line(), name, format!("a {kind}: not read"))),
+                    None => unknown.push(text.no_point(record.line(), name, phrase!("feature-not-read", kind))),
                 }
             }
             _ => {}
@@ -176,7 +176,7 @@ fn actual(label: &str) -> Option<&str> {
     kind.trim().eq_ignore_ascii_case("FA").then(|| name.strip_suffix(')'))?
 }
 
-/// An error where the file is in another unit than the campaign states.
+/// Returns an error if the unit of the file differs from that of the campaign.
 fn units(record: &Record, length: &Part, stated: Unit) -> std::result::Result<(), Message> {
     let place = record.place(length);
     let of_file = match length.text.to_ascii_uppercase().as_str() {
@@ -235,7 +235,7 @@ fn feature(
     })
 }
 
-/// A direction as it is stated to be written; three zeros are none.
+/// Direction in the stated notation; `None` for three zeros.
 fn direction(written: Vector, directions: DirectionNotation) -> std::result::Result<Option<Vector>, Message> {
     if written == [0.0; 3] {
         return Ok(None);
@@ -307,7 +307,7 @@ impl Record<'_> {
         self.pieces.first().map_or(1, |piece| piece.1)
     }
 
-    /// Label (as it stands before `=`), major word and fields.
+    /// Label (the text before `=`), major word and fields.
     fn parts(&self) -> (Option<Part<'_>>, &str, Vec<Part<'_>>) {
         let slash = self.text.find('/').unwrap_or(self.text.len());
         let (head, tail) = self.text.split_at(slash);
@@ -332,7 +332,7 @@ impl Record<'_> {
     }
 }
 
-/// Fields between commas that stand outside quotes.
+/// Fields between commas outside quotes.
 fn split(text: &str, at: usize) -> Vec<Part<'_>> {
     let (mut fields, mut start, mut quoted) = (Vec::new(), 0, false);
     for (i, c) in text.char_indices() {

@@ -22,7 +22,7 @@ impl ExportFormat for GeopakGws {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("#00:GEOPAK"), 1.0, "a scan of GEOPAK-Win, by its first record")
+        Recognised::by(text.starts_with("#00:GEOPAK"), 1.0, phrase!("is-geopak-scan"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {

@@ -10,9 +10,9 @@ use super::{About, ExportFormat, ExportRow, Text, Writing};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number, parsed};
-use etalon_base::error;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 
 /// Exports of Micro-Vu InSpec.
 pub(super) struct Inspec;
@@ -31,7 +31,7 @@ impl ExportFormat for Inspec {
     }
 }
 
-/// The points that were measured, and those that were computed.
+/// The measured points, and the computed ones.
 fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let (mut points, mut computed) = (Vec::new(), Pivot::default());
@@ -41,7 +41,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
         let at = || text.place(i + 1);
         let Some((label, values)) = labelled(line) else {
             if parsed(line.trim(), Decimal::Point, None).is_some() {
-                points.push(text.no_point(i + 1, "", "a value without a label"));
+                points.push(text.no_point(i + 1, "", phrase!("value-without-label")));
                 continue;
             }
             match (open, numbers(text, i + 1, line)) {
@@ -88,7 +88,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// Label in quotes, and what follows its comma.
+/// Label in quotes, and the text after its comma.
 fn labelled(line: &str) -> Option<(&str, &str)> {
     let (label, rest) = line.trim().strip_prefix('"')?.split_once('"')?;
     Some((label, rest.trim().strip_prefix(',').unwrap_or(rest).trim()))

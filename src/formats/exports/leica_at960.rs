@@ -4,13 +4,15 @@
 use super::Recognised;
 use super::delimited::NamedDialect;
 use crate::dialect::{ColumnAt, ColumnRole, Columns, Delimiter, Dialect, Header};
+use etalon_base::phrase;
 
-/// Columns by name; `Q0` is the scalar. The uncertainties are those of 95 % (k = 2).
+/// Columns by name; `Q0` is the scalar. The uncertainties have a level of confidence of 95 % (k =
+/// 2).
 pub(super) const LEICA_AT960: NamedDialect = NamedDialect {
     name: "leica-at960",
     recognise: |text| {
         let mark = header(text).is_some();
-        let what = "an export of a Leica AT960 or AT930 in six degrees of freedom, by its header";
+        let what = phrase!("is-leica-at960");
         Recognised::by(mark, 0.9, what).map(|found| Recognised { unit: Some("mm"), ..found })
     },
     dialect: || {
@@ -37,8 +39,7 @@ pub(super) const LEICA_AT960: NamedDialect = NamedDialect {
     },
 };
 
-/// Line that names these columns and no others: a table with names or times is read by its own
-/// columns.
+/// Line that names exactly these columns: a table with names or times is read by its own columns.
 fn header(text: &str) -> Option<&str> {
     let names =
         ["X  [mm]", "Y  [mm]", "Z  [mm]", "U(95) X  [mm]", "U(95) Y  [mm]", "U(95) Z  [mm]", "Q0", "Q1", "Q2", "Q3"];

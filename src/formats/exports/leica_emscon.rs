@@ -3,13 +3,14 @@
 use super::Recognised;
 use super::delimited::NamedDialect;
 use crate::dialect::{AngleUnit, ColumnAt, ColumnRole, Columns, Delimiter, Dialect, Header};
+use etalon_base::phrase;
 use std::collections::BTreeMap;
 
 pub(super) const LEICA_EMSCON: NamedDialect = NamedDialect {
     name: "leica-emscon",
     recognise: |text| {
         let header = |line: &str| line.starts_with("coordsystype,") && line.contains(",val1,val2,val3,");
-        let what = "a list of stationary points measured through Leica's emScon interface, by its header";
+        let what = phrase!("is-leica-emscon");
         Recognised::by(text.lines().next().is_some_and(header), 1.0, what)
     },
     dialect,

@@ -1,4 +1,4 @@
-//! Formats of exports, one file each: its name, what it recognises, how it reads and how it writes.
+//! Formats of exports, one file each: name, signature, reader and writer.
 //!
 //! A file that states its unit must state the unit of the campaign; a file without a unit is read
 //! in the unit of the campaign.
@@ -26,7 +26,7 @@ mod vda_fs;
 use super::lexer::written;
 use super::points::{Line, Point, SharedText, Stated};
 use crate::dialect::{Decimal, Dialect, Unit};
-use etalon_base::catalogue::IntoArgument;
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -37,7 +37,7 @@ use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::fmt;
 
-/// Every format that has a name. To add one: its file, and its line here.
+/// Every named format. To add one: its file, and its line here.
 const FORMATS: [&dyn ExportFormat; 21] = [
     &polyworks::Polyworks,
     &qif::Qif,
@@ -72,7 +72,7 @@ pub(crate) trait ExportFormat: Sync {
         None
     }
 
-    /// The dialect that the name is for, if it is one of delimited text.
+    /// Dialect of the name, for delimited text.
     fn dialect(&self) -> Dialect {
         Dialect::default()
     }
@@ -83,12 +83,12 @@ pub(crate) trait ExportFormat: Sync {
     /// The text of an export of these rows.
     fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message>;
 
-    /// Layout for the fast reader of a file that begins like this, if the fast reader may read it.
+    /// Layout for the fast reader of a file with this beginning, if the fast reader may read it.
     fn plain(&self, _dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
         None
     }
 
-    /// The frame that the file states its points are relative to.
+    /// Frame to which the points refer, as stated by the file.
     fn frame<'t>(&self, _text: &'t str) -> Option<&'t str> {
         None
     }
@@ -123,19 +123,19 @@ pub(crate) struct About {
 }
 
 /// Evidence that a text is in a format.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(crate) struct Recognised {
     /// From 0 to 1: 1 for a signature at a fixed place.
     pub score: f64,
     /// Kind of file, and the feature by which it is recognised.
-    pub what: &'static str,
+    pub what: Phrase,
     /// The unit that the file states.
     pub unit: Option<&'static str>,
 }
 
 impl Recognised {
     /// A text with this mark.
-    pub fn by(mark: bool, score: f64, what: &'static str) -> Option<Self> {
+    pub fn by(mark: bool, score: f64, what: Phrase) -> Option<Self> {
         mark.then_some(Self { score, what, unit: None })
     }
 }
@@ -146,13 +146,13 @@ pub(crate) fn head(text: &str) -> &str {
     &text[..end]
 }
 
-/// The format that a text is most surely in, and why.
+/// The most probable format of a text, and the evidence.
 pub(super) fn recognise(text: &str) -> Option<(&'static str, Recognised)> {
     let all = FORMATS.iter().filter_map(|format| Some((format.about().name, format.recognise(text)?)));
     all.reduce(|best, other| if other.1.score > best.1.score { other } else { best })
 }
 
-/// Format of an export, as a campaign states it: a name, or a dialect of delimited text.
+/// Format of an export: a name, or a dialect of delimited text.
 ///
 /// # Examples
 ///
@@ -175,12 +175,12 @@ pub(super) fn recognise(text: &str) -> Option<(&'static str, Recognised)> {
 #[derive(Clone)]
 pub struct Format {
     kind: &'static dyn ExportFormat,
-    /// Dialect of delimited text; for other formats only its decimal mark counts.
+    /// Dialect of delimited text; for other formats only its decimal mark applies.
     pub dialect: Box<Dialect>,
 }
 
 impl Format {
-    /// The format of this name, which `, decimal comma` may follow.
+    /// The format of this name, optionally followed by `, decimal comma`.
     pub fn named(stated: &str) -> Option<Self> {
         let (name, decimal) = match stated.split_once(',') {
             Some((name, comma)) if comma.trim() == "decimal comma" => (name, Decimal::Comma),
@@ -198,6 +198,15 @@ impl Format {
     /// Names of all formats.
     pub fn names() -> impl Iterator<Item = &'static str> {
         FORMATS.iter().map(|format| format.about().name)
+    }
+
+    /// Name of the format, or the dialect as a campaign states it.
+    pub fn title(&self) -> Argument {
+        match (self.about().title, self.dialect.decimal) {
+            ("", _) => self.dialect.to_string().argument(),
+            (title, Decimal::Point) => title.argument(),
+            (title, Decimal::Comma) => phrase!("read-with-decimal-comma", format = title).argument(),
+        }
     }
 
     /// `true` if coordinates that are all zero mean "not measured".
@@ -230,14 +239,14 @@ impl Format {
         self.kind.plain(&self.dialect, start)
     }
 
-    /// The frame that a text of the format states its points are relative to.
+    /// Frame to which the points of a text of the format refer.
     pub fn frame<'t>(&self, text: &'t str) -> Option<&'t str> {
         self.kind.frame(text)
     }
 }
 
 impl Default for Format {
-    /// PolyWorks text, which needs no statement.
+    /// PolyWorks text, the default.
     fn default() -> Self {
         Self { kind: &polyworks::Polyworks, dialect: Box::default() }
     }
@@ -322,7 +331,7 @@ pub(crate) struct Writing<'a> {
     pub unit: Unit,
     /// Digits behind the decimal mark.
     pub decimals: usize,
-    /// Contents of the columns that are not read; further columns hold `-`.
+    /// Contents of the columns that are not read; further columns contain `-`.
     pub skipped: &'a [String],
 }
 
@@ -387,16 +396,16 @@ impl<'a> Text<'a> {
     }
 
     /// A row at a line that is not a point, with the reason.
-    fn no_point(&self, line: usize, label: &str, reason: impl Into<String>) -> Point {
+    fn no_point(&self, line: usize, label: &str, reason: Phrase) -> Point {
         Point {
-            more: Stated { refused: Some(reason.into()), ..Stated::default() }.boxed(),
+            more: Stated { refused: Some(Box::new(reason)), ..Stated::default() }.boxed(),
             ..self.point(line, label, [0.0; 3], Unit::Millimetre)
         }
     }
 }
 
-/// Error if the file states another unit than the campaign; `how` is the record of the file that
-/// states it.
+/// Error if the unit of the file differs from that of the campaign; `how` is the record of the file
+/// that states it.
 fn unit_agrees(stated: Unit, of_file: Unit, how: &impl IntoArgument, place: Place) -> Result<(), Message> {
     if stated == of_file {
         return Ok(());
@@ -404,7 +413,8 @@ fn unit_agrees(stated: Unit, of_file: Unit, how: &impl IntoArgument, place: Plac
     Err(error!("unit-differs", of_file = of_file.name(), how, stated = stated.name()).at(place))
 }
 
-/// Error for a file that is not in its stated format; `signature` is how files of the format begin.
+/// Error for a file that is not in its stated format; `signature` is the beginning of files of the
+/// format.
 fn not_this_format(format: &str, signature: &impl IntoArgument) -> Message {
     error!("format-differs", format, signature)
 }

@@ -22,7 +22,7 @@ impl ExportFormat for PcdmisXyz {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("XYZIJK"), 1.0, "an .xyz file of PC-DMIS, by its first line")
+        Recognised::by(text.starts_with("XYZIJK"), 1.0, phrase!("is-pcdmis"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -68,7 +68,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// The unit of the file by its first line.
+/// Unit of the file from its first line.
 fn head(line: &str) -> Result<(Unit, Argument), Message> {
     let Some(rest) = line.strip_prefix("XYZIJK") else {
         return Err(not_this_format("pcdmis_xyz", &phrase!("begins-with", text = "XYZIJK")));

@@ -3,6 +3,7 @@
 use super::Text;
 use crate::Point;
 use crate::dialect::Unit;
+use etalon_base::phrase;
 use std::collections::BTreeMap;
 
 const AXES: [&str; 3] = ["X", "Y", "Z"];
@@ -32,7 +33,7 @@ pub(super) enum Said {
 }
 
 impl Pivot {
-    /// Adds a row. A coordinate that is there already begins the point of another piece.
+    /// Adds a row. A repeated coordinate begins the point of another piece.
     pub fn add(&mut self, line: usize, label: &str, kind: &str, said: Said) {
         let key = (label.to_owned(), kind.to_owned());
         let axis = if let Said::Coordinate(axis, _) = said { Some(axis) } else { None };
@@ -50,7 +51,7 @@ impl Pivot {
         }
     }
 
-    /// The points; one that lacks a coordinate is refused.
+    /// The points; a point without all coordinates is refused.
     pub fn rows(self, text: &Text, unit: Unit) -> Vec<Point> {
         let row = |point: Pivoted| match point.xyz {
             [Some(x), Some(y), Some(z)] => text.point(point.line, &point.label, [x, y, z], unit),
@@ -61,7 +62,7 @@ impl Pivot {
                 let mut found: Vec<String> = has(true).chain(point.other).collect();
                 found.dedup();
                 let missing: Vec<String> = has(false).collect();
-                let reason = format!("no point: {} without {}", found.join(", "), missing.join(", "));
+                let reason = phrase!("point-incomplete", found, missing);
                 text.no_point(point.line, &point.label, reason)
             }
         };

@@ -1,4 +1,4 @@
-//! PLY, text or binary: its vertices are points without labels. Their unit is nowhere in the file.
+//! PLY, text or binary: its vertices are points without labels. The file does not state their unit.
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format};
 use crate::Point;
@@ -18,7 +18,7 @@ impl ExportFormat for Ply {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(text.starts_with("ply\n") || text.starts_with("ply\r"), 1.0, "a PLY file, by its first line")
+        Recognised::by(text.starts_with("ply\n") || text.starts_with("ply\r"), 1.0, phrase!("is-ply"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -48,7 +48,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// The elements up to the vertices, and where x, y and z of a vertex are.
+/// The elements up to the vertices, and the positions of x, y and z in a vertex.
 fn vertices(header: &Header, place: Place) -> Result<(&[Element], &Element, [usize; 3]), Message> {
     let Some(at) = header.elements.iter().position(|e| e.name == "vertex") else {
         return Err(error!("no-measured-points", contents = "none", records = "element vertex n").at(place));
@@ -117,7 +117,7 @@ fn no_ply() -> Message {
     not_this_format("ply", &phrase!("begins-with", text = "ply"))
 }
 
-/// Numbers of fixed sizes, one vertex behind the other.
+/// Numbers of fixed sizes, one vertex after the other.
 fn binary(text: &Text, header: &Header, body: &[u8], unit: Unit, points: &mut Vec<Point>) -> Result<(), Message> {
     let (before, vertex, axes) = vertices(header, text.place(1))?;
     let place = || text.place(vertex.line);
@@ -182,7 +182,7 @@ fn skip(element: &Element, encoding: Encoding, body: &[u8], mut at: usize) -> Op
     Some(at)
 }
 
-/// Lines of a head; real ones have some twenty.
+/// Maximum number of lines of a head; real ones have some twenty.
 const MOST_LINES: usize = 2000;
 
 /// Encoding of numbers.
@@ -234,7 +234,7 @@ impl Kind {
         }
     }
 
-    /// The number in these bytes, which must be as many as its size.
+    /// The number in these bytes, whose length must be that of its type.
     fn value(self, bytes: &[u8], encoding: Encoding) -> Option<f64> {
         macro_rules! read {
             ($kind:ty) => {{

@@ -25,7 +25,7 @@ impl ExportFormat for Polyworks {
         Ok(rows.iter().map(line).collect())
     }
 
-    /// The first row states whether rows bear labels.
+    /// The first row determines whether rows have labels.
     fn plain(&self, _dialect: &Dialect, start: &[u8]) -> Option<Plain> {
         let first = start.split(|b| *b == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
         let labelled = match first.split(u8::is_ascii_whitespace).filter(|f| !f.is_empty()).count() {
@@ -37,7 +37,7 @@ impl ExportFormat for Polyworks {
     }
 }
 
-/// Points of a PolyWorks text, and what does not read; directions are not read.
+/// Points of a PolyWorks text, and problems; directions are not read.
 fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();

@@ -22,7 +22,7 @@ impl ExportFormat for PolyworksProject {
         Recognised::by(
             head(text).contains("PolyWorks|Inspector project description"),
             0.9,
-            "a project description of PolyWorks|Inspector, by its first line",
+            phrase!("is-polyworks-project"),
         )
     }
 
@@ -42,10 +42,10 @@ impl ExportFormat for PolyworksProject {
     }
 }
 
-/// Blocks in blocks; real files have three.
+/// Maximum nesting of blocks; real files have three levels.
 const DEEPEST: usize = 32;
 
-/// A block that is open: what it is called, where it began, and the keys of an object.
+/// An open block: its name, its beginning, and the keys of an object.
 struct Block<'a> {
     name: &'a str,
     line: usize,
@@ -92,7 +92,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// A point, or the reason why a primitive is none; other objects are not primitives.
+/// A point, or the reason why a primitive is not a point; other objects are not primitives.
 fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) -> Option<Point> {
     let value = |key: &str| block.keys.get(key).map(|(_, value)| *value);
     if value("CLASS") != Some("Primitive") {
@@ -107,9 +107,9 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
         }),
         None => String::new(),
     };
-    let kind = value("TYPE").unwrap_or("primitive without a type");
+    let kind = value("TYPE").unwrap_or_default();
     let Some((line, stated)) = block.keys.get("POINT").filter(|_| kind == "Point") else {
-        return Some(text.no_point(block.line, &label, format!("a {}, not a point", kind.to_lowercase())));
+        return Some(text.no_point(block.line, &label, phrase!("primitive-no-point", kind)));
     };
     let numbers: Vec<f64> = stated.split_whitespace().filter_map(|n| parsed(n, Decimal::Point, None)).collect();
     let scaled = value("SCALING_FACTOR").is_some_and(|factor| parsed(factor, Decimal::Point, None) != Some(1.0));
@@ -124,7 +124,7 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
     Some(text.point(*line, &label, [f64::NAN; 3], unit))
 }
 
-/// A name as PolyWorks writes it: code units in hexadecimal where it is not ASCII.
+/// A name in the notation of PolyWorks: code units in hexadecimal if it is not ASCII.
 fn utf_16(label: &str) -> String {
     if label.is_ascii() {
         return label.to_owned();
@@ -133,7 +133,7 @@ fn utf_16(label: &str) -> String {
     format!("UNICODE( {units} )")
 }
 
-/// A name as it is, or from its UTF-16 code units in hexadecimal, most significant first.
+/// A name as plain text, or from its UTF-16 code units in hexadecimal, most significant first.
 fn name_of(text: &str) -> Option<String> {
     let Some(coded) = text.strip_prefix("UNICODE(") else { return Some(text.to_owned()) };
     let digits = coded.strip_suffix(')')?.trim();

@@ -22,11 +22,7 @@ impl ExportFormat for PolyworksReport {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(
-            text.starts_with("Name,Control,Nom,Meas"),
-            1.0,
-            "a report of PolyWorks with a row for each control, by its header",
-        )
+        Recognised::by(text.starts_with("Name,Control,Nom,Meas"), 1.0, phrase!("is-polyworks-report"))
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -56,9 +52,9 @@ pub struct Control {
     pub name: String,
     /// `X`, `Diameter`, `Y Distance` ...
     pub control: String,
-    /// Nominal value, where it is a number.
+    /// Nominal value, if it is a number.
     pub nominal: Option<f64>,
-    /// Measured value; none where a word is in its place.
+    /// Measured value; `None` if there is a word instead.
     pub measured: Option<f64>,
     /// Upper and lower tolerance.
     pub tolerance: Option<(f64, f64)>,

@@ -3,12 +3,13 @@
 use super::Recognised;
 use super::delimited::NamedDialect;
 use crate::dialect::{ColumnRole, Dialect, Header};
+use etalon_base::phrase;
 
 pub(super) const SDSS_PLATE: NamedDialect = NamedDialect {
     name: "sdss-plate",
     recognise: |text| {
         let mark = text.lines().take(5).any(|line| line.contains("Meas X    Meas Y     Nom X"));
-        Recognised::by(mark, 0.9, "a table of drilled holes in columns of fixed width, by its header")
+        Recognised::by(mark, 0.9, phrase!("is-drilled-plate"))
     },
     dialect: || Dialect {
         widths: vec![10, 10, 10, 10, 10, 10, 8, 8, 8],

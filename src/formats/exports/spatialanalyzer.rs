@@ -19,7 +19,7 @@ impl ExportFormat for SpatialAnalyzer {
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
         let mark = |l: &str| l.starts_with("// SpatialAnalyzer") || l.starts_with("// AXES =");
-        let what = "a SpatialAnalyzer export of points, by its comments";
+        let what = phrase!("is-spatialanalyzer");
         let axes = text.lines().find(|line| line.starts_with("// AXES ="));
         let says = |unit: &&str| axes.is_some_and(|line| line.contains(&format!("({unit})")));
         let found = Recognised::by(text.lines().take(20).any(mark), 0.9, what)?;
@@ -37,7 +37,7 @@ impl ExportFormat for SpatialAnalyzer {
         Ok(head + &rows.iter().map(line).collect::<String>())
     }
 
-    /// The working frame; a check box of the export leaves it out.
+    /// The working frame, which an option of the export omits.
     fn frame<'t>(&self, text: &'t str) -> Option<&'t str> {
         let comments = text.lines().filter_map(|line| line.trim_start().strip_prefix(COMMENT));
         let mut frames = comments.filter_map(|c| c.trim().strip_prefix("Points Relative to Coordinate Frame"));
@@ -120,7 +120,8 @@ fn named(comment: &str) -> Option<Vec<ColumnRole>> {
     })
 }
 
-/// Columns by their count, where nothing names them: up to three of the name, then x, y, z.
+/// Columns by their count, without a comment that names them: up to three columns of the name, then
+/// x, y, z.
 fn counted(line: &str) -> Result<Vec<ColumnRole>, Message> {
     let fields = line.split(',').count();
     match fields {

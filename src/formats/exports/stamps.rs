@@ -1,4 +1,4 @@
-//! Dates and times of day as instruments write them.
+//! Dates and times of day in the notation of instruments.
 
 use etalon_base::error;
 use etalon_base::message::Message;

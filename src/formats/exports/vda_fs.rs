@@ -23,7 +23,7 @@ impl ExportFormat for VdaFs {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(head(text).contains("= HEADER /"), 0.9, "a VDA-FS file, by its header")
+        Recognised::by(head(text).contains("= HEADER /"), 0.9, phrase!("is-vda-fs"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -46,7 +46,7 @@ struct Entity<'a> {
 }
 
 impl Entity<'_> {
-    /// Numbers of each point: its coordinates, of an MDI its direction too.
+    /// Numbers of each point: its coordinates, and the direction of an MDI.
     fn per_point(&self) -> usize {
         if self.kind == "MDI" { 6 } else { 3 }
     }

@@ -139,7 +139,8 @@ impl Array {
 /// Returns the stated parts of arrays as a table with these texts as header.
 ///
 /// # Errors
-/// If an array is missing, a part is not one column or row, or two parts have different lengths.
+/// Fails if an array is missing, a part is not one column or row, or two parts have different
+/// lengths.
 pub(super) fn table(arrays: &[Array], wanted: &[&str], spelling: Spelling) -> Result<String, Message> {
     let names = spelling.examples(arrays);
     let mut parts: Vec<(&str, &Array, Run)> = Vec::new();

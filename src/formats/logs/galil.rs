@@ -30,7 +30,7 @@ impl LogFormat for Galil {
         let words = header.iter().all(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
         let rows = text.lines().skip(1).take(100);
         let counts = rows.clone().count() > 0 && rows.flat_map(|row| row.split(',')).all(whole);
-        let what = "an upload of Galil arrays: whole numbers alone, under names in alphabetical order";
+        let what = phrase!("is-galil-arrays");
         Recognised::by(words && counts && header.len() > 1 && header.is_sorted(), 0.3, what)
     }
 
@@ -74,11 +74,11 @@ fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) 
     }
     let ended = |i: usize| {
         let short = wanted.iter().zip(&ends).filter(|(_, end)| **end <= i).map(|((_, w), _)| w.key.get_ref().as_str());
-        phrase!("galil-array-ended", columns = short.collect::<Vec<_>>()).to_string()
+        phrase!("galil-array-ended", columns = short.collect::<Vec<_>>())
     };
     let refused = (shortest..longest).map(|i| {
         let row = &sheet.rows[i];
-        Refused { line: row.line, text: row.text.to_owned(), reason: ended(i) }
+        Refused::new(row.line, row.text, ended(i))
     });
     let refused = refused.collect();
     sheet.rows.truncate(shortest);

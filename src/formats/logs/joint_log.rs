@@ -18,6 +18,7 @@ fn factor(unit: &str, quantity: Quantity) -> Option<f64> {
         (Quantity::Length, "mm") | (Quantity::Angle, "deg") => Some(1.0),
         (Quantity::Length, "m") => Some(1000.0),
         (Quantity::Length, "um") => Some(0.001),
+        (Quantity::Length, "inch") => Some(25.4),
         (Quantity::Angle, "rad") => Some(180.0 / std::f64::consts::PI),
         _ => None,
     }

@@ -6,7 +6,7 @@
 use super::{About, Columns, LogFormat, Values};
 use crate::exports::Recognised;
 use etalon_base::message::{Message, Place};
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ impl LogFormat for KukaRsi {
     }
 
     fn recognise(&self, header: &[&str], _text: &str) -> Option<Recognised> {
-        Recognised::by(header.contains(&"IPOC"), 0.9, "a recording of KUKA RSI: its header names the counter `IPOC`")
+        Recognised::by(header.contains(&"IPOC"), 0.9, phrase!("is-kuka-rsi"))
     }
 
     fn unit_of(&self, column: &str) -> Option<&'static str> {

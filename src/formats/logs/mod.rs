@@ -124,7 +124,7 @@ impl Log {
     /// Reads the text of the file, and its bytes.
     ///
     /// # Errors
-    /// If the file cannot be read, is not text of this encoding, or lacks the sheet.
+    /// Fails if the file cannot be read, is not text of this encoding, or lacks the sheet.
     pub fn text(&self, path: &Path) -> Result<(String, Vec<u8>)> {
         let bytes = bytes_of(path)?;
         let named = self.columns.values().filter_map(|column| match &column.at {

@@ -28,7 +28,7 @@ impl LogFormat for Ros {
 
     fn recognise(&self, header: &[&str], _text: &str) -> Option<Recognised> {
         let echo = header.first() == Some(&"%time") && header.iter().any(|name| name.starts_with("field."));
-        Recognised::by(echo, 0.9, "messages of ROS: its header is that of `rostopic echo -p`")
+        Recognised::by(echo, 0.9, phrase!("is-ros-messages"))
     }
 
     fn unit_of(&self, column: &str) -> Option<&'static str> {
@@ -59,7 +59,7 @@ fn position_unit(wanted: &Wanted) -> Option<Message> {
     let stated = wanted.unit().filter(|_| column.starts_with(POSITION) && wanted.column.per_count.is_none())?;
     let known = match stated {
         "deg" => "rad",
-        "mm" | "um" => "m",
+        "mm" | "um" | "inch" => "m",
         _ => return None,
     };
     other_unit(wanted, column, stated, known)
@@ -74,8 +74,8 @@ fn of_other_joints(sheet: &mut Sheet, wanted: &[(usize, &Wanted)]) -> Option<Ref
     let others = |row: &crate::lexer::Row| !joints.is_empty() && joints.iter().all(|at| row.field(*at).is_empty());
     let count = sheet.rows.iter().filter(|row| others(row)).count();
     let first = sheet.rows.iter().find(|row| others(row))?;
-    let reason = phrase!("ros-messages-of-other-joints", count).to_string();
-    let refused = Refused { line: first.line, text: first.text.to_owned(), reason };
+    let reason = phrase!("ros-messages-of-other-joints", count);
+    let refused = Refused::new(first.line, first.text, reason);
     sheet.rows.retain(|row| !others(row));
     Some(refused)
 }

@@ -1,8 +1,8 @@
 //! Logs that are one table: a header row with names, and a row for each time.
 
 use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
-use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header, two_commas};
-use crate::guess::guesses;
+use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header};
+use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, number, parsed, pose_name, split as split_rows};
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Place, Problems, Result, SourceText};
@@ -18,7 +18,7 @@ impl LogFormat for Delimited {
         About {
             name: "delimited",
             title: "",
-            description: "Delimited text of which nothing is known but what the campaign states.",
+            description: "Delimited text; the campaign states its columns and units.",
         }
     }
 }
@@ -50,16 +50,19 @@ impl Sheet<'_> {
 /// Reads the wanted columns.
 pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
-        return Err(two_commas().at(stated.place(&log.file)).into());
+        return Err(two_commas_in(text).at(stated.place(&log.file)).into());
     }
-    source.dialect = format!(
-        "{}delimited by `{}`, decimal `{}`",
-        if log.kind().about().title.is_empty() { String::new() } else { format!("{}, ", log.kind().about().title) },
-        log.delimiter().name(),
-        log.decimal.name()
-    );
+    let delimited = phrase!("log-delimited", delimiter = log.delimiter().name(), decimal = log.decimal.name());
+    source.read_as(match log.kind().about().title {
+        "" => delimited,
+        title => phrase!("log-of-format", format = title, read = delimited),
+    });
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
+    if problems.0.iter().any(|message| message.id == "header-holds-numbers") {
+        // no column has a name
+        return Err(problems);
+    }
     source.rows_read = sheet.rows.len();
     log.kind().0.name_columns(&mut sheet, &mut problems);
     let mut placed = Vec::new();

@@ -11,7 +11,7 @@ use crate::dialect::{ColumnAt, Decimal, Delimiter, two_commas};
 use crate::exports::Recognised;
 use crate::lexer::{Row, number};
 use etalon_base::message::{Message, Place, Problems, Result};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_documents::Source;
 
 /// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
@@ -28,7 +28,7 @@ impl LogFormat for TwinCat {
 
     fn recognise(&self, header: &[&str], text: &str) -> Option<Recognised> {
         let start = text.lines().take(10).any(|line| line.trim_start_matches('"').starts_with("Starttime of export"));
-        let what = "an export of Beckhoff TwinCAT 3 Scope: its head states the start of the export";
+        let what = phrase!("is-twincat");
         Recognised::by(start && header.iter().any(|field| field.starts_with("Name")), 1.0, what)
     }
 
@@ -56,9 +56,16 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
     let file = log.file.get_ref().as_str();
     let lines: Vec<&str> = text.lines().collect();
     let header = Header::read(file, &lines, log)?;
-    let start = header.start_utc().map_or_else(String::new, |start| format!(", start {start}"));
-    let (separator, decimal) = (header.separator, log.decimal.name());
-    source.dialect = format!("{}, delimited by {separator:?}, decimal `{decimal}`{start}", log.format.about().title);
+    let delimited = phrase!(
+        "log-delimited",
+        delimiter = header.separator.escape_default().to_string(),
+        decimal = log.decimal.name()
+    );
+    let read = phrase!("log-of-format", format = log.format.about().title, read = delimited);
+    source.read_as(match header.start_utc() {
+        Some(start) => phrase!("log-with-start", read, start),
+        None => read,
+    });
     let mut problems = Problems::default();
     if log.period_s.is_some() {
         problems.0.push(inapplicable("period_s").at(stated.place(&log.file)));

@@ -7,6 +7,7 @@
 
 use super::{About, LogFormat};
 use crate::exports::Recognised;
+use etalon_base::phrase;
 
 /// Recordings of Universal Robots RTDE: rad, m, s.
 pub(super) struct UrRtde;
@@ -22,7 +23,7 @@ impl LogFormat for UrRtde {
 
     fn recognise(&self, header: &[&str], _text: &str) -> Option<Recognised> {
         let joints = header.iter().any(|name| name.starts_with("actual_q_") || name.starts_with("target_q_"));
-        let what = "a recording of Universal Robots RTDE: its header has RTDE's names of joint positions";
+        let what = phrase!("is-ur-rtde");
         Recognised::by(joints, if header.contains(&"timestamp") { 0.9 } else { 0.7 }, what)
     }
 

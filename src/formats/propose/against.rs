@@ -1,4 +1,4 @@
-//! A proposal that the nominal robot corrects: its joints, units, targets, and commanded points.
+//! Correction of a proposal by the nominal robot: joints, units, targets, and commanded points.
 
 use super::kinematics::{FEWEST, Origin, Outcome, Reading, Sample, confirmed, test};
 use super::meaning::{Interpretation, Meaning, PointSet};
@@ -208,7 +208,7 @@ fn apply(
 ) {
     name_joints(robot, &trial.joints, reading, (&mut *table, &mut *found), remarks);
     if let (Some(at), None) = (trial.target, found.first(Meaning::Target)) {
-        found.take(at, Meaning::Target, "with a target for each of its values the nominal robot fits");
+        found.take(at, Meaning::Target, phrase!("why-targets-fit"));
         remarks.reasons.push(phrase!("robot-finds-targets", column = table.called(at)));
     }
     let placed = found.points.iter().chain(&found.commanded).any(|set| set.columns == trial.points.map(Some));
@@ -220,7 +220,7 @@ fn apply(
         }
         found.points = vec![PointSet { tag: String::new(), columns: trial.points.map(Some) }];
         for (axis, at) in trial.points.into_iter().enumerate() {
-            found.take(at, Meaning::Point(0, axis), "the nominal robot reproduces the three columns");
+            found.take(at, Meaning::Point(0, axis), phrase!("why-robot-reproduces"));
         }
     }
     let mut kept: Vec<PointSet> = Vec::new();
@@ -241,7 +241,7 @@ fn apply(
         let origin = fitted.map_or(Origin::Measured, |fitted| fitted.origin);
         if measured && origin == Origin::Commanded {
             for (axis, at) in points.into_iter().enumerate() {
-                found.take(at, Meaning::Commanded(axis), "the nominal robot computes it to its rounding");
+                found.take(at, Meaning::Commanded(axis), phrase!("why-robot-computes"));
             }
         } else if measured {
             for (axis, at) in points.into_iter().enumerate() {
@@ -267,7 +267,7 @@ pub(super) fn name_joints(
     for taken in &mut found.taken {
         if matches!(taken.meaning, Meaning::Joint(_)) {
             taken.meaning = Meaning::OtherJoint;
-            taken.why = "the nominal robot fits without it".to_owned();
+            taken.why = Some(phrase!("why-fits-without"));
         }
     }
     for (k, at) in columns.iter().enumerate() {
@@ -277,8 +277,8 @@ pub(super) fn name_joints(
             remarks.doubts.push(phrase!("robot-contradicts-unit", column, stated, unit));
         }
         table.columns[*at].heading.unit = Some(unit);
-        let way = if reading.reversed[k] { ", which counts in the opposite direction" } else { "" };
-        found.take(*at, Meaning::Joint(k), format!("the kinematics of the nominal robot fit with it in {unit}{way}"));
+        let way = if reading.reversed[k] { "reversed" } else { "forward" };
+        found.take(*at, Meaning::Joint(k), phrase!("why-kinematics-fit", unit, way));
         if reading.reversed[k] {
             found.reversed.push(*at);
             remarks.reasons.push(phrase!("robot-reverses", column = table.called(*at), joint = of_robot(k)));
@@ -290,7 +290,15 @@ pub(super) fn name_joints(
     }
     found.joint_names = (0..columns.len()).map(of_robot).collect();
     found.by_kinematics = true;
-    found.doubts.retain(|doubt| !doubt.contains("without headings") && !doubt.contains("are in no order"));
+    let settled = [
+        "doubt-quaternion-order",
+        "doubt-six-without-headings",
+        "doubt-matrix-order",
+        "doubt-joints-without-headings",
+        "doubt-points-without-headings",
+        "doubt-order-of-joints",
+    ];
+    found.doubts.retain(|doubt| !settled.contains(&&*doubt.id));
 }
 
 /// Describes how well the robot reproduces points, and states their unit.

@@ -3,15 +3,15 @@
 use super::with_remarks;
 use crate::dialect::quoted;
 use crate::logs::{ArrayParts, LogKind};
-use etalon_base::error;
 use etalon_base::message::Message;
+use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
 use std::fmt::Write as _;
 
 /// Proposes lines for the arrays of a file.
 ///
 /// # Errors
-/// If the file cannot be read, or has no array of numbers with one or two axes.
+/// Fails if the file cannot be read, or has no array of numbers with one or two axes.
 pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<FormatsDocument, Message> {
     let arrays = format.arrays(bytes)?;
     // joints are the parts of the array with the most parts
@@ -26,10 +26,10 @@ pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<For
         rows: widest.count,
         ..FormatsDocument::default()
     };
-    document.reasons.push(format!("it holds arrays of {}", about.title));
+    document.because(phrase!("because-arrays", format = about.title));
     let shown = |array: &ArrayParts| format!("`{}` ({} x {})", array.name, array.count, array.parts.len());
     let all: Vec<String> = arrays.iter().map(shown).collect();
-    document.reasons.push(format!("its arrays of numbers are {}", all.join(", ")));
+    document.because(phrase!("because-arrays-of-numbers", arrays = all));
     let beside = |array: &&ArrayParts| array.count == widest.count && array.parts.len() == 1;
     let is_time = |array: &&ArrayParts| {
         let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
@@ -39,7 +39,7 @@ pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<For
     let mut columns: Vec<String> = Vec::new();
     if let Some(time) = time {
         columns.push(format!("time_s = {}", quoted(&time.name)));
-        document.questions.push(format!("whether `{}` is in seconds (`time_ms`, `time_ns` otherwise)", time.name));
+        document.ask(phrase!("ask-seconds", name = time.name));
     }
     let joints: Vec<&String> = match widest.parts.len() {
         1 => {
@@ -51,12 +51,9 @@ pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<For
     columns.extend((1..).zip(joints).map(|(number, part)| format!("q{number}_UNIT = {}", quoted(part))));
     let parts = widest.parts.len();
     if !(4..=8).contains(&parts) && parts > 1 {
-        document.doubts.push(format!(
-            "`{}` has {parts} columns: joints, coordinates, or both beside each other; arrays are read as logs only",
-            widest.name
-        ));
+        document.doubt(phrase!("doubt-array-columns", array = widest.name, count = parts));
     }
-    document.questions.push("which joint each column is, and its unit".to_owned());
+    document.ask(phrase!("ask-joints"));
     let mut lines = String::new();
     let _ = write!(
         lines,

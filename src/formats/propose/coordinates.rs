@@ -3,7 +3,8 @@
 use super::headings::{Word, stands_for};
 use super::meaning::{Interpretation, Meaning, PointSet};
 use super::table::{Column, Table};
-use etalon_base::message::count;
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 
 /// Kind of a set of coordinates, by the words of its headings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -128,13 +129,13 @@ impl Interpretation {
             table,
             &of(Kind::Commanded),
             &|axis| Meaning::Commanded(axis),
-            "its heading states a commanded value",
+            &phrase!("why-commanded-heading"),
         );
         self.take_sets(
             table,
             &of(Kind::Difference),
             &|axis| Meaning::Difference(axis),
-            "its heading states a difference",
+            &phrase!("why-difference-heading"),
         );
         let (measured, plain, named) = (of(Kind::Measured), of(Kind::Plain), of(Kind::Named));
         let points = match () {
@@ -144,23 +145,25 @@ impl Interpretation {
         };
         for (number, set) in points.iter().enumerate() {
             let why = match set.kind {
-                Kind::Measured => "its heading states a measured value",
-                Kind::Named => "the headings of three columns differ in x, y, z alone",
-                _ => "its heading",
+                Kind::Measured => phrase!("why-measured-heading"),
+                Kind::Named => phrase!("why-axes-differ"),
+                _ => phrase!("why-heading"),
             };
-            self.take_sets(table, std::slice::from_ref(set), &|axis| Meaning::Point(number, axis), why);
+            self.take_sets(table, std::slice::from_ref(set), &|axis| Meaning::Point(number, axis), &why);
         }
         self.points = points.into_iter().map(|set| set.points).collect();
         self.judge(&sets, table);
     }
 
-    fn take_sets(&mut self, table: &Table, sets: &[Set], meaning: &dyn Fn(usize) -> Meaning, why: &str) {
+    fn take_sets(&mut self, table: &Table, sets: &[Set], meaning: &dyn Fn(usize) -> Meaning, why: &Phrase) {
         for set in sets {
             for (axis, at) in set.points.columns.iter().enumerate() {
                 let Some(at) = at else { continue };
-                let unit = table.columns[*at].heading.unit.map(|unit| format!(", in {unit}")).unwrap_or_default();
-                self.taken[*at].meaning = meaning(axis);
-                self.taken[*at].why = format!("{why}{unit}");
+                let why = match table.columns[*at].heading.unit {
+                    Some(unit) => phrase!("why-in-unit", why, unit),
+                    None => why.clone(),
+                };
+                self.take(*at, meaning(axis), why);
             }
         }
     }
@@ -173,9 +176,7 @@ impl Interpretation {
         {
             self.difference = one(Kind::Difference);
             if self.difference.is_some() {
-                self.questions.push(
-                    "whether the difference is commanded minus measured, as proposed, or measured minus commanded (then `+`)".to_owned(),
-                );
+                self.questions.push(phrase!("ask-sign-of-difference"));
             }
             self.commanded = Some(commanded);
         }
@@ -188,14 +189,11 @@ impl Interpretation {
             })
             .collect();
         if !left.is_empty() && !self.points.is_empty() {
-            self.doubts.push(format!(
-                "coordinates of {} are not taken: others have a heading that is closer",
-                left.join(", ")
-            ));
+            self.doubts.push(phrase!("doubt-coordinates-left", left));
         }
         let bare = |set: &PointSet| set.columns.iter().flatten().any(|at| table.columns[*at].heading.bare_metre);
         if self.points.iter().any(bare) {
-            self.doubts.push("the headings end in `_m`: metres, or \"measured\"".to_owned());
+            self.doubts.push(phrase!("doubt-bare-metre"));
         }
     }
 
@@ -204,10 +202,7 @@ impl Interpretation {
     /// Texts in front are the label. Values identify quaternions, rotation matrices, directions and
     /// times. The first other numbers are x, y and z.
     pub(super) fn by_position(&mut self, table: &Table) {
-        let set = |found: &mut Self, at: usize, meaning: Meaning, why: &str| {
-            found.taken[at].meaning = meaning;
-            found.taken[at].why = why.to_owned();
-        };
+        let set = |found: &mut Self, at: usize, meaning: Meaning, why: Phrase| found.take(at, meaning, why);
         let numeric: Vec<usize> = (0..table.columns.len()).filter(|i| table.columns[*i].is_numeric()).collect();
         let leading = numeric.first().copied().unwrap_or(0);
         for (i, column) in table.columns.iter().enumerate().filter(|(_, column)| !column.is_numeric()) {
@@ -216,18 +211,20 @@ impl Interpretation {
                 continue;
             }
             let (meaning, why) = match () {
-                () if column.texts.is_empty() || column.texts == [""] => (Meaning::Text, "it is empty"),
-                () if i < leading => (Meaning::Label, "a text before the numbers"),
-                () => (Meaning::Text, "a text behind numbers"),
+                () if column.texts.is_empty() || column.texts == [""] => (Meaning::Text, phrase!("why-empty")),
+                () if i < leading => (Meaning::Label, phrase!("why-text-before")),
+                () => (Meaning::Text, phrase!("why-text-behind")),
             };
             let number = |cell: &str| cell.trim().replace(',', ".").parse::<f64>().is_ok();
             let count = column.cells.iter().filter(|cell| number(cell)).count();
             if 2 * count > column.cells.len() {
                 let text = column.cells.iter().find(|cell| !number(cell)).map_or("", |cell| cell);
-                self.doubts.push(format!(
-                    "column {} holds numbers in {count} of {} rows, and `{text}`: leave out such rows (`header`, `comment`)",
-                    i + 1,
-                    column.cells.len()
+                self.doubts.push(phrase!(
+                    "doubt-numbers-and-text",
+                    column = i + 1,
+                    count,
+                    rows = column.cells.len(),
+                    text
                 ));
             }
             set(self, i, meaning, why);
@@ -244,10 +241,10 @@ impl Interpretation {
             let step = column.numbers().take(2).collect::<Vec<f64>>();
             if !quaternion {
                 match column.is_whole() && step.windows(2).all(|pair| pair[1] - pair[0] == 1.0) {
-                    true => set(self, rest[0], Meaning::Count, "whole numbers that increase by 1"),
+                    true => set(self, rest[0], Meaning::Count, phrase!("why-counts")),
                     false => {
-                        set(self, rest[0], Meaning::Time, "it increases in all rows, and the others do not");
-                        self.doubts.push("column 1 increases in all rows: a time, or a coordinate".to_owned());
+                        set(self, rest[0], Meaning::Time, phrase!("why-increases"));
+                        self.doubts.push(phrase!("doubt-first-increases"));
                     }
                 }
                 rest.remove(0);
@@ -256,7 +253,7 @@ impl Interpretation {
             && first.is_some_and(Column::is_whole)
             && rest[1..].iter().take(3).all(|i| !table.columns[*i].is_whole())
         {
-            set(self, rest[0], Meaning::Count, "whole numbers before numbers with a decimal mark");
+            set(self, rest[0], Meaning::Count, phrase!("why-whole-before-decimals"));
             rest.remove(0);
         }
         self.by_count(table, &rest);
@@ -264,23 +261,19 @@ impl Interpretation {
 
     /// Interprets the numbers of a row by their count and values.
     fn by_count(&mut self, table: &Table, rest: &[usize]) {
-        let set = |found: &mut Self, at: usize, meaning: Meaning, why: &str| {
-            found.taken[at].meaning = meaning;
-            found.taken[at].why = why.to_owned();
-        };
+        let set = |found: &mut Self, at: usize, meaning: Meaning, why: Phrase| found.take(at, meaning, why);
         match *rest {
             [x, y, z, a, b, c, d] if table.are_unit([a, b, c, d]) => {
                 self.point_at(&[x, y, z]);
                 for (k, at) in [d, a, b, c].into_iter().enumerate() {
-                    set(self, at, Meaning::Quaternion(k), "the four are of length 1 in all rows");
+                    set(self, at, Meaning::Quaternion(k), phrase!("why-four-of-length-one"));
                 }
-                self.doubts
-                    .push("a quaternion without headings: scalar last, as ROS writes it, or scalar first".to_owned());
+                self.doubts.push(phrase!("doubt-quaternion-order"));
             }
             [x, y, z, i, j, k] if table.are_unit([i, j, k]) => {
                 self.point_at(&[x, y, z]);
                 for (n, at) in [i, j, k].into_iter().enumerate() {
-                    set(self, at, Meaning::Direction(n), "the three are of length 1 in all rows");
+                    set(self, at, Meaning::Direction(n), phrase!("why-three-of-length-one"));
                 }
             }
             [x, y, z, a, b, c]
@@ -288,35 +281,21 @@ impl Interpretation {
             {
                 self.point_at(&[x, y, z]);
                 for (n, at) in [a, b, c].into_iter().enumerate() {
-                    set(self, at, Meaning::Rotation(n), "behind three lengths that are larger than any angle");
+                    set(self, at, Meaning::Rotation(n), phrase!("why-behind-lengths"));
                 }
-                self.doubts.push(
-                    "six numbers without headings: a position and three angles, or joints of which three slide"
-                        .to_owned(),
-                );
+                self.doubts.push(phrase!("doubt-six-without-headings"));
             }
             [_, _, _, _, _, _] | [_, _, _, _, _, _, _] if self.has_no_text() => {
                 for (k, at) in rest.iter().enumerate() {
-                    set(
-                        self,
-                        *at,
-                        Meaning::Joint(k),
-                        "every row is as many numbers as an arm has joints, and no direction among them",
-                    );
+                    set(self, *at, Meaning::Joint(k), phrase!("why-as-many-as-joints"));
                 }
-                self.doubts.push(format!(
-                    "{} without headings: joints, or coordinates and angles",
-                    count(rest.len(), "number")
-                ));
+                self.doubts.push(phrase!("doubt-joints-without-headings", count = rest.len()));
             }
             [_, _] | [_, _, _] => self.point_at(rest),
             [x, y, z, ..] => {
                 self.point_at(&[x, y, z]);
                 if rest.len().is_multiple_of(3) {
-                    self.doubts.push(format!(
-                        "{} without headings: the first three are taken; several points in a row are several [[export]] with columns by number",
-                        count(rest.len(), "number")
-                    ));
+                    self.doubts.push(phrase!("doubt-points-without-headings", count = rest.len()));
                 }
             }
             _ => {}
@@ -331,8 +310,7 @@ impl Interpretation {
         let mut columns = [None; 3];
         for (axis, at) in at.iter().enumerate() {
             columns[axis] = Some(*at);
-            self.taken[*at].meaning = Meaning::Point(0, axis);
-            self.taken[*at].why = "its place: nothing names the columns".to_owned();
+            self.take(*at, Meaning::Point(0, axis), phrase!("why-place"));
         }
         self.points.push(PointSet { tag: String::new(), columns });
     }
@@ -346,10 +324,8 @@ impl Interpretation {
             if !table.are_rotations(rotation) {
                 continue;
             }
-            let why = "orthonormal in all rows, row by row";
             for (k, column) in rotation.into_iter().enumerate() {
-                self.taken[column].meaning = Meaning::Matrix(k / 3, k % 3);
-                self.taken[column].why = why.to_owned();
+                self.take(column, Meaning::Matrix(k / 3, k % 3), phrase!("why-orthonormal"));
             }
             match step {
                 4 => self.point_at(&[at(from, 3), at(from, 7), at(from, 11)]),
@@ -358,12 +334,10 @@ impl Interpretation {
             }
             if length == 16 {
                 for k in 12..16 {
-                    self.taken[at(from, k)].meaning = Meaning::MatrixEnd;
-                    self.taken[at(from, k)].why = "the row 0 0 0 1".to_owned();
+                    self.take(at(from, k), Meaning::MatrixEnd, phrase!("why-row-0001"));
                 }
             }
-            self.doubts
-                .push("a matrix without headings: row by row, turning vectors of the body to the world".to_owned());
+            self.doubts.push(phrase!("doubt-matrix-order"));
             return true;
         }
         false

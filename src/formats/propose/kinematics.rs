@@ -2,6 +2,7 @@
 //! coordinates, and the column of targets with which its kinematics reproduce the coordinates.
 
 use etalon_base::pose::Pose;
+use etalon_math::Factor;
 use etalon_robots::{Quantity, Robot};
 
 /// Minimum number of rows: base and target are 15 unknowns.
@@ -24,6 +25,8 @@ const FINE_MM: f64 = 0.1;
 const ALLOWANCE: f64 = 1.2;
 /// Difference (mm) of computed coordinates that are not rounded.
 const COMPUTED_MM: f64 = 1e-6;
+/// Weight per row of the shortest solution, where base and target are not separable.
+const RIDGE: f64 = 1e-11;
 /// Units of lengths, and their sizes in mm.
 const LENGTHS: [(&str, f64); 4] = [("mm", 1.0), ("m", 1000.0), ("inch", 25.4), ("um", 0.001)];
 
@@ -58,7 +61,7 @@ pub(super) struct Reading {
     pub origin: Origin,
 }
 
-/// Origin of coordinates, as their residuals show it.
+/// Origin of coordinates, by their residuals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Origin {
     Measured,
@@ -153,8 +156,8 @@ struct Residual {
     unit_mm: f64,
 }
 
-/// Tests the columns of joints against the coordinates.
-/// A thorough test tries other orders and directions than those of the file too.
+/// Tests the columns of joints against the coordinates. A thorough test also tries orders and
+/// directions other than those of the file.
 pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcome {
     let count = robot.joints().len();
     if robot.free_base().is_none() || sample.joints.len() < count || count < 2 || !sample.spans_space() {
@@ -345,7 +348,9 @@ fn residual(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Resid
             }
         }
     }
-    let x = solved(normal, right, 1e-11 * rows as f64)?;
+    (0..unknowns).for_each(|j| normal[j * unknowns + j] += RIDGE * rows as f64);
+    // the sum of squares is computed below, row by row
+    let x = Factor::from_normal(&normal, &right, 0.0, &vec![1.0; unknowns], f64::MIN_POSITIVE)?.solve()?;
     let m: [[f64; 3]; 3] = std::array::from_fn(|a| std::array::from_fn(|b| x[3 * a + b] / spread));
     let (unit, unit_mm) = unit_of(&m)?;
     let square = |i: usize| {
@@ -370,35 +375,6 @@ fn unit_of(m: &[[f64; 3]; 3]) -> Option<(&'static str, f64)> {
     let product = |a: usize, b: usize| (0..3).map(|k| m[a][k] * m[b][k]).sum::<f64>() / (size * size);
     let orthogonal = |a: usize, b: usize| (product(a, b) - f64::from(u8::from(a == b))).abs() < 0.15;
     (0..3).all(|a| (a..3).all(|b| orthogonal(a, b))).then_some((unit, size))
-}
-
-/// Returns the solution of a symmetric positive system (Cholesky), with `ridge` on its diagonal.
-fn solved(mut a: Vec<f64>, mut b: Vec<f64>, ridge: f64) -> Option<Vec<f64>> {
-    let n = b.len();
-    for j in 0..n {
-        a[j * n + j] += ridge;
-        for k in 0..j {
-            a[j * n + j] -= a[j * n + k].powi(2);
-        }
-        let pivot = a[j * n + j];
-        if pivot.is_nan() || pivot <= 0.0 {
-            return None;
-        }
-        a[j * n + j] = pivot.sqrt();
-        for i in j + 1..n {
-            let sum: f64 = (0..j).map(|k| a[i * n + k] * a[j * n + k]).sum();
-            a[i * n + j] = (a[i * n + j] - sum) / a[j * n + j];
-        }
-    }
-    for j in 0..n {
-        let sum: f64 = (0..j).map(|k| a[j * n + k] * b[k]).sum();
-        b[j] = (b[j] - sum) / a[j * n + j];
-    }
-    for j in (0..n).rev() {
-        let sum: f64 = (j + 1..n).map(|k| a[k * n + j] * b[k]).sum();
-        b[j] = (b[j] - sum) / a[j * n + j];
-    }
-    b.iter().all(|v| v.is_finite()).then_some(b)
 }
 
 /// Returns half a unit of the last digit of values.

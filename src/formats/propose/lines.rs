@@ -9,12 +9,13 @@ use crate::exports::delimited::point_rows;
 use crate::guess::{Guess, names};
 use crate::logs::LogKind;
 use crate::table::QUATERNION;
-use etalon_base::message::count;
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_documents::FormatsDocument;
 use std::fmt::Write;
 
 /// Remark to complete the columns of a proposed log.
-pub(super) const JOINTS: &str =
+pub const JOINTS: &str =
     "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
 /// Maximum number of problems of a trial that are repeated as doubts.
@@ -106,9 +107,9 @@ impl Proposal<'_> {
                 Some(distance) => self.distances(document, &joints, distance),
                 None => {
                     document.kind = "log".to_owned();
-                    document.reasons.push(format!("a log: {}", self.named(&joints, "the header names joints")));
+                    document.because(phrase!("because-log", reason = self.named(&joints, phrase!("says-joints"))));
                     if !self.found.by_kinematics {
-                        document.questions.push("which joint each column is, and its unit".to_owned());
+                        document.ask(phrase!("ask-joints"));
                     }
                     self.log(None)
                 }
@@ -120,16 +121,14 @@ impl Proposal<'_> {
     }
 
     /// Returns a sentence with the names of columns; without a header, the evidence in the values.
-    fn named(&self, columns: &[usize], said: &str) -> String {
+    fn named(&self, columns: &[usize], said: Phrase) -> Phrase {
         match self.table.columns.iter().any(|column| column.name.is_some()) {
             true => {
                 let names: Vec<&str> =
                     columns.iter().take(8).filter_map(|i| self.table.columns[*i].name.as_deref()).collect();
-                format!("{said}: {}", names.join(", "))
+                phrase!("names-of-columns", said, names)
             }
-            false => {
-                format!("every row is {}, and no direction among them", count(columns.len(), "number"))
-            }
+            false => phrase!("because-numbers", count = columns.len()),
         }
     }
 
@@ -205,10 +204,9 @@ impl Proposal<'_> {
             out += &self.export(document, set);
         }
         if self.found.points.len() > 1 {
-            let what = format!("{} in each row", count(self.found.points.len(), "measured point"));
-            document.reasons.push(format!("the headings name {what}: each is an [[export]] of the file"));
+            document.because(phrase!("because-several-points", count = self.found.points.len()));
         }
-        document.doubts.extend(self.not_read());
+        self.not_read().into_iter().for_each(|doubt| document.doubt(doubt));
         out
     }
 
@@ -228,7 +226,7 @@ impl Proposal<'_> {
         let of: Vec<ColumnRole> = roles.iter().copied().filter(|role| role.is_coordinate()).collect();
         let kind = coordinate_type(&of).unwrap_or(CoordinateType::Cartesian);
         if dialect.angle_unit.is_none() && of.iter().any(|role| role.is_angle()) {
-            document.questions.push("the unit of the angles: `angle_unit` in `format`".to_owned());
+            document.ask(phrase!("ask-angle-unit"));
         }
         let named = self.table.columns.iter().any(|column| column.name.is_some());
         if named {
@@ -237,13 +235,12 @@ impl Proposal<'_> {
             let _ = writeln!(out, "# are the columns x, y, z in this order, and {}?", kind.name());
         }
         if set == 0 {
-            document.doubts.extend(self.tried(&dialect, unit));
+            self.tried(&dialect, unit).into_iter().for_each(|doubt| document.doubt(doubt));
             if unit.is_none() {
-                document.questions.push(format!("the unit of lengths{}", self.size(points)));
+                document.ask(self.unit_of_lengths(points));
             }
             if !named {
-                let order = "whether the columns are x, y, z in this order, or angles and distances";
-                document.questions.push(order.to_owned());
+                document.ask(phrase!("ask-order-of-columns"));
             }
         }
         let has = |role: ColumnRole| roles.contains(&role);
@@ -270,74 +267,72 @@ impl Proposal<'_> {
         out
     }
 
-    /// Returns the size of the coordinates, and the units that fit it.
-    fn size(&self, points: Option<&PointSet>) -> String {
+    /// Returns the question of the unit with the size of the coordinates, and the units that fit
+    /// it.
+    fn unit_of_lengths(&self, points: Option<&PointSet>) -> Phrase {
         let largest = points.map_or(0.0, |points| {
             points.columns.iter().flatten().map(|at| self.table.columns[*at].largest()).fold(0.0, f64::max)
         });
         match largest {
-            0.0 => String::new(),
-            v if v < 15.0 => format!(": the largest is {v}, so m fits a robot"),
-            v if v < 200.0 => format!(": the largest is {v}, so inch or mm fits a robot"),
-            v => format!(": the largest is {v}, so mm fits a robot"),
+            0.0 => phrase!("ask-unit"),
+            largest if largest < 15.0 => phrase!("ask-unit-of-size", largest, units = "m"),
+            largest if largest < 200.0 => phrase!("ask-unit-of-size", largest, units = "inch-or-mm"),
+            largest => phrase!("ask-unit-of-size", largest, units = "mm"),
         }
     }
 
     /// Returns a doubt about unnamed columns of numbers that are not read.
-    fn not_read(&self) -> Vec<String> {
+    fn not_read(&self) -> Option<Phrase> {
         let unread = |(i, taken): (usize, &super::meaning::Taken)| {
             let unread = matches!(taken.meaning, Meaning::Unknown | Meaning::Count);
             (unread && self.table.columns[i].is_numeric()).then(|| (i + 1).to_string())
         };
         if self.table.columns.iter().any(|column| column.name.is_some()) {
-            return Vec::new();
+            return None;
         }
         let columns: Vec<String> = self.found.taken.iter().enumerate().filter_map(unread).collect();
-        let what = format!("numbers that are not read: column {}", columns.join(", "));
-        (!columns.is_empty()).then_some(what).into_iter().collect()
+        (!columns.is_empty()).then(|| phrase!("doubt-columns-not-read", columns))
     }
 
     /// Returns the problems of reading the whole file with this dialect, as doubts.
-    fn tried(&self, dialect: &Dialect, unit: Option<Unit>) -> Vec<String> {
+    fn tried(&self, dialect: &Dialect, unit: Option<Unit>) -> Vec<Phrase> {
         let (points, problems) = point_rows(self.file, &self.text.into(), dialect, unit.unwrap_or(Unit::Millimetre));
-        let mut doubts: Vec<String> = problems
+        let mut doubts: Vec<Phrase> = problems
             .0
             .iter()
             .take(SHOWN)
-            .map(|m| {
-                let line = m.place.as_ref().and_then(|p| p.line);
-                format!("{}{}", line.map(|line| format!("line {line}: ")).unwrap_or_default(), m.what)
+            .map(|m| match m.place.as_ref().and_then(|p| p.line) {
+                Some(line) => phrase!("doubt-in-line", line, problem = m.phrase()),
+                None => m.phrase(),
             })
             .collect();
         if problems.0.len() > SHOWN {
-            doubts.push(format!("and {} more like that", count(problems.0.len() - SHOWN, "problem")));
+            doubts.push(phrase!("doubt-more-problems", count = problems.0.len() - SHOWN));
         }
         let origin = points.iter().find(|p| p.refused.is_none() && p.xyz_mm == [0.0; 3]);
         let refused: Vec<_> = points.iter().filter(|p| p.refused.is_some()).collect();
-        doubts.extend(
-            origin.map(|p| {
-                format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` states otherwise", p.line)
-            }),
-        );
-        if let Some(p) = refused.first() {
-            let more = if refused.len() > 1 { format!(", and {} more", refused.len() - 1) } else { String::new() };
-            doubts.push(format!("line {}: {}{more}", p.line, p.refused.as_deref().unwrap_or("")));
+        doubts.extend(origin.map(|p| phrase!("doubt-origin", line = p.line)));
+        if let Some((line, reason)) = refused.first().and_then(|p| Some((p.line, p.refused.as_deref()?))) {
+            doubts.push(match refused.len() - 1 {
+                0 => phrase!("doubt-in-line", line, problem = reason),
+                more => phrase!("doubt-rows-refused", line, reason, more),
+            });
         }
         doubts
     }
 
     /// Returns the lines of a file with joints and points.
     fn mixed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
-        document.reasons.push(self.named(joints, "the header names joints beside the points"));
-        document.questions.push("which joint each column is, and its unit".to_owned());
-        if self.found.by_kinematics {
-            document.questions.pop();
+        document.because(self.named(joints, phrase!("says-joints-beside")));
+        if !self.found.by_kinematics {
+            document.ask(phrase!("ask-joints"));
         }
         let turned = [self.found.quaternion_columns(), self.found.rotation_columns()].concat();
         if !turned.is_empty() && self.found.points.len() == 1 {
             document.kind = "observations".to_owned();
-            document.reasons.push(self.named(&turned, "the header names orientations"));
-            document.doubts.extend(self.tried(&self.dialect(0), self.unit(&self.found.points[0])));
+            document.because(self.named(&turned, phrase!("says-orientations")));
+            let tried = self.tried(&self.dialect(0), self.unit(&self.found.points[0]));
+            tried.into_iter().for_each(|doubt| document.doubt(doubt));
             return self.observations(joints, &turned);
         }
         document.kind = "export with joints".to_owned();
@@ -460,8 +455,8 @@ impl Proposal<'_> {
     /// Returns the lines of joints and one length (draw wire or ball bar).
     fn distances(&self, document: &mut FormatsDocument, joints: &[usize], distance: usize) -> String {
         document.kind = "observations".to_owned();
-        document.reasons.push(self.named(&[joints, &[distance]].concat(), "joints and one length in each row"));
-        document.questions.push("the point from which the distance is measured: `other` in `constants`".to_owned());
+        document.because(self.named(&[joints, &[distance]].concat(), phrase!("says-joints-and-length")));
+        document.ask(phrase!("ask-anchor"));
         let unit = self.table.columns[distance].heading.unit.unwrap_or("UNIT");
         let mut columns = self.observation_columns(joints);
         columns.push(format!("distance_{unit} = {}", self.column(distance)));
@@ -477,8 +472,8 @@ impl Proposal<'_> {
         };
         document.kind = "export".to_owned();
         let both = commanded.columns.into_iter().chain(difference.columns).flatten().collect::<Vec<usize>>();
-        document.reasons.push(self.named(&both, "the header names a commanded point and its difference"));
-        document.doubts.push("the sign of the difference is not stated: compare a row with the measurement".to_owned());
+        document.because(self.named(&both, phrase!("says-commanded-and-difference")));
+        document.doubt(phrase!("doubt-sign-of-difference"));
         let name = |at: usize| self.heading(at).map_or_else(|| format!("${}", at + 1), str::to_owned);
         let mut columns: Vec<(ColumnRole, ColumnAt)> = Vec::new();
         for (role, meaning) in [
@@ -505,7 +500,7 @@ impl Proposal<'_> {
             unit_line(unit.map(Unit::name))
         );
         if unit.is_none() {
-            document.questions.push(format!("the unit of lengths{}", self.size(Some(commanded))));
+            document.ask(self.unit_of_lengths(Some(commanded)));
         }
         if !named {
             out.push_str("target = \"?\"               # which target the rows are of\n");
@@ -515,7 +510,7 @@ impl Proposal<'_> {
         }
         if joints.len() >= 2 {
             document.kind = "export with joints".to_owned();
-            document.questions.push("which joint each column is, and its unit".to_owned());
+            document.ask(phrase!("ask-joints"));
             let columns: Vec<String> =
                 joints.iter().enumerate().map(|(k, at)| self.joint(k, *at, self.joint_unit(*at))).collect();
             let _ = write!(out, "joints = {{ {} }}\n{JOINTS}", columns.join(", "));
@@ -528,7 +523,7 @@ impl Proposal<'_> {
         document.kind = "unknown".to_owned();
         if self.found.commanded.is_some() {
             document.kind = "commanded".to_owned();
-            document.doubts.push("every coordinate is called commanded: it is no measurement".to_owned());
+            document.doubt(phrase!("doubt-all-commanded"));
         }
         format!(
             "# `{}`: no column is a measured coordinate or a joint; state what the columns are in `columns`\n",

@@ -3,6 +3,8 @@
 
 use super::headings::{Heading, Word, stands_for};
 use super::table::{Column, Table};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 
 /// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,41 +50,41 @@ pub(super) enum Meaning {
 
 impl Meaning {
     /// Returns the meaning in words.
-    pub fn words(self) -> String {
+    pub fn words(self) -> Phrase {
         const AXES: [&str; 3] = ["x", "y", "z"];
         let axis = |at: usize| AXES.get(at).copied().unwrap_or("?");
         match self {
-            Self::Unknown => "not known".to_owned(),
-            Self::Text => "a text that nothing reads".to_owned(),
-            Self::Label => "label of the point".to_owned(),
-            Self::Target => "name of the target".to_owned(),
-            Self::Pose => "name of the pose".to_owned(),
-            Self::Cycle => "number of the repeat".to_owned(),
-            Self::Count => "a running number".to_owned(),
-            Self::Time => "time".to_owned(),
-            Self::Clock => "date and time of day".to_owned(),
-            Self::TimeOfDay => "time of day".to_owned(),
-            Self::Day => "date".to_owned(),
-            Self::Point(0, at) => format!("measured {}", axis(at)),
-            Self::Point(set, at) => format!("measured {} of point {}", axis(at), set + 1),
-            Self::Commanded(at) => format!("commanded {}", axis(at)),
-            Self::Difference(at) => format!("difference of {}", axis(at)),
-            Self::Direction(at) => format!("direction {}", ["i", "j", "k"][at.min(2)]),
-            Self::Quaternion(at) => format!("quaternion {}", ["qw", "qx", "qy", "qz"][at.min(3)]),
-            Self::Rotation(at) => format!("rotation, number {} of three", at + 1),
-            Self::Matrix(i, j) => format!("rotation matrix r{}{}", i + 1, j + 1),
-            Self::MatrixEnd => "last row of a 4x4 matrix".to_owned(),
-            Self::Joint(at) => format!("joint {}", at + 1),
-            Self::OtherJoint => "commanded joint".to_owned(),
-            Self::Uncertainty(at) => format!("standard uncertainty, number {}", at + 1),
-            Self::ExpandedUncertainty(at) => format!("expanded uncertainty of {}", axis(at)),
-            Self::Azimuth => "azimuth".to_owned(),
-            Self::Zenith => "zenith angle".to_owned(),
-            Self::Elevation => "elevation".to_owned(),
-            Self::Distance => "distance".to_owned(),
-            Self::Temperature => "temperature".to_owned(),
-            Self::Deleted => "mark of deleted rows".to_owned(),
-            Self::Motion => "velocity, force or current".to_owned(),
+            Self::Unknown => phrase!("means-unknown"),
+            Self::Text => phrase!("means-text"),
+            Self::Label => phrase!("means-label"),
+            Self::Target => phrase!("means-target"),
+            Self::Pose => phrase!("means-pose"),
+            Self::Cycle => phrase!("means-cycle"),
+            Self::Count => phrase!("means-count"),
+            Self::Time => phrase!("means-time"),
+            Self::Clock => phrase!("means-clock"),
+            Self::TimeOfDay => phrase!("means-time-of-day"),
+            Self::Day => phrase!("means-day"),
+            Self::Point(0, at) => phrase!("means-measured", axis = axis(at)),
+            Self::Point(set, at) => phrase!("means-measured-of-point", axis = axis(at), number = set + 1),
+            Self::Commanded(at) => phrase!("means-commanded", axis = axis(at)),
+            Self::Difference(at) => phrase!("means-difference", axis = axis(at)),
+            Self::Direction(at) => phrase!("means-direction", component = ["i", "j", "k"][at.min(2)]),
+            Self::Quaternion(at) => phrase!("means-quaternion", component = ["qw", "qx", "qy", "qz"][at.min(3)]),
+            Self::Rotation(at) => phrase!("means-rotation", number = at + 1),
+            Self::Matrix(i, j) => phrase!("means-matrix", row = i + 1, column = j + 1),
+            Self::MatrixEnd => phrase!("means-matrix-end"),
+            Self::Joint(at) => phrase!("means-joint", number = at + 1),
+            Self::OtherJoint => phrase!("means-other-joint"),
+            Self::Uncertainty(at) => phrase!("means-uncertainty", number = at + 1),
+            Self::ExpandedUncertainty(at) => phrase!("means-expanded-uncertainty", axis = axis(at)),
+            Self::Azimuth => phrase!("means-azimuth"),
+            Self::Zenith => phrase!("means-zenith"),
+            Self::Elevation => phrase!("means-elevation"),
+            Self::Distance => phrase!("means-distance"),
+            Self::Temperature => phrase!("means-temperature"),
+            Self::Deleted => phrase!("means-deleted"),
+            Self::Motion => phrase!("means-motion"),
         }
     }
 }
@@ -91,7 +93,7 @@ impl Meaning {
 #[derive(Clone, Debug)]
 pub(super) struct Taken {
     pub meaning: Meaning,
-    pub why: String,
+    pub why: Option<Phrase>,
 }
 
 /// Point in each row: its name in the headings, and its columns.
@@ -120,15 +122,15 @@ pub(super) struct Interpretation {
     pub reversed: Vec<usize>,
     /// `true` if the kinematics of the nominal robot support the units.
     pub by_kinematics: bool,
-    pub doubts: Vec<String>,
-    pub questions: Vec<String>,
+    pub doubts: Vec<Phrase>,
+    pub questions: Vec<Phrase>,
 }
 
 impl Interpretation {
     /// Interprets a table.
     pub fn of(table: &Table) -> Self {
         let mut found = Self::default();
-        let nothing = Taken { meaning: Meaning::Unknown, why: String::new() };
+        let nothing = Taken { meaning: Meaning::Unknown, why: None };
         found.taken = vec![nothing; table.columns.len()];
         if table.columns.iter().any(|column| column.name.is_some()) {
             found.texts(table);
@@ -178,8 +180,8 @@ impl Interpretation {
         self.columns(|meaning| if let Meaning::Matrix(i, j) = meaning { Some(3 * i + j) } else { None })
     }
 
-    pub(super) fn take(&mut self, at: usize, meaning: Meaning, why: impl Into<String>) {
-        self.taken[at] = Taken { meaning, why: why.into() };
+    pub(super) fn take(&mut self, at: usize, meaning: Meaning, why: Phrase) {
+        self.taken[at] = Taken { meaning, why: Some(why) };
     }
 
     fn is_free(&self, at: usize) -> bool {
@@ -201,12 +203,10 @@ impl Interpretation {
             (false, _) => Meaning::Day,
         };
         if all("/") {
-            self.doubts.push(
-                "dates with `/` do not state whether the day or the month is first: they are not read".to_owned(),
-            );
-            return self.take(at, Meaning::Text, "dates whose day and month could be exchanged");
+            self.doubts.push(phrase!("doubt-dates"));
+            return self.take(at, Meaning::Text, phrase!("why-ambiguous-dates"));
         }
-        self.take(at, meaning, "every cell is a date or a time of day");
+        self.take(at, meaning, phrase!("why-dates"));
     }
 
     /// Interprets columns of text.
@@ -214,24 +214,22 @@ impl Interpretation {
         for (i, column) in table.columns.iter().enumerate().filter(|(_, column)| !column.is_numeric()) {
             let heading = &column.heading;
             let single = |meaning: Word| heading.words.last().is_some_and(|word| stands_for(word, meaning));
-            let by_name = "its heading";
+            let by_name = || phrase!("why-heading");
             match () {
                 () if column.texts.is_empty() || column.texts == [""] => {
-                    self.take(i, Meaning::Text, "it is empty");
+                    self.take(i, Meaning::Text, phrase!("why-empty"));
                 }
                 () if column.clock => self.clock(i, column),
-                () if heading.has(Word::Deleted) => self.take(i, Meaning::Deleted, by_name),
-                () if heading.has(Word::Pose) => self.take(i, Meaning::Pose, by_name),
+                () if heading.has(Word::Deleted) => self.take(i, Meaning::Deleted, by_name()),
+                () if heading.has(Word::Pose) => self.take(i, Meaning::Pose, by_name()),
                 () if single(Word::Target) || heading.is_only(&[Word::Target]) => {
-                    self.take(i, Meaning::Target, by_name);
+                    self.take(i, Meaning::Target, by_name());
                 }
                 () if heading.has(Word::Label) && !self.taken.iter().any(|t| t.meaning == Meaning::Label) => {
-                    self.take(i, Meaning::Label, by_name);
+                    self.take(i, Meaning::Label, by_name());
                 }
-                () if heading.has(Word::Cycle) => {
-                    self.take(i, Meaning::Text, "its heading names repeats, and it holds texts")
-                }
-                () => self.take(i, Meaning::Text, "nothing is known of its heading"),
+                () if heading.has(Word::Cycle) => self.take(i, Meaning::Text, phrase!("why-repeats-as-texts")),
+                () => self.take(i, Meaning::Text, phrase!("why-nothing-known")),
             }
         }
         let named = |meanings: &[Meaning]| self.taken.iter().any(|t| meanings.contains(&t.meaning));
@@ -240,7 +238,7 @@ impl Interpretation {
             && table.columns[..first].iter().all(|c| c.is_numeric() && c.is_whole())
             && table.columns[first].texts.len() > 1.max(table.rows.min(4) / 2)
         {
-            self.take(first, Meaning::Label, "texts that differ from row to row, before the numbers");
+            self.take(first, Meaning::Label, phrase!("why-texts-differ"));
         }
     }
 
@@ -274,21 +272,17 @@ impl Interpretation {
                     continue;
                 }
                 for (k, column) in rotation.into_iter().enumerate() {
-                    self.take(column, Meaning::Matrix(k / 3, k % 3), "the nine are an orthonormal matrix in all rows");
+                    self.take(column, Meaning::Matrix(k / 3, k % 3), phrase!("why-nine-orthonormal"));
                 }
                 let moved = [0, 1, 2].map(|i| at(i, 3));
                 if moved.iter().all(Option::is_some) {
                     self.points.push(PointSet { tag: tag.clone(), columns: moved });
                     for (axis, column) in moved.into_iter().flatten().enumerate() {
-                        self.take(
-                            column,
-                            Meaning::Point(0, axis),
-                            "last column of a 4x4 matrix whose rotation is orthonormal",
-                        );
+                        self.take(column, Meaning::Point(0, axis), phrase!("why-last-of-matrix"));
                     }
                 }
                 for column in (0..4).filter_map(|j| at(3, j)) {
-                    self.take(column, Meaning::MatrixEnd, "the row 0 0 0 1");
+                    self.take(column, Meaning::MatrixEnd, phrase!("why-row-0001"));
                 }
                 return;
             }
@@ -324,19 +318,19 @@ impl Interpretation {
                 }
                 let why = match unit {
                     true if numbered => {
-                        "the four are of length 1 in all rows: a quaternion, scalar first, and no joints"
+                        phrase!("why-quaternion-not-joints")
                     }
-                    true => "its heading, and the four are of length 1 in all rows",
-                    false => "its heading",
+                    true => phrase!("why-heading-and-four"),
+                    false => phrase!("why-heading"),
                 };
                 if !unit {
-                    self.doubts.push("the quaternion is not of length 1 in all rows".to_owned());
+                    self.doubts.push(phrase!("doubt-quaternion-length"));
                 }
                 if numbered && table.columns.len() == 4 {
-                    self.doubts.push("four joints q0 to q3 would have the same headings".to_owned());
+                    self.doubts.push(phrase!("doubt-four-joints"));
                 }
                 for (k, at) in all.into_iter().enumerate() {
-                    self.take(at, Meaning::Quaternion(k), why);
+                    self.take(at, Meaning::Quaternion(k), why.clone());
                 }
                 return;
             }
@@ -380,7 +374,7 @@ impl Interpretation {
         let measured = |i: usize| table.columns[i].heading.has(Word::Measured);
         if joints.iter().any(|(i, ..)| commanded(*i)) && joints.iter().any(|(i, ..)| measured(*i) || !commanded(*i)) {
             for (i, ..) in joints.iter().filter(|(i, ..)| commanded(*i) && !measured(*i)) {
-                self.take(*i, Meaning::OtherJoint, "its heading states a commanded value, and others are measured");
+                self.take(*i, Meaning::OtherJoint, phrase!("why-others-measured"));
             }
             joints.retain(|(i, ..)| self.is_free(*i));
         }
@@ -400,18 +394,16 @@ impl Interpretation {
         let sorted = joints.windows(2).all(|pair| pair[0].2 < pair[1].2);
         if numbered && !sorted {
             joints.sort_by_key(|(.., number)| *number);
-            self.doubts.push(
-                "the joints are in no order in the file: they are taken in the order of their numbers".to_owned(),
-            );
+            self.doubts.push(phrase!("doubt-order-of-joints"));
         }
         for (k, (i, ..)) in joints.into_iter().enumerate() {
             let (low, high) = table.columns[i].range();
             let unit = match table.columns[i].heading.unit {
-                Some(unit) => format!("its heading, in {unit}"),
+                Some(unit) => phrase!("why-in-unit", why = phrase!("why-heading"), unit),
                 None if low.abs().max(high.abs()) <= 6.6 => {
-                    format!("its heading; from {low} to {high}: rad, or m, fits")
+                    phrase!("why-range-of-rad", low, high)
                 }
-                None => format!("its heading; from {low} to {high}: more than a turn in rad, so deg or mm fits"),
+                None => phrase!("why-range-of-deg", low, high),
             };
             self.take(i, Meaning::Joint(k), unit);
         }
@@ -434,11 +426,11 @@ impl Interpretation {
         let measured = |tag: &&String| tag.split(' ').any(|word| stands_for(word, Word::Measured));
         let kept = tags.iter().find(measured).unwrap_or(&tags[0]).clone();
         for (i, ..) in joints.iter().filter(|(_, tag, _)| *tag != kept) {
-            self.take(*i, Meaning::OtherJoint, format!("the joints are taken from the columns `{kept}`"));
+            self.take(*i, Meaning::OtherJoint, phrase!("why-other-family", kept));
         }
         let names: Vec<String> =
             joints.iter().filter(|(_, tag, _)| *tag != kept).map(|(i, ..)| table.called(*i)).take(4).collect();
-        self.doubts.push(format!("{} could be joints as well: `{kept}` is taken", names.join(", ")));
+        self.doubts.push(phrase!("doubt-two-families", names, kept));
         joints.retain(|(_, tag, _)| *tag == kept);
     }
 
@@ -466,7 +458,7 @@ impl Interpretation {
         let one = from_start && found.len() >= 2 && found.iter().all(|(_, letter, _)| *letter == found[0].1);
         if one {
             let names: Vec<String> = found.iter().map(|(i, ..)| table.called(*i)).collect();
-            self.doubts.push(format!("nothing states that {} are joints: nothing else fits", names.join(", ")));
+            self.doubts.push(phrase!("doubt-unnamed-joints", names));
         }
         if one { found } else { Vec::new() }
     }
@@ -494,13 +486,12 @@ impl Interpretation {
         let found = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &|i| !commanded(i)));
         if let Some(all) = found {
             for (k, at) in all.into_iter().enumerate() {
-                self.take(at, Meaning::Rotation(k), "its heading");
+                self.take(at, Meaning::Rotation(k), phrase!("why-heading"));
             }
-            self.questions
-                .push("whether the three are a rotation vector, or angles and in which order they turn".to_owned());
+            self.questions.push(phrase!("ask-rotation"));
         }
         while let Some(all) = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &commanded)) {
-            all.into_iter().for_each(|at| self.take(at, Meaning::Motion, "its heading states a commanded rotation"));
+            all.into_iter().for_each(|at| self.take(at, Meaning::Motion, phrase!("why-commanded-rotation")));
         }
     }
 
@@ -563,24 +554,24 @@ impl Interpretation {
                 () => continue,
             };
             let why = match meaning {
-                Meaning::Time if column.is_increasing() => "its heading; it increases in all rows",
-                Meaning::Time if column.is_ordered() => "its heading; it never decreases",
-                Meaning::Time => "its heading, though it does not increase",
-                _ => "its heading",
+                Meaning::Time if column.is_increasing() => phrase!("why-heading-increases"),
+                Meaning::Time if column.is_ordered() => phrase!("why-heading-ordered"),
+                Meaning::Time => phrase!("why-heading-unordered"),
+                _ => phrase!("why-heading"),
             };
             self.take(i, meaning, why);
             if meaning == Meaning::Time {
                 self.time_unit = heading.unit;
             }
             if meaning == Meaning::Time && !column.is_ordered() && table.rows > 2 {
-                self.doubts.push(format!("{} is called a time and decreases", table.called(i)));
+                self.doubts.push(phrase!("doubt-time-decreases", column = table.called(i)));
             }
         }
         self.directions(table);
         let of = |meaning: Meaning| self.first(meaning);
         let polar = of(Meaning::Azimuth).is_some() && of(Meaning::Distance).is_some();
         if polar && self.points.is_empty() && of(Meaning::Zenith).or(of(Meaning::Elevation)).is_none() {
-            self.doubts.push("an azimuth and a distance, and no zenith angle or elevation beside them".to_owned());
+            self.doubts.push(phrase!("doubt-polar"));
         }
     }
 
@@ -611,12 +602,12 @@ impl Interpretation {
             };
             let [Some(i), Some(j), Some(k)] = form.map(at) else { continue };
             let unit = table.are_unit([i, j, k]);
-            let why = if unit { "its heading, and the three are of length 1 in all rows" } else { "its heading" };
+            let why = if unit { phrase!("why-heading-and-three") } else { phrase!("why-heading") };
             for (n, column) in [i, j, k].into_iter().enumerate() {
-                self.take(column, Meaning::Direction(n), why);
+                self.take(column, Meaning::Direction(n), why.clone());
             }
             if !unit {
-                self.doubts.push("the direction is not of length 1 in all rows".to_owned());
+                self.doubts.push(phrase!("doubt-direction-length"));
             }
             return;
         }
@@ -628,7 +619,7 @@ impl Interpretation {
         for i in free {
             let column = &table.columns[i];
             if column.is_whole() && column.is_increasing() && i == 0 {
-                self.take(i, Meaning::Count, "whole numbers that increase row by row, first in the row");
+                self.take(i, Meaning::Count, phrase!("why-counts-first"));
             }
         }
     }

@@ -13,6 +13,7 @@ mod several;
 mod structure;
 mod table;
 
+pub use lines::JOINTS as JOINTS_REMARK;
 pub use several::{FilesProposal, label_form, propose_files};
 
 use super::exports::qif::is_xml;
@@ -23,8 +24,9 @@ use super::logs::LogKind;
 use super::{ros_bag, workbook};
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
 use against::Remarks;
-use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Result, count, printable};
+use etalon_base::{error, phrase};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
 use etalon_robots::Robot;
 use lines::{JOINTS, Proposal};
@@ -70,7 +72,7 @@ const SHOWN_COLUMNS: usize = 60;
 /// Proposes readings of a file, and lines for campaign.toml for the first reading.
 ///
 /// # Errors
-/// If the file is missing, empty or not text, or no reading gives rows of numbers.
+/// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
 pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     propose_file_for(path, None)
 }
@@ -78,11 +80,11 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
 /// Proposes readings of a file as [`propose_file`], and tests them against a nominal robot.
 ///
 /// # Errors
-/// If the file is missing, empty or not text, or no reading gives rows of numbers.
+/// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
 pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<FormatsDocument> {
     match robot {
-        Some(robot) => propose_corrected(path, Some(&mut |table, found| against::correct(robot, table, found))),
-        None => propose_corrected(path, None),
+        Some(known) => propose_corrected(path, robot, Some(&mut |table, found| against::correct(known, table, found))),
+        None => propose_corrected(path, None, None),
     }
 }
 
@@ -94,7 +96,7 @@ fn reborrowed<'a>(correct: &'a mut Option<Correct<'_>>) -> Option<Correct<'a>> {
     correct.as_mut().map(|correct| &mut **correct as Correct<'a>)
 }
 
-fn propose_corrected(path: &Path, correct: Option<Correct>) -> Result<FormatsDocument> {
+fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Correct>) -> Result<FormatsDocument> {
     let name = path.display().to_string();
     let bytes = bytes_of(path)?;
     let here = |message: Message| message.at(Place::file(name.as_str()));
@@ -102,7 +104,7 @@ fn propose_corrected(path: &Path, correct: Option<Correct>) -> Result<FormatsDoc
         return Err(here(error!("file-empty")).into());
     }
     if ros_bag::is_recording(&bytes) {
-        return recording::of_recording(&name, &bytes).map_err(|message| here(message).into());
+        return recording::of_recording(&name, &bytes, robot).map_err(|message| here(message).into());
     }
     if let Some(format) = LogKind::of_arrays(&bytes) {
         return arrays::of_arrays(&name, &bytes, format).map_err(|message| here(message).into());
@@ -126,9 +128,7 @@ fn propose_corrected(path: &Path, correct: Option<Correct>) -> Result<FormatsDoc
     if let Some(encoding) = encoding {
         let line = format!("encoding = {:?}\n", encoding.name());
         document.toml = document.toml.replacen("format = ", &format!("{line}format = "), 1);
-        document
-            .doubts
-            .push(format!("the file is not UTF-8; as {} its letters make sense or not: look at them", encoding.name()));
+        document.doubt(phrase!("doubt-encoding", encoding = encoding.name()));
         document.toml.insert_str(0, &format!("# DOUBT: {}\n", document.doubts.last().map_or("", String::as_str)));
     }
     Ok(document)
@@ -146,7 +146,7 @@ fn of_workbook(
         if !document.readings.is_empty() {
             if let Some(doubt) = workbook::others(&names, name) {
                 document.toml.insert_str(0, &format!("# DOUBT: {doubt}\n"));
-                document.doubts.push(doubt);
+                document.doubt(doubt);
             }
             return Ok(document);
         }
@@ -184,10 +184,10 @@ fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<Fo
     let mut document = empty.clone();
     document.format = Some(format.to_owned());
     document.kind = "export".to_owned();
-    document.reasons.push(format!("it is {what}"));
+    document.because(phrase!("because-it-is", what));
     let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{}", quoted(file), lines::unit_line(unit));
     if unit.is_none() {
-        document.questions.push("the unit of lengths".to_owned());
+        document.ask(phrase!("ask-unit"));
     }
     let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
     document.rows = read.map_or(0, |(format, unit)| format.read(file, &text.into(), unit).0.len());
@@ -231,13 +231,13 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, correct: Option<Corre
         document.rows = table.rows;
     }
     let proposal = best.map(|(guess, (table, found))| Proposal { file, text, best: guess, table, found });
-    if let Some((kind, found)) = log.filter(|(_, found)| found.score >= SURE) {
+    if let Some((kind, found)) = log.as_ref().filter(|(_, found)| found.score >= SURE) {
         document.format = Some(kind.about().name.to_owned());
         document.kind = "log".to_owned();
-        document.reasons.push(format!("it is {}", found.what));
-        document.questions.push("which joint each column is, and its unit where it is not known".to_owned());
+        document.because(phrase!("because-it-is", what = found.what));
+        document.ask(phrase!("ask-joints-of-format"));
         let lines = match proposal.filter(|_| !kind.has_channels()) {
-            Some(proposal) => proposal.log(Some(kind)),
+            Some(proposal) => proposal.log(Some(*kind)),
             None => format!(
                 "[log]\nfile = {}\nformat = {:?}\ncolumns = {{ q1_UNIT = \"NAME\" }}\n{JOINTS}",
                 quoted(file),
@@ -251,31 +251,26 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, correct: Option<Corre
         document.toml = format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
         return document;
     };
-    document.reasons = reasons(best, table);
-    document.doubts = doubts(&guesses);
-    if let Some(remarks) = remarks {
-        document.reasons.extend(remarks.reasons.iter().map(ToString::to_string));
-        document.doubts.extend(remarks.doubts.iter().map(ToString::to_string));
-    }
-    document.doubts.extend(found.doubts.iter().cloned());
-    document.questions.extend(found.questions.iter().cloned());
+    let remarks = remarks.unwrap_or_default();
+    reasons(best, table).into_iter().chain(remarks.reasons).for_each(|reason| document.because(reason));
+    let doubts = doubts(&guesses).into_iter().chain(remarks.doubts).chain(found.doubts.iter().cloned());
+    doubts.for_each(|doubt| document.doubt(doubt));
+    found.questions.iter().cloned().for_each(|question| document.ask(question));
     let lines = match own::recognise(&proposal, &found.joint_columns()) {
         Some(own) => {
             document.kind = own.kind.to_owned();
             // rows of fixed points have few numbers
-            document.doubts.retain(|doubt| own.kind != "observations" || !doubt.contains("not read this way"));
-            document.reasons.push(format!("its columns are those of {}", own.what));
-            document.questions.extend(own.question);
+            if own.kind == "observations" {
+                document.dispel("doubt-rows-not-read");
+            }
+            document.because(phrase!("because-columns-of", what = own.what));
+            own.question.into_iter().for_each(|question| document.ask(question));
             own.lines
         }
         None => proposal.lines(&mut document),
     };
     if let Some((kind, found)) = log {
-        document.questions.push(format!(
-            "whether it is {} (`[log]` with `format = {:?}`)",
-            found.what,
-            kind.about().name
-        ));
+        document.ask(phrase!("ask-log-of-format", what = found.what, format = kind.about().name));
     }
     document.toml = with_remarks(&document, &lines);
     document
@@ -299,69 +294,66 @@ fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
         number: i + 1,
         heading: table.columns[i].name.clone(),
         unit: table.columns[i].heading.unit.map(str::to_owned),
-        taken_for: taken.meaning.words(),
-        why: taken.why.clone(),
+        taken_for: taken.meaning.words().to_string(),
+        taken_for_phrase: Some(taken.meaning.words()),
+        why: taken.why.as_ref().map(Phrase::to_string).unwrap_or_default(),
+        why_phrase: taken.why.clone(),
     };
     found.taken.iter().enumerate().map(column).collect()
 }
 
 /// Returns the reasons for the first reading.
-fn reasons(best: &Guess, table: &Table) -> Vec<String> {
-    let columns = match best.dialect.delimiter {
-        Some(delimiter) => format!("have {} fields separated by `{}`", best.numeric.len(), delimiter.name()),
-        None => format!("have numbers, in {}", count(best.numeric.iter().filter(|n| **n).count(), "column")),
+fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
+    let (read, rows) = (best.read, best.rows);
+    let fields = match best.dialect.delimiter {
+        Some(delimiter) => {
+            phrase!("because-fields", read, rows, fields = best.numeric.len(), delimiter = delimiter.name())
+        }
+        None => phrase!("because-columns", read, rows, columns = best.numeric.iter().filter(|n| **n).count()),
     };
-    let mut reasons = vec![
-        format!("{} of {} {columns}", best.read, count(best.rows, "row")),
-        format!(
-            "{} of {} have the decimal mark `{}`",
-            best.fractions,
-            count(best.numbers, "number"),
-            best.dialect.decimal.name()
-        ),
-    ];
+    let (fractions, numbers, mark) = (best.fractions, best.numbers, best.dialect.decimal.name());
+    let mut reasons = vec![fields, phrase!("because-decimal-marks", fractions, numbers, mark)];
     if let Some(row) = &best.names {
-        let names = if names(best).is_some() { "names the columns" } else { "is the last before the data" };
-        reasons.push(format!("line {} {names}", row.line));
+        let is = if names(best).is_some() { "header" } else { "last" };
+        reasons.push(phrase!("because-line", line = row.line, is));
     }
     if table.sampled {
-        let rows = count(table.rows, "row");
-        reasons.push(format!("the values of the first {rows} were looked at; the file has more"));
+        reasons.push(phrase!("because-sampled", rows = table.rows));
     }
     if let Some(comment) = &best.dialect.comment {
-        reasons.push(format!("lines that start with `{comment}` are comments"));
+        reasons.push(phrase!("because-comments", comment));
     }
     if let Some(end) = &best.dialect.end {
-        reasons.push(format!("the last row is the word `{end}`"));
+        reasons.push(phrase!("because-end", end));
     }
     reasons
 }
 
 /// Returns the doubts about the first reading.
-fn doubts(guesses: &[Guess]) -> Vec<String> {
+fn doubts(guesses: &[Guess]) -> Vec<Phrase> {
     let [best, others @ ..] = guesses else { return Vec::new() };
-    let mut doubts: Vec<String> = others
+    let mut doubts: Vec<Phrase> = others
         .iter()
         .map(|g| {
             let thousands = g.dialect.thousands.map(|t| format!(", thousands {:?}", t.name())).unwrap_or_default();
             let delimiter = g.dialect.delimiter.map_or(String::new(), |d| format!("delimiter {:?}, ", d.name()));
-            let (decimal, columns) = (g.dialect.decimal.name(), count(g.numeric.len(), "column"));
-            format!("{delimiter}decimal {decimal:?}{thousands}, {columns} explains it as well: check a row by eye")
+            let reading = format!("{delimiter}decimal {:?}{thousands}", g.dialect.decimal.name());
+            phrase!("doubt-other-reading", reading, columns = g.numeric.len())
         })
         .collect();
     let mark = best.dialect.decimal.name();
     if best.fractions == 0 {
-        doubts.push(format!("no number has a decimal mark: that it is `{mark}` is not proved"));
+        doubts.push(phrase!("doubt-decimal-mark", mark));
     } else if best.threes == best.fractions && best.dialect.thousands.is_none() {
-        doubts.push(format!("every `{mark}` is before three digits: it may be a thousands mark"));
+        doubts.push(phrase!("doubt-thousands-mark", mark));
     }
     if let Some(line) = best.unread {
-        doubts.push(format!("{} not read this way, the first is line {line}", count(best.rows - best.read, "row")));
+        doubts.push(phrase!("doubt-rows-not-read", count = best.rows - best.read, line));
     }
     if let (Some(row), None) = (&best.names, names(best)) {
         let (words, columns) = (row.fields.len(), best.numeric.len());
         if row.fields.iter().any(|f| f.contains(char::is_alphabetic)) && words > 1 {
-            doubts.push(format!("line {} has {words} words for {columns} columns: their order is not known", row.line));
+            doubts.push(phrase!("doubt-words-of-header", line = row.line, words, columns));
         }
     }
     doubts

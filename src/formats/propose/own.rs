@@ -3,13 +3,15 @@
 use super::lines::Proposal;
 use crate::dialect::{Decimal, Delimiter, quoted};
 use crate::logs::meaning;
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 
 /// Table of etalon.
 pub(super) struct Own {
     pub kind: &'static str,
-    pub what: &'static str,
+    pub what: Phrase,
     pub lines: String,
-    pub question: Option<String>,
+    pub question: Option<Phrase>,
 }
 
 /// Columns of positions and angles in tests of poses.
@@ -24,7 +26,7 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
     let file = quoted(proposal.file);
     let dialect = &proposal.best.dialect;
     let plain = dialect.delimiter == Some(Delimiter::Comma) && dialect.decimal == Decimal::Point;
-    let own = |kind: &'static str, what: &'static str, lines: String| Some(Own { kind, what, lines, question: None });
+    let own = |kind: &'static str, what: Phrase, lines: String| Some(Own { kind, what, lines, question: None });
     let joint = |i: &usize| meaning(names[*i]).is_some() && names[*i].rsplit_once('_').is_some();
     let observed = placed || has("distance_mm") || has("socket") || has("kind");
     if joints.len() >= 2 && joints.iter().all(joint) && observed && (has("pose") || has("kind")) && has("target") {
@@ -41,7 +43,7 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
         let order = if angles { "orientation = \"?\"          # the order of the angles, e.g. \"zyx\"\n" } else { "" };
         return own(
             "observations",
-            "a table of observations",
+            phrase!("is-observations"),
             format!("[observations]\nfile = {file}\n{state}{order}"),
         );
     }
@@ -49,30 +51,30 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
         return None;
     }
     if has("force_n") && has("direction") && only(&["direction", "cycle", "force_n"]) {
-        return own("loads", "a test of static compliance", format!("[compliance]\nfile = {file}\n"));
+        return own("loads", phrase!("is-compliance-test"), format!("[compliance]\nfile = {file}\n"));
     }
     if has("time_s") && only(&["time_s"]) {
-        let mut own = own("recording", "a recorded motion", format!("[[stream]]\nname = \"motion\"\nfile = {file}\n"))?;
-        own.question =
-            Some("whether it is a recorded motion, as proposed, or points with times (then [[export]])".to_owned());
+        let mut own =
+            own("recording", phrase!("is-recorded-motion"), format!("[[stream]]\nname = \"motion\"\nfile = {file}\n"))?;
+        own.question = Some(phrase!("ask-recorded-motion"));
         return Some(own);
     }
     if has("pose") && has("cycle") && only(&["pose", "cycle", "approach", "robot", "reading"]) {
         let lines =
             format!("[poses]\nattained = {file}\ncommanded = \"?\"            # the table of commanded poses\n");
-        return own("poses", "attained poses of a test by ISO 9283", lines);
+        return own("poses", phrase!("is-attained-poses"), lines);
     }
     if has("pose") && only(&["pose"]) {
         let lines =
             format!("[poses]\nattained = \"?\"             # the table of attained poses\ncommanded = {file}\n");
-        return own("commanded", "commanded poses, or of candidates for `etalon plan`", lines);
+        return own("commanded", phrase!("is-commanded-poses"), lines);
     }
     if has("cycle") && has("target") && only(&["cycle", "target"]) {
         let lines = format!(
             "[poses]\nattained = \"?\"             # the table of attained poses\ncommanded = \"?\"            # the table of commanded poses\n\
              reference = {file}\n"
         );
-        return own("reference", "reference targets that are measured from time to time", lines);
+        return own("reference", phrase!("is-reference-targets"), lines);
     }
     None
 }

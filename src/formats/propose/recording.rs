@@ -4,16 +4,17 @@
 use super::with_remarks;
 use crate::dialect::quoted;
 use crate::ros_bag::{self, Kind, POSITION, STAMP, Topic};
-use etalon_base::error;
-use etalon_base::message::{Message, count};
+use etalon_base::message::Message;
+use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
+use etalon_robots::{Joint, Quantity, Robot};
 use std::fmt::Write as _;
 
 /// Proposes lines for the topics of a recording.
 ///
 /// # Errors
-/// If the recording cannot be read, or has no topic of a known type.
-pub(super) fn of_recording(file: &str, bytes: &[u8]) -> Result<FormatsDocument, Message> {
+/// Fails if the recording cannot be read, or has no topic of a known type.
+pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) -> Result<FormatsDocument, Message> {
     let topics = ros_bag::topics(bytes)?;
     let known: Vec<(&Topic, Kind)> = topics.iter().filter_map(|topic| Some((topic, topic.kind?))).collect();
     if known.is_empty() {
@@ -23,24 +24,24 @@ pub(super) fn of_recording(file: &str, bytes: &[u8]) -> Result<FormatsDocument, 
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
     document.format = Some("mcap".to_owned());
-    document.reasons.push("it is a recording of ROS 2: it begins like an MCAP file".to_owned());
+    document.because(phrase!("because-recording"));
     let mut lines = String::new();
+    let mut is_named = false;
     // joint values first: the document is a log if there are any
     let (logs, exports): (Vec<_>, Vec<_>) = known.into_iter().partition(|(_, kind)| *kind == Kind::JointState);
     for (topic, kind) in logs.iter().chain(&exports) {
         let text = match ros_bag::text(bytes, &topic.name) {
             Ok(text) => text,
             Err(message) => {
-                document.doubts.push(format!("topic `{}` cannot be read: {message}", topic.name));
+                document.doubt(phrase!("doubt-topic-unreadable", topic = topic.name, reason = message.phrase()));
                 continue;
             }
         };
         let rows = text.lines().count() - 1;
-        let messages = count(rows, "message");
-        document.reasons.push(format!("topic `{}` has {messages} of type {}", topic.name, topic.message));
+        document.because(phrase!("because-topic", topic = topic.name, count = rows, message_type = topic.message));
         let is_log = *kind == Kind::JointState;
         if is_log && document.kind == "log" {
-            document.doubts.push(format!("topic `{}` has joint values too", topic.name));
+            document.doubt(phrase!("doubt-second-log", topic = topic.name));
             continue;
         }
         if document.kind.is_empty() {
@@ -48,17 +49,18 @@ pub(super) fn of_recording(file: &str, bytes: &[u8]) -> Result<FormatsDocument, 
             document.rows = rows;
         }
         let head = text.lines().next().unwrap_or_default();
-        lines += &if is_log { log(file, topic, head) } else { export(file, topic, *kind) };
+        let named = robot.filter(|_| is_log).and_then(|robot| joints_of(robot, head));
+        is_named |= named.is_some();
+        lines +=
+            &if is_log { log(file, topic, named.unwrap_or_else(|| joints(head))) } else { export(file, topic, *kind) };
     }
-    if document.kind == "log" {
-        document.questions.push(
-            "which joint of the robot each column is; JointState has rad for revolute joints, m for prismatic ones: \
-             write `q1_m` for a prismatic joint"
-                .to_owned(),
-        );
+    if is_named {
+        document.because(phrase!("joints-named-as-robots"));
+    } else if document.kind == "log" {
+        document.ask(phrase!("ask-joint-states"));
     }
     if !exports.is_empty() {
-        document.questions.push("which target each topic of poses or points is".to_owned());
+        document.ask(phrase!("ask-targets-of-topics"));
     }
     if document.kind.is_empty() {
         // the only topic of a known type cannot be read
@@ -68,10 +70,26 @@ pub(super) fn of_recording(file: &str, bytes: &[u8]) -> Result<FormatsDocument, 
     Ok(document)
 }
 
-fn log(file: &str, topic: &Topic, head: &str) -> String {
+/// Columns of joints that the robot names.
+fn joints_of(robot: &dyn Robot, head: &str) -> Option<Vec<(String, String)>> {
+    let column = |joint: &Joint| {
+        let unit = if joint.quantity == Quantity::Length { "m" } else { "rad" };
+        let column = head.split('\t').find(|name| name.strip_prefix(POSITION) == Some(joint.name.as_str()))?;
+        Some((format!("{}_{unit}", joint.name), column.to_owned()))
+    };
+    robot.joints().iter().map(column).collect()
+}
+
+/// Columns of joints by their order.
+fn joints(head: &str) -> Vec<(String, String)> {
+    let columns = head.split('\t').filter(|name| name.starts_with(POSITION));
+    (1..).zip(columns).map(|(joint, column)| (format!("q{joint}_rad"), column.to_owned())).collect()
+}
+
+fn log(file: &str, topic: &Topic, joints: Vec<(String, String)>) -> String {
     let mut columns = format!("time_s = {}", quoted(STAMP));
-    for (joint, column) in (1..).zip(head.split('\t').filter(|name| name.starts_with(POSITION))) {
-        let _ = write!(columns, ", q{joint}_rad = {}", quoted(column));
+    for (key, column) in joints {
+        let _ = write!(columns, ", {key} = {}", quoted(&column));
     }
     format!("[log]\nfile = {}\ntopic = {}\ncolumns = {{ {columns} }}\n", quoted(file), quoted(&topic.name))
 }

@@ -7,6 +7,7 @@ use super::table::{Column, Table};
 use super::{FormatsDocument, against, propose_corrected};
 use crate::dialect::quoted;
 use crate::export::Pattern;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Result, printable};
 use etalon_base::phrase;
 use etalon_documents::FormatsJoin;
@@ -26,6 +27,8 @@ const LABELS: [&str; 8] = [
     "{target}{pose}",
     "P{pose}",
 ];
+/// Maximum number of targets that labels name without a pose.
+const MOST_TARGETS: usize = 12;
 /// Line of a proposal for labels.
 const LABEL_LINE: &str =
     "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
@@ -47,6 +50,9 @@ struct Part {
     document: FormatsDocument,
     read: Option<(Table, Interpretation)>,
 }
+
+/// Minimum number of rows of a recorded motion per measured point.
+const MORE: usize = 5;
 
 /// Keys of the rows of a file by which it can be joined.
 #[derive(Default)]
@@ -74,11 +80,12 @@ struct Join {
 /// Proposes uses of several files that belong to one campaign, and how they are joined.
 ///
 /// # Errors
-/// If a file is missing or no table.
+/// Fails if a file is missing, or is not a table.
 pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<FilesProposal> {
     let mut parts = paths.iter().map(|path| Part::of(path, robot)).collect::<Result<Vec<Part>>>()?;
     let log = parts.iter().position(|part| part.document.kind == "log");
     let exports: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "export").collect();
+    let by_standstills = log.is_some_and(|log| exports.iter().all(|at| stands(&parts[*at], &parts[log])));
     let mut joined: Vec<(usize, Join)> = Vec::new();
     let mut targets: Vec<String> = Vec::new();
     for &at in &exports {
@@ -90,7 +97,12 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         name_targets(&mut parts[at], &keys, join.as_ref(), &mut targets);
         joined.extend(join.map(|join| (at, join)));
     }
+    for part in parts.iter_mut().filter(|part| part.document.kind == "export with joints") {
+        let keys = Keys::of(part);
+        name_targets(part, &keys, None, &mut targets);
+    }
     let tail = match log {
+        Some(log) if by_standstills && !exports.is_empty() => standstills(&mut parts[log], &targets),
         Some(log) if !exports.is_empty() => tail(&mut parts, log, &joined, &targets),
         _ => String::new(),
     };
@@ -157,6 +169,24 @@ fn tail(parts: &mut [Part], log: usize, joined: &[(usize, Join)], targets: &[Str
     out + "\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument\n"
 }
 
+/// `true` if the points have times and the log is a recording of a motion with many more rows.
+fn stands(export: &Part, log: &Part) -> bool {
+    let timed = export.read.as_ref().is_some_and(|(_, found)| found.first(Meaning::Time).is_some());
+    timed && log.document.format.as_deref() == Some("mcap") && log.document.rows > MORE * export.document.rows
+}
+
+/// Returns the lines of a join of points with the standstills of a recording, which determine the
+/// offset of the clocks.
+fn standstills(log: &mut Part, targets: &[String]) -> String {
+    log.document.toml += "# the robot stands still at each point for so long, and no joint moves by more; within_mm for prismatic joints\n\
+                          standstill = { at_least_s = 1.0, within_deg = 0.02 }\n";
+    format!(
+        "\n[join]\nby = \"time\"\nclock_offset_s = \"standstills\"   # the offset at which every point falls into a standstill\n\
+         tolerance_s = 0.05          # a point may be so far outside of its standstill\n\
+         targets = {targets:?}\n\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument\n"
+    )
+}
+
 /// Tests joined rows against the robot, and writes the lines of both files again.
 fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), join: &Join) -> Result<()> {
     let Some((columns, outcome)) = tested(robot, &parts[at], &parts[log], join) else { return Ok(()) };
@@ -164,8 +194,8 @@ fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), jo
         if let Outcome::Contradicted(best) = outcome {
             let known = if best.is_some() { "yes" } else { "no" };
             let points = parts[at].document.file.clone();
-            let doubt = phrase!("robot-contradicts", points, known, rms_mm = best.unwrap_or(0.0)).to_string();
-            parts[at].doubt(&doubt);
+            let doubt = phrase!("robot-contradicts", points, known, rms_mm = best.unwrap_or(0.0));
+            parts[at].doubt(doubt);
         }
         return Ok(());
     };
@@ -332,6 +362,7 @@ impl Part {
         let mut read = None;
         let document = propose_corrected(
             path,
+            robot,
             Some(&mut |table, found| {
                 // joints and points in different files are tested when they are joined
                 let whole = !found.points.is_empty() && !found.joint_columns().is_empty();
@@ -348,6 +379,7 @@ impl Part {
         let mut read = None;
         self.document = propose_corrected(
             &self.path,
+            None,
             Some(&mut |table, found| {
                 let remarks = correct(table, found);
                 read = Some((table.clone(), found.clone()));
@@ -358,9 +390,9 @@ impl Part {
         Ok(())
     }
 
-    fn doubt(&mut self, text: &str) {
-        self.document.doubts.push(text.to_owned());
-        self.document.toml.insert_str(0, &format!("# DOUBT: {}\n", printable(text)));
+    fn doubt(&mut self, doubt: Phrase) {
+        self.document.toml.insert_str(0, &format!("# DOUBT: {}\n", printable(&doubt.to_string())));
+        self.document.doubt(doubt);
     }
 
     /// Returns use, number of rows and units of the file.
@@ -436,5 +468,13 @@ pub fn label_form(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<Strin
         let few = poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}");
         (!few && targets.len() * 3 <= labels.len()).then(|| (form, targets.into_iter().collect()))
     };
-    LABELS.into_iter().find_map(of)
+    LABELS.into_iter().find_map(of).or_else(|| targets_alone(labels))
+}
+
+/// Returns the form of labels that name a target and nothing else: few labels, each of many rows.
+fn targets_alone(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String>)> {
+    let targets: BTreeSet<&str> = labels.iter().map(AsRef::as_ref).collect();
+    let is_name = |name: &&str| name.starts_with(char::is_alphabetic);
+    let few = targets.len() <= MOST_TARGETS && targets.len() * 3 <= labels.len();
+    (few && targets.iter().all(is_name)).then(|| ("{target}", targets.into_iter().map(str::to_owned).collect()))
 }

@@ -82,7 +82,7 @@ impl NamedTable<'_> {
     /// Returns the coordinates of all rows.
     ///
     /// # Errors
-    /// Cells that are empty or non-finite, at their lines.
+    /// Reports empty and non-finite cells, with their lines.
     pub fn coordinates(&self) -> Result<Coordinates> {
         let read = || -> Result<Coordinates> {
             let angles: Vec<usize> = (0..3).filter(|&k| self.has(ANGLES[k])).collect();

@@ -10,7 +10,7 @@ use polars::prelude::DataFrame;
 /// backlash.
 ///
 /// # Errors
-/// Missing columns of joints and columns in `needed`, all at once; values that are not directions.
+/// Reports all missing columns of joints and of `needed`, and values that are not directions.
 pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;

@@ -2,19 +2,18 @@
 
 use crate::dialect::{
     Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
-    two_commas,
 };
-use crate::guess::guesses;
-use crate::lexer::{Row, WHOLE, column_index, marked, pose_name, split};
+use crate::guess::{guesses, two_commas_in};
+use crate::lexer::{Row, WHOLE, column_index, marked, parsed, pose_name, split};
 use crate::logs::{meaning, one_column, row_width, words_missing};
-use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
+use crate::table::{self, COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::cell::is_formula;
 use etalon_base::error;
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose_name::{PoseName, two_spellings};
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Layout of a table that differs from the tables of this program.
 #[derive(Clone, Debug)]
@@ -35,6 +34,10 @@ pub struct TableLayout {
     pub columns: BTreeMap<String, ColumnSource>,
     /// `true` if columns that the file lacks are left out, for several tables with one layout.
     pub lenient: bool,
+    /// `true` for a sheet of a workbook, which omits trailing empty cells.
+    pub is_sheet: bool,
+    /// `true` for observations, whose columns are known and which have a repeat.
+    pub is_of_observations: bool,
     /// Columns with the same cell in all rows.
     pub constants: BTreeMap<String, Constant>,
     /// Filter: only rows with one of these cells in each of these columns are read.
@@ -60,6 +63,8 @@ impl Default for TableLayout {
             missing: Missing::default(),
             columns: BTreeMap::new(),
             lenient: false,
+            is_sheet: false,
+            is_of_observations: true,
             constants: BTreeMap::new(),
             only: BTreeMap::new(),
             without: BTreeMap::new(),
@@ -67,6 +72,13 @@ impl Default for TableLayout {
             target: None,
             pose: None,
         }
+    }
+}
+
+impl TableLayout {
+    /// Layout of a table of poses, loads or joints, whose columns may have any name.
+    pub fn of_any_columns() -> Self {
+        Self { is_of_observations: false, ..Self::default() }
     }
 }
 
@@ -93,7 +105,7 @@ impl TableLayout {
         let mut renamed: Vec<Option<&str>> = vec![None; width];
         let mut computed: Vec<ReadColumn> = Vec::new();
         for (name, source) in &self.columns {
-            let known = is_known(name) || self.lenient || TEXT_COLUMNS.contains(&name.as_str());
+            let known = !self.is_of_observations || Self::is_own(name);
             let at = match source {
                 ColumnSource::Heading(heading) => headings.iter().position(|h| h == heading),
                 ColumnSource::Number(number) => Some(number - 1).filter(|at| *at < width),
@@ -149,10 +161,24 @@ impl TableLayout {
                 all.push(ReadColumn { name, from: Expression::Column(i) });
             }
         }
-        // a computed column replaces a column with its name
-        all.retain(|column| computed.iter().all(|other| other.name != column.name));
+        // a computed column replaces a column with its name; columns that serve an expression or a
+        // filter alone are read by it
+        let mut served: Vec<usize> = Vec::new();
+        computed.iter().for_each(|column| column.from.add_columns(&mut served));
+        served.extend(self.only.keys().chain(self.without.keys()).filter_map(|name| column_index(name, header).ok()));
+        let serves = |column: &ReadColumn| {
+            matches!(column.from, Expression::Column(at) if served.contains(&at))
+                && !Self::is_own(&column.name)
+                && !self.columns.contains_key(column.name.as_ref())
+        };
+        all.retain(|column| computed.iter().all(|other| other.name != column.name) && !serves(column));
         all.extend(computed);
         Ok(all)
+    }
+
+    /// `true` if tables of etalon have a column of this name.
+    fn is_own(name: &str) -> bool {
+        is_known(name) || TEXT_COLUMNS.contains(&name) || name == FORCE
     }
 
     /// Adds the columns that every observation needs, and the constant columns.
@@ -166,15 +192,19 @@ impl TableLayout {
             if table.column(name).is_ok() || added.iter().any(|column| column.name() == name) {
                 return Err(error!("stated-and-in-table", key = name).at(Place::file(file)).into());
             }
+            if (name, cell.as_str()) == ("cycle", VISIT) {
+                added.push(Series::new(name.into(), visits(&table)?).into());
+                continue;
+            }
             let mut named = Cow::Borrowed(name);
             let factor = in_mm(&mut named, self.coverage_factor);
-            added.push(match cell.parse::<f64>().ok().filter(|_| meaning(name).is_some()) {
+            added.push(match cell.parse::<f64>().ok().filter(|_| is_numeric(name)) {
                 Some(number) => Series::new(named.as_ref().into(), vec![factor * number; height]).into(),
                 None => Series::new(named.as_ref().into(), vec![cell.as_str(); height]).into(),
             });
         }
         let has_cycle = table.column("cycle").is_ok() || added.iter().any(|column| column.name() == "cycle");
-        if !has_cycle && !self.lenient {
+        if !has_cycle && self.is_of_observations {
             added.push(Series::new("cycle".into(), vec![1i64; height]).into());
         }
         table.hstack_mut(&added).map_err(failed)?;
@@ -182,8 +212,34 @@ impl TableLayout {
     }
 }
 
+/// Constant of the column `cycle` of tables whose rows are in the order of measurement: the n-th
+/// row of a pose and target is cycle n.
+const VISIT: &str = "visit";
+
+/// Counts the rows of each pose and target from 1.
+fn visits(table: &DataFrame) -> Result<Vec<i64>> {
+    let poses = table::poses(table)?;
+    let targets = if table.column("target").is_ok() { table::texts(table, "target")? } else { Vec::new() };
+    let mut counts = HashMap::new();
+    let visit = |(row, pose)| {
+        let count = counts.entry((pose, targets.get(row))).or_insert(0);
+        *count += 1;
+        *count
+    };
+    Ok(poses.into_iter().enumerate().map(visit).collect())
+}
+
 /// Columns of texts in tables of poses and loads.
 const TEXT_COLUMNS: [&str; 4] = ["approach", "robot", "reading", "direction"];
+/// Column of the force of a load (N).
+pub const FORCE: &str = "force_n";
+
+/// `true` if cells of the column are numbers, poses or repeats; others are texts.
+fn is_numeric(name: &str) -> bool {
+    meaning(name).is_some()
+        || name == FORCE
+        || [&COVARIANCES[..], &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
+}
 
 /// Reads a table with commas, decimal points and a header. The column `line` has the line of each
 /// row.
@@ -192,7 +248,7 @@ const TEXT_COLUMNS: [&str; 4] = ["approach", "robot", "reading", "direction"];
 /// have numbers (empty cells are missing values), other columns text.
 ///
 /// # Errors
-/// Rows with another number of fields, and cells that cannot be read, with their places.
+/// Reports rows with another number of fields, and unreadable cells, with their places.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     read(file, text, &TableLayout::default())
 }
@@ -205,7 +261,7 @@ pub fn observations_with(file: &str, text: &str, layout: &TableLayout) -> Result
 /// Returns the header and the data rows of a table.
 fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Option<Row<'t>>, Vec<Row<'t>>)> {
     if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
-        return Err(two_commas().at(Place::file(file)).into());
+        return Err(two_commas_in(text).at(Place::file(file)).into());
     }
     let dialect = Dialect { delimiter: Some(layout.delimiter), comment: layout.comment.clone(), ..Dialect::default() };
     let (mut all, problems) = split(file, text, &dialect);
@@ -229,8 +285,29 @@ fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Opt
     {
         return Err(one_column(layout.delimiter, Some(guess)).at(all[0].place(file)).into());
     }
+    if layout.is_sheet {
+        let width = all.iter().skip(before.saturating_sub(1)).map(|row| row.fields.len()).max().unwrap_or(0);
+        all.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
+    }
     let data = all.split_off(before);
-    Ok((all.pop(), data))
+    let header = all.pop();
+    if let Some(row) = header.as_ref().filter(|row| holds_numbers(row, layout)) {
+        return Err(error!("header-holds-numbers").at(row.place(file)).into());
+    }
+    Ok((header, data))
+}
+
+/// `true` if the row that should name the columns holds numbers, and `columns` names none of them.
+fn holds_numbers(header: &Row, layout: &TableLayout) -> bool {
+    let numbers =
+        header.fields.iter().filter(|field| parsed(field.trim(), layout.decimal, layout.thousands).is_some()).count();
+    let stated = |field: &Cow<str>| {
+        layout
+            .columns
+            .values()
+            .any(|source| matches!(source, ColumnSource::Heading(heading) if heading == field.trim()))
+    };
+    2 * numbers > header.fields.len() && !header.fields.iter().any(stated)
 }
 
 fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
@@ -290,7 +367,7 @@ fn made_column(
 ) -> Column {
     let name = column.name.as_ref();
     let at = if let Expression::Column(at) = column.from { at } else { usize::MAX };
-    if meaning(name).is_none() && ![&COVARIANCES[..], &QUATERNION, &MATRIX].iter().any(|n| n.contains(&name)) {
+    if !is_numeric(name) {
         return Series::new(name.into(), rows.iter().map(|row| row.field(at)).collect::<Vec<_>>()).into();
     }
     if name == "pose" {
@@ -382,5 +459,16 @@ mod tests {
         assert_eq!(names, ["7", "7", "P7", "home"]);
         let error = observations("o.csv", "pose,x_mm\nP01,1\nA1,2\nP1,2\n").unwrap_err().to_string();
         assert!(error.contains("`P01` and `P1` differ only in") && error.contains("o.csv:4"), "{error}");
+    }
+
+    #[test]
+    fn visits_of_a_pose_are_counted_by_target() {
+        let mut layout = TableLayout::default();
+        layout.constants.insert("cycle".to_owned(), serde_json::from_str("\"visit\"").unwrap());
+        let text = "pose,target,x_mm\n1,A,0\n1,B,0\n2,A,0\n1,A,0\n2,A,0\n1,A,0\n";
+        let table = observations_with("o.csv", text, &layout).unwrap();
+        assert_eq!(table::integers(&table, "cycle").unwrap(), [1, 1, 1, 2, 2, 3]);
+        let error = observations_with("o.csv", &text.replace("pose", "cycle"), &layout).unwrap_err();
+        assert!(error.0[0].is("stated-and-in-table", &[("key", &"cycle")]), "{error}");
     }
 }

@@ -8,7 +8,7 @@ use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus, unit};
 use etalon_base::scalar::Scalar;
 
-/// A plane through points, with axes in it that are fixed but arbitrary.
+/// A plane through points, with fixed but arbitrary axes in it.
 #[derive(Clone, Debug)]
 pub struct FittedPlane {
     /// Centroid of its points.
@@ -18,13 +18,12 @@ pub struct FittedPlane {
     /// Tilts of the normal towards the first and the second direction, in rad; their values are
     /// zero.
     tilt: [Uncertain; 2],
-    /// Distances of the points from it.
+    /// Distances of the points from the plane.
     pub scatter: Scatter,
 }
 
 impl FittedPlane {
-    /// The plane of least squares through three points or more; `up` decides which way the normal
-    /// points.
+    /// Least-squares plane through three or more points; `up` decides the direction of the normal.
     pub fn through(readings: &mut Readings, points: &[UncertainPoint], up: impl Fn(Vector) -> bool) -> Result<Self> {
         let p = values(points);
         let fitted = etalon_fit::plane(&p, &etalon_fit::FitSettings::default())?;
@@ -64,14 +63,14 @@ impl FittedPlane {
 pub struct FittedArc {
     /// Centre.
     pub centre: Flat,
-    /// Share of the turn that has points.
+    /// Share of the circle that has points.
     pub coverage_deg: f64,
     /// Radial residuals (thesis 2.6.1 gives their largest and their norm).
     pub scatter: Scatter,
 }
 
 impl FittedArc {
-    /// The circle of least squares through `flat`, which come from `points`.
+    /// Least-squares circle through `flat`, the projections of `points`.
     pub fn through(readings: &mut Readings, flat: &[Flat], points: &[UncertainPoint]) -> Result<Self> {
         let p = values(flat);
         let fitted = etalon_fit::circle2d(&p, &etalon_fit::FitSettings::default())?;
@@ -114,13 +113,14 @@ pub struct Base {
     pub plane: FittedPlane,
     /// The arc of ball N; its centre is the origin O.
     pub arc: FittedArc,
-    /// O in the world frame: from ball R at home, axes parallel to the base's (thesis 3.4.1).
+    /// O in the world frame, whose origin is ball R at home, with axes parallel to those of the
+    /// base (thesis 3.4.1).
     pub origin_in_world: Flat,
     /// Angle of the y axis in the axes of the plane.
     y_axis_rad: Uncertain,
 }
 
-/// The plane of the rails and the direction of actuator 2 in it: the base frame but for its origin.
+/// The plane of the rails and the direction of actuator 2 in it: the base frame without its origin.
 #[derive(Clone, Debug)]
 pub struct Axes {
     /// Its xy plane.
@@ -132,7 +132,7 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// From the rails and ball R; the arc is not looked at.
+    /// Frame from the rails and ball R, without the arc.
     pub fn determine(readings: &mut Readings, measured: &BaseMeasurements) -> Result<Self> {
         let rails = readings.add(&measured.rails);
         let home = mean(&readings.add(&measured.r_home));
@@ -153,7 +153,7 @@ impl Axes {
 }
 
 impl Base {
-    /// The base frame from what was measured.
+    /// The base frame from measured points.
     pub fn determine(readings: &mut Readings, measured: &BaseMeasurements) -> Result<Self> {
         let axes = Axes::determine(readings, measured)?;
         Self::about(readings, axes, &measured.arc)
@@ -180,7 +180,8 @@ impl Base {
     }
 }
 
-/// `p` from `origin`, along the axis square to the one at this angle and along that one.
+/// Coordinates of `p` relative to `origin`: along the axis perpendicular to the axis at this angle,
+/// and along that axis.
 fn express(p: &Flat, origin: &Flat, y_axis_rad: &Uncertain) -> Flat {
     Uncertain::of([&p[0], &p[1], &origin[0], &origin[1], y_axis_rad], |[x, y, x0, y0, angle]| {
         let (sin, cos) = angle.sin_cos();
@@ -215,7 +216,7 @@ pub struct Mobile {
 }
 
 impl Mobile {
-    /// C from the platform turned about it.
+    /// C from the platform that rotates about it.
     pub fn determine(readings: &mut Readings, plane: &FittedPlane, turned: &[Turned]) -> Result<Self> {
         let (mut points, mut flat, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
         for t in turned {
@@ -235,7 +236,7 @@ impl Mobile {
         Ok(Self { circle, l_kl: Uncertain::mean(&lengths) })
     }
 
-    /// C in the plane, where K and L are there (eq. 3.16).
+    /// C in the plane, for these positions of K and L (eq. 3.16).
     pub fn centre(&self, k: &Flat, l: &Flat) -> Flat {
         let [x_c, y_c] = &self.circle.centre;
         Uncertain::of([&k[0], &k[1], &l[0], &l[1], x_c, y_c], |[kx, ky, lx, ly, x, y]| {

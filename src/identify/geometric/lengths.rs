@@ -32,8 +32,8 @@ pub struct Lead {
 }
 
 impl Lead {
-    /// The regression p = a + ρ g of the ball's place on the commanded displacement ρ: δ is the
-    /// length of g.
+    /// The regression p = a + ρ g of the position of the ball on the commanded displacement ρ: δ is
+    /// the length of g.
     pub fn determine(readings: &mut Readings, measured: &LeadMeasurements) -> Result<Self> {
         let points = readings.add(&measured.points);
         let (p, rho) = (values(&points), &measured.commanded_mm);
@@ -68,7 +68,7 @@ impl Lead {
         Ok(Self { ratio: slope.at(ratio), linearity: positions.into_iter().map(mean_at).collect(), scatter })
     }
 
-    /// Lead error: what is travelled too far for each millimetre commanded.
+    /// Lead error: excess of the travel per commanded millimetre.
     pub fn error(&self) -> f64 {
         self.ratio.value - 1.0
     }
@@ -86,14 +86,14 @@ pub struct ScaleBar {
 }
 
 /// Distances of the two balls of a bar of `length_mm`, each pair measured together; `None` without
-/// any.
+/// pairs.
 pub fn scale_bar(length_mm: f64, pairs: &[[Vector; 2]]) -> Option<ScaleBar> {
     let errors: Vec<f64> = pairs.iter().map(|[a, b]| norm(minus(*b, *a)) - length_mm).collect();
     let (mean_error_mm, standard_deviation_mm) = mean_and_sd(&errors)?;
     Some(ScaleBar { count: errors.len(), mean_error_mm, standard_deviation_mm })
 }
 
-/// The shaft probed all round, before and after actuator 2 alone has moved.
+/// The shaft probed around its circumference, before and after actuator 2 alone has moved.
 #[derive(Clone, Debug, Default)]
 pub struct ShaftMeasurements {
     /// Points on the shaft in the two positions, in mm.
@@ -109,7 +109,7 @@ pub struct Shaft {
     pub scatter: Scatter,
 }
 
-/// Directions of two axes closer than this do not intersect anywhere: 0.1 degrees.
+/// Minimum angle between two axes that intersect: 0.1 degrees.
 const PARALLEL: f64 = 1.7e-3;
 
 impl Shaft {
@@ -187,7 +187,8 @@ impl OffsetMeasurements {
         [self.k, self.l, self.k_end].map(|p| base.plane.project(&readings.add_one(p)))
     }
 
-    /// d3 of one homing, by ball K that moves `from` one place `to` another in the base frame.
+    /// d3 of one homing, from the displacement of ball K from position `from` to position `to` in
+    /// the base frame.
     ///
     /// Eq. 2.11 takes actuators 2 and 3 as displaced equally; what their `leads` make of the
     /// commanded displacements is taken off: d3 = s Δy/Δx − (δ3 ρ3 − δ2 ρ2).

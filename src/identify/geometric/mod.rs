@@ -21,10 +21,10 @@ pub use workspace::{Polygon, Workspace, area_mm2};
 use etalon_base::message::{Problems, Result};
 use etalon_base::{error, phrase};
 
-/// All that is measured for the geometric calibration.
+/// All measurements for the geometric calibration.
 #[derive(Clone, Debug, Default)]
 pub struct Measurements {
-    /// For the lead of actuators 1, 2 and 3; a lead that is not measured is taken as right.
+    /// For the lead of actuators 1, 2 and 3; a lead that is not measured is assumed correct.
     pub leads: [Option<LeadMeasurements>; 3],
     /// For the base frame.
     pub base: BaseMeasurements,
@@ -36,7 +36,7 @@ pub struct Measurements {
     pub offsets: Vec<OffsetMeasurements>,
 }
 
-/// The robot as geometry alone finds it.
+/// The robot as determined by geometry alone.
 #[derive(Clone, Debug)]
 pub struct Geometry {
     /// Actuators 1, 2 and 3.
@@ -57,29 +57,29 @@ pub struct Geometry {
     pub readings: Readings,
 }
 
-/// Results of the measured steps, each as far as it goes alone.
+/// Results of the measured steps, each as far as it can be evaluated.
 #[derive(Clone, Debug)]
 pub struct Steps {
     /// Actuators 1, 2 and 3.
     pub leads: [Option<Lead>; 3],
-    /// The plane of the rails, where an arc or a turn was measured.
+    /// The plane of the rails, if an arc or a turn was measured.
     pub plane: Option<FittedPlane>,
-    /// The base frame, where the arc of ball N was measured.
+    /// The base frame, if the arc of ball N was measured.
     pub base: Option<Base>,
-    /// The mobile frame, where balls were turned with the platform.
+    /// The mobile frame, if balls were measured while the platform rotated.
     pub mobile: Option<Mobile>,
     /// Every cylinder fitted to the shaft.
     pub shafts: Vec<[Shaft; 2]>,
-    /// Distance of revolute joint 3 from the y axis, where the shaft was measured.
+    /// Distance of revolute joint 3 from the y axis, if the shaft was measured.
     pub s: Option<Repeated>,
-    /// Offsets of actuators 1 and 3, where they were measured.
+    /// Offsets of actuators 1 and 3, if they were measured.
     pub offsets: Option<[Repeated; 2]>,
     /// Every coordinate with the standard uncertainty that was used.
     pub readings: Readings,
 }
 
-/// Finds what each step gives, from points measured by an instrument with this standard uncertainty
-/// of one coordinate, in mm.
+/// Evaluates each measured step, with an instrument of this standard uncertainty of one coordinate
+/// (mm).
 ///
 /// The arc and the turn need the rails and ball R, the shaft the arc too, the offsets all of them:
 /// an error where they are not measured.
@@ -125,8 +125,8 @@ pub fn steps(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<St
     Ok(Steps { leads, plane, base, mobile, shafts, s, offsets, readings })
 }
 
-/// Finds the whole geometry, from points measured by an instrument with this standard uncertainty
-/// of one coordinate, in mm.
+/// Determines the whole geometry, with an instrument of this standard uncertainty of one coordinate
+/// (mm).
 pub fn determine(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<Geometry> {
     let found = steps(measured, standard_uncertainty_mm)?;
     let (Some(base), Some(mobile), Some(s), Some([d1, d3])) = (found.base, found.mobile, found.s, found.offsets) else {
@@ -135,7 +135,7 @@ pub fn determine(measured: &Measurements, standard_uncertainty_mm: f64) -> Resul
     Ok(Geometry { leads: found.leads, base, mobile, shafts: found.shafts, s, d1, d3, readings: found.readings })
 }
 
-/// Names the step in which problems were found.
+/// Names the step of the problems.
 fn at_step(step: &str) -> impl Fn(Problems) -> Problems + '_ {
     move |problems| problems.within(&phrase!("at-geometric-step", step))
 }

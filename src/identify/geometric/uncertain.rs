@@ -1,5 +1,4 @@
-//! Numbers with the measured coordinates that they come from: readings, what is computed from them,
-//! and what is repeated.
+//! Numbers with their measured coordinates: readings, computed values and repeats.
 //!
 //! A number carries its derivatives by every coordinate it depends on, so that results which share
 //! points or frames are correlated as they are in truth (GUM, JCGM 100:2008, 5.2; Hall 2006,
@@ -28,12 +27,12 @@ impl Uncertain {
         Self { value, by: Vec::new() }
     }
 
-    /// The coordinate with this index itself.
+    /// The measured coordinate with this index.
     pub fn coordinate(value: f64, index: usize) -> Self {
         Self { value, by: vec![(index, 1.0)] }
     }
 
-    /// These derivatives with another value.
+    /// Same derivatives with another value.
     pub fn at(self, value: f64) -> Self {
         Self { value, ..self }
     }
@@ -55,7 +54,7 @@ impl Uncertain {
         Self { value, by }
     }
 
-    /// `f` of numbers, its derivatives exact.
+    /// `f` of numbers, with exact derivatives.
     pub fn of<const N: usize, const M: usize>(
         inputs: [&Self; N],
         f: impl Fn([Dual<N>; N]) -> [Dual<N>; M],
@@ -68,7 +67,7 @@ impl Uncertain {
         f(variables).map(|out| Self::linear(out.value, out.gradient.into_iter().zip(inputs)))
     }
 
-    /// Mean of numbers; zero without any.
+    /// Mean of numbers; zero without numbers.
     pub fn mean<'a>(numbers: impl IntoIterator<Item = &'a Self>) -> Self {
         let numbers: Vec<&Self> = numbers.into_iter().collect();
         let share = 1.0 / numbers.len().max(1) as f64;
@@ -76,7 +75,7 @@ impl Uncertain {
         Self::linear(value, numbers.into_iter().map(|n| (share, n)))
     }
 
-    /// Covariance with another number, given the standard uncertainty of every coordinate.
+    /// Covariance with another number, for these standard uncertainties of the coordinates.
     pub fn covariance(&self, other: &Self, standard_uncertainties: &[f64]) -> f64 {
         let mut theirs = other.by.iter().peekable();
         let mut sum = 0.0;
@@ -90,12 +89,12 @@ impl Uncertain {
         sum
     }
 
-    /// Standard uncertainty, given that of every coordinate.
+    /// Standard uncertainty, for these standard uncertainties of the coordinates.
     pub fn standard_uncertainty(&self, standard_uncertainties: &[f64]) -> f64 {
         self.covariance(self, standard_uncertainties).sqrt()
     }
 
-    /// The coordinates that it depends on.
+    /// Coordinates on which the number depends.
     pub fn coordinates(&self) -> impl Iterator<Item = usize> + '_ {
         self.by.iter().map(|b| b.0)
     }
@@ -119,23 +118,23 @@ pub struct Readings {
 pub struct Scatter {
     /// Number of residuals.
     pub count: usize,
-    /// Residuals less what was fitted.
+    /// Number of residuals minus number of fitted parameters.
     pub degrees_of_freedom: usize,
     /// Root of the sum of their squares over the degrees of freedom.
     pub standard_deviation_mm: f64,
-    /// Largest, without its sign.
+    /// Largest absolute residual.
     pub max_mm: f64,
     /// Root of the sum of squares, as in the thesis (2.6.1).
     pub norm_mm: f64,
     /// Standard deviation expected from the stated uncertainty.
     pub expected_mm: f64,
-    /// Factor by which the uncertainties of the points were enlarged because the residuals scatter
-    /// more; otherwise 1.
+    /// Inflation factor of the uncertainties of the points, if the residuals scatter more than
+    /// stated; otherwise 1.
     pub inflation_factor: f64,
 }
 
 impl Readings {
-    /// Readings of an instrument with this standard uncertainty of one coordinate, in mm.
+    /// Creates readings of an instrument with this standard uncertainty of one coordinate (mm).
     pub fn new(stated_mm: f64) -> Self {
         Self { stated_mm, standard_uncertainties_mm: Vec::new() }
     }
@@ -157,8 +156,8 @@ impl Readings {
         &self.standard_uncertainties_mm
     }
 
-    /// Judges residuals whose uncertainties are those of `moves`: where chi-square rejects the
-    /// stated uncertainty, that of `points` is enlarged to what the residuals say.
+    /// Judges residuals whose uncertainties are those of `moves`: if chi-square rejects the stated
+    /// uncertainty, the uncertainty of `points` is inflated to the scatter of the residuals.
     pub fn judge(
         &mut self,
         residuals_mm: &[f64],
@@ -195,9 +194,9 @@ pub(super) fn values<const N: usize>(points: &[[Uncertain; N]]) -> Vec<[f64; N]>
     points.iter().map(|p| p.each_ref().map(|x| x.value)).collect()
 }
 
-/// Derivative of the solution x of min Σ d² by the points: −(JᵀJ)⁻¹Jᵀ δ, with `rows` of J = ∂d/∂x
-/// and `moves` δ of each distance d at fixed x. First order in the points, and in residuals that
-/// are small against the element.
+/// Derivative of the solution x of min Σ d² with respect to the points: −(JᵀJ)⁻¹Jᵀ δ, with `rows`
+/// of J = ∂d/∂x and `moves` δ of each distance d at fixed x. First order in the points, and in
+/// residuals that are small relative to the element.
 pub(super) fn shifts<const N: usize>(rows: &[[f64; N]], moves: &[Uncertain]) -> Result<[Uncertain; N]> {
     let factor = Factor::new(rows.as_flattened(), &vec![0.0; rows.len()], &[1.0; N]);
     let undetermined = || error!("points-undetermined");
@@ -212,12 +211,12 @@ pub(super) fn shifts<const N: usize>(rows: &[[f64; N]], moves: &[Uncertain]) -> 
     }))
 }
 
-/// Mean and standard deviation (n − 1; zero of a single value) of values; `None` without any.
+/// Mean and standard deviation (n − 1; zero for a single value) of values; `None` without values.
 pub fn mean_and_sd(values: &[f64]) -> Option<(f64, f64)> {
     (!values.is_empty()).then(|| (mean(values.iter().copied()), standard_deviation(values)))
 }
 
-/// Repeated determinations of one quantity, their mean the result.
+/// Repeated determinations of one quantity, with their mean as the result.
 #[derive(Clone, Debug)]
 pub struct Repeated {
     /// Each determination.
@@ -229,23 +228,24 @@ pub struct Repeated {
 /// Scatter of repeats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeats {
-    /// Standard deviation of the determinations; zero of a single one.
+    /// Standard deviation of the determinations; zero for a single one.
     pub standard_deviation: f64,
     /// Scatter expected from the uncertainties of the points.
     pub expected: f64,
-    /// Variance of the mean that the points do not explain: zero unless chi-square rejects them.
+    /// Variance of the mean in excess of that of the points: zero unless chi-square rejects the
+    /// points' uncertainty.
     pub excess_variance: f64,
 }
 
 impl Repeated {
-    /// The mean of determinations.
+    /// Creates the mean of determinations.
     pub fn new(values: Vec<Uncertain>) -> Self {
         let mean = Uncertain::mean(&values);
         Self { values, mean }
     }
 
-    /// Scatter of the repeats against the uncertainties of their points. Common errors (base frame,
-    /// C) cancel between repeats.
+    /// Scatter of the repeats compared with the uncertainties of their points. Common errors (base
+    /// frame, C) cancel between repeats.
     pub fn repeats(&self, readings: &Readings) -> Repeats {
         let u = readings.standard_uncertainties_mm();
         let n = self.values.len();
@@ -260,8 +260,8 @@ impl Repeated {
         Repeats { standard_deviation, expected: expected_variance.sqrt(), excess_variance }
     }
 
-    /// Standard uncertainty of the mean: from the points, and from what the repeats scatter beyond
-    /// them.
+    /// Standard uncertainty of the mean: from the points, and from the excess scatter of the
+    /// repeats.
     pub fn standard_uncertainty(&self, readings: &Readings) -> f64 {
         let u = readings.standard_uncertainties_mm();
         (self.mean.covariance(&self.mean, u) + self.repeats(readings).excess_variance).sqrt()

@@ -2,7 +2,7 @@
 
 use etalon_robots::{PlanarPose, RailTable};
 
-/// A polygon, its corners counterclockwise; empty where nothing is reached.
+/// A polygon with counterclockwise corners; empty if nothing is reachable.
 pub type Polygon = Vec<[f64; 2]>;
 
 /// A robot with the travel of its actuators.
@@ -13,7 +13,7 @@ pub struct Workspace<'a> {
     travel_mm: [f64; 3],
 }
 
-/// Half the square that everything reachable is cut from, in mm.
+/// Half the side (mm) of the initial square from which the reachable region is cut.
 const FAR_MM: f64 = 1e4;
 
 impl<'a> Workspace<'a> {
@@ -57,7 +57,7 @@ impl<'a> Workspace<'a> {
     }
 }
 
-/// The part of a convex polygon where a linear function is not negative (Sutherland & Hodgman 1974,
+/// Part of a convex polygon in which a linear function is non-negative (Sutherland & Hodgman 1974,
 /// CACM 17, 32).
 fn clip(polygon: &[[f64; 2]], inside: impl Fn([f64; 2]) -> f64) -> Polygon {
     let mut kept = Vec::new();
@@ -74,7 +74,7 @@ fn clip(polygon: &[[f64; 2]], inside: impl Fn([f64; 2]) -> f64) -> Polygon {
     kept
 }
 
-/// Area of a polygon, positive where its corners run counterclockwise.
+/// Area of a polygon, positive for counterclockwise corners.
 pub fn area_mm2(polygon: &[[f64; 2]]) -> f64 {
     let next = polygon.iter().cycle().skip(1);
     0.5 * polygon.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>()

@@ -1,6 +1,6 @@
-//! The uncertainty budget of an identification: what each source contributes to the variance of a
-//! parameter, or of a figure that depends on parameters and readings (GUM 5.1.2, 5.2.2; a table as
-//! in GUM H.1).
+//! The uncertainty budget of an identification: the contribution of each source to the variance of
+//! a parameter, or of a figure that depends on parameters and readings (GUM 5.1.2, 5.2.2; a table
+//! as in GUM H.1).
 
 use crate::Result;
 use crate::judgement::significance::Variance;
@@ -19,40 +19,40 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A source of uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum UncertaintySource {
-    /// The instrument: its stated uncertainty, or that which readings state of themselves.
+    /// The instrument: its stated uncertainty, or the uncertainties stated for single readings.
     Instrument,
     /// Stated repeatability of the robot at a measured point.
     Contact,
     /// Stated shapes of rigid parts.
     RigidParts,
-    /// Stated places and lengths of sockets and other fixed points.
+    /// Stated positions and lengths of sockets and other fixed points.
     KnownPoints,
     /// Nominal values, by their tolerances.
     NominalValues,
-    /// Scatter of repeats of a pose beyond the instrument.
+    /// Scatter of repeats of a pose beyond the instrument's uncertainty.
     Repeatability,
     /// Excess of the residuals over all other sources: errors of the robot that the model does not
     /// describe.
     Model,
-    /// Residuals, where no uncertainty is stated.
+    /// Residuals, if no uncertainty is stated.
     Residuals,
     /// The world frame, common to all poses.
     Frame,
-    /// The frame that was measured again at each pose.
+    /// The frame that is measured again at each pose.
     FrameOfPoses,
     /// The scale of the measuring system, common to all lengths.
     Scale,
     /// The temperature, by the expansion of robot and part.
     Temperature,
-    /// The joint values that homing sets, common to the campaign.
+    /// The joint values set by homing, common to the campaign.
     Homing,
 }
 
 /// Contributions of sources to a variance, in its unit.
 pub type Contributions = Vec<(UncertaintySource, f64)>;
 
-/// Errors that all readings of a campaign have in common, by their standard uncertainties (GUM
-/// 5.2.4, F.1.2.3).
+/// Errors common to all readings of a campaign, by their standard uncertainties (GUM 5.2.4,
+/// F.1.2.3).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Systematic {
     /// Frames that place the observations.
@@ -62,13 +62,13 @@ pub struct Systematic {
     pub scale: f64,
     /// Relative standard uncertainty of all measured lengths from the temperature.
     pub expansion: f64,
-    /// Standard uncertainties of the joint values that homing sets (mm or rad), in the order of the
+    /// Standard uncertainties of the joint values set by homing (mm or rad), in the order of the
     /// joints; empty if none is stated.
     pub homing: Vec<f64>,
 }
 
 impl Systematic {
-    /// `true` if an error common to all readings is stated, beside those of frames.
+    /// `true` if an error common to all readings is stated, in addition to those of frames.
     pub fn is_stated(&self) -> bool {
         self.scale > 0.0 || self.expansion > 0.0 || self.homing.iter().any(|u| *u > 0.0)
     }
@@ -77,31 +77,31 @@ impl Systematic {
 /// Sources of the uncertainty of an identification.
 #[derive(Clone, Debug, Default)]
 pub struct Budget {
-    /// Covariances of the identified parameters by the sources that are stated for single readings;
-    /// empty where none is.
+    /// Covariances of the identified parameters by source of the uncertainties of single readings;
+    /// empty if none is stated.
     stated: Vec<(Source, Vec<f64>)>,
-    /// Their covariance by all that single readings and poses show.
+    /// Covariance of the parameters from all evidence of single readings and poses.
     readings: Vec<f64>,
-    /// Variance of repeats beyond the instrument's, over the instrument's.
+    /// Ratio of the variance of repeats beyond the instrument to that of the instrument.
     repeats: f64,
-    /// The frames of single poses, where `readings` do not contain them.
+    /// The frames of single poses, if `readings` do not contain them.
     of_poses: Vec<f64>,
     /// Response of the parameters to one standard uncertainty of each common error.
     common: Vec<(Source, Vec<f64>)>,
 }
 
-/// Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression
+/// Scatter of repeats compared with the rest of the residuals (Draper & Smith, Applied Regression
 /// Analysis, 2.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Replicates {
     /// Standard deviation of a coordinate among repeats of a pose, mm.
     pub repeats_mm: f64,
-    /// Its degrees of freedom.
+    /// Degrees of freedom of this standard deviation.
     pub degrees_of_freedom: usize,
-    /// Standard deviation of a coordinate that the model leaves at a pose, without the scatter of
-    /// repeats, mm.
+    /// Standard deviation (mm) of the model error of a coordinate at a pose, without the scatter of
+    /// repeats.
     pub lack_of_fit_mm: f64,
-    /// Probability of residuals as large as these if the model were right (F test of lack of fit).
+    /// Probability of residuals this large if the model is correct (F test of lack of fit).
     pub p_value: f64,
 }
 
@@ -109,8 +109,8 @@ pub struct Replicates {
 const SAME_JOINTS: f64 = 0.005;
 
 impl Systematic {
-    /// Change of the whitened residuals by one standard uncertainty of each independent error that
-    /// is common to all.
+    /// Change of the whitened residuals for one standard uncertainty of each independent common
+    /// error.
     pub(crate) fn errors(&self, observed: &Observed) -> Result<Vec<(Source, Vec<f64>)>> {
         let (problem, x) = (&observed.problem()?, &observed.x());
         let mut errors = Vec::new();
@@ -192,8 +192,8 @@ impl Budget {
         }
     }
 
-    /// Adds to `covariance` what frames make of it, frames of single poses where they are `unseen`
-    /// in the residuals.
+    /// Adds the contribution of frames to `covariance`; of single poses, if the residuals do not
+    /// contain them (`unseen`).
     pub(crate) fn carry_frames(
         &mut self,
         frames: &[FrameError],
@@ -210,8 +210,8 @@ impl Budget {
         }
     }
 
-    /// Adds the errors that all readings have in common, each by the change of the residuals, and
-    /// to `covariance` what they make of it; that of frames is in it.
+    /// Adds the errors common to all readings, each by the change of the residuals, and their
+    /// contribution to `covariance`, which already contains that of the frames.
     pub(crate) fn carry(
         &mut self,
         errors: Vec<(Source, Vec<f64>)>,
@@ -230,8 +230,8 @@ impl Budget {
         }
     }
 
-    /// Contribution of each source to the variance of an identified parameter, given by its index
-    /// among these; empty if points were eliminated.
+    /// Contribution of each source to the variance of an identified parameter, by its index among
+    /// the identified ones; empty if points were eliminated.
     pub fn of_parameter(&self, k: usize) -> Contributions {
         if self.readings.is_empty() {
             return Vec::new();
@@ -240,8 +240,8 @@ impl Budget {
         self.contributions(|covariance| covariance[k * n + k], |e| self.common[e].1[k])
     }
 
-    /// Contributions by `form`, the variance that a covariance of the parameters gives, and by
-    /// `response`, the derivative of the figure by each common error.
+    /// Contributions by `form`, the variance from a covariance of the parameters, and by
+    /// `response`, the derivative of the figure with respect to each common error.
     fn contributions(&self, form: impl Fn(&[f64]) -> f64, response: impl Fn(usize) -> f64) -> Contributions {
         let mut all: BTreeMap<Source, f64> = BTreeMap::new();
         let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
@@ -272,7 +272,7 @@ impl Budget {
     }
 }
 
-/// The covariance by what is stated, split into what the rows of each source contribute.
+/// The stated covariance, split into the contributions of the rows of each source.
 fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: &[f64]) -> Vec<(Source, Vec<f64>)> {
     let whole = || vec![(Source::Instrument, all.to_vec())];
     let nominal = problem.nominal_rows();
@@ -315,7 +315,7 @@ fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: 
     parts
 }
 
-/// A figure made of errors.
+/// A figure computed from errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
     /// Their mean size.
@@ -326,8 +326,7 @@ pub enum Figure {
     Max,
 }
 
-/// Scatter of repeats of a pose against the rest of the residuals; `None` where no pose was
-/// repeated.
+/// Scatter of repeats compared with the rest of the residuals; `None` if no pose was repeated.
 pub(crate) fn replicates(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -1,22 +1,22 @@
-//! Covariance from residuals of which those of one cluster have errors in common: a pose, a region
-//! of the joints, a reading.
+//! Covariance from residuals with errors common to a cluster: a pose, a region of joint space, or a
+//! reading.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use rayon::prelude::*;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::collections::BTreeMap;
 
-/// A cluster without which this little of a direction of the parameters is left determines it
+/// Maximum remaining share of a direction of the parameters without a cluster that determines it
 /// alone.
 const REST: f64 = 0.01;
-/// Effective degrees of freedom that are too few: Student's t has no standard deviation.
+/// Degrees of freedom that are too few: Student's t has no standard deviation.
 const TOO_FEW: f64 = 2.0;
-/// Clusters from which a test by their scatter keeps its probability (Cameron & Miller 2015,
-/// section VI).
+/// Minimum number of clusters at which a test by their scatter keeps its significance level
+/// (Cameron & Miller 2015, section VI).
 const ENOUGH: usize = 30;
-/// Clusters whose parts are in memory at once.
+/// Number of clusters that are in memory at once.
 const AT_ONCE: usize = 64;
-/// Probability with which independent residuals are taken for such that have errors in common.
+/// Significance level of the test for common errors.
 const REJECT: f64 = 0.01;
 
 /// Uncertainty of the parameters from the scatter of clusters.
@@ -25,10 +25,10 @@ pub(crate) struct ByCluster {
     pub covariance: Vec<f64>,
     /// Effective degrees of freedom of each variance.
     pub degrees_of_freedom: Vec<f64>,
-    /// Variance of the parameters, in the mean over all directions, to that of independent
+    /// Mean over all directions of the variance of the parameters, relative to that of independent
     /// residuals of unit variance.
     pub ratio: f64,
-    /// Variance of this ratio where residuals are so.
+    /// Variance of this ratio for independent residuals.
     ratio_variance: f64,
     clusters: usize,
 }

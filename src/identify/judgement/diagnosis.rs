@@ -1,5 +1,4 @@
-//! Diagnosis: why an identification ended without a result, and outliers, the largest residuals of
-//! a robust fit.
+//! Diagnosis: the cause of a missing result, and outliers, the largest residuals of a robust fit.
 
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
@@ -15,12 +14,11 @@ use etalon_math::{Loss, Options, Problem, Termination};
 use etalon_robots::{Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Measured and predicted positions whose extents differ by more than this are not in the same
-/// unit.
+/// Maximum ratio of the extents of measured and predicted positions in the same unit.
 const SAME_UNIT: f64 = 3.0;
 
-/// The error when the solver ended with `termination` on its way from `start` (all parameters of
-/// the robot).
+/// Error after the solver ended with `termination`, started from `start` (all parameters of the
+/// robot).
 pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], termination: Termination) -> Error {
     let Estimation { robot, observations, settings, wanted } = *estimation;
     if matches!(termination, Termination::RankDeficient | Termination::TooFewEquations)
@@ -33,7 +31,7 @@ pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], terminati
     Error::Failed { termination, cause, set_up }
 }
 
-/// The error when no parameter is left: all are held, or the data depend on none of those wanted at
+/// Error if no parameter is left: all are held, or the data do not depend on the free ones at
 /// `start`.
 pub(crate) fn nothing_left(
     robot: &dyn Robot,
@@ -46,7 +44,7 @@ pub(crate) fn nothing_left(
     Error::NothingLeft { cause, set_up }
 }
 
-/// The parameters that too few poses do not determine, group by group.
+/// Parameters that too few poses leave undetermined, group by group.
 fn too_little(robot: &dyn Robot, observations: &[Observation], all: &Residuals, start: &[f64]) -> Error {
     let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
     let groups = Analysis::at(all, start, 0.0).groups;
@@ -57,7 +55,7 @@ fn too_little(robot: &dyn Robot, observations: &[Observation], all: &Residuals, 
     }
 }
 
-/// The cause that the observations show beside the robot at `start`.
+/// The cause that the observations show for the robot at `start`.
 fn cause(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Option<Cause> {
     let (mut measured, mut predicted) = (Vec::<Vector>::new(), Vec::<Vector>::new());
     let mut unreachable = BTreeSet::new();
@@ -89,7 +87,7 @@ fn cause(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Opti
     })
 }
 
-/// Diagonal of the smallest box around points, mm.
+/// Diagonal (mm) of the smallest box around points.
 fn extent(points: &[Vector]) -> f64 {
     let end = |pick: fn(f64, f64) -> f64| {
         points.iter().copied().reduce(|a, b| [0, 1, 2].map(|i| pick(a[i], b[i]))).unwrap_or_default()
@@ -97,16 +95,17 @@ fn extent(points: &[Vector]) -> f64 {
     norm(minus(end(f64::max), end(f64::min)))
 }
 
-/// A distance beyond this many robust standard deviations of a coordinate is an outlier: with three
-/// coordinates and normal errors fewer than one of ten million is.
+/// Outlier limit in robust standard deviations of a coordinate: with three coordinates, fewer than
+/// one of ten million normal errors exceeds it.
 pub const OUTLIER: f64 = 6.0;
-/// Fits, each with the scale that the one before it shows.
+/// Number of fits, each with the scale of the previous one.
 const FITS: usize = 12;
 /// A median residual below this share of another one belongs to a better fit.
 const BELOW: f64 = 0.9;
-/// Observations, at least, of the part that the fit from the nominal parameters begins with.
+/// Minimum number of observations in the part with which the fit from the nominal parameters
+/// begins.
 const PART: usize = 60;
-/// Least scale of residuals in mm: below it nothing is measured.
+/// Minimum scale (mm) of residuals: no instrument resolves less.
 const LEAST_MM: f64 = 1e-6;
 
 /// Residual of every reading after a robust fit.
@@ -114,12 +113,12 @@ const LEAST_MM: f64 = 1e-6;
 pub struct RobustFit {
     /// The largest first.
     pub readings: Vec<Reading>,
-    /// Standard deviation of a coordinate as the bulk of the residuals shows it, or as it is stated
-    /// where that is more, mm.
+    /// Standard deviation (mm) of a coordinate: by the majority of the residuals, or the stated one
+    /// if that is larger.
     pub scale_mm: f64,
 }
 
-/// A measured target, and how far from it a model is.
+/// Residual of a measured target.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// Index of its observation.
@@ -132,8 +131,7 @@ pub struct Reading {
     pub cycle: i64,
     /// Distance, mm.
     pub left_mm: f64,
-    /// Standard uncertainty of a coordinate that the reading states of itself, mm; 0 where it does
-    /// not.
+    /// Standard uncertainty (mm) of a coordinate that the reading itself states; 0 without.
     own_mm: f64,
 }
 
@@ -167,17 +165,17 @@ impl RobustFit {
         Some(Self { readings, scale_mm })
     }
 
-    /// Readings beyond the rest, the largest first.
+    /// Outlying readings, the largest first.
     pub fn outliers(&self) -> &[Reading] {
         let beyond = self.readings.iter().take_while(|r| r.left_mm > OUTLIER * r.own_mm.max(self.scale_mm));
         &self.readings[..beyond.count()]
     }
 }
 
-/// Parameters at which the bulk of the measurements is met best: fits with the Cauchy loss, the
-/// scale of which follows the median residual down, from the identified and from the nominal
-/// parameters. Those from the nominal ones use part of many observations, and all of them only
-/// where that leads below.
+/// Parameters that fit the majority of the measurements best: fits with the Cauchy loss, whose
+/// scale follows the median residual down, from the identified and from the nominal parameters.
+/// Fits from the nominal parameters use a part of many observations, and all of them only if this
+/// reduces the scale.
 fn robust(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -230,7 +228,7 @@ fn robust(
     [best, other].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
 }
 
-/// Median size of the differences of coordinates, mm; `None` where one is not a number.
+/// Median size (mm) of the differences of coordinates; `None` if one is not a number.
 fn median_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
     let mut sizes = Vec::new();
     for o in observations {

@@ -1,4 +1,4 @@
-//! Excitation: which parameters the joints have to move for.
+//! Excitation: parameters that need motion of the joints.
 
 use crate::model::residuals::Residuals;
 use crate::{Observation, Prior, Result, Settings, wanted_parameters};
@@ -6,24 +6,24 @@ use etalon_base::noise::Noise;
 use etalon_math::{covariance, factor_at};
 use etalon_robots::{Quantity, Robot};
 
-/// Below this share of its value by the data a parameter is left to its tolerance: of two that act
-/// alike each has a half.
+/// Maximum determined share of a parameter that the data leave to its tolerance; two parameters
+/// with the same effect have a half each.
 const BY_TOLERANCE: f64 = 0.7;
-/// Above this share the data would determine it.
+/// Minimum determined share if the joint moved.
 const BY_DATA: f64 = 0.9;
-/// Motion (rad) of a joint that would show more.
+/// Test motion (rad) of a revolute joint.
 const MOVED_RAD: f64 = 0.5;
-/// Motion (mm) of a sliding joint that would show more.
+/// Test motion (mm) of a prismatic joint.
 const MOVED_MM: f64 = 100.0;
-/// Seed of these motions.
+/// Seed of the test motions.
 const SEED: u64 = 50;
 
-/// Parameters, by their indices, that the data leave to their tolerances because `joint` does not
-/// move: if it moved, the data would determine them. `values` are all parameters with base and
-/// targets placed.
+/// Indices of the parameters that the data leave to their tolerances because `joint` does not move:
+/// if it moved, the data would determine them. `values` are all parameters with base and targets
+/// located.
 ///
 /// # Errors
-/// Settings and observations that do not go together.
+/// Fails if settings and observations do not match.
 pub fn left_to_tolerances(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -26,12 +26,12 @@ pub enum ErrorKind {
     Surface,
     /// Position of a target relative to the socket that it touches: size of the vector.
     Contact,
-    /// One coordinate of a target whose other coordinates are not measured with it.
+    /// One coordinate of a target, measured without the others.
     Coordinate,
 }
 
 impl Kind {
-    /// Quantity of the error of this kind; `None` for orientations and values of joints.
+    /// Quantity of the error of this kind; `None` for orientations and joint values.
     pub fn error_kind(&self) -> Option<ErrorKind> {
         match self {
             Self::Seen(_) => Some(ErrorKind::Position),
@@ -65,7 +65,8 @@ pub struct JudgedErrors<'a> {
     pub values: &'a [f64],
     /// Indices of the parameters of base, targets and fixtures that were fitted.
     pub set_up: &'a [usize],
-    /// Positions to which these were fitted; further readings are in the settings.
+    /// Positions to which base, targets and fixtures were fitted; further readings are in the
+    /// settings.
     pub calibration: &'a [Observation],
     /// Positions whose errors are judged.
     pub observations: &'a [Observation],
@@ -83,7 +84,7 @@ const RANK: f64 = 1e-12;
 /// Pose and cycle of a reading.
 type Key = (PoseName, i64);
 
-/// One judged reading: the residuals that are its error.
+/// One judged reading: the residuals that form its error.
 struct Reading {
     kind: ErrorKind,
     first: usize,
@@ -93,7 +94,7 @@ struct Reading {
     u_mm: f64,
 }
 
-/// Everything that a figure depends on, in linear terms.
+/// Everything on which a figure depends, in linear approximation.
 struct Propagation {
     readings: Vec<Reading>,
     residuals: Vec<f64>,
@@ -101,14 +102,15 @@ struct Propagation {
     platform: Option<Vec<[[f64; 4]; 3]>>,
     u_mm: f64,
     frames: BTreeMap<Key, Matrix6<f64>>,
-    /// Pose of each residual, and its derivatives by a shift and rotation of the frame.
+    /// Pose of each residual, and its derivatives with respect to a shift and rotation of the
+    /// frame.
     keys: Vec<Option<Key>>,
     by_frame: Vec<f64>,
     common: Vec<(Source, Vec<f64>)>,
     set_up: Option<SetUp>,
 }
 
-/// Response of base, targets and fixtures to the errors of the readings that they were fitted to.
+/// Response of base, targets and fixtures to the errors of the readings to which they were fitted.
 struct SetUp {
     /// Derivatives of the judged residuals.
     judged: DMatrix<f64>,
@@ -126,7 +128,7 @@ impl JudgedErrors<'_> {
     /// largest error along each axis; empty if no uncertainty is stated.
     ///
     /// # Errors
-    /// If residuals cannot be evaluated.
+    /// Fails if residuals cannot be evaluated.
     pub fn figures(&self, settings: &Settings, systematic: &Systematic) -> Result<Vec<FigureUncertainty>> {
         let positions = self.observations.iter().any(|o| o.targets.iter().any(Option::is_some));
         if settings.standard_uncertainty_mm.is_none() || (!positions && self.conditions.is_empty()) {
@@ -249,7 +251,8 @@ impl JudgedErrors<'_> {
 }
 
 impl Propagation {
-    /// Derivatives of a figure by the judged residuals (mm); `None` without such errors.
+    /// Derivatives of a figure with respect to the judged residuals (mm); `None` without such
+    /// errors.
     fn derivatives(&self, kind: ErrorKind, figure: Figure) -> Option<Vec<f64>> {
         let of_kind = |r: &&Reading| match kind {
             ErrorKind::Axis(axis) => r.kind == ErrorKind::Position && axis < r.rows,
@@ -304,7 +307,7 @@ impl Propagation {
         all.into_iter().filter(|(_, variance)| *variance > least).collect()
     }
 
-    /// Variance by the noise of each judged reading.
+    /// Variance from the noise of each judged reading.
     fn noise(&self, by: &[f64]) -> f64 {
         if let Some(all) = &self.platform {
             let of_pose = |(s, by): (&[[f64; 4]; 3], &[f64])| -> f64 {
@@ -324,7 +327,7 @@ impl Propagation {
     }
 }
 
-/// Variance by the frames of single poses: their derivatives are summed over the residuals of a
+/// Variance from the frames of single poses: their derivatives are summed over the residuals of a
 /// pose.
 fn of_frames(frames: &BTreeMap<Key, Matrix6<f64>>, keys: &[Option<Key>], by_frame: &[f64], by: &[f64]) -> f64 {
     if frames.is_empty() {
@@ -353,7 +356,7 @@ fn matrix(rows: &[f64], columns: usize) -> DMatrix<f64> {
     DMatrix::from_row_slice(rows.len() / columns.max(1), columns, rows)
 }
 
-/// Inverse of a normal matrix; directions that the readings do not show are left out.
+/// Inverse of a normal matrix; directions that the readings do not determine are omitted.
 fn pseudo_inverse(normal: DMatrix<f64>) -> DMatrix<f64> {
     let n = normal.nrows();
     let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt()).map(|s| if s > 0.0 { 1.0 / s } else { 0.0 }).collect();

@@ -41,7 +41,7 @@ pub fn compare_logs(
     Some(LogComparison { correlation: pearson(&pairs)?, count: pairs.len() })
 }
 
-/// Correlation coefficient of pairs; `None` where one side does not vary.
+/// Correlation coefficient of pairs; `None` if one side is constant.
 fn pearson(pairs: &[(f64, f64)]) -> Option<f64> {
     let n = pairs.len() as f64;
     let (mx, my) = pairs.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));

@@ -1,5 +1,5 @@
-//! Judgement: how well the parameters are known, which observations contradict them, and what
-//! explains the contradiction.
+//! Judgement: the uncertainty of the parameters, the observations that contradict them, and
+//! explanations of the contradiction.
 
 pub(crate) mod budget;
 pub(crate) mod chi_square;

@@ -1,4 +1,4 @@
-//! The uncertainty of an identification from planned observations, before anything is measured.
+//! The uncertainty of an identification from planned observations, before any measurement.
 
 use crate::judgement::uncertainty::held_messages;
 use crate::model::prior::Prior;
@@ -14,25 +14,26 @@ use etalon_math::{Factor, Problem, column_norms, covariance, factor_at, svd};
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 
-/// Parameters that can be identified, and how the targets move with them, at nominal values.
+/// Identifiable parameters, and the derivatives of the targets with respect to them, at nominal
+/// values.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
     /// Indices of the parameters that are separately identifiable.
     pub free: Vec<usize>,
-    /// Sets of parameters that are not.
+    /// Sets of parameters that are not separately identifiable.
     pub groups: Vec<Group>,
     /// d positions / d free parameters (mm per mm, rad and 1), row by row.
     pub jacobian: Vec<f64>,
     /// Rows of each observation.
     pub rows: Vec<usize>,
-    /// The groups in words.
+    /// The undetermined groups in words.
     pub messages: Vec<Warning>,
 }
 
 /// Predicted result of an identification.
 #[derive(Clone, Debug)]
 pub struct Prediction {
-    /// O1 to O5 and the condition number; `None` where they are not numbers.
+    /// O1 to O5 and the condition number; `None` if they are not numbers.
     pub observability: Option<Observability>,
     /// Sets of parameters that are weakly identifiable.
     pub weak: Vec<WeakGroup>,
@@ -42,7 +43,7 @@ pub struct Prediction {
     pub messages: Vec<Message>,
 }
 
-/// Derivatives of `observations` by the parameters that are separately identifiable; measured
+/// Derivatives of `observations` with respect to the separately identifiable parameters; measured
 /// positions do not matter.
 pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Sensitivity> {
     let (wanted, prior) = (wanted_parameters(robot, observations, settings)?, settings.prior);

@@ -1,5 +1,4 @@
-//! Misfit as a field over joint space: what the model leaves out is alike at poses that are near
-//! each other.
+//! Misfit as a field over joint space: model errors are alike at neighbouring poses.
 //!
 //! A reading of target k at pose i is off by f(qᵢ) + e: f is a Gaussian process, independent along
 //! each axis of the world and common to all targets of a pose, with a Matérn covariance v (1 + d)
@@ -12,24 +11,24 @@ use etalon_robots::Quantity;
 use nalgebra::{Cholesky, DMatrix};
 use rayon::prelude::*;
 
-/// Lengths ℓ that are tried, rad; of sliding joints shares of half their range.
+/// Candidate lengths ℓ (rad); for prismatic joints, shares of half their range.
 const LENGTHS: [f64; 5] = [0.3, 0.7, 1.5, 3.0, 6.0];
-/// Variances of the field over that of a white residual that are tried.
+/// Candidate ratios of the variance of the field to that of a white residual.
 const RATIOS: [f64; 7] = [0.1, 0.4, 1.6, 6.4, 25.0, 100.0, 400.0];
-/// Poses from which length and variances are estimated.
+/// Maximum number of poses from which length and variances are estimated.
 const ESTIMATED_FROM: usize = 64;
-/// Poses whose covariances with each other are summed.
+/// Number of poses whose mutual covariances are summed at once.
 const SUMMED: usize = 200;
-/// Fall of −2 ln L that noise alone exceeds in one of hundred campaigns: chi-square of two more
+/// Fall of −2 ln L that noise alone exceeds in one of a hundred campaigns: chi-square of two more
 /// parameters, variance and length.
 const SIGNIFICANT: f64 = 9.21;
-/// Rise of −2 ln L up to which variance and length are as probable as the best but for chance, once
-/// in a thousand (chi-square of two).
+/// Rise of −2 ln L up to which variance and length are compatible with the best ones, at a level of
+/// 0.1 % (chi-square of two).
 const AS_PROBABLE: f64 = 13.82;
-/// Readings at fewer poses show no field.
+/// Minimum number of poses for a field.
 const FEWEST: usize = 8;
 
-/// The field that the residuals of a solution show.
+/// The field in the residuals of a solution.
 pub(crate) struct Field {
     /// Jᵀ V J of the readings with the covariance V of the field, and with that of the white rest.
     parts: [DMatrix<f64>; 2],
@@ -37,7 +36,7 @@ pub(crate) struct Field {
     degrees: [f64; 2],
 }
 
-/// A pose: its joints, in which lengths are alike, and the rows of its readings.
+/// A pose: its joint values and the rows of its readings.
 struct Pose {
     joints: Vec<f64>,
     /// First row and number of readings.
@@ -45,8 +44,8 @@ struct Pose {
     readings: usize,
 }
 
-/// Rows along one axis with one column for each parameter and the residuals behind: sums over the
-/// readings of a pose.
+/// Rows along one axis, with one column for each parameter and the residuals as the last column:
+/// sums over the readings of a pose.
 struct Sums {
     axes: Vec<DMatrix<f64>>,
 }
@@ -61,8 +60,8 @@ struct Estimate {
 }
 
 impl Field {
-    /// Field of residuals with this Jacobian, a row for each residual; `None` if readings are not
-    /// coordinates in one unit, or show no field.
+    /// Field of residuals; the Jacobian has one row per residual. `None` if readings are not
+    /// coordinates in one unit, or if no field is detected.
     pub fn new(problem: &Residuals, residuals: &[f64], jacobian: &[f64]) -> Option<Self> {
         let poses = poses(problem)?;
         let n = jacobian.len() / residuals.len();
@@ -97,7 +96,7 @@ impl Field {
         Some(Self { parts: [of_field, of_rest], degrees })
     }
 
-    /// Covariance of the parameters by the readings, A⁻¹ Jᵀ V J A⁻¹ with A⁻¹ = `inverse`, and the
+    /// Covariance of the parameters from the readings, A⁻¹ Jᵀ V J A⁻¹ with A⁻¹ = `inverse`, and the
     /// effective degrees of freedom of each variance (Satterthwaite; GUM G.4.1).
     pub fn covariance(&self, inverse: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = inverse.len().isqrt();
@@ -111,8 +110,7 @@ impl Field {
     }
 }
 
-/// Poses with readings; `None` where residuals are not coordinates, or have covariances of their
-/// own.
+/// Poses with readings; `None` if residuals are not coordinates, or have their own covariances.
 fn poses(problem: &Residuals) -> Option<Vec<Pose>> {
     if !problem.is_coordinates() || problem.is_whitened() || problem.is_weighted() {
         return None;
@@ -135,8 +133,8 @@ fn poses(problem: &Residuals) -> Option<Vec<Pose>> {
     (all.len() >= FEWEST).then_some(all)
 }
 
-/// Subset of many poses that is spread over all, each with its nearest neighbour: it shows both
-/// length scales and noise.
+/// Subset of many poses that is spread over all poses, each with its nearest neighbour: it shows
+/// both length scales and noise.
 fn near_each_other(poses: &[Pose]) -> Vec<&Pose> {
     if poses.len() <= ESTIMATED_FROM {
         return poses.iter().collect();
@@ -190,7 +188,7 @@ impl Rows<'_> {
         Sums { axes }
     }
 
-    /// Rows behind the readings: what is stated, and nominal values.
+    /// Rows after the readings: stated values and nominal values.
     fn stated(&self, measured: usize) -> DMatrix<f64> {
         let count = self.residuals.len() - measured;
         let of = |i: usize, j: usize| match j {
@@ -200,7 +198,7 @@ impl Rows<'_> {
         DMatrix::from_fn(count, self.n + 1, of)
     }
 
-    /// Variance of readings about the means of their poses; 0 where there is one reading a pose.
+    /// Variance of readings about the means of their poses; 0 with one reading per pose.
     fn differences(&self, means: &Sums, measured: usize) -> f64 {
         let of_means: f64 = means.axes.iter().map(|axis| axis.column(self.n).norm_squared()).sum();
         let rows = measured - means.axes.iter().map(DMatrix::nrows).sum::<usize>();
@@ -209,7 +207,7 @@ impl Rows<'_> {
     }
 }
 
-/// The estimate of largest restricted likelihood; `None` where white residuals are as probable.
+/// The estimate of largest restricted likelihood; `None` if white residuals are equally probable.
 fn estimate(poses: &[&Pose], sums: &Sums, stated: &DMatrix<f64>) -> Option<Estimate> {
     let readings: Vec<f64> = poses.iter().map(|p| (p.readings as f64).sqrt()).collect();
     let white = improbability(&DMatrix::zeros(poses.len(), poses.len()), sums, stated)?;
@@ -242,8 +240,8 @@ fn estimate(poses: &[&Pose], sums: &Sums, stated: &DMatrix<f64>) -> Option<Estim
     as_probable.max_by(|a, b| spread(a).total_cmp(&spread(b))).copied()
 }
 
-/// −2 ln of the restricted likelihood but for a constant, and the variance of a white residual at
-/// which it is largest, with the field's covariance `shared` over that variance.
+/// −2 ln of the restricted likelihood without a constant, and the variance of a white residual at
+/// its maximum, for the covariance `shared` of the field relative to this variance.
 fn improbability(shared: &DMatrix<f64>, sums: &Sums, stated: &DMatrix<f64>) -> Option<(f64, f64)> {
     let (poses, n) = (shared.nrows(), stated.ncols() - 1);
     let root = Cholesky::new(shared + DMatrix::identity(poses, poses))?;
@@ -262,7 +260,7 @@ fn improbability(shared: &DMatrix<f64>, sums: &Sums, stated: &DMatrix<f64>) -> O
     (degrees >= 1.0 && white > 0.0).then(|| (degrees * white.ln() + determinants, white))
 }
 
-/// Effective degrees of freedom of the variance of the field and of the white one: twice the
+/// Effective degrees of freedom of the variance of the field and of the white residuals: twice the
 /// information on its logarithm.
 fn degrees(poses: &[&Pose], found: &Estimate, dimension: usize, parameters: usize) -> [f64; 2] {
     let correlation = correlation(poses, found.length) * found.ratio;

@@ -25,7 +25,7 @@ pub const CRITICAL_W: f64 = 3.290_526_731_491_9;
 /// [`BETA_0`]: that quantile and the one of the power.
 const DELTA_0: f64 = CRITICAL_W + 0.841_621_233_572_914;
 
-/// Control of a reading by the others; the worst of its coordinates.
+/// Control of a reading by the others, for its worst coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReadingReliability {
     /// Redundancy number r = 1 - h, from 0 (nothing controls it) to 1: the share of an error that
@@ -33,8 +33,8 @@ pub struct ReadingReliability {
     pub redundancy: f64,
     /// Largest residual over its standard deviation σ √r.
     pub w: f64,
-    /// Least error of a coordinate that is detected with a power of 80 % (significance level 0.1
-    /// %): 4.13 σ / √r, mm.
+    /// Smallest error (mm) of a coordinate that is detected with a power of 80 % (significance
+    /// level 0.1 %): 4.13 σ / √r.
     pub detectable_mm: f64,
 }
 
@@ -43,12 +43,13 @@ pub struct ReadingReliability {
 pub struct PoseInfluence {
     /// The pose.
     pub pose: PoseName,
-    /// Cook's distance of all its rows: the squared change of the parameters over n times their
-    /// covariance by the residuals; infinite where the other poses do not determine all parameters.
+    /// Cook's distance of all rows of the pose: the squared change of the parameters over n times
+    /// their covariance by the residuals; infinite if the other poses do not determine all
+    /// parameters.
     pub cooks_distance: f64,
     /// Index of the parameter that changes most over its standard uncertainty by the residuals.
     pub parameter: usize,
-    /// Its change, over that.
+    /// Change of this parameter over its standard uncertainty.
     pub change_over_u: f64,
 }
 
@@ -62,13 +63,14 @@ pub struct Reliability {
     /// Cook's distance beyond which a pose is influential: the median of F with n and m - n degrees
     /// of freedom (Cook 1977).
     pub influential: f64,
-    /// Standard deviation of a coordinate that it rests on: the stated one where that explains the
-    /// residuals, or theirs, mm.
+    /// Standard deviation (mm) of a coordinate: the stated one if it explains the residuals,
+    /// otherwise that of the residuals.
     pub sigma_mm: f64,
 }
 
 /// Reliability of the readings of an identification; `None` if they are weighted by their own
-/// covariances, have errors in common, are poses instead of positions, or unknown points are many.
+/// covariances, have errors in common, are poses instead of positions, or if many points are
+/// unknown.
 pub fn reliability(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -141,8 +143,8 @@ pub fn reliability(
 /// Redundancy numbers below this squared are rounding errors and count as zero.
 const NOTHING: f64 = 1e-6;
 
-/// Kᵀ (I − K Kᵀ)⁻¹ r: the step of the parameters, over F, when the rows K with residuals r are left
-/// out; `None` where the others do not determine all parameters.
+/// Kᵀ (I − K Kᵀ)⁻¹ r: the step of the parameters, over F, if the rows K with residuals r are left
+/// out; `None` if the others do not determine all parameters.
 fn without(k: &DMatrix<f64>, r: &DVector<f64>) -> Option<DVector<f64>> {
     let (m, n) = k.shape();
     let least = |rest: &Cholesky<f64, nalgebra::Dyn>| rest.l_dirty().diagonal().min() > NOTHING;

@@ -1,5 +1,5 @@
-//! A robust fit beside the plain one: what identified parameters would be if readings far from the
-//! others weighed little, and which poses disagree with the rest.
+//! A robust fit beside the plain one: parameters with a low weight for readings far from the
+//! others, and the poses that disagree with the rest.
 
 use crate::Result;
 use crate::model::residuals::{OF_MEDIAN, ResidualKind, Residuals};
@@ -15,16 +15,16 @@ use std::collections::BTreeMap;
 /// Constant of the Cauchy loss with which the estimate of normal residuals has [`EFFICIENCY`]
 /// (Holland & Welsch 1977, Robust regression using iteratively reweighted least-squares).
 pub(crate) const CAUCHY: f64 = 2.385;
-/// Variance of the plain estimate to that of the robust one, of normal residuals.
+/// Variance of the plain estimate relative to that of the robust one, for normal residuals.
 const EFFICIENCY: f64 = 0.95;
-/// Probability with which a parameter of a right model, or a pose, is said to disagree.
+/// Significance level at which a parameter or a pose disagrees.
 const SIGNIFICANCE: f64 = 0.01;
-/// Fits, each with the scale that the one before it shows.
+/// Number of fits, each with the scale of the previous one.
 const FITS: usize = 3;
-/// Residuals count up to here, over their standard deviation, in the scatter of the poses: gross
-/// errors must not make the difference that they cause look probable.
+/// Cap of the residuals, in standard deviations, in the scatter of the poses: gross errors must not
+/// make the difference that they cause look probable.
 const CLIPPED: f64 = 2.5;
-/// Regions of the joints per parameter, where poses are many.
+/// Regions of joint space per parameter, if poses are many.
 const REGIONS_PER_PARAMETER: usize = 3;
 
 /// A parameter in both fits.
@@ -34,12 +34,12 @@ pub struct RobustChange {
     pub parameter: usize,
     /// Robust minus plain value (mm, rad, 1).
     pub difference: f64,
-    /// Standard uncertainty of this difference where no reading is wrong (mm, rad, 1).
+    /// Standard uncertainty of this difference without wrong readings (mm, rad, 1).
     pub u: f64,
 }
 
 impl RobustChange {
-    /// The difference over its standard uncertainty, without sign.
+    /// Absolute difference over its standard uncertainty.
     pub fn over_u(&self) -> f64 {
         (self.difference / self.u).abs()
     }
@@ -50,28 +50,29 @@ impl RobustChange {
 pub struct PoseWeight {
     /// The pose.
     pub pose: PoseName,
-    /// Least weight of its residuals, from 0 to 1: 1 / (1 + (r / c σ)²).
+    /// Smallest weight of its residuals, from 0 to 1: 1 / (1 + (r / c σ)²).
     pub weight: f64,
-    /// The residual that has it, over σ.
+    /// Residual with this weight, over σ.
     pub residual_over_sigma: f64,
 }
 
 /// A robust fit beside the plain one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RobustComparison {
-    /// All parameters of the robot by the robust fit (mm, rad, 1).
+    /// All parameters of the robot from the robust fit (mm, rad, 1).
     pub values: Vec<f64>,
     /// The identified parameters, in their order.
     pub changes: Vec<RobustChange>,
-    /// A difference over its standard uncertainty that no parameter of a right model exceeds with a
-    /// probability of 99 %.
+    /// Limit of a difference over its standard uncertainty. With a correct model no parameter
+    /// exceeds this limit, with a probability of 99 %.
     pub critical: f64,
-    /// The poses, of the least weight first.
+    /// The poses, in ascending order of their weight.
     pub poses: Vec<PoseWeight>,
-    /// A residual over σ that no residual of a right model exceeds with a probability of 99 %.
+    /// Limit of a residual over σ. With a correct model no residual exceeds this limit, with a
+    /// probability of 99 %.
     pub critical_residual: f64,
-    /// Standard deviation σ of a coordinate by most residuals, or the stated one where that is
-    /// more, mm.
+    /// Standard deviation σ (mm) of a coordinate from most residuals, or the stated one if that is
+    /// larger.
     pub sigma_mm: f64,
 }
 
@@ -79,7 +80,7 @@ impl RobustComparison {
     /// The constant c of the Cauchy loss.
     pub const CONSTANT: f64 = CAUCHY;
 
-    /// The parameter that differs most, if it does beyond chance.
+    /// The parameter with the largest difference, if it exceeds chance.
     pub fn significant(&self) -> Option<&RobustChange> {
         let largest = self.changes.iter().max_by(|a, b| a.over_u().total_cmp(&b.over_u()))?;
         (largest.over_u() > self.critical).then_some(largest)
@@ -102,7 +103,7 @@ impl RobustComparison {
 /// a larger one (A⁻¹ Σ hₚ hₚᵀ A⁻¹ with hₚ = Jₚᵀ (ψ(r)/ψ̄' − r)ₚ), it is that.
 ///
 /// # Errors
-/// Settings and observations that do not go together.
+/// Fails if settings and observations do not match.
 pub fn robust_comparison(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -181,8 +182,8 @@ pub(crate) fn quantile(probability: f64, count: usize, degrees: Option<f64>) -> 
     }
 }
 
-/// Standard uncertainties of robust minus plain parameters, of residuals `r` over their standard
-/// deviation, which is taken as 1.
+/// Standard uncertainties of robust minus plain parameters, for residuals `r` in units of their
+/// standard deviation.
 fn differences(problem: &Residuals, x: &[f64], r: &[f64], n: usize) -> Option<Vec<f64>> {
     let (factor, norms) = factor_at(problem, x);
     let inverse = DMatrix::from_row_slice(n, n, &covariance(&factor, &norms)?);

@@ -1,5 +1,5 @@
-//! Sums of squares of residuals over their variance: how probable they are, and how probably a
-//! change makes them larger.
+//! Sums of squares of residuals over their variance: their probability, and the probability that a
+//! change increases them.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 use statrs::function::{beta::beta_reg, gamma::gamma_lr};
@@ -14,7 +14,7 @@ pub enum Variance {
 }
 
 impl Variance {
-    /// Probability that `dof` squares of a right model add up to more than `sum`.
+    /// Probability that `dof` squares of a correct model exceed `sum`.
     pub fn exceedance(self, sum: f64, dof: usize) -> f64 {
         let k = dof as f64;
         let above = match self {
@@ -27,7 +27,7 @@ impl Variance {
         above.unwrap_or(f64::NAN)
     }
 
-    /// The sum of `dof` squares that a right model exceeds with `probability`.
+    /// The sum of `dof` squares that a correct model exceeds with `probability`.
     pub fn bound(self, probability: f64, dof: usize) -> f64 {
         bisect(|sum| self.exceedance(sum, dof) < probability)
     }
@@ -59,8 +59,8 @@ impl Variance {
     }
 }
 
-/// Probabilities of a family of tests, corrected for their number (Holm 1979): whatever the tests
-/// have in common, none of the unchanged is called changed with 95 %. In the order of `p`.
+/// Probabilities of a family of tests, corrected for their number (Holm 1979): whatever the
+/// dependence of the tests, no unchanged quantity is called changed with 95 %. In the order of `p`.
 pub fn holm(p: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..p.len()).collect();
     order.sort_by(|&a, &b| p[a].total_cmp(&p[b]));
@@ -73,7 +73,7 @@ pub fn holm(p: &[f64]) -> Vec<f64> {
     corrected
 }
 
-/// The least non-negative number for which this holds, as it does for all larger ones.
+/// Smallest non-negative number for which the condition holds, as it does for all larger ones.
 pub(crate) fn bisect(holds: impl Fn(f64) -> bool) -> f64 {
     let mut upper = 1.0;
     while !holds(upper) {

@@ -1,5 +1,5 @@
-//! Stability: whether parameters from part of the poses differ from those of all poses by more than
-//! chance (Hausman 1978, Specification tests in econometrics).
+//! Stability: comparison of parameters from part of the poses with those from all poses (Hausman
+//! 1978, Specification tests in econometrics).
 
 use crate::Result;
 use crate::judgement::robust::quantile;
@@ -11,12 +11,12 @@ use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Probability with which a parameter of a right model is called unstable, all parameters and parts
-/// together.
+/// Significance level for calling a parameter of a correct model unstable, for all parameters and
+/// parts together.
 const SIGNIFICANCE: f64 = 0.01;
-/// Ratio of the variance by a part to that by all poses that is different from 1.
+/// Minimum ratio of the variance from a part to that from all poses that differs from 1.
 const LEAST_RATIO: f64 = 1.001;
-/// Ratio beyond which the part does not determine the parameter.
+/// Maximum ratio at which the part determines the parameter.
 const LARGEST_RATIO: f64 = 100.0;
 
 /// Dependence of a parameter on the poses from which it is identified.
@@ -24,22 +24,22 @@ const LARGEST_RATIO: f64 = 100.0;
 pub struct Stability {
     /// Index of the parameter.
     pub parameter: usize,
-    /// Value by a part of the poses minus value by all, over its standard deviation √(u_part² −
-    /// u_all²), without sign: the largest.
+    /// Largest absolute value of (value from a part of the poses minus value from all), over its
+    /// standard deviation √(u_part² − u_all²).
     pub over_sd: f64,
-    /// Difference that chance explains, with a probability of 99 % for all parameters together.
+    /// Largest difference by chance, with a probability of 99 % for all parameters together.
     pub limit: f64,
 }
 
 impl Stability {
-    /// `true` if chance explains the difference.
+    /// `true` if the difference is within chance.
     pub fn is_stable(&self) -> bool {
         self.over_sd <= self.limit
     }
 }
 
-/// The poses of the first and of the second half of the observations, in their order: what drifts
-/// differs between these.
+/// The poses of the first and of the second half of the observations, in their order: a drift shows
+/// as a difference between these.
 pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTreeSet<PoseName>> {
     let mut seen = BTreeSet::new();
     let all = observations.iter().map(|o| o.pose).chain(conditions.iter().map(|c| c.pose));
@@ -56,7 +56,7 @@ pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTr
 /// scatter to estimate u_part from.
 ///
 /// # Errors
-/// Settings and observations that do not go together.
+/// Fails if settings and observations do not match.
 pub fn stability(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -94,11 +94,11 @@ pub fn stability(
     Ok(largest.into_iter().map(of).collect())
 }
 
-/// The parameters by some of the observations, to first order about those by all: identified again
-/// by few poses they move far along what these hardly determine, where no standard deviation
-/// describes them.
+/// The parameters from some of the observations, to first order about those from all: a new
+/// identification from few poses would move far along poorly determined directions, for which a
+/// standard deviation has no meaning.
 struct Linear {
-    /// Step to the parameters by these observations, from those by all.
+    /// Step from the parameters of all observations to those of these observations.
     step: Vec<f64>,
     /// Variances with residuals of unit variance.
     variances: Vec<f64>,

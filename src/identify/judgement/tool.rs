@@ -29,9 +29,9 @@ pub enum ToolFrame {
 /// A point that moves with the tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToolPoint {
-    /// Its place in `frame`, mm.
+    /// Position (mm) in `frame`.
     pub point_mm: Vector,
-    /// Part whose frame the point is stated in.
+    /// Part in whose frame the point is stated.
     pub frame: ToolFrame,
     /// Standard uncertainty of one of its coordinates, mm.
     pub standard_uncertainty_mm: f64,
@@ -40,8 +40,8 @@ pub struct ToolPoint {
 /// The expected error at one pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToolError {
-    /// Predicted with the parameters before minus predicted with the identified ones, in the base
-    /// frame, mm.
+    /// Position predicted with the parameters before minus that with the identified ones, in the
+    /// base frame (mm).
     pub before_mm: Vector,
     /// Standard uncertainty (mm) of the position from the parameters: root of the trace of its
     /// covariance.
@@ -63,7 +63,7 @@ impl ToolPoint {
         Some(Self { point_mm: [0.0; 3], frame: ToolFrame::Platform, standard_uncertainty_mm: 0.0 })
     }
 
-    /// Its place in the base frame of `robot`, mm.
+    /// Position (mm) in the base frame of `robot`.
     pub fn in_base(&self, robot: &dyn Robot, values: &[f64], joints: &[f64]) -> Result<Vector> {
         let values = without_base(robot, values);
         let lacks = |part| Error::NoSuchPart { model: robot.model().to_owned(), part };
@@ -101,7 +101,7 @@ impl ToolPoint {
         }))
     }
 
-    /// Derivatives of [`Self::in_base`] by all parameters: three rows.
+    /// Derivatives of [`Self::in_base`] with respect to all parameters: three rows.
     fn jacobian(&self, robot: &dyn Robot, values: &[f64], joints: &[f64]) -> Result<Vec<Vector>> {
         let mut values = without_base(robot, values);
         let (n, d) = (values.len(), robot.dimension());
@@ -189,18 +189,18 @@ impl ToolPrediction<'_> {
     }
 }
 
-/// A parameter that is held because the data do not determine it, and how the identified ones
-/// follow it.
+/// A parameter that is held because the data do not determine it, and the response of the
+/// identified parameters to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Held {
     /// Its index.
     pub parameter: usize,
-    /// Derivatives of the identified parameters by it, in their order.
+    /// Derivatives of the identified parameters with respect to it, in their order.
     pub compensation: Vec<f64>,
 }
 
 /// The parameters with a nominal value that `found` holds because `observations` do not determine
-/// them. Those of an arm that are redundant with its base or its targets are not among them: held,
+/// them. Parameters of an arm that are redundant with its base or its targets are excluded: held,
 /// they define the frames of base and flange.
 pub fn held(
     robot: &dyn Robot,
@@ -251,8 +251,8 @@ fn of_roles(robot: &dyn Robot, mut columns: Vec<Vector>, roles: &[Role]) -> Vec<
     columns
 }
 
-/// Displacement by the body of the point `at`, from points at `places` that are `moved`: shift of
-/// their centre and the best rotation. For the first of the points it is its own displacement.
+/// Displacement of the point `at` with the body, from points at `places` that are `moved`: shift of
+/// their centre and best rotation. The first of the points has its own displacement.
 fn carried(places: &[Vector], moved: &[Vector], at: Vector, at_first: bool) -> Vector {
     if at_first {
         return moved[0];

@@ -26,28 +26,27 @@ use std::collections::BTreeMap;
 /// Source of the standard uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UncertaintyFrom {
-    /// The stated uncertainty of the instrument: chi-square does not reject the model.
+    /// Stated uncertainty of the instrument; chi-square does not reject the model.
     Instrument,
-    /// The residuals, each taken as independent of the others.
+    /// Residuals, taken as independent.
     Residuals,
-    /// The residuals, those of one pose taken together: errors of the robot are common to all
-    /// targets and repeats of a pose (cluster-robust covariance, Liang & Zeger 1986).
+    /// Residuals, grouped by pose: errors of the robot are common to all targets and repeats of a
+    /// pose (cluster-robust covariance, Liang & Zeger 1986).
     ResidualsByPose,
-    /// The residuals, those of one region of the joints taken together: what the model leaves out
-    /// is common to neighbouring poses (Conley 1999 for errors that are correlated in space;
-    /// clusters as above).
+    /// Residuals, grouped by region of joint space: the model error is common to neighbouring poses
+    /// (Conley 1999 for errors that are correlated in space; clusters as above).
     ResidualsByRegion,
-    /// Nothing: there are as many equations as parameters, and no uncertainty is stated.
+    /// No source: there are as many equations as parameters, and no uncertainty is stated.
     Nothing,
 }
 
 /// Parameters of a group that a message names.
 const NAMED: usize = 40;
-/// Regions of the joints per parameter whose scatter gives a covariance, where there are poses for
-/// twice as many.
+/// Regions of joint space per parameter whose scatter gives a covariance, if there are twice as
+/// many poses.
 const REGIONS_PER_PARAMETER: usize = 3;
 
-/// The identification that a solution is, with its uncertainty.
+/// Creates the identification of a solution, with its uncertainty.
 pub(crate) fn with_uncertainty(
     robot: &dyn Robot,
     (observations, systematic): (&[Observation], &Systematic),
@@ -136,7 +135,7 @@ pub(crate) fn with_uncertainty(
     })
 }
 
-/// Observability of the measurements alone, and the parameters that they determine weakly.
+/// Observability by the measurements alone, and the weakly determined parameters.
 fn observability(
     problem: &Residuals,
     solution: &Solution,
@@ -186,7 +185,7 @@ fn of_chi_square(chi: f64, dof: usize, inflation_factor: f64, from: UncertaintyF
     }
 }
 
-/// A covariance, and what it rests on.
+/// A covariance and its source.
 pub(crate) struct Found {
     from: UncertaintyFrom,
     covariance: Option<Vec<f64>>,
@@ -206,8 +205,8 @@ impl Found {
     }
 }
 
-/// Covariance and chi-square by the stated uncertainty of the instrument, and of the frames that
-/// place single poses.
+/// Covariance and chi-square from the stated uncertainty of the instrument, and of the frames of
+/// single poses.
 fn from_instrument(
     (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
     settings: &Settings,
@@ -251,7 +250,7 @@ fn from_residuals(
 }
 
 /// Covariance from the scatter of poses whose readings share errors. Shared errors may be too small
-/// for chi-square and yet be in every reading.
+/// for chi-square and still affect every reading.
 fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
     let (found, clusters) = by_cluster(problem, solution, jacobian).filter(|found| found.1.exceeds())?;
     let warning = warning!("pose-residuals-correlated", ratio = clusters.ratio.sqrt());
@@ -288,8 +287,8 @@ pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f
     Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
 }
 
-/// Covariance and degrees of freedom of all parameters, from those that the readings give of the
-/// ones that are left after elimination.
+/// Covariance and degrees of freedom of all parameters, from those of the parameters that remain
+/// after elimination.
 fn completed(
     (problem, solution): (&Residuals, &Solution),
     Remaining { jacobian, inverse, .. }: &Remaining,
@@ -324,7 +323,7 @@ fn completed(
     Some((covariance, degrees))
 }
 
-/// Messages about stated shapes that the measurements contradict.
+/// Messages about stated shapes that contradict the measurements.
 fn contradictions(
     problem: &Residuals,
     solution: &Solution,

@@ -18,22 +18,22 @@ use etalon_robots::Robot;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 use statrs::function::erf::erfc;
 
-/// Significance level: a robot that has not changed is called changed this often.
+/// Significance level: share of unchanged robots that are called changed.
 pub const SIGNIFICANCE: f64 = 0.05;
-/// Power for which the least detectable change is stated.
+/// Power for which the smallest detectable change is stated.
 pub const POWER: f64 = 0.95;
-/// Power to name the right joint for which the least change is stated.
+/// Probability of naming the right joint for which the smallest change is stated.
 pub const NAMING: f64 = 0.9;
-/// A change explains the residuals where what it leaves is more probable than this.
+/// Minimum probability of the remaining residuals with which a change explains them.
 pub const EXPLAINED: f64 = 0.01;
-/// A step of the most probable values, over their uncertainty, that is the last.
+/// Convergence tolerance: step length in standard uncertainties.
 const SETTLED: f64 = 1e-10;
-/// Steps towards a large motion.
+/// Maximum number of steps towards a large motion.
 const ITERATIONS: usize = 20;
-/// A step that explains less than this of the sum of squares is the last.
+/// Convergence tolerance: explained share of the sum of squares.
 const CONVERGED: f64 = 1e-3;
-/// Directions of changes that the observations show less than this, over the best shown, are not
-/// shown.
+/// Directions of changes whose information, relative to the largest, is below this are
+/// unobservable.
 const RANK: f64 = 1e-10;
 
 /// Parameters as they were identified.
@@ -41,16 +41,16 @@ const RANK: f64 = 1e-10;
 pub struct GivenParameters {
     /// All parameters of the robot in its order (mm, rad, 1).
     pub values: Vec<f64>,
-    /// Indices of those that have an uncertainty: the order of `covariance`.
+    /// Indices of the parameters with an uncertainty, in the order of `covariance`.
     pub free: Vec<usize>,
-    /// Their covariance, row by row (mm, rad, 1).
+    /// Covariance of these, row by row (mm, rad, 1).
     pub covariance: Vec<f64>,
 }
 
 /// Candidate for a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moved {
-    /// The base, or what the world frame is made of: a shift and a rotation.
+    /// The base, or the origin of the world frame: a shift and a rotation.
     Base,
     /// The zero of a joint, by its index.
     Joint(usize),
@@ -61,31 +61,31 @@ pub enum Moved {
 /// Size of a change if it is the only one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
-    /// What.
+    /// Changed part.
     pub moved: Moved,
     /// Change: of the base a shift (mm) at its origin and a rotation vector (rad) in the world, x y
     /// and z of both, or x, y and the angle in the plane; of a joint its value (mm or rad); of a
     /// target x y z on the part (mm).
     pub change: Vec<f64>,
-    /// Standard uncertainties of these; infinite where the observations do not show them.
+    /// Standard uncertainties of the change; infinite for unobservable values.
     pub standard_uncertainty: Vec<f64>,
-    /// Probability of residuals as large as those that it leaves.
+    /// Probability of residuals as large as the remaining ones.
     pub p_left: f64,
     /// Share of the sum of squares that the change explains.
     pub explained: f64,
 }
 
-/// The least change that is detected with the probability [`POWER`], were it this alone; infinite
-/// where the observations do not show it.
+/// The smallest change that is detected with the probability [`POWER`], if it is the only one;
+/// infinite if the observations do not show it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Detectable {
     /// Changed part.
     pub moved: Moved,
-    /// Detectable change: of the base the least visible shift (mm) and a rotation about its axis
+    /// Detectable change: of the base the smallest visible shift (mm) and a rotation about its axis
     /// (rad); of a joint its value (mm or rad).
     pub change: Vec<f64>,
-    /// The least change of a joint that is detected and taken for that of no other joint with the
-    /// probability [`NAMING`] (separability, Förstner 1983); infinite where another joint moves all
+    /// The smallest change of a joint that is detected and attributed to no other joint with the
+    /// probability [`NAMING`] (separability, Förstner 1983); infinite if another joint moves all
     /// targets alike.
     pub named: Option<f64>,
 }
@@ -95,9 +95,9 @@ pub struct Detectable {
 pub struct Test {
     /// Sum of squares over their variance.
     pub sum: f64,
-    /// Its degrees of freedom.
+    /// Degrees of freedom of this sum.
     pub degrees_of_freedom: usize,
-    /// Probability of a larger one if nothing has changed.
+    /// Probability of a larger sum if nothing has changed.
     pub p_value: f64,
 }
 
@@ -106,11 +106,11 @@ pub struct Test {
 pub struct Verification {
     /// Residuals that changes of base and joints could make.
     pub of_changes: Test,
-    /// All others.
+    /// All other residuals.
     pub of_rest: Test,
     /// Probability of both, if nothing has changed.
     pub p_value: f64,
-    /// Root mean square of a coordinate's residual, mm.
+    /// Root mean square (mm) of the residual of a coordinate.
     pub rms_mm: f64,
     /// Expected root mean square (mm) if nothing has changed.
     pub expected_rms_mm: f64,
@@ -140,18 +140,19 @@ pub struct Comparison<'a> {
     pub robot: &'a dyn Robot,
     /// Observations.
     pub observations: &'a [Observation],
-    /// State the standard uncertainty of a coordinate.
+    /// Settings, which must state the standard uncertainty of a coordinate.
     pub settings: &'a Settings,
     /// The parameters.
     pub given: &'a GivenParameters,
 }
 
 impl Comparison<'_> {
-    /// Compares the observations with the given parameters; `variance` states what the standard
-    /// uncertainty of a coordinate rests on.
+    /// Compares the observations with the given parameters; `variance` is the source of the
+    /// standard uncertainty of a coordinate.
     ///
-    /// # Errors No standard uncertainty, joint values at which the robot cannot be, or a covariance
-    /// that is not positive definite.
+    /// # Errors
+    /// Fails without a standard uncertainty, at joint values at which the robot has no pose, and
+    /// with a covariance that is not positive definite.
     pub fn verify(self, variance: Variance) -> Result<Verification> {
         let space = Space::new(self)?;
         let all = space.columns();
@@ -198,21 +199,21 @@ impl Comparison<'_> {
         })
     }
 
-    /// The p value of [`Self::verify`] alone.
+    /// Returns the p value of [`Self::verify`] alone.
     ///
     /// # Errors
-    /// As there.
+    /// Fails like [`Self::verify`].
     pub fn p_value(self, variance: Variance) -> Result<f64> {
         let space = Space::new(self)?;
         let [of_changes, of_rest] = space.tests(&space.columns(), variance);
         Ok(Test::together(&of_changes, &of_rest))
     }
 
-    /// The least changes that observations at these poses would detect, wherever their targets are
-    /// measured; as [`Self::verify`] states them.
+    /// Smallest changes that observations at these poses would detect, wherever their targets are
+    /// measured, as in [`Self::verify`].
     ///
     /// # Errors
-    /// As there.
+    /// Fails like [`Self::verify`].
     pub fn detectable(self, variance: Variance) -> Result<Vec<Detectable>> {
         let space = Space::new(self)?;
         let all = space.columns();
@@ -220,12 +221,12 @@ impl Comparison<'_> {
         Ok(space.detectable(&all, &Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom)))
     }
 
-    /// The most probable values of all parameters by the observations and by the covariance that
-    /// they were given with: x = x₀ + L z with z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by Gauss and Newton's
+    /// Most probable values of all parameters for the observations and the covariance of the given
+    /// parameters: x = x₀ + L z with z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by the Gauss-Newton
     /// method.
     ///
     /// # Errors
-    /// As [`Self::verify`].
+    /// Fails like [`Self::verify`].
     pub fn most_probable(self) -> Result<Vec<f64>> {
         let given = self.given;
         let mut place = given.clone();
@@ -245,8 +246,8 @@ impl Comparison<'_> {
         Ok(place.values)
     }
 
-    /// The motion that explains most, where it is too large to be linear, by Gauss and Newton's
-    /// method; `None` where that does not end.
+    /// The motion with the largest explained share, if it is too large to be linear, by the
+    /// Gauss-Newton method; `None` if this does not converge.
     fn refine(self, moved: Moved, variance: Variance, whole: f64) -> Option<Explanation> {
         let mut change = vec![0.0; 3];
         let mut motion = Pose::identity();
@@ -303,9 +304,10 @@ struct Limits {
     variance: Variance,
     dof: usize,
     bound: f64,
-    /// Probability that the rest, which no change affects, is within its bound.
+    /// Probability that the rest, which no change affects, is within its limit.
     quiet: f64,
-    /// Noncentrality that is detected with [`POWER`]; infinite if the observations show no change.
+    /// Noncentrality that is detected with [`POWER`]; infinite if the observations do not show the
+    /// change.
     detected: f64,
 }
 
@@ -322,12 +324,12 @@ impl Limits {
         limits
     }
 
-    /// The probability to call a robot changed whose change adds this noncentrality.
+    /// Probability of calling a robot changed whose change adds this noncentrality.
     fn power(&self, noncentrality: f64) -> f64 {
         1.0 - self.quiet * (1.0 - self.variance.power(self.bound, self.dof, noncentrality))
     }
 
-    /// The least change along the direction of these columns that shows least.
+    /// The smallest detectable change along the least visible direction of these columns.
     fn detectable(&self, information: &DMatrix<f64>, first: usize, count: usize) -> f64 {
         let own = information.view((first, first), (count, count)).into_owned();
         let (shown, least) = (own.trace(), SymmetricEigen::new(own).eigenvalues.min());
@@ -337,7 +339,7 @@ impl Limits {
         (self.detected / least).sqrt()
     }
 
-    /// The least change of one column that is detected and that no other one explains better.
+    /// The smallest change of one column that is detected and that no other column explains better.
     fn named(&self, information: &DMatrix<f64>, column: usize, others: &[usize]) -> f64 {
         let own = information[(column, column)];
         // two estimates that are correlated by ρ change places with the probability Φ(−√(λ (1 −
@@ -370,19 +372,19 @@ struct Space<'a> {
     x: Vec<f64>,
     /// Measured minus predicted values.
     r: DVector<f64>,
-    /// Root L of the covariance, a row for each of `x`.
+    /// Root L of the covariance, a row for each element of `x`.
     root: DMatrix<f64>,
     b: DMatrix<f64>,
     inner: Option<Cholesky<f64, Dyn>>,
 }
 
-/// Columns of all changes, and the first of each with their number.
+/// Columns of all changes, with the first column and the number of columns of each.
 struct Columns {
     columns: DMatrix<f64>,
     parts: Vec<(Moved, usize, usize)>,
 }
 
-/// The change that explains most, by generalised least squares.
+/// The change with the largest explained share, by generalised least squares.
 struct Fit {
     change: DVector<f64>,
     standard_uncertainty: Vec<f64>,
@@ -434,7 +436,7 @@ impl<'a> Space<'a> {
         }
     }
 
-    /// The least of these changes that are detected.
+    /// The smallest detectable change of each of these.
     fn detectable(&self, all: &Columns, limits: &Limits) -> Vec<Detectable> {
         let information = all.columns.transpose() * self.solve(&all.columns);
         let of = |&(moved, first, count): &(Moved, usize, usize)| {
@@ -455,7 +457,7 @@ impl<'a> Space<'a> {
         r.dot(&self.solve(&r))
     }
 
-    /// The tests of what these changes can make, and of the rest.
+    /// The tests of the residuals that these changes can cause, and of the rest.
     fn tests(&self, all: &Columns, variance: Variance) -> [Test; 2] {
         let fit = self.fit(&all.columns);
         let rest = (self.sum() - fit.explained).max(0.0);
@@ -466,7 +468,7 @@ impl<'a> Space<'a> {
         })
     }
 
-    /// Root mean square of a coordinate's residual, and what is expected of it, mm.
+    /// Root mean square (mm) of the residual of a coordinate, and its expected value.
     fn rms_mm(&self) -> [f64; 2] {
         let (n, d) = (self.r.len(), self.of.robot.dimension());
         let mut r = vec![0.0; n];
@@ -486,7 +488,7 @@ impl<'a> Space<'a> {
         [unit2 * squares, measured + unit2 * ours.norm_squared()].map(|sum| (sum / n as f64).sqrt())
     }
 
-    /// Derivatives of measured minus predicted values by base and joints.
+    /// Derivatives of measured minus predicted values with respect to base and joints.
     fn columns(&self) -> Columns {
         let m = self.r.len();
         let frame = DMatrix::from_row_slice(m, 6, &self.problem.frame_jacobian(&self.x, None));
@@ -514,7 +516,7 @@ impl<'a> Space<'a> {
         Columns { columns: all, parts: parts.collect() }
     }
 
-    /// Derivatives of measured minus predicted values by one of these.
+    /// Derivatives of measured minus predicted values with respect to one of these.
     fn columns_of(&self, moved: Moved) -> Option<DMatrix<f64>> {
         if let Moved::Target(k) = moved {
             return self.targets().into_iter().find(|(target, _)| *target == k).map(|(_, columns)| columns);
@@ -524,8 +526,8 @@ impl<'a> Space<'a> {
         Some(all.columns.columns(first, count).into_owned())
     }
 
-    /// Derivatives of measured minus predicted values by the position of each target on the part,
-    /// if the model has these parameters.
+    /// Derivatives of measured minus predicted values with respect to the position of each target
+    /// on the part, if the model has these parameters.
     fn targets(&self) -> Vec<(usize, DMatrix<f64>)> {
         let Some(arm) = self.of.robot.free_base() else { return Vec::new() };
         let of = |target: usize| {
@@ -567,7 +569,7 @@ impl<'a> Space<'a> {
     }
 }
 
-/// L with L Lᵀ the covariance, of one that rounding makes singular too.
+/// L with L Lᵀ equal to the covariance, also if rounding makes it singular.
 fn root(covariance: DMatrix<f64>) -> Result<DMatrix<f64>> {
     let scale = covariance.diagonal().map(|v| v.sqrt());
     let divided = DMatrix::from_fn(scale.len(), scale.len(), |i, j| match scale[i] * scale[j] {

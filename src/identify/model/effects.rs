@@ -1,29 +1,29 @@
-//! Physical effects of the parameters of a robot: from their columns of the Jacobian where these
-//! show the effect, otherwise from the model.
+//! Physical effects of the parameters of a robot: from their columns of the Jacobian, or from the
+//! model if the columns do not show the effect.
 
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 
 /// Minimum cosine between two columns of the Jacobian that count as one motion.
 const PARALLEL: f64 = 1e-9;
-/// Poses that are enough to tell.
+/// Number of poses that is sufficient for the decision.
 const POSES: usize = 24;
 
 /// Effects of the robot itself that are identified.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Effects {
-    /// All that the model has.
+    /// All effects of the model.
     #[default]
     All,
-    /// All but the transmission ratios of turning joints of arms, whose encoders count whole turns:
-    /// they have none to identify.
+    /// All effects except the transmission ratios of revolute joints of arms, whose encoders count
+    /// whole turns and therefore have no unknown ratio.
     Usual,
-    /// These.
+    /// These effects.
     These(Vec<Effect>),
 }
 
 impl Effects {
-    /// For each parameter of `robot`, `true` if it is identified at these joint values; parameters
-    /// of base, targets and fixtures always are.
+    /// For each parameter of `robot`, `true` if it is identified at these joint values; always
+    /// `true` for base, targets and fixtures.
     pub(crate) fn include<'j>(&self, robot: &dyn Robot, joints: impl Iterator<Item = &'j [f64]>) -> Vec<bool> {
         let parameters = robot.parameters();
         match self {
@@ -42,7 +42,7 @@ impl Effects {
     }
 }
 
-/// The effect of each parameter at poses with these joint values; `None` of base and targets.
+/// Effect of each parameter at poses with these joint values; `None` for base and targets.
 pub fn effects<'j>(robot: &dyn Robot, joints: impl Iterator<Item = &'j [f64]>) -> Vec<Option<Effect>> {
     effects_at(robot, &joints.collect::<Vec<_>>())
 }

@@ -1,5 +1,5 @@
-//! Unknowns that are eliminated block by block: targets, or fixed points and planes, of which each
-//! is in its own observations only.
+//! Unknowns that are eliminated block by block: targets, or fixed points and planes, each of which
+//! occurs only in its own observations.
 
 use crate::model::kinds::Condition;
 use crate::model::prior::Prior;
@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// Fewer unknown points than this stay with the other parameters.
+/// Minimum number of unknown points for elimination.
 const MANY: usize = 24;
 
 /// Positions of the derivatives by each parameter in a row.
@@ -18,14 +18,14 @@ const MANY: usize = 24;
 pub(crate) struct Layout {
     /// Columns and rows of the blocks.
     pub blocks: Blocks,
-    /// Block, where it has one, and place in the row of each parameter; `None` where it is not
+    /// Block and position in the row of each parameter, if it has a block; `None` if it is not
     /// free.
     pub places: Vec<Option<(Option<usize>, usize)>>,
 }
 
 impl Layout {
-    /// Layout of the residuals of an arm for its parameters `free`; `None` if such unknowns are
-    /// few, or if other residuals depend on them.
+    /// Layout of the residuals of an arm for its parameters `free`; `None` if there are few such
+    /// unknowns, or if other residuals depend on them.
     pub fn new(robot: &dyn Robot, free: &[usize], observations: &[Observation], settings: &Settings) -> Option<Self> {
         let arm = robot.free_base()?;
         if 3 * MANY > free.len() || settings.common_uncertainty_mm.is_some() || !settings.rigid.is_empty() {
@@ -77,19 +77,19 @@ impl Layout {
     }
 }
 
-/// A linear problem in the common parameters, after elimination of the blocks: rows of their own
-/// take part with what is left of them.
+/// A linear problem in the common parameters, after elimination of the blocks: rows with block
+/// unknowns contribute their remaining part.
 pub(crate) struct Remaining {
     /// Rows of the Jacobian of the common parameters.
     pub jacobian: Vec<f64>,
-    /// Residuals, made as large as errors are: those of one cluster and block by what the block
-    /// takes up of them.
+    /// Residuals, enlarged to the size of errors: those of one cluster and block by the share that
+    /// the block absorbs.
     pub residuals: Vec<f64>,
     /// (JᵀJ)⁻¹.
     pub inverse: Vec<f64>,
 }
 
-/// A cluster that determines this share of a block alone has no residuals there.
+/// Maximum share of a block that a cluster may determine alone to have residuals there.
 const ALONE: f64 = 0.99;
 
 impl Remaining {
@@ -139,8 +139,7 @@ impl Remaining {
     }
 }
 
-/// The unknowns that are eliminated: those of targets, or those that are fixed in the world,
-/// whichever are more.
+/// The unknowns to eliminate: those of targets, or those fixed in the world, whichever are more.
 struct Owners {
     targets: Vec<Range<usize>>,
     fixtures: BTreeSet<usize>,
@@ -179,7 +178,7 @@ impl Owners {
         }
     }
 
-    /// First of the unknowns that a condition shows.
+    /// First unknown on which a condition depends.
     fn of(&self, arm: &dyn FreeBase, c: &Condition) -> Option<usize> {
         let equation = c.kind.equation();
         match self.of_targets {

@@ -11,11 +11,11 @@ pub enum Fixture<'a> {
     /// The orientation on the flange of the body that carries a target: `TARGET_rx`, `TARGET_ry`,
     /// `TARGET_rz`, a rotation vector.
     Mounting(&'a str),
-    /// A plane, with its axis: for the z axis `NAME_slope_x`, `NAME_slope_y`, `NAME_z`: angles of
-    /// its traces in the planes through z, and where it meets z. Cyclic for the others.
+    /// A plane, with its axis. For the z axis: `NAME_slope_x`, `NAME_slope_y`, angles of its traces
+    /// in the planes through z, and `NAME_z`, its intersection with z. Cyclic for the others.
     Plane(&'a str, usize),
-    /// A line, with its axis: for the z axis `NAME_slope_x`, `NAME_slope_y`: its angles against z
-    /// in the planes through z; `NAME_x`, `NAME_y`: where it meets z = 0.
+    /// A line, with its axis. For the z axis: `NAME_slope_x`, `NAME_slope_y`, its angles against z
+    /// in the planes through z, and `NAME_x`, `NAME_y`, its intersection with z = 0.
     Line(&'a str, usize),
     /// The pose in the world of another station of the instrument: `NAME_x`, `NAME_y`, `NAME_z`,
     /// and a rotation vector `NAME_rx`, `NAME_ry`, `NAME_rz`.
@@ -27,8 +27,8 @@ pub enum Fixture<'a> {
 const STATION: &str = meaning("meaning-station-pose");
 
 impl Fixture<'_> {
-    /// Adds its parameters to those of `robot`, where it does not have them yet, and gives the
-    /// index of the first.
+    /// Adds its parameters to those of `robot`, unless they exist, and returns the index of the
+    /// first.
     pub fn add_to(self, robot: &mut dyn Robot) -> usize {
         const AXES: [&str; 3] = ["x", "y", "z"];
         use Quantity::{Angle, Length};

@@ -1,5 +1,4 @@
-//! The uncertainty of frames: what is wrong with a frame is common to all observations that it
-//! places.
+//! The uncertainty of frames: an error of a frame is common to all observations in it.
 
 use crate::model::residuals::Residuals;
 use etalon_base::pose_name::PoseName;
@@ -8,16 +7,16 @@ use etalon_math::{Rows, Solution};
 /// The uncertainty of the frame in which observations are stated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameError {
-    /// Pose and cycle that it places; `None`: all.
+    /// Pose and cycle of the frame; `None`: all.
     pub pose: Option<(PoseName, i64)>,
     /// Covariance of a small shift (mm) and then a small rotation (rad) of the frame along and
     /// about its own axes, at its origin.
     pub covariance: [[f64; 6]; 6],
 }
 
-/// Adds what the uncertainty of `frames` contributes to a covariance: S C Sᵀ for each, where S is
-/// the derivative of the parameters by shift and rotation of the frame (law of propagation of
-/// uncertainty, GUM 5.2.2).
+/// Adds the contribution of the uncertainty of `frames` to a covariance: S C Sᵀ for each, where S
+/// is the derivative of the parameters with respect to shift and rotation of the frame (law of
+/// propagation of uncertainty, GUM 5.2.2).
 pub(crate) fn carry<'a>(
     frames: impl Iterator<Item = &'a FrameError>,
     (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
@@ -39,7 +38,7 @@ pub(crate) fn carry<'a>(
     }
 }
 
-/// (JᵀJ)⁻¹ Jᵀ D: how parameters whose Jacobian is J answer to the columns of D.
+/// (JᵀJ)⁻¹ Jᵀ D: response of parameters with the Jacobian J to the columns of D.
 pub(crate) fn response<const N: usize>(inverse: &[f64], jacobian: Rows, by: &[f64]) -> Vec<[f64; N]> {
     let moved = jacobian.transposed_times::<N>(by);
     let answer = |row: &[f64]| std::array::from_fn(|c| row.iter().zip(&moved).map(|(a, m)| a * m[c]).sum());

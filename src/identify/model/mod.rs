@@ -1,5 +1,4 @@
-//! Model: what was observed, and the residuals that follow from it, with their derivatives and
-//! weights.
+//! Model: observations and their residuals, with derivatives and weights.
 
 pub(crate) mod effects;
 pub(crate) mod elimination;

@@ -1,5 +1,4 @@
-//! Observations: where the targets were, the joint values, and which of two assembly modes they
-//! leave.
+//! Observations: positions of targets, joint values, and the choice between two assembly modes.
 
 use crate::model::weights::Covariance;
 use etalon_base::pose::{Vector, minus, norm};
@@ -31,14 +30,14 @@ pub struct Observation {
     pub pose: PoseName,
     /// Number of the repeat.
     pub cycle: i64,
-    /// Joint values in mm or rad, in the robot's order, and behind them the assembly mode of robots
-    /// that have several.
+    /// Joint values in mm or rad, in the robot's order, followed by the assembly mode for robots
+    /// with several.
     pub joints: Vec<f64>,
-    /// Measured positions in the world in mm, in the order of the robot's targets; `None` where not
+    /// Measured positions in the world in mm, in the order of the robot's targets; `None` if not
     /// measured.
     pub targets: Vec<Option<Vector>>,
-    /// Covariances of these positions in the world, where their measurement states them; empty
-    /// where it does not.
+    /// Covariances of these positions in the world, if the measurement states them; otherwise
+    /// empty.
     pub covariances_mm2: Vec<Option<Covariance>>,
 }
 
@@ -51,20 +50,20 @@ pub struct Measured {
     pub cycle: i64,
     /// Index of the target.
     pub target: usize,
-    /// Position in the world (mm); z is 0 for robots in the plane.
+    /// Position in the world (mm); z is 0 for planar robots.
     pub at_mm: Vector,
-    /// Covariance of the position, where the measurement states one.
+    /// Covariance of the position, if the measurement states one.
     pub covariance_mm2: Option<Covariance>,
     /// Joint values (mm or rad) in the robot's order, then the directions of [`Robot::approached`]
     /// joints.
     pub joints: Vec<f64>,
-    /// Assembly mode, where it is stated.
+    /// Assembly mode, if stated.
     pub assembly: Option<f64>,
     /// Time of the measurement (s).
     pub time_s: Option<f64>,
 }
 
-/// Contradiction between a measured position and the positions before it.
+/// Contradiction between a measured position and previous positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contradiction {
     /// A coordinate or a joint value is not finite.
@@ -75,12 +74,12 @@ pub enum Contradiction {
     MeasuredTwice,
 }
 
-/// Reason why measured positions make no observations.
+/// Reason why measured positions do not form observations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObservationError {
     /// Nothing was measured.
     Empty,
-    /// A position contradicts the positions before it.
+    /// A position contradicts previous positions.
     Contradiction(usize, Contradiction),
     /// With nominal parameters the arms do not meet at the joint values of this pose and cycle.
     ArmsApart(PoseName, i64),
@@ -97,7 +96,7 @@ pub struct Distances {
     pub far_mm: f64,
 }
 
-/// Assembly modes that were taken from the measurement.
+/// Assembly modes derived from the measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssumedModes {
     /// Number of observations in mode +1.
@@ -109,8 +108,8 @@ pub struct AssumedModes {
 }
 
 impl Observation {
-    /// Groups measured positions by pose and cycle, in their order, and gives the assembly modes
-    /// that no position states.
+    /// Groups measured positions by pose and cycle, in their order, and determines assembly modes
+    /// that are not stated.
     ///
     /// Robots with assembly modes may bring several working modes to one pose and cycle: each set
     /// of joint values is then an observation.
@@ -172,16 +171,16 @@ impl Observation {
         measured.map(move |(k, covariance, _)| (k, mean(covariance)))
     }
 
-    /// For each measured target its index, and its measured position minus where `values` put it,
-    /// mm.
+    /// For each measured target its index, and its measured position minus that predicted with
+    /// `values` (mm).
     pub fn misses<'o>(&'o self, robot: &'o dyn Robot, values: &'o [f64]) -> impl Iterator<Item = (usize, Vector)> + 'o {
         let measured = self.targets.iter().enumerate().filter_map(|(k, target)| Some((k, (*target)?)));
         measured.map(move |(k, target)| (k, minus(target, robot.position(values, &self.joints, k))))
     }
 }
 
-/// The directions from which a joint came to `values` that follow each other, those of its last
-/// motions by more than `still`: `None` before the first.
+/// Directions of approach of a joint at consecutive `values`: those of its last motions by more
+/// than `still`; `None` before the first motion.
 pub fn directions(values: impl Iterator<Item = f64>, still: f64) -> Vec<Option<f64>> {
     let (mut last, mut direction) = (None, None);
     let next = |value: f64| {
@@ -195,8 +194,8 @@ pub fn directions(values: impl Iterator<Item = f64>, still: f64) -> Vec<Option<f
     values.map(next).collect()
 }
 
-/// The farther position must be off by this many times what the nearer one is, to be distinguished
-/// from it.
+/// Minimum ratio of the deviations of the farther and the nearer position at which they can be
+/// distinguished.
 const CLEAR: f64 = 2.0;
 
 /// Appends the assembly mode to the joint values of every observation: as `stated`, or the mode
@@ -227,9 +226,9 @@ fn assign_modes(
     Ok(assumed)
 }
 
-/// Observations that the parameters `values` put far from where they were measured in the assembly
-/// mode that they state, and near in the other; how far in both, in mm. Empty where most are: the
-/// base is then elsewhere.
+/// Observations that are far from their measured positions in the stated assembly mode and near in
+/// the other, with the parameters `values`; the distances in both (mm). Empty if this holds for
+/// most observations: the base is then elsewhere.
 pub(crate) fn misplaced<'o>(
     robot: &dyn Robot,
     observations: &'o [Observation],
@@ -257,7 +256,7 @@ fn off(robot: &dyn Robot, values: &[f64], o: &Observation, mode: f64) -> f64 {
     o.targets.iter().enumerate().filter_map(miss).fold(0.0, larger)
 }
 
-/// The mode that fits better, and how far the position is from both.
+/// The mode that fits better, and the distances of the position from both.
 fn nearer(robot: &dyn Robot, nominal: &[f64], o: &Observation) -> Result<(f64, Distances), ObservationError> {
     let (plus, minus) = (off(robot, nominal, o, 1.0), off(robot, nominal, o, -1.0));
     let (mode, near_mm, far_mm) = if minus < plus { (-1.0, minus, plus) } else { (1.0, plus, minus) };

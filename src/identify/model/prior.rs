@@ -8,23 +8,23 @@ use etalon_robots::Robot;
 /// Weight of nominal values in an identification.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Prior {
-    /// None: plain least squares.
+    /// No weight: plain least squares.
     #[default]
     None,
     /// One row for each free parameter: its deviation from nominal over its standard uncertainty by
     /// its tolerance.
     Tolerances {
-        /// Standard deviation of a residual, by which the rows are multiplied so that they weigh as
-        /// stated; 1 where the stated uncertainty of the instrument explains the residuals.
+        /// Standard deviation of a residual, by which the rows are multiplied to have the stated
+        /// weight; 1 if the stated uncertainty of the instrument explains the residuals.
         weight: f64,
-        /// Standard uncertainties of parts of the robot over those of their usual tolerances, where
-        /// nobody stated others: how much better this robot is made, by the data.
+        /// Standard uncertainties of parts of the robot relative to those of default tolerances, if
+        /// none are stated: the data may show a more accurately built robot.
         scale: f64,
     },
 }
 
 impl Prior {
-    /// Tolerances beside residuals that have the stated uncertainty.
+    /// Tolerances beside residuals with the stated uncertainty.
     pub const TOLERANCES: Self = Self::Tolerances { weight: 1.0, scale: 1.0 };
 
     /// Factor of the rows of nominal values.
@@ -36,8 +36,8 @@ impl Prior {
     }
 
     /// Standard uncertainty (mm, rad, 1) of the nominal value of a parameter: its tolerance as the
-    /// half-width of a rectangular distribution (GUM 4.3.7), scaled where nobody stated it; `None`
-    /// where it has no tolerance, or nominal values do not count.
+    /// half-width of a rectangular distribution (GUM 4.3.7), scaled if it is a default; `None` if
+    /// the parameter has no tolerance, or nominal values do not count.
     pub fn uncertainty(self, robot: &dyn Robot, parameter: usize) -> Option<f64> {
         let Self::Tolerances { scale, .. } = self else { return None };
         let p = &robot.parameters()[parameter];
@@ -45,7 +45,7 @@ impl Prior {
         (p.tolerance.is_finite() && p.tolerance > 0.0).then(|| scale * p.tolerance / 3f64.sqrt())
     }
 
-    /// This prior beside residuals of this standard deviation.
+    /// Returns this prior for residuals of this standard deviation.
     pub(crate) fn with_weight(self, weight: f64) -> Self {
         match self {
             Self::None => Self::None,
@@ -54,8 +54,8 @@ impl Prior {
     }
 }
 
-/// Standard uncertainties of base and targets without tolerance, in those that a look at them has:
-/// wide enough to count as no knowledge, and narrow enough that no solution runs away.
+/// Standard uncertainties of base and targets without tolerance, relative to those of a first
+/// estimate: wide enough to count as no knowledge, and narrow enough to keep the solution bounded.
 pub(crate) const DIFFUSE: f64 = 10.0;
 
 /// The row of one parameter: w (p − p₀)/s.
@@ -70,7 +70,8 @@ pub(crate) struct Nominal {
 }
 
 impl Nominal {
-    /// Rows of the free parameters. Those without tolerance are expected where `values` have them.
+    /// Rows of the free parameters. The expected values of parameters without tolerance are those
+    /// in `values`.
     pub fn rows(robot: &dyn Robot, prior: Prior, free: &[usize], values: &[f64]) -> Vec<Self> {
         let Prior::Tolerances { weight, .. } = prior else { return Vec::new() };
         let row = |&parameter: &usize| {
@@ -89,7 +90,7 @@ impl Nominal {
         self.factor * (values[self.parameter] - self.value)
     }
 
-    /// Derivative of the row by its parameter.
+    /// Derivative of the row with respect to its parameter.
     pub fn derivative(&self) -> f64 {
         self.factor
     }

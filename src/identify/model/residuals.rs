@@ -24,8 +24,8 @@ pub enum ResidualKind {
     /// Coordinates of each target, weighted by the instrument's uncertainty.
     #[default]
     Targets,
-    /// x, y and theta of the platform (eq. 3.26): a radian weighs as a millimetre. Planar robots
-    /// only.
+    /// x, y and theta of the platform (eq. 3.26): a radian has the weight of a millimetre. Planar
+    /// robots only.
     Pose,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Residuals<'a> {
     platform: Option<&'a dyn Platform>,
     /// Whitening of residuals with a common error.
     pub common: Option<Common>,
-    /// Uncertainties that single readings state.
+    /// Uncertainties stated for single readings.
     weights: Option<Weights>,
     /// Conditions; their rows follow those of the observations.
     conditions: &'a [Condition],
@@ -63,7 +63,7 @@ pub(crate) struct Residuals<'a> {
     prior_weight: f64,
     /// Unknowns on which few residuals depend.
     pub layout: Option<Layout>,
-    /// Scaled errors of the rows behind the coordinates; empty if none are drawn.
+    /// Scaled errors of the rows after the coordinates; empty if none are drawn.
     pub drawn: Vec<f64>,
 }
 
@@ -80,7 +80,8 @@ impl<'a> Residuals<'a> {
         Ok(Self::unloaded(robot, observations, settings, free, values)?.under(loads.into()))
     }
 
-    /// These residuals with other values of the parameters that are not free; nominal values stay.
+    /// Returns these residuals with other values of the parameters that are not free; nominal
+    /// values are unchanged.
     pub fn holding(mut self, values: &[f64]) -> Self {
         self.values = values.to_vec();
         self
@@ -91,7 +92,7 @@ impl<'a> Residuals<'a> {
         Ok(Self::unloaded(self.robot, self.observations, settings, free, values)?.under(self.loads.clone()))
     }
 
-    /// These residuals under `loads` at each observation.
+    /// Returns these residuals with `loads` at each observation.
     fn under(self, loads: Arc<[Vec<f64>]>) -> Self {
         Self { loads, ..self }
     }
@@ -143,7 +144,7 @@ impl<'a> Residuals<'a> {
         })
     }
 
-    /// Standard deviations of the rows behind the coordinates: of conditions, stated shapes, known
+    /// Standard deviations of the rows after the coordinates: conditions, stated shapes, known
     /// points and nominal values.
     pub fn stated(&self) -> Vec<f64> {
         let first = self.coordinate_count();
@@ -153,13 +154,13 @@ impl<'a> Residuals<'a> {
         stated
     }
 
-    /// Residuals of measured coordinates: those of conditions come behind them.
+    /// Number of residuals of measured coordinates; those of conditions follow.
     fn coordinate_count(&self) -> usize {
         self.rows.iter().sum()
     }
 
-    /// Residuals of coordinates and conditions: those of stated shapes and known points come behind
-    /// them.
+    /// Number of residuals of coordinates and conditions; those of stated shapes and known points
+    /// follow.
     pub fn measured_count(&self) -> usize {
         self.coordinate_count() + self.conditions.iter().map(|c| c.kind.rows()).sum::<usize>()
     }
@@ -191,8 +192,8 @@ impl<'a> Residuals<'a> {
         values
     }
 
-    /// Standard deviation of a residual: as stated, or as most residuals of `solution` show it
-    /// where that is more (from their median size, which a few wrong readings do not move); 0 where
+    /// Standard deviation of a residual: the stated one, or that of most residuals of `solution` if
+    /// it is larger (from their median size, which a few wrong readings do not affect); 0 if
     /// neither is known.
     pub fn noise(&self, solution: Option<&Solution>) -> f64 {
         let shown = |s: &Solution| {
@@ -203,7 +204,7 @@ impl<'a> Residuals<'a> {
         self.stated_noise.unwrap_or(0.0).max(solution.map_or(0.0, shown))
     }
 
-    /// Pose, cycle and joints of everything that was observed, with the number of its residuals.
+    /// Pose, cycle and joints of every observation, with the number of its residuals.
     fn seen(&self) -> impl Iterator<Item = Seen<'_>> {
         let of = |(o, &rows): (&'a Observation, &usize)| Seen { pose: o.pose, cycle: o.cycle, joints: &o.joints, rows };
         let conditions = self.conditions.iter().map(|c| Seen {
@@ -215,7 +216,7 @@ impl<'a> Residuals<'a> {
         self.observations.iter().zip(&self.rows).map(of).chain(conditions)
     }
 
-    /// `true` if all residuals but those of what is stated are coordinates of targets.
+    /// `true` if all residuals except those of stated values are coordinates of targets.
     pub fn is_coordinates(&self) -> bool {
         self.platform.is_none() && self.conditions.is_empty()
     }
@@ -242,13 +243,14 @@ impl<'a> Residuals<'a> {
         self.seen().flat_map(|s| std::iter::repeat_n(of(s.pose), s.rows)).collect()
     }
 
-    /// Poses, whatever their repeats.
+    /// Poses, regardless of their repeats.
     pub fn pose_count(&self) -> usize {
         self.seen().map(|s| s.pose).collect::<BTreeSet<PoseName>>().len()
     }
 
-    /// The region of each pose: the joints' ranges, cut in halves of equally many poses along the
-    /// widest joint until there are `count` parts; empty where poses are fewer than twice as many.
+    /// The region of each pose: the joints' ranges, divided into halves with equal numbers of poses
+    /// along the widest joint until there are `count` parts; empty if poses are fewer than twice as
+    /// many.
     fn regions(&self, count: usize) -> BTreeMap<PoseName, usize> {
         let poses: BTreeMap<PoseName, &[f64]> = self.seen().map(|s| (s.pose, s.joints)).collect();
         let n = self.robot.joints().len();
@@ -278,7 +280,7 @@ impl<'a> Residuals<'a> {
         parts.iter().enumerate().flat_map(|(k, part)| part.iter().map(move |p| (p.0, k))).collect()
     }
 
-    /// The robot with all parameters `values`, wherever it is.
+    /// The robot with all parameters `values`.
     pub fn at<'v>(&'v self, values: &'v [f64]) -> At<'v> {
         let joints = self.seen().next().map_or(&[][..], |s| s.joints);
         At { robot: self.robot, values, free: &self.free, joints }
@@ -300,7 +302,7 @@ impl<'a> Residuals<'a> {
         self.seen().map(|s| ((s.pose, s.cycle), s.rows)).filter(|count| count.1 > 0)
     }
 
-    /// Poses that bring at least one residual, each as often as it was repeated.
+    /// Poses with at least one residual, each as often as it was repeated.
     pub fn observation_count(&self) -> usize {
         let coordinates = self.rows.iter().filter(|&&rows| rows > 0).count();
         if self.conditions.is_empty() {
@@ -309,7 +311,8 @@ impl<'a> Residuals<'a> {
         self.counts().map(|count| count.0).collect::<BTreeSet<_>>().len()
     }
 
-    /// Residuals or, by `width`, derivatives of the conditions, over chunks of them.
+    /// Residuals of the conditions or, for a given `width`, their derivatives, over chunks of
+    /// conditions.
     fn of_conditions(&self, all: &[f64], out: &mut [f64], width: usize, write: impl Fn(&Met, &mut [f64]) + Sync) {
         let mut parts = Vec::new();
         let (mut out, mut row) = (out, self.coordinate_count());
@@ -330,7 +333,7 @@ impl<'a> Residuals<'a> {
         });
     }
 
-    /// Derivatives of the conditions by the free parameters.
+    /// Derivatives of the conditions with respect to the free parameters.
     fn condition_jacobian(&self, all: &[f64], out: &mut [f64]) {
         let (n, width) = (all.len(), self.width());
         let (robot, loads) = (self.robot.parametrised(all), self.robot.loads());
@@ -354,12 +357,12 @@ impl<'a> Residuals<'a> {
         });
     }
 
-    /// Numbers of a row of the Jacobian.
+    /// Number of elements of a row of the Jacobian.
     pub fn width(&self) -> usize {
         self.layout.as_ref().map_or(self.free.len(), |layout| layout.blocks.width())
     }
 
-    /// The Jacobian at `x`, as [`Problem::jacobian`] writes it.
+    /// The Jacobian at `x`, in the layout of [`Problem::jacobian`].
     pub fn jacobian_at(&self, x: &[f64]) -> Vec<f64> {
         let mut jacobian = vec![0.0; self.residual_count() * self.width()];
         self.jacobian(x, &mut jacobian);
@@ -371,7 +374,7 @@ impl<'a> Residuals<'a> {
         Rows { numbers: jacobian, n: self.free.len(), blocks: Problem::blocks(self) }
     }
 
-    /// Writes the derivatives by the free parameters into a row.
+    /// Writes the derivatives with respect to the free parameters into a row.
     fn take(&self, row: usize, derivative: impl Fn(usize) -> f64, out: &mut [f64]) {
         let Some(layout) = &self.layout else {
             return self.free.iter().zip(out).for_each(|(&i, out)| *out = derivative(i));
@@ -400,9 +403,9 @@ impl<'a> Residuals<'a> {
         self.prior_weight.powi(2)
     }
 
-    /// Number of parameters that the data leave open, from zero to all with a nominal value: Σ
-    /// (u/s)² with u by data and nominal values, s by nominal values alone. `solution` is a
-    /// solution of these residuals.
+    /// Number of parameters that the data leave undetermined, from zero to all with a nominal
+    /// value: Σ (u/s)² with u from data and nominal values, s from nominal values alone. `solution`
+    /// is a solution of these residuals.
     pub fn undetermined(&self, solution: &Solution) -> f64 {
         let factor = solution.factor.as_ref().filter(|_| !self.nominals.is_empty());
         let Some((common, inverse)) = factor.and_then(|f| Some((f.common(), f.common_inverse()?))) else { return 0.0 };
@@ -415,14 +418,14 @@ impl<'a> Residuals<'a> {
         common.iter().enumerate().map(open).sum()
     }
 
-    /// Degrees of freedom of everything but nominal values: equations minus parameters, of which
-    /// those that the data leave open do not count.
+    /// Degrees of freedom without nominal values: equations minus parameters, where undetermined
+    /// parameters do not count.
     pub fn degrees_of_freedom(&self, solution: &Solution) -> f64 {
         let equations = self.residual_count() - self.nominals.len();
         (equations as f64 - solution.x.len() as f64 + self.undetermined(solution)).max(0.0)
     }
 
-    /// Sum of squares of everything but nominal values.
+    /// Sum of squares without nominal values.
     pub fn squares(&self, solution: &Solution) -> f64 {
         solution.residuals[..self.nominal_rows().start].iter().map(|r| r * r).sum()
     }
@@ -459,8 +462,8 @@ impl<'a> Residuals<'a> {
         Some(self.observations.iter().filter_map(of).collect())
     }
 
-    /// Derivatives of the predicted positions of targets by the joint values at `x`, whitened as
-    /// the residuals are: rows of all joints.
+    /// Derivatives of the predicted positions of targets with respect to the joint values at `x`,
+    /// whitened like the residuals: rows of all joints.
     pub fn joint_jacobian(&self, x: &[f64]) -> Vec<f64> {
         let (all, dimension) = (self.all(x), self.robot.dimension());
         let n = self.robot.joints().len();
@@ -478,8 +481,8 @@ impl<'a> Residuals<'a> {
         rows
     }
 
-    /// Derivatives of the residuals at `x`, whitened, by a small shift (mm) and rotation (rad) of
-    /// the frame that places the observations of `pose` and cycle, or all: rows of six.
+    /// Derivatives of the residuals at `x`, whitened, with respect to a small shift (mm) and
+    /// rotation (rad) of the frame of the observations of `pose` and cycle, or of all: rows of six.
     pub fn frame_jacobian(&self, x: &[f64], pose: Option<(PoseName, i64)>) -> Vec<f64> {
         // a point p of a frame that shifts by t and turns by w is measured t + w × p less
         let mut rows = self.displaced::<6>(x, pose, |p| {
@@ -490,8 +493,8 @@ impl<'a> Residuals<'a> {
         });
         for c in self.conditions {
             // an orientation that turns by w is observed w less; other conditions are met in the
-            // robot's own world
-            let turned = c.kind.is_orientation() && pose.is_none_or(|key| key == (c.pose, c.cycle));
+            // robot's own world, or in the frame of a station that is identified
+            let turned = c.kind.is_world_orientation() && pose.is_none_or(|key| key == (c.pose, c.cycle));
             let one = if turned { 1.0 / c.standard_uncertainty } else { 0.0 };
             let row = |i: usize| (0..6).map(move |k| if k == 3 + i { one } else { 0.0 });
             rows.extend((0..c.kind.rows()).flat_map(row));
@@ -499,14 +502,20 @@ impl<'a> Residuals<'a> {
         rows
     }
 
-    /// Derivatives of the residuals of coordinates at `x`, whitened, by a common relative error of
-    /// all measured lengths.
+    /// Derivatives of the residuals of coordinates at `x`, whitened, with respect to a common
+    /// relative error of all measured lengths.
     pub fn scale_jacobian(&self, x: &[f64]) -> Vec<f64> {
-        self.displaced(x, None, |p| p.map(|v| [-v]))
+        let mut rows = self.displaced(x, None, |p| p.map(|v| [-v]));
+        let all = self.all(x);
+        for c in self.conditions {
+            let change = c.kind.equation().by_scale(&all);
+            rows.extend(change[..c.kind.rows()].iter().map(|v| v / c.standard_uncertainty));
+        }
+        rows
     }
 
-    /// Derivatives of the residuals of coordinates at `x`, whitened, by what makes a point of
-    /// `pose` and cycle, or of all, be measured `moved` less: rows of N.
+    /// Derivatives of the residuals of coordinates at `x`, whitened, with respect to N errors that
+    /// change a point of `pose` and cycle, or of all, by `moved`: rows of N.
     fn displaced<const N: usize>(
         &self,
         x: &[f64],
@@ -540,8 +549,7 @@ impl<'a> Residuals<'a> {
         rows
     }
 
-    /// Makes rows of `width` numbers, which were divided by the unit, independent and of the same
-    /// variance.
+    /// Makes rows of `width` numbers, divided by the unit, independent and of equal variance.
     pub fn whiten(&self, rows: &mut [f64], width: usize) {
         if let Some(common) = &self.common {
             common.whiten(rows, width);
@@ -551,7 +559,7 @@ impl<'a> Residuals<'a> {
         }
     }
 
-    /// Residuals as observed, not whitened.
+    /// Residuals before whitening.
     pub fn plain_residuals(&self, x: &[f64], r: &mut [f64]) {
         let all = self.all(x);
         self.of_conditions(&all, &mut r[self.coordinate_count()..], 1, |met, out| {
@@ -582,7 +590,7 @@ impl<'a> Residuals<'a> {
         });
     }
 
-    /// Their Jacobian.
+    /// Jacobian before whitening.
     pub fn plain_jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
         let all = self.all(x);
         let (n, free, dimension) = (all.len(), &self.free, self.robot.dimension());
@@ -623,7 +631,7 @@ impl<'a> Residuals<'a> {
 }
 
 impl Residuals<'_> {
-    /// Derivatives of the coordinates of targets in space.
+    /// Derivatives of the coordinates of targets of a spatial robot.
     fn coordinate_jacobian(&self, robot: &dyn Parametrised, jacobian: &mut [f64]) {
         let (width, mut places) = (self.width(), vec![None; self.robot.parameters().len()]);
         for (column, &i) in self.free.iter().enumerate() {
@@ -654,7 +662,7 @@ struct Seen<'a> {
     rows: usize,
 }
 
-/// A condition, with the robot's arm and the place of the target at present.
+/// A condition, with the robot's arm and the current position of the target.
 struct Met<'a> {
     condition: &'a Condition,
     arm: Option<&'a dyn FreeBase>,
@@ -663,7 +671,7 @@ struct Met<'a> {
     row: usize,
 }
 
-/// Both targets in the plane, where both were measured.
+/// Both targets in the plane, if both were measured.
 fn both(o: &Observation) -> Option<[[f64; 2]; 2]> {
     match o.targets[..] {
         [Some(k), Some(l)] => Some([[k[0], k[1]], [l[0], l[1]]]),
@@ -722,7 +730,7 @@ impl Problem for Residuals<'_> {
     }
 }
 
-/// Residuals whose measured positions are one reading, and what makes them independent.
+/// Residuals whose measured positions are one reading, and their whitening.
 ///
 /// k residuals of a coordinate have the covariance u² I + c² 11ᵀ, with u independent and c common.
 /// Divided by u, what whitens them is I + (λ − 1) 11ᵀ/k, λ = u / √(u² + k c²): their mean shrinks,

@@ -1,6 +1,6 @@
-//! Rigid parts that carry targets: a stated shape is one more reading of all its targets, from a
-//! place that nobody states, so that six unknowns drop out and what is left constrains the targets'
-//! places relative to each other.
+//! Rigid parts that carry targets: a stated shape is one more reading of all its targets, from an
+//! unknown position. Six unknowns are eliminated, and the remaining rows constrain the relative
+//! positions of the targets.
 
 use crate::judgement::chi_square::exceeds;
 use etalon_base::catalogue::IntoArgument;
@@ -12,19 +12,20 @@ use etalon_math::symmetric_eigen;
 use etalon_robots::{Robot, Role};
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
 
-/// Targets on one rigid part, and where they are on it.
+/// Targets on one rigid part, and their positions on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidPart {
     /// Names of the targets.
     pub targets: Vec<String>,
-    /// Their places in any frame of the part, mm.
+    /// Positions in any frame of the part (mm).
     pub places_mm: Vec<Vector>,
     /// Standard uncertainty of one of these coordinates, mm.
     pub standard_uncertainty_mm: f64,
-    /// A distance that is further from the stated one is that of another part, mm.
+    /// Maximum difference (mm) of a distance from the stated one; beyond it, the distance is that
+    /// of another part.
     pub tolerance_mm: f64,
-    /// Factor of the rows: the standard deviation of a residual, so that a part is as rigid
-    /// relative to the errors of the robot as its uncertainty states; 1 if unknown.
+    /// Factor of the rows: the standard deviation of a residual, so that the rigidity of a part
+    /// relative to the errors of the robot follows its stated uncertainty; 1 if unknown.
     pub weight: f64,
 }
 
@@ -44,7 +45,7 @@ pub(crate) struct Shape {
     deforming: DMatrix<f64>,
 }
 
-/// Parameters of a robot, of which some are free; where it is does not matter.
+/// Parameters of a robot, some of them free; the position of the robot does not matter.
 pub(crate) struct At<'a> {
     pub robot: &'a dyn Robot,
     pub values: &'a [f64],
@@ -54,13 +55,12 @@ pub(crate) struct At<'a> {
 
 /// Eigenvalues of a projection are 0 or 1 up to rounding.
 const HALF: f64 = 0.5;
-/// Share of a direction below which it is none: a motion of targets on one line about it, a number
-/// of the shape that the measurements leave open.
+/// Maximum share of a direction that counts as zero: a rotation of collinear targets about their
+/// line, a number of the shape that the measurements leave undetermined.
 const UNDECIDED: f64 = 1e-6;
 
 impl Shape {
-    /// The shape of `part`; `None` where `robot` does not carry all its targets, or no shape is
-    /// left of them.
+    /// The shape of `part`; `None` if `robot` does not carry all its targets, or no shape remains.
     pub fn new(robot: &dyn Robot, part: &RigidPart) -> Option<Self> {
         let index = |name: &String| robot.targets().iter().position(|t| t == name);
         let targets: Vec<usize> = part.targets.iter().map(index).collect::<Option<_>>()?;
@@ -94,12 +94,12 @@ impl Shape {
         self.part.weight.powi(2)
     }
 
-    /// Numbers that a shape is: three distances of three targets.
+    /// Number of values of a shape: three distances for three targets.
     pub fn rows(&self) -> usize {
         self.deforming.nrows()
     }
 
-    /// Places of the model about their centre, turned onto the stated ones, and what turned them.
+    /// Positions by the model about their centre, rotated onto the stated ones, and this rotation.
     fn turned(&self, at: &At) -> (Vec<Vector>, Pose) {
         let places: Vec<Vector> = self.targets.iter().map(|&k| at.robot.position(at.values, at.joints, k)).collect();
         let centre = centroid(&places).unwrap_or_default();
@@ -123,7 +123,8 @@ impl Shape {
         out.copy_from_slice(rows.as_slice());
     }
 
-    /// Writes its derivatives by the free parameters: only places of targets have any.
+    /// Writes the derivatives with respect to the free parameters; only positions of targets
+    /// contribute.
     pub fn jacobian(&self, at: &At, out: &mut [f64]) {
         let (places, turn) = self.turned(at);
         let (robot, n) = (at.robot, at.robot.parameters().len());
@@ -154,10 +155,9 @@ impl Shape {
         }
     }
 
-    /// A message where the measurements alone give the part another shape than the stated one,
-    /// beyond the uncertainty of both: a test of the rows as one group of observations (Baarda
-    /// 1968), at the solution with `covariance` of the free parameters, of which the residuals make
-    /// `inverse`, (JᵀJ)⁻¹.
+    /// Returns a message if the measurements alone contradict the stated shape beyond the
+    /// uncertainty of both: a test of the rows as one group of observations (Baarda 1968), at the
+    /// solution with `covariance` of the free parameters and `inverse` of the residuals, (JᵀJ)⁻¹.
     pub fn contradiction(&self, at: &At, inverse: &[f64], covariance: &[f64]) -> Option<Contradicted> {
         let (m, n) = (self.rows(), at.free.len());
         let mut rows = vec![0.0; m * n];
@@ -195,9 +195,9 @@ impl Shape {
     }
 }
 
-/// The small rotation ω that `moved` (of points at `places`) contain, as the best fit onto points
-/// at `fixed` has it: both are about their centres, and Σ fixed × (moved − ω × places) = 0; none
-/// about a line that holds all points.
+/// The small rotation ω in `moved` (displacements of points at `places`), for the best fit onto
+/// points at `fixed`: both are about their centres, and Σ fixed × (moved − ω × places) = 0; zero
+/// about a line that contains all points.
 pub(crate) fn turn_of(fixed: &[Vector], places: &[Vector], moved: &[Vector]) -> Vector {
     let (mut inertia, mut moment) = (Matrix3::zeros(), Vector3::zeros());
     for ((s, y), d) in fixed.iter().zip(places).zip(moved) {
@@ -222,7 +222,7 @@ pub struct TargetPair {
 }
 
 impl TargetPair {
-    /// Their distance, mm.
+    /// Distance of the two (mm).
     pub fn distance_mm(self, places_mm: &[Vector]) -> f64 {
         norm(minus(places_mm[self.first], places_mm[self.second]))
     }
@@ -234,7 +234,8 @@ impl RigidPart {
         (0..self.targets.len()).flat_map(|second| (0..second).map(move |first| TargetPair { first, second }))
     }
 
-    /// The distance of two targets, as found `by` a measurement, against the stated places.
+    /// Compares the distance of two targets, as found `by` a measurement, with the stated
+    /// positions.
     pub fn contradicted(&self, pair: TargetPair, found_mm: f64, by: &'static str) -> Contradicted {
         let stated_mm = pair.distance_mm(&self.places_mm);
         Contradicted {
@@ -248,7 +249,7 @@ impl RigidPart {
     }
 }
 
-/// A distance of two targets that contradicts the stated places of their part.
+/// A distance of two targets that contradicts the stated positions of their part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contradicted {
     /// Targets of the part.
@@ -259,7 +260,7 @@ pub struct Contradicted {
     pub by: &'static str,
     /// The distance, mm.
     pub found_mm: f64,
-    /// The distance of the stated places, mm.
+    /// Distance of the stated positions (mm).
     pub stated_mm: f64,
     /// `false` if the distance is that of another part.
     pub is_near: bool,

@@ -1,5 +1,5 @@
-//! Readings that state an uncertainty of their own: their residuals are divided by it, instead of
-//! by that of the instrument.
+//! Readings with their own uncertainties: their residuals are divided by these, instead of by that
+//! of the instrument.
 
 use crate::{Error, Result};
 use crate::{Observation, Settings};
@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, Matrix3};
 /// Covariance of a position, mm².
 pub type Covariance = [Vector; 3];
 
-/// The inverse of the Cholesky factor of a covariance; `None` where it is not positive definite.
+/// The inverse of the Cholesky factor of a covariance; `None` if it is not positive definite.
 fn whitening(covariance: &Covariance, dimension: usize) -> Option<DMatrix<f64>> {
     let matrix = DMatrix::from_fn(dimension, dimension, |i, j| covariance[i][j]);
     matrix.cholesky()?.l().try_inverse()
@@ -23,23 +23,23 @@ pub fn is_positive_definite(covariance: &Covariance, dimension: usize) -> bool {
     whitening(covariance, dimension).is_some()
 }
 
-/// The covariance in a frame that is turned by the rows of `rotation`.
+/// The covariance in a frame that is rotated by the rows of `rotation`.
 pub fn turned(covariance: &Covariance, rotation: &[Vector; 3]) -> Covariance {
     let of = |rows: &[Vector; 3]| Matrix3::from_fn(|i, j| rows[i][j]);
     let turned = of(rotation) * of(covariance) * of(rotation).transpose();
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| turned[(i, j)]))
 }
 
-/// Residuals of readings with a covariance of their own.
+/// Residuals of readings with their own covariance.
 #[derive(Debug)]
 pub(crate) struct Weights {
-    /// First row of each such reading, and what its rows are multiplied by.
+    /// First row of each such reading, and the factor of its rows.
     readings: Vec<(usize, DMatrix<f64>)>,
 }
 
 impl Weights {
-    /// Weights of observations with `dimension` rows per measured target, which are divided by
-    /// `unit` before; `None` if no reading states a covariance.
+    /// Weights of observations with `dimension` rows per measured target, which are first divided
+    /// by `unit`; `None` if no reading states a covariance.
     pub fn new(observations: &[Observation], dimension: usize, unit: f64) -> Option<Self> {
         let mut readings = Vec::new();
         let mut row = 0;
@@ -65,12 +65,11 @@ impl Weights {
     }
 }
 
-/// Takes the uncertainty of readings that state none from `settings`, or where these state none
-/// either, makes it the root mean square of those that are stated; and reports how readings are
-/// weighted.
+/// Completes missing uncertainties of readings from `settings` or, without one there, by the root
+/// mean square of the stated uncertainties. Reports the weights of readings.
 ///
 /// # Errors
-/// Where some readings have no uncertainty at all, or what the settings compare cannot be weighted.
+/// Fails if readings have no uncertainty, or if the settings do not permit a weighted comparison.
 pub fn weigh(observations: &[Observation], dimension: usize, settings: &mut Settings) -> Result<Option<Message>> {
     let readings = observations.iter().map(|o| o.targets.iter().flatten().count()).sum::<usize>();
     let stated: Vec<f64> = observations.iter().flat_map(|o| o.uncertainties_mm(dimension)).map(|(_, u)| u).collect();

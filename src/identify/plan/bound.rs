@@ -1,14 +1,15 @@
-//! The proof that no choice is better, or how far the best is at most: candidates may be taken in
-//! parts, the best of that bounds every whole choice, and branch and bound closes the gap.
+//! Proof that no choice is better, or a bound on the best choice: candidates may be taken in parts,
+//! the optimum over parts bounds every whole choice, and branch and bound closes the gap.
 
 use super::criterion::{Below, Pool, Tangent, inner};
 use super::search::{Choice, exchange};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// A node is closed where it cannot be better than the best by more than this: rounding.
+/// Rounding tolerance: a node is closed if it cannot exceed the best choice by more than this.
 const BETTER: f64 = 1.0 + 1e-9;
-/// When a relaxation ends: after so many steps, or where the bound is so close to what is reached.
+/// Termination of a relaxation: a number of steps, or a relative distance of the bound from the
+/// value reached.
 #[derive(Clone, Copy)]
 struct End {
     steps: usize,
@@ -20,16 +21,16 @@ struct End {
 const ROOT: End = End { steps: 3000, close: 1e-7 };
 const BELOW: End = End { steps: 60, close: 1e-6 };
 
-/// The best choice found, and what is proven of it.
+/// The best choice found, and the bound that is proven for it.
 #[derive(Clone, Debug)]
 pub struct Proven {
     /// The choice.
     pub best: Choice,
-    /// No choice has a larger criterion than this.
+    /// Upper bound of the criterion over all choices.
     pub bound: f64,
     /// Bound by the relaxation alone.
     pub relaxation: f64,
-    /// Nodes looked at.
+    /// Number of nodes examined.
     pub nodes: usize,
 }
 
@@ -57,8 +58,8 @@ impl Ord for Node {
     }
 }
 
-/// Looks at up to `nodes` nodes, those with the largest bound first, and calls `progress` with
-/// their number; `None` where no bound is known.
+/// Examines up to `nodes` nodes, those with the largest bound first, and calls `progress` with
+/// their number; `None` if no bound is known.
 pub fn branch_and_bound(pool: &Pool, first: Choice, nodes: usize, progress: impl Fn(usize)) -> Option<Proven> {
     let count = first.chosen.len();
     let root = vec![Fixed::Free; pool.candidates.len()];
@@ -123,7 +124,7 @@ pub fn branch_and_bound(pool: &Pool, first: Choice, nodes: usize, progress: impl
     Some(Proven { bound: best.value, best, relaxation, nodes: looked })
 }
 
-/// The choice that is left where all is decided.
+/// The remaining choice if every candidate is decided.
 fn decided(fixed: &[Fixed], count: usize) -> Option<Vec<usize>> {
     let with = |what: Fixed| fixed.iter().enumerate().filter(move |(_, f)| **f == what).map(|(i, _)| i);
     let taken = with(Fixed::In).count();
@@ -134,9 +135,9 @@ fn decided(fixed: &[Fixed], count: usize) -> Option<Vec<usize>> {
     }
 }
 
-/// A node worth looking into, with everything decided that its bound decides: a candidate is out
-/// where even the best choice with it stays below the best known, and in where even the best choice
-/// without it does.
+/// A node worth examining, after all decisions by its bound: a candidate is excluded if even the
+/// best choice with it is below the best known one, and included if even the best choice without it
+/// is.
 fn node(relaxed: Relaxed, mut fixed: Vec<Fixed>, count: usize, best: f64, number: usize) -> Option<Node> {
     let Relaxed { bound, weights, above, below } = relaxed;
     let lambda = best * BETTER;
@@ -165,21 +166,21 @@ fn node(relaxed: Relaxed, mut fixed: Vec<Fixed>, count: usize, best: f64, number
     Some(Node { bound, fixed, weights, number })
 }
 
-/// Candidates of a bound.
+/// State of a candidate in a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fixed {
-    /// May be taken or left.
+    /// Free: may be taken or left.
     Free,
-    /// Is taken.
+    /// Taken.
     In,
-    /// Is left.
+    /// Left out.
     Out,
 }
 
 /// An upper bound of the criterion over all choices that a [`Fixed`] list allows.
 struct Relaxed {
     bound: f64,
-    /// Shares of the candidates, the best found in parts.
+    /// Shares of the candidates, the best found with fractional candidates.
     weights: Vec<f64>,
     /// Maximum contribution of each candidate to the numerator.
     above: Vec<f64>,
@@ -187,7 +188,7 @@ struct Relaxed {
     below: Vec<f64>,
 }
 
-/// Shares with which to start: those given, brought to what `fixed` allows and to the sum `count`.
+/// Initial shares: the given ones, adapted to `fixed` and to the sum `count`.
 fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec<f64> {
     let taken = fixed.iter().filter(|f| **f == Fixed::In).count();
     let free = fixed.iter().filter(|f| **f == Fixed::Free).count();
@@ -209,8 +210,8 @@ fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec<f64
 }
 
 /// Moves shares from the worst to the best candidate (vertex exchange: Böhning 1986) until the
-/// bound is within `close` of what the shares reach, or `steps` are taken. The bound holds wherever
-/// it stops.
+/// bound is within `close` of the value of the shares, or `steps` are used. The bound is valid
+/// after every step.
 fn relax(
     pool: &Pool,
     fixed: &[Fixed],
@@ -262,8 +263,7 @@ fn relax(
     best
 }
 
-/// The share to move that maximises the criterion: its derivative is brought to zero in [0,
-/// `most`].
+/// The share whose move maximises the criterion: the zero of its derivative in [0, `most`].
 fn line_search(
     pool: &Pool,
     information: &nalgebra::DMatrix<f64>,
@@ -311,7 +311,8 @@ fn gradient_below(tangent: &Tangent) -> bool {
     !matches!(tangent.below, Below::One)
 }
 
-/// Contribution of each candidate to the denominator; constant ones are shared among the chosen.
+/// Contribution of each candidate to the denominator; constant ones are distributed over the chosen
+/// candidates.
 fn denominators(pool: &Pool, tangent: &Tangent, count: usize) -> Vec<f64> {
     let of = |c: &super::criterion::Candidate| match &tangent.below {
         Below::Configurations => c.configurations as f64,

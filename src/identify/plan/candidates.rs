@@ -1,8 +1,8 @@
-//! Candidates: configurations that may be measured, as far as the robot reaches them.
+//! Candidates: configurations that may be measured, within the reach of the robot.
 
 use crate::Observation;
 use crate::Result;
-use etalon_base::catalogue::{Argument, IntoArgument};
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
@@ -12,14 +12,14 @@ use std::collections::BTreeMap;
 /// Configurations that may be measured.
 #[derive(Clone, Debug)]
 pub struct Candidates {
-    /// In the order of the table; those of one pose stand together.
+    /// Configurations in the order of the table; those of one pose are consecutive.
     pub observations: Vec<Observation>,
     /// Message for candidates that violate a limit of the nominal robot
     /// ([`Robot::limit_violation`]).
     pub limit_violations: Option<Message>,
 }
 
-/// The configurations that are within reach of the nominal robot, those of one pose numbered.
+/// The configurations within reach of the nominal robot, with those of one pose numbered.
 pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidates> {
     let nominal = robot.nominal();
     let mut violations = Vec::new();
@@ -31,7 +31,7 @@ pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidat
         }
     }
     if by_pose.is_empty() {
-        let unreachable = |(pose, reason): &(PoseName, String)| error!("candidates-unreachable", pose, reason);
+        let unreachable = |(pose, reason): &(PoseName, Phrase)| error!("candidates-unreachable", pose, reason);
         return Err(violations.first().map_or_else(|| error!("no-candidates"), unreachable).into());
     }
     let number = |(k, o): (usize, Observation)| Observation { cycle: k as i64 + 1, ..o };
@@ -39,7 +39,7 @@ pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidat
     Ok(Candidates { observations, limit_violations: out_of_reach(&violations) })
 }
 
-fn out_of_reach(violations: &[(PoseName, String)]) -> Option<Message> {
+fn out_of_reach(violations: &[(PoseName, Phrase)]) -> Option<Message> {
     const SHOWN: usize = 5;
     let shown = violations.iter().take(SHOWN);
     let mut candidates: Vec<Argument> =

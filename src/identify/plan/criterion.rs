@@ -4,6 +4,8 @@
 //! Every criterion is the square of an index, larger is better, as a function of the information
 //! JᵀJ.
 
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use nalgebra::{Cholesky, DMatrix, Dyn, SymmetricEigen};
 
 /// A criterion.
@@ -33,19 +35,20 @@ pub enum Criterion {
 /// needed.
 const SHARP: f64 = 24.0;
 
-/// A criterion near one information matrix: it is at most Σ above / Σ below for any other choice.
+/// A criterion near one information matrix: for any other choice, it is at most Σ above / Σ below.
 pub struct Tangent {
-    /// The smooth criterion here.
+    /// The smooth criterion at this matrix.
     pub value: f64,
-    /// Derivative of its numerator, scaled so that ⟨above, M⟩ bounds the numerator at M from above.
+    /// Derivative of its numerator, scaled so that ⟨above, M⟩ is an upper bound of the numerator at
+    /// M.
     pub above: DMatrix<f64>,
-    /// Numerator here, with that derivative.
+    /// Numerator at this matrix, with the derivative above.
     pub numerator: f64,
     /// Divisor of the numerator.
     pub below: Below,
 }
 
-/// Denominator of a criterion, a sum over the candidates chosen.
+/// Denominator of a criterion, a sum over the chosen candidates.
 pub enum Below {
     /// Number of configurations.
     Configurations,
@@ -59,7 +62,7 @@ impl Criterion {
     /// Every criterion.
     pub const ALL: [Self; 9] = [Self::O1, Self::O2, Self::O3, Self::O4, Self::O5, Self::D, Self::A, Self::E, Self::I];
 
-    /// Name of the criterion, as literature and command line spell it.
+    /// Name of the criterion in the literature and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::O1 => "O1",
@@ -81,23 +84,21 @@ impl Criterion {
     }
 
     /// Scaling of columns and maximised quantity, in words.
-    pub fn definition(self) -> &'static str {
+    pub fn definition(self) -> Phrase {
         match self {
-            Self::O1 => {
-                "O1 = (s1...sm)^(1/m) / sqrt(n), m parameters, n configurations; Jacobian in mm per mm, rad and 1"
-            }
-            Self::O2 => "O2 = smin / smax; Jacobian in mm per mm, rad and 1",
-            Self::O3 => "O3 = smin; Jacobian in mm per mm, rad and 1",
-            Self::O4 => "O4 = smin^2 / smax; Jacobian in mm per mm, rad and 1",
-            Self::O5 => "O5 = 1 / (1/s1 + ... + 1/sm); Jacobian in mm per mm, rad and 1",
-            Self::D => "D = (s1...sm)^(1/m); Jacobian in mm per mm, rad and 1",
-            Self::A => "A = 1 / sqrt(tr((J'J)^-1)); columns of J divided by their norms over all candidates",
-            Self::E => "E = smin; columns of J divided by their norms over all candidates",
-            Self::I => "I = 1 / root mean square standard uncertainty of position over all candidates, per mm of noise",
+            Self::O1 => phrase!("index-o1"),
+            Self::O2 => phrase!("index-o2"),
+            Self::O3 => phrase!("index-o3"),
+            Self::O4 => phrase!("index-o4"),
+            Self::O5 => phrase!("index-o5"),
+            Self::D => phrase!("index-d"),
+            Self::A => phrase!("index-a"),
+            Self::E => phrase!("index-e"),
+            Self::I => phrase!("index-i"),
         }
     }
 
-    /// The index itself from its square in the pool's scale.
+    /// The index itself from its square in the scale of the pool.
     pub fn index(self, pool: &Pool, square: f64) -> f64 {
         let scale = match self {
             // a determinant keeps the scale of the columns as a factor
@@ -134,7 +135,7 @@ impl Criterion {
         value.filter(|v| v.is_finite()).unwrap_or(0.0)
     }
 
-    /// Value and derivative at an information matrix; `None` where it is singular or no bound is
+    /// Value and derivative at an information matrix; `None` if it is singular or no bound is
     /// known.
     ///
     /// The numerators are concave and homogeneous of degree one, so that their derivative G at any
@@ -197,7 +198,7 @@ impl Criterion {
     }
 }
 
-/// One candidate: everything that is measured together.
+/// One candidate: configurations that are measured together.
 #[derive(Clone, Debug)]
 pub struct Candidate {
     /// Rows of the Jacobian, k × m, with its columns divided by the pool's scale.
@@ -219,10 +220,10 @@ pub struct Pool {
     pub candidates: Vec<Candidate>,
     /// Divisors of the columns of the Jacobian.
     pub scale: Vec<f64>,
-    /// Mean of JᵀJ over all configurations: what a set of parameters means for the positions of the
-    /// workspace.
+    /// Mean of JᵀJ over all configurations: the effect of a set of parameters on the positions of
+    /// the workspace.
     pub workspace: DMatrix<f64>,
-    /// Added to the diagonal of singular matrices so that they can be compared.
+    /// Term added to the diagonal of singular matrices to make them comparable.
     pub ridge: f64,
 }
 
@@ -267,8 +268,8 @@ impl Pool {
         chosen.iter().map(|&i| self.candidates[i].configurations).sum()
     }
 
-    /// Cholesky factor, with just so much added to the diagonal that singular matrices can be
-    /// compared.
+    /// Cholesky factor, with the smallest term added to the diagonal that makes singular matrices
+    /// comparable.
     pub fn factor(&self, mut information: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
         (0..self.parameters).for_each(|i| information[(i, i)] += self.ridge);
         information.cholesky()

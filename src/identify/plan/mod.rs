@@ -31,24 +31,25 @@ pub struct Request {
     pub positions: usize,
     /// Criterion of the choice.
     pub criterion: Criterion,
-    /// Every configuration is a candidate of its own, instead of all of a pose together.
+    /// `true` if every configuration is a separate candidate, instead of all of a pose together.
     pub single: bool,
-    /// Numbers of the poses that the thesis' way starts from; empty: two that are far apart.
+    /// Numbers of the poses from which the procedure of the thesis starts; empty: two poses that
+    /// are far apart.
     pub start: Vec<PoseName>,
     /// Random starts of the exchange.
     pub starts: u64,
-    /// Seed of them.
+    /// Seed of the random starts.
     pub seed: u64,
-    /// Nodes that branch and bound may look at.
+    /// Maximum number of nodes in branch and bound.
     pub nodes: usize,
 }
 
-/// One step of the thesis' way, for the curve of figure 4.6.
+/// One step of the thesis' procedure, for the curve of figure 4.6.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// Candidates chosen so far.
     pub positions: usize,
-    /// Configurations in them.
+    /// Configurations of these candidates.
     pub configurations: usize,
     /// The index.
     pub index: f64,
@@ -59,11 +60,11 @@ pub struct Step {
 /// Result of the choice.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// Configurations of each candidate, as indices of the observations given.
+    /// Configurations of each candidate, as indices of the given observations.
     pub members: Vec<Vec<usize>>,
     /// Sensitivity of the candidates.
     pub sensitivity: Sensitivity,
-    /// The choice of the thesis' way.
+    /// The choice of the thesis' procedure.
     pub greedy: Vec<usize>,
     /// Its index.
     pub greedy_index: f64,
@@ -71,18 +72,18 @@ pub struct Plan {
     pub chosen: Vec<usize>,
     /// Its index.
     pub index: f64,
-    /// No choice has a larger index; `None` where no bound is known.
+    /// Upper bound of the index over all choices; `None` if no bound is known.
     pub bound: Option<f64>,
-    /// The bound of the relaxation alone.
+    /// Bound of the relaxation alone.
     pub relaxation_bound: Option<f64>,
-    /// Nodes that branch and bound looked at.
+    /// Number of nodes examined by branch and bound.
     pub nodes: usize,
-    /// Index and condition while candidates are added the thesis' way.
+    /// Index and condition number after each step of the thesis' procedure.
     pub curve: Vec<Step>,
     /// Predicted result of an identification from the chosen poses.
     pub prediction: Prediction,
-    /// Standard uncertainty of position that the parameters leave over all candidates: root mean
-    /// square and largest, in units of the stated uncertainty (or of 1 mm).
+    /// Standard uncertainty of position from the parameters over all candidates: root mean square
+    /// and largest, in units of the stated uncertainty (or of 1 mm).
     pub workspace: (f64, f64),
 }
 
@@ -106,7 +107,7 @@ impl Plan {
 }
 
 /// Chooses among the configurations `observations` (see `configurations`). `progress` is called
-/// with the steps that have ended and with how many there are at most.
+/// with the number of completed steps and their maximum.
 ///
 /// # Examples
 ///
@@ -199,7 +200,7 @@ pub fn index_of(plan: &Plan, observations: &[Observation], criterion: Criterion,
     criterion.index(&pool, Choice::of(&pool, chosen).value)
 }
 
-/// Configurations that are measured together: of a pose, or one by one.
+/// Configurations that are measured together: those of a pose, or single ones.
 fn group(observations: &[Observation], single: bool) -> Vec<Vec<usize>> {
     let mut members: Vec<Vec<usize>> = Vec::new();
     for (k, o) in observations.iter().enumerate() {
@@ -211,7 +212,7 @@ fn group(observations: &[Observation], single: bool) -> Vec<Vec<usize>> {
     members
 }
 
-/// Information of the candidates, with columns scaled as the criterion wants them.
+/// Information of the candidates, with columns scaled for the criterion.
 pub fn pool_of(known: &Sensitivity, members: &[Vec<usize>], criterion: Criterion) -> Pool {
     let m = known.free.len();
     let mut first = vec![0];

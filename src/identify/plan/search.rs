@@ -1,24 +1,24 @@
-//! Choosing: one after the other (the thesis' way), and exchange from several starts.
+//! Search for a choice: greedy (the thesis' procedure), and exchange from several starts.
 
 use super::criterion::{Candidate, Criterion, Pool, inner};
 use etalon_base::noise::Noise;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
-/// An exchange must improve the criterion by more than rounding does.
+/// Minimum improvement of the criterion by an exchange, above rounding.
 const IMPROVEMENT: f64 = 1.0 + 1e-10;
 
-/// A set of candidates and the criterion of it.
+/// A set of candidates and its criterion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// Indices of the candidates; greedy choices in the order of choosing.
+    /// Indices of the candidates, in the order of choosing for greedy choices.
     pub chosen: Vec<usize>,
     /// Criterion, the square of the index.
     pub value: f64,
 }
 
 impl Choice {
-    /// The choice of these candidates.
+    /// Creates the choice of these candidates.
     pub fn of(pool: &Pool, chosen: Vec<usize>) -> Self {
         let value = pool.criterion.value(pool, pool.information(&chosen), pool.configurations(&chosen));
         Self { chosen, value }
@@ -61,7 +61,7 @@ impl<'a> Base<'a> {
         })
     }
 
-    /// The determinant's criterion with `candidate` added, which brings `gain` to its logarithm.
+    /// The determinant's criterion with `candidate` added, which increases its logarithm by `gain`.
     fn with_determinant(&self, candidate: &Candidate, gain: f64) -> f64 {
         let mean = ((self.log_determinant + gain) / self.pool.parameters as f64).exp();
         let configurations = self.configurations + candidate.configurations;
@@ -86,7 +86,7 @@ impl<'a> Base<'a> {
     }
 }
 
-/// log det(I + J M⁻¹ Jᵀ), by which the determinant grows.
+/// log det(I + J M⁻¹ Jᵀ), the increase of the logarithm of the determinant.
 fn log_update(inverse: &DMatrix<f64>, candidate: &Candidate) -> f64 {
     let j = &candidate.rows;
     let mut small = (j * inverse) * j.transpose();
@@ -95,6 +95,7 @@ fn log_update(inverse: &DMatrix<f64>, candidate: &Candidate) -> f64 {
 }
 
 /// Adds the best candidate to `start`, one after the other, until `count` are chosen (section 4.5).
+/// Until the chosen ones determine all parameters, the determinant decides, for every criterion.
 ///
 /// As long as those chosen do not determine all parameters, the determinant decides, whatever the
 /// criterion.
@@ -117,9 +118,9 @@ pub fn greedy(pool: &Pool, start: &[usize], count: usize) -> Choice {
     Choice::of(pool, chosen)
 }
 
-/// As [`best_of`] for determinants, without looking at all: `gains` are what candidates brought to
-/// the logarithm when they were last looked at, and never bring again, as that falls with every
-/// candidate chosen (Minoux 1978).
+/// [`best_of`] for determinants without examining all candidates: `gains` are the last computed
+/// increases of the logarithm, which are upper bounds because increases fall with every chosen
+/// candidate (Minoux 1978).
 fn best_determinant(base: &Base, chosen: &[usize], gains: &mut [f64]) -> Option<(f64, usize)> {
     let candidates = &base.pool.candidates;
     let value = |i: usize, gain: f64| base.with_determinant(&candidates[i], gain);
@@ -140,7 +141,7 @@ fn best_determinant(base: &Base, chosen: &[usize], gains: &mut [f64]) -> Option<
     best
 }
 
-/// The best candidate that is not chosen yet, with its criterion; of equal ones the first.
+/// The best candidate that is not chosen yet, with its criterion; among equal ones the first.
 fn best_of(base: &Base, chosen: &[usize]) -> Option<(f64, usize)> {
     let free = (0..base.pool.candidates.len()).filter(|i| !chosen.contains(i));
     free.map(|i| (base.with(&base.pool.candidates[i]), i)).fold(None, |best, now| match best {
@@ -150,7 +151,7 @@ fn best_of(base: &Base, chosen: &[usize]) -> Option<(f64, usize)> {
 }
 
 /// Exchanges one candidate at a time for a better one until none is left (Fedorov 1972, modified by
-/// Cook & Nachtsheim 1980: each place in turn).
+/// Cook & Nachtsheim 1980: each position in turn).
 pub fn exchange(pool: &Pool, start: &Choice) -> Choice {
     let mut best = start.clone();
     let mut changed = true;

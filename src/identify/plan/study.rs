@@ -1,5 +1,5 @@
-//! A simulated calibration with the chosen poses (thesis, section 4.6): how near parameters and
-//! positions come to the truth.
+//! A simulated calibration with the chosen poses (thesis, section 4.6): errors of parameters and
+//! positions relative to the truth.
 
 use super::{Criterion, Plan, pool_of, search::Choice};
 use crate::Result;
@@ -15,22 +15,23 @@ use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// The true robot, where its errors are evaluated, and how many simulated calibrations there are.
+/// The true robot, the configurations at which its errors are evaluated, and the number of
+/// simulated calibrations.
 #[derive(Clone, Debug)]
 pub struct Setting<'a> {
     /// True parameters of the robot (mm, rad, 1).
     pub truth: Vec<f64>,
     /// Configurations at which the errors are evaluated.
     pub everywhere: &'a [Observation],
-    /// Identifications whose mean counts; the thesis has five.
+    /// Number of identifications in a mean; the thesis has five.
     pub runs: u64,
-    /// Means drawn, whose errors' medians are reported.
+    /// Number of means, whose median errors are reported.
     pub draws: u64,
     /// Seed of the noise.
     pub seed: u64,
 }
 
-/// The point whose errors a study has.
+/// Point to which the errors of a study refer.
 pub fn point_of(robot: &dyn Robot) -> Phrase {
     match robot.platform() {
         Some(_) => phrase!("platform-in-base"),
@@ -58,11 +59,11 @@ pub struct SizeStudy {
     pub positions: usize,
     /// Configurations in them.
     pub configurations: usize,
-    /// Mean of the parameters identified, of the first draw.
+    /// Mean of the identified parameters, for the first draw.
     pub identified: Vec<f64>,
     /// Root mean square error of position over all configurations and targets, or of a platform's
-    /// centre in the base frame, minus what is commanded: nominal, and identified as the median of
-    /// all draws (mm).
+    /// centre in the base frame, minus the commanded position: nominal, and identified as the
+    /// median of all draws (mm).
     pub rms_mm: (f64, f64),
     /// Largest error, likewise.
     pub max_mm: (f64, f64),
@@ -70,8 +71,8 @@ pub struct SizeStudy {
     pub places: Vec<PlaceError>,
 }
 
-/// One study for every number of positions from the least that identifies the robot to all of the
-/// plan, in the order in which the determinant grows fastest (tables 4.2 and 4.3).
+/// One study for every number of positions, from the smallest that identifies the robot to all of
+/// the plan, in the order of fastest increase of the determinant (tables 4.2 and 4.3).
 pub fn study(
     robot: &dyn Robot,
     plan: &Plan,
@@ -102,7 +103,7 @@ pub fn study(
     Ok(studies)
 }
 
-/// The first of the draws with the medians of all.
+/// The first of the draws, with the medians of all draws.
 fn middle(drawn: Vec<SizeStudy>) -> Option<SizeStudy> {
     let median = |of: fn(&SizeStudy) -> f64| {
         middle_pair(drawn.iter().map(of)).map_or(f64::NAN, |[low, high]| 0.5 * (low + high))
@@ -112,8 +113,7 @@ fn middle(drawn: Vec<SizeStudy>) -> Option<SizeStudy> {
     Some(SizeStudy { rms_mm: (first.rms_mm.0, rms), max_mm: (first.max_mm.0, max), ..first })
 }
 
-/// Mean of the parameters identified in all runs of one draw; an error where they are not all
-/// identifiable.
+/// Mean of the parameters identified in all runs of one draw; an error if not all are identifiable.
 fn calibrate(
     robot: &dyn Robot,
     chosen: &[Observation],

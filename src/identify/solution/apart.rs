@@ -1,6 +1,6 @@
-//! Targets and fixtures placed by readings of their own, with the robot and everything else held.
+//! Targets and fixtures located by their own readings, with the robot and everything else held.
 
-use crate::model::kinds::{Condition, Known, Surface};
+use crate::model::kinds::{Condition, Kind, Known, Orientation, Surface};
 use crate::model::residuals::Residuals;
 use crate::solution::fixtures::place_seen;
 use crate::solution::identifiability::Analysis;
@@ -12,16 +12,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Iterations of one placement.
 const ITERATIONS: usize = 200;
-/// Changes of what the readings determine after which the search ends.
+/// Maximum number of changes of the determined parameters.
 const ROUNDS: usize = 6;
 
-/// Targets and fixtures that were placed with everything else held.
+/// Targets and fixtures that were located with everything else held.
 #[derive(Clone, Debug)]
 pub struct Placement {
     /// All parameters (mm, rad, 1).
     pub values: Vec<f64>,
     /// Standard uncertainty (mm, rad) of each parameter that the readings determine, for residuals
-    /// of 1 mm, or of the stated standard uncertainty of a coordinate where there is one.
+    /// of 1 mm, or of the stated standard uncertainty of a coordinate if there is one.
     pub uncertainties: BTreeMap<usize, f64>,
     /// Redundancy number of each measured target of each observation: the share of its error that
     /// the residual shows, 1 - h.
@@ -31,10 +31,15 @@ pub struct Placement {
 }
 
 impl Condition {
-    /// Indices of the parameters of the fixture and of the target that the condition shows.
+    /// Indices of the parameters of the fixture and of the target on which the condition depends.
     pub fn shows(&self, arm: &dyn FreeBase) -> Vec<Vec<usize>> {
         let equation = self.kind.equation();
-        let mut shown = vec![equation.unknowns()];
+        let mut shown = match self.kind {
+            Kind::Orientation(Orientation { mounting, station, .. }) => {
+                vec![three(mounting).collect(), station.into_iter().flat_map(|first| first..first + 6).collect()]
+            }
+            _ => vec![equation.unknowns()],
+        };
         if equation.depends_on_target() {
             shown.push(three(arm.target_place(self.target)).collect());
         }
@@ -44,8 +49,8 @@ impl Condition {
 }
 
 impl Known {
-    /// Indices of the parameters that the fact places in the world; a distance or a radius alone
-    /// places nothing.
+    /// Indices of the parameters that the fact locates in the world; a distance or a radius alone
+    /// locates nothing.
     pub fn places(&self) -> Vec<usize> {
         match *self {
             Self::Place { point, .. } => three(point).collect(),
@@ -55,7 +60,7 @@ impl Known {
         }
     }
 
-    /// `true` if the fact is of one of these parameters.
+    /// `true` if the fact refers to one of these parameters.
     pub fn is_of(&self, parameters: &BTreeSet<usize>) -> bool {
         self.points().iter().any(|first| parameters.contains(first))
     }
@@ -73,11 +78,12 @@ fn three(first: usize) -> std::ops::Range<usize> {
     first..first + 3
 }
 
-/// Places the parameters `places` of targets and fixtures by these readings, with all others at
+/// Locates the parameters `places` of targets and fixtures by these readings, with all others at
 /// `values`.
 ///
-/// # Errors A robot without a free base has no such parameters: nothing is placed. Residuals that
-/// cannot be set up.
+/// # Errors
+/// Fails for a robot without a free base, which has no such parameters, and if residuals cannot be
+/// set up.
 pub fn place_apart(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -1,25 +1,25 @@
-//! Scale of tolerances and standard deviation of measurements that make the measurements most
-//! probable.
+//! Scale of tolerances and standard deviation of measurements that maximise the probability of the
+//! measurements.
 
 use crate::model::prior::{Nominal, Prior};
 use crate::model::residuals::Residuals;
 use etalon_math::{Problem, linearised_at};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-/// Scales that are tried: 1, 1/√2, 1/2 ... 1/64.
+/// Candidate scales: 1, 1/√2, 1/2 ... 1/64.
 const STEPS: i32 = 13;
-/// Standard deviations that are tried: that which the residuals show, 1/2 of it ... 1/4096.
+/// Candidate standard deviations: that of the residuals, 1/2 of it ... 1/4096.
 const HALVES: i32 = 13;
-/// Rise of −2 ln L that is within one standard deviation of the most probable scale: chi-square of
-/// one parameter.
+/// Rise of −2 ln L within one standard deviation of the most probable scale: chi-square of one
+/// parameter.
 const AS_PROBABLE: f64 = 1.0;
 
-/// Values that make the measurements most probable.
+/// Values that maximise the probability of the measurements.
 pub(crate) struct MostProbable {
-    /// Scale of the tolerances that nobody stated, at most 1: the largest that is as probable as
-    /// the best one but for chance, so that nominal values do not outweigh what few poses show.
+    /// Scale of the default tolerances, at most 1: the largest one compatible with the most
+    /// probable scale, so that nominal values do not outweigh few poses.
     pub scale: f64,
-    /// Standard deviation of a residual, at most that which the residuals show.
+    /// Standard deviation of a residual, at most that of the residuals.
     pub noise: f64,
 }
 
@@ -34,7 +34,7 @@ struct Linearised {
     normal: DMatrix<f64>,
     gradient: DVector<f64>,
     residuals: f64,
-    /// 1/s of each nominal value, and how far the solution is from it.
+    /// 1/s of each nominal value, and the distance of the solution from it.
     derivatives: DVector<f64>,
     off: DVector<f64>,
     scales: Vec<bool>,
@@ -66,7 +66,7 @@ impl Linearised {
     }
 
     /// −2 ln of the marginal likelihood of a scale of tolerances and a standard deviation of a
-    /// residual (MacKay 1992, Bayesian interpolation, eq. 2.7), but for a constant.
+    /// residual (MacKay 1992, Bayesian interpolation, eq. 2.7), without a constant.
     fn improbability(&self, scale: f64, noise: f64) -> Option<f64> {
         let by = |k: usize| noise * self.derivatives[k] / if self.scales[k] { scale } else { 1.0 };
         let d = DVector::from_fn(self.scales.len(), |k, _| by(k).powi(2));
@@ -82,10 +82,11 @@ impl Linearised {
     }
 }
 
-/// Values that make the measurements most probable. `data` are the residuals without nominal values
-/// at the solution `x`, `start` the expected values of unknowns without tolerance, `shown` the
-/// standard deviation of the residuals. Where nominal values determine much, smaller ones down to
-/// `least` are tried: nominal values may keep the residuals large.
+/// Values that maximise the probability of the measurements. `data` are the residuals without
+/// nominal values at the solution `x`, `start` the expected values of unknowns without tolerance,
+/// `shown` the standard deviation of the residuals. If nominal values determine much, smaller
+/// standard deviations down to `least` are tried, because nominal values may keep the residuals
+/// large.
 pub(crate) fn most_probable(
     (data, start): (&Residuals, &[f64]),
     x: &[f64],

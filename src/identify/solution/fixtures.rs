@@ -1,5 +1,5 @@
-//! Starting values of what conditions refer to: sockets, fixed points, planes and the orientations
-//! of bodies, each in closed form at the present base and joints.
+//! Starting values of sockets, fixed points, planes and orientations of bodies, each in closed form
+//! at the current base and joints.
 
 use crate::model::kinds::{Condition, Contact, Kind, lay, meet, mount, onto, places, point, reach, stand};
 use crate::{Observation, Settings};
@@ -7,8 +7,8 @@ use etalon_base::pose::Vector;
 use etalon_robots::FreeBase;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Writes starting values of the fixtures and of the targets that no position shows, where they are
-/// `wanted`; of the base too, where only known places of sockets show it.
+/// Writes starting values of the free (`wanted`) fixtures, and of free targets without measured
+/// positions; also of the base, if only known positions of sockets determine it.
 pub(crate) fn place_fixtures(
     arm: &dyn FreeBase,
     observations: &[Observation],
@@ -20,7 +20,7 @@ pub(crate) fn place_fixtures(
     place_seen(arm, &seen, settings, wanted, values);
 }
 
-/// [`place_fixtures`] with the targets `seen` where they are.
+/// [`place_fixtures`] with the measured targets `seen` at their positions.
 pub(crate) fn place_seen(
     arm: &dyn FreeBase,
     seen: &BTreeSet<usize>,
@@ -59,7 +59,7 @@ pub(crate) fn place_seen(
     lay(arm, settings, wanted, values);
 }
 
-/// The base, which is at the world's origin, where the sockets come to their known places.
+/// The base, initially at the world's origin, for which the sockets are at their known positions.
 fn move_base(known: &BTreeMap<usize, Vector>, values: &mut [f64]) {
     let pairs: Vec<(Vector, Vector)> = known.iter().map(|(&first, &place)| (point(values, first), place)).collect();
     let Some(moved) = onto(&pairs) else { return };

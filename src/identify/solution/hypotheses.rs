@@ -1,5 +1,5 @@
-//! Hypotheses about a set-up: what a robot leaves of observations after all its parameters have
-//! followed them, beside their tolerances.
+//! Hypotheses about a set-up: residuals of the observations after all parameters of a robot have
+//! been fitted, with their tolerances.
 //!
 //! Hypotheses compete by the sum of squares of residuals and of deviations from nominal at one and
 //! the same standard deviation of a coordinate. Lengths are those of the robot: a change of the
@@ -15,15 +15,14 @@ use etalon_math::{Options, ParameterPrior as Prior, Problem, WithPriors};
 use etalon_robots::{Quantity, Robot};
 use std::f64::consts::TAU;
 
-/// Least standard deviation of a coordinate, mm: no instrument measures robots to less.
+/// Smallest standard deviation (mm) of a coordinate: no instrument measures robots more accurately.
 pub(crate) const LEAST_MM: f64 = 1e-3;
-/// A hypothesis is contradicted where its sum of squares is this many times what it is expected to
-/// be.
+/// Ratio of a sum of squares to its expected value at which a hypothesis is contradicted.
 const CONTRADICTED: f64 = 4.0;
-/// A hypothesis is contradicted where a parameter is this many standard uncertainties of its
-/// tolerance from nominal: 2.3 tolerances.
+/// Deviation of a parameter from nominal, in standard uncertainties of its tolerance, at which a
+/// hypothesis is contradicted: 2.3 tolerances.
 const OFF: f64 = 4.0;
-/// A hypothesis leaves less than this share of the spread of the measured and of the predicted
+/// Maximum residual of a hypothesis, as a share of the spread of the measured or of the predicted
 /// positions, whichever is smaller.
 const LEFT: f64 = 0.05;
 /// Minimum decrease of a sum of squares if parameters alone contradict a hypothesis.
@@ -31,17 +30,17 @@ const FALLS_BY: f64 = 16.0;
 /// Iterations of one fit.
 const ITERATIONS: usize = 60;
 
-/// Observations with a robot that is to explain them.
+/// Observations, and a robot as their explanation.
 pub(crate) struct Hypothesis<'a> {
     /// The robot.
     pub robot: &'a dyn Robot,
     /// The observations.
     pub observations: &'a [Observation],
-    /// Values of all parameters at which base and targets are placed.
+    /// Values of all parameters with base and targets located.
     pub placed: Vec<f64>,
-    /// Values from which the fit starts, where others are nearer.
+    /// Starting values of the fit, if others are nearer.
     pub start: Option<&'a [f64]>,
-    /// Parameter whose nominal value does not count.
+    /// Parameter without a nominal value.
     pub loose: Option<usize>,
 }
 
@@ -51,7 +50,7 @@ pub(crate) struct Fitted {
     pub values: Vec<f64>,
     /// Root mean square distance, mm.
     pub left_mm: f64,
-    /// Standard deviation of a coordinate as the residuals show it, mm.
+    /// Standard deviation (mm) of a coordinate from the residuals.
     pub noise_mm: f64,
     /// Sum of squares of residuals over the standard deviation, and of deviations from nominal over
     /// that of the tolerance.
@@ -60,13 +59,13 @@ pub(crate) struct Fitted {
     rows: usize,
     /// Largest deviation from nominal, in standard uncertainties of the tolerance.
     off: f64,
-    /// Share of the spread that is left.
+    /// Share of the spread that remains.
     share: f64,
 }
 
 impl Hypothesis<'_> {
-    /// Fits all parameters where a coordinate has the standard deviation `sigma_mm`; `None` where a
-    /// pose is out of reach.
+    /// Fits all parameters for the standard deviation `sigma_mm` of a coordinate; `None` if a pose
+    /// is out of reach.
     pub fn fit(&self, sigma_mm: f64) -> Option<Fitted> {
         let parameters = self.robot.parameters();
         let all: Vec<usize> = (0..parameters.len()).collect();
@@ -148,23 +147,23 @@ impl Fitted {
         self.explains() && falls && (residuals || stated.off > OFF)
     }
 
-    /// `true` if little of the spread of the positions is left.
+    /// `true` if a small share of the spread of the positions remains.
     fn is_near(&self) -> bool {
         self.share < LEFT
     }
 
-    /// `true` if the residuals show the noise: parameters that are far off shrink them.
+    /// `true` if the residuals show the noise, which parameters far from nominal would reduce.
     pub fn shows_noise(&self) -> bool {
         self.is_near() && self.off <= OFF
     }
 
-    /// Sum of squares for each residual.
+    /// Sum of squares per residual.
     pub fn per_row(&self) -> f64 {
         self.cost / self.rows as f64
     }
 }
 
-/// Standard uncertainty by a tolerance, the half-width of a rectangular distribution (GUM 4.3.7).
+/// Standard uncertainty from a tolerance, the half-width of a rectangular distribution (GUM 4.3.7).
 fn uncertainty(tolerance: f64) -> f64 {
     tolerance / 3f64.sqrt()
 }

@@ -5,15 +5,16 @@ use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
 use etalon_math::{Factor, factor_at};
 
-/// A column of the scaled Jacobian that lies this near to the span of the columns before it adds
-/// nothing: far above rounding (1e-15), far below what any useful set of poses has (1/condition,
-/// about 1/100: Schröer, cited in Nahvi & Hollerbach 1996).
+/// Maximum distance of a column of the scaled Jacobian from the span of the previous columns at
+/// which it is dependent: far above rounding (1e-15), far below that of any useful set of poses
+/// (1/condition, about 1/100: Schröer, cited in Nahvi & Hollerbach 1996).
 pub const RANK_TOLERANCE: f64 = 1e-9;
-/// A column below this fraction of the largest is not seen by the data.
+/// Fraction of the largest column below which a column is unobservable.
 const UNSEEN: f64 = 1e-12;
 /// Share of a dependence above which a parameter belongs to the group.
 const MEMBER: f64 = 1e-4;
-/// Correlation, by size, above which a parameter is named beside one that is known uselessly badly.
+/// Absolute correlation above which a parameter is named beside a parameter with a uselessly large
+/// uncertainty.
 const CORRELATED: f64 = 0.5;
 
 /// Parameters that are not separately identifiable; the last of them is held.
@@ -21,11 +22,11 @@ const CORRELATED: f64 = 0.5;
 pub struct Group {
     /// Index of the parameter that is held at its nominal value.
     pub held: usize,
-    /// Indices of the parameters it is not separable from; empty where the data do not depend on
-    /// `held` at all.
+    /// Indices of the parameters from which it is not separable; empty if the data do not depend on
+    /// `held`.
     pub with: Vec<usize>,
-    /// Standard uncertainty (mm, rad, 1) that `held` would have if it were identified, where that
-    /// is merely useless: the parameters would be separable with less noise.
+    /// Standard uncertainty (mm, rad, 1) that `held` would have if it were identified, if this is
+    /// merely useless: the parameters would be separable with less noise.
     pub useless_uncertainty: Option<f64>,
 }
 
@@ -34,29 +35,28 @@ pub(crate) struct Analysis {
     pub groups: Vec<Group>,
 }
 
-/// Rule that chooses the held one of linearly dependent columns.
+/// Rule for choosing the held one of linearly dependent columns.
 #[derive(Clone, Copy)]
 enum Choice<'a> {
     /// The last.
     Last,
-    /// The one that a nominal value knows best beside its effect: by the standard uncertainty of
-    /// each column, infinite where it has no nominal value.
+    /// The one whose nominal value is most accurate relative to its effect: by the standard
+    /// uncertainty of each column, infinite without a nominal value.
     BestKnown(&'a [f64]),
 }
 
 impl Analysis {
-    /// Analyses the Jacobian of `problem`, without nominal values, at `values`. Of parameters that
-    /// depend on each other the one is held whose tolerance moves the targets least, so that
-    /// holding it moves the others little; the last one where tolerances are alike.
+    /// Analyses the Jacobian of `problem`, without nominal values, at `values`. Among dependent
+    /// parameters, the one whose tolerance moves the targets least is held, so that the others
+    /// hardly change; the last one if tolerances are alike.
     pub fn by_prior(problem: &Residuals, values: &[f64]) -> Self {
         let s = |&i: &usize| Prior::TOLERANCES.uncertainty(problem.robot, i).unwrap_or(f64::INFINITY);
         let known: Vec<f64> = problem.free.iter().map(s).collect();
         Self::choosing(problem, values, 0.0, Choice::BestKnown(&known))
     }
 
-    /// Analyses the Jacobian of `problem` at `values` (all parameters of the robot), where a
-    /// residual has the standard deviation `noise` (in the residuals' own unit; 0 where it is not
-    /// known).
+    /// Analyses the Jacobian of `problem` at `values` (all parameters of the robot), for residuals
+    /// of the standard deviation `noise` (in the unit of the residuals; 0 if unknown).
     pub fn at(problem: &Residuals, values: &[f64], noise: f64) -> Self {
         Self::choosing(problem, values, noise, Choice::Last)
     }
@@ -119,18 +119,18 @@ impl Analysis {
     }
 }
 
-/// Columns that are independent of those before them, by their orthonormal basis, and those that
-/// are not, each with its share of independent ones.
+/// Columns that are independent of the previous ones, by their orthonormal basis, and dependent
+/// ones, each with its share of the independent ones.
 struct Independent {
     basis: Vec<(usize, Vec<f64>)>,
     dependent: Vec<(usize, Vec<(usize, f64)>)>,
 }
 
-/// Effects that differ by less, relatively, are alike.
+/// Relative difference below which effects are alike.
 const ALIKE: f64 = 1e-6;
 
-/// Columns are taken by their `effect` beside those before, the largest first, and in their order
-/// where it is infinite or alike.
+/// Takes columns by their `effect` relative to the previous ones, the largest first, and in their
+/// order if the effect is infinite or alike.
 fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool, effect: impl Fn(usize) -> f64) -> Independent {
     let mut found = Independent { basis: Vec::new(), dependent: Vec::new() };
     let mut left: Vec<usize> = (0..columns.len()).collect();
@@ -164,7 +164,7 @@ fn norm(column: &[f64]) -> f64 {
     column.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
-/// Removes from the columns `kept` of a factor those whose parameters would be known worse than
+/// Removes from the columns `kept` of a factor those whose parameters would be less accurate than
 /// before, the worst first.
 fn useless(
     problem: &Residuals,
@@ -195,7 +195,7 @@ fn useless(
     }
 }
 
-/// Shares of `column` along the orthonormal `basis` and what is left of it (Gram-Schmidt, done
+/// Components of `column` along the orthonormal `basis`, and the remainder (Gram-Schmidt, done
 /// twice: Giraud et al. 2005).
 fn split(column: &[f64], basis: &[(usize, Vec<f64>)]) -> (Vec<f64>, Vec<f64>) {
     let mut rest = column.to_vec();

@@ -1,4 +1,4 @@
-//! Solution: starting values, the solver, and which parameters the observations determine.
+//! Solution: starting values, the solver, and the parameters that the observations determine.
 
 pub(crate) mod apart;
 pub(crate) mod estimation;

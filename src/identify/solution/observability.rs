@@ -9,7 +9,7 @@ use etalon_math::statistics::mean;
 use etalon_math::{Factor, Problem, Svd, svd};
 use etalon_robots::{Quantity, Robot};
 
-/// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
+/// Singular values of the Jacobian and the indices computed from them (eq. 1.19 to 1.25).
 ///
 /// The indices are those of the Jacobian in mm per mm and mm per rad, without weights; the
 /// condition number is that of the Jacobian with its columns divided by their norms.
@@ -21,19 +21,18 @@ pub struct Observability {
     pub condition: f64,
     /// Number of parameters that are separately identifiable.
     pub rank: usize,
-    /// Number of coordinates of unknown points that were eliminated because they are many: indices
-    /// and singular values are those of the reduced Jacobian.
+    /// Number of coordinates of unknown points that were eliminated because of their large number:
+    /// indices and singular values are those of the reduced Jacobian.
     pub eliminated: usize,
     /// Singular values of the Jacobian with its columns divided by their norms, descending: the
     /// first over the last is the condition number.
     pub singular_values: Vec<SingularValue>,
     /// Smallest singular values of the Jacobian with all parameters to be identified, as many as
-    /// are held: directions that the data do not show. Empty if none is held, and before a
-    /// measurement.
+    /// are held: unobservable directions. Empty if none is held, and before a measurement.
     pub held_singular_values: Vec<SingularValue>,
 }
 
-/// Response of the residuals to a direction of the parameters, and the parameters of this
+/// Response of the residuals to a direction of the parameters, and the main parameters of this
 /// direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SingularValue {
@@ -51,17 +50,17 @@ pub struct WeakGroup {
     pub parameters: Vec<usize>,
     /// Their predicted standard uncertainties (mm, rad, 1).
     pub standard_uncertainties: Vec<f64>,
-    /// Largest correlation among them, by size.
+    /// Largest absolute correlation among them.
     pub correlation: f64,
 }
 
-/// Parameters are weakly identifiable where their uncertainty alone would move the targets by more
-/// than this many times what the instrument resolves (root mean square over the residuals, each
+/// Limit of weakly identifiable parameters: their uncertainty alone would move the targets by more
+/// than this multiple of the instrument's resolution (root mean square over the residuals, each
 /// pose measured once).
 const WEAK_EFFECT: f64 = 10.0;
-/// Share of a singular vector above which a parameter takes part.
+/// Minimum share of a parameter in a singular vector.
 const MEMBER: f64 = 0.3;
-/// Correlation, by size, that binds two of them.
+/// Minimum absolute correlation that binds two parameters.
 const BOUND: f64 = 0.9;
 
 /// Observability at `x`, where the Jacobian with its columns divided by `scale` has this factor,
@@ -150,7 +149,7 @@ fn singular_values(svd: &Svd, free: &[usize]) -> Vec<SingularValue> {
     svd.values.iter().zip(&svd.vectors).map(of).collect()
 }
 
-/// Factor and column norms of the Jacobian that is not whitened.
+/// Factor and column norms of the Jacobian before whitening.
 fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
     let mut jacobian = vec![0.0; problem.residual_count() * problem.width()];
     problem.plain_jacobian(x, &mut jacobian);
@@ -159,9 +158,8 @@ fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
     (rows.factor(&vec![0.0; problem.residual_count()], &scale), scale)
 }
 
-/// Splits `members` into sets bound by correlation: vectors of nearly equal singular values mix
-/// what has nothing to do with each other. Where no two are bound, all of them are not identifiable
-/// together.
+/// Splits `members` into sets bound by correlation, because vectors of nearly equal singular values
+/// mix unrelated parameters. If no two are bound, all are weakly identifiable together.
 fn bind(members: &[usize], correlation: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<usize>> {
     let mut sets: Vec<Vec<usize>> = Vec::new();
     for &j in members {

@@ -1,4 +1,4 @@
-//! Base and targets of an arm, wherever they are.
+//! Base and targets of an arm at unknown positions.
 //!
 //! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube,
 //! and the nominal one, are tried in closed form, the best few refined on a subset of the poses,
@@ -18,10 +18,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 
 const REFINED: usize = 4;
-/// Targets that suffice to find the base.
+/// Number of targets that is sufficient to find the base.
 pub(crate) const MOST_TARGETS: usize = 12;
-/// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by
-/// millimetres.
+/// Share of the spread of the measurements that the nominal robot must explain: errors of robots
+/// are millimetres.
 pub(crate) const UNEXPLAINED: f64 = 0.1;
 /// Coordinates of targets, unweighted.
 pub(crate) static PLAIN: Settings = Settings {
@@ -41,16 +41,16 @@ pub(crate) fn spread_over(observations: &[Observation], count: usize) -> Vec<Obs
     observations.iter().step_by(observations.len().div_ceil(count).max(1)).cloned().collect()
 }
 
-/// Base and targets where they explain observations best, and what they leave.
+/// Base and targets that explain observations best, and the residual.
 pub(crate) struct Placed {
-    /// Root mean square of the distances that are left, mm.
+    /// Root mean square (mm) of the residual distances.
     pub rms_mm: f64,
     /// All parameters.
     pub values: Vec<f64>,
 }
 
 /// Base and targets (the parameters `places`) of an arm whose other parameters are `nominal`;
-/// `None` where no solution is found.
+/// `None` if no solution is found.
 ///
 /// Of many targets a few, those with the most readings, show where the base is.
 pub(crate) fn place(
@@ -87,7 +87,7 @@ fn target_parameters(arm: &dyn FreeBase, target: usize) -> std::ops::Range<usize
     first..first + 3
 }
 
-/// Targets with at least one reading, and how many each has.
+/// Targets with at least one reading, and the number of readings of each.
 pub(crate) fn readings(robot: &dyn Robot, observations: &[Observation]) -> Vec<(usize, usize)> {
     let mut readings = vec![0; robot.targets().len()];
     for o in observations {
@@ -96,7 +96,7 @@ pub(crate) fn readings(robot: &dyn Robot, observations: &[Observation]) -> Vec<(
     readings.into_iter().enumerate().filter(|(_, readings)| *readings > 0).collect()
 }
 
-/// Places targets on the flange where their readings are in the mean.
+/// Places targets on the flange at the mean position of their readings.
 pub(crate) fn place_targets(
     arm: &dyn FreeBase,
     observations: &[Observation],
@@ -165,8 +165,8 @@ pub(crate) fn spread_mm(observations: &[Observation]) -> f64 {
     rms(all.iter().map(|p| norm(minus(*p, mean))))
 }
 
-/// Rotation vectors of the base to try: those of the 24 rotations that bring a cube to itself, and
-/// the nominal one; held components keep their nominal values in all.
+/// Candidate rotation vectors of the base: those of the 24 rotations that map a cube onto itself,
+/// and the nominal one; held components keep their nominal values in all.
 fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
     let held = |mut angles: [f64; 3]| {
         for (k, angle) in angles.iter_mut().enumerate().filter(|(k, _)| !places.contains(&(3 + k))) {
@@ -187,7 +187,7 @@ fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
     all
 }
 
-/// A target seen in a pose.
+/// A target measured in a pose.
 struct Sighting {
     /// The flange in the base.
     base_t_flange: Pose,
@@ -197,8 +197,8 @@ struct Sighting {
 }
 
 impl Sighting {
-    /// All targets that were seen, of an arm whose own parameters are nominal: the flange is where
-    /// the joints put it, wherever the base is.
+    /// All measured targets of an arm whose own parameters are nominal: the joint values determine
+    /// the flange relative to the base.
     fn of(arm: &dyn FreeBase, observations: &[Observation], nominal: &[f64]) -> Vec<Self> {
         let mut in_base = nominal.to_vec();
         in_base[..6].fill(0.0);
@@ -274,9 +274,8 @@ fn unit_vector(axis: usize) -> Vector {
     [0, 1, 2].map(|i| f64::from(u8::from(i == axis)))
 }
 
-/// With the rotation of the base given by its angles, positions are linear in the place of the base
-/// and the targets; those of them not in `places` keep their nominal values. Gives the cost and all
-/// parameters.
+/// Solves for the position of the base and the targets, which are linear for a given rotation of
+/// the base; those not in `places` keep their nominal values. Returns the cost and all parameters.
 fn linear_start(
     sightings: &[Sighting],
     nominal: &[f64],

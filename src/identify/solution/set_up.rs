@@ -1,7 +1,7 @@
 //! Errors of the set-up: a reversed joint, a unit, exchanged columns, a convention. The changes
-//! that bring the nominal robot nearest to the measurements, with base and targets placed anew, are
-//! hypotheses; one is named that explains the measurements where they cannot be explained without
-//! it.
+//! that bring the nominal robot nearest to the measurements, with base and targets located again,
+//! are hypotheses. A hypothesis is named if it explains the measurements and they cannot be
+//! explained without it.
 
 use crate::Observation;
 use crate::model::residuals::Residuals;
@@ -18,25 +18,25 @@ use etalon_math::statistics::{median, rms};
 use etalon_math::{Options, factor_at};
 use etalon_robots::{Quantity, Robot, Role};
 
-/// Poses on which changes are tried.
+/// Number of poses on which changes are tried.
 const SUBSET: usize = 32;
-/// Changes of which all parameters are fitted: those that bring the nominal robot nearest.
+/// Number of changes that are fitted with all parameters: those that bring the nominal robot
+/// nearest.
 const FITS: usize = 12;
-/// Nominal values of which all parameters are fitted.
+/// Number of nominal values that are fitted with all parameters.
 const FITTED_VALUES: usize = 3;
-/// A change by a value found from the data is named where its sum of squares is less than this
-/// share of that of other changes.
+/// Maximum sum of squares, relative to that of other changes, at which a change by a value fitted
+/// to the data is named.
 const FITTED: f64 = 0.5;
-/// Changes whose sums of squares come this near to the least one are named beside it.
+/// Maximum ratio of sums of squares at which further changes are named beside the best one.
 const AS_GOOD: f64 = 1.2;
-/// Largest residual of one coordinate that noise leaves where poses are few, in its standard
-/// uncertainties.
+/// Largest residual of one coordinate attributed to noise if poses are few, in standard
+/// uncertainties of a coordinate.
 const NOISE_COORDINATE: f64 = 3.0;
-/// Changes that are named.
+/// Maximum number of named changes.
 const NAMED: usize = 3;
 
-/// A message with the change of the set-up that explains it, where there is one, in place of its
-/// hint.
+/// Replaces the hint of a message by the change of the set-up that explains it, if there is one.
 pub(crate) fn explained(message: Message, robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Warning {
     let Some(found) = set_up_error(robot, observations, noise_mm) else { return message.into() };
     Warning {
@@ -48,9 +48,9 @@ pub(crate) fn explained(message: Message, robot: &dyn Robot, observations: &[Obs
     }
 }
 
-/// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from
-/// nominal as their tolerances, taken as half-widths of rectangular distributions (GUM 4.3.7),
-/// allow; base and targets, at `values`, take up what they can.
+/// Root mean square error (mm) of a nominal robot whose parameters deviate from nominal as their
+/// tolerances, taken as half-widths of rectangular distributions (GUM 4.3.7), allow; base and
+/// targets, at `values`, absorb as much as they can.
 ///
 /// `noise_mm` is the standard uncertainty of a coordinate. What is allowed is never more than a
 /// tenth of the spread of the measurements: with nominal values that are wrong themselves the
@@ -74,8 +74,8 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
     Some((sum / points.max(1) as f64 + noise).sqrt().min(most)).filter(|v| v.is_finite())
 }
 
-/// An error where no place of base and targets brings the nominal robot as near to the measurements
-/// as its tolerances allow, with the change of the set-up that would.
+/// Returns an error if no position of base and targets brings the nominal robot as near to the
+/// measurements as its tolerances allow, with the change of the set-up that would.
 ///
 /// A few wrong readings are no wrong set-up: half of all readings must be as far.
 pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<Warning> {
@@ -101,12 +101,12 @@ pub fn far_from_nominal(
     explained(message, robot, observations, noise_mm)
 }
 
-/// The change of the set-up that explains the measurements, where they cannot be explained without
-/// a change.
+/// The change of the set-up that explains the measurements, if they cannot be explained without a
+/// change.
 ///
-/// Every hypothesis is judged after a fit of its own: by squares of residuals, over the standard
-/// deviation of a coordinate that the best one leaves or that is stated (`noise_mm`), and by
-/// squares of deviations from nominal over those of tolerances.
+/// Each hypothesis is fitted separately. Its criterion is the sum of squares of standardised
+/// residuals and of deviations from nominal over tolerances. The standard deviation of a coordinate
+/// is the smallest of all fits, and at least `noise_mm`.
 pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<SetUpError> {
     if observations.is_empty() {
         return None;
@@ -150,19 +150,19 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
     Some(SetUpError { changes, stated_mm: unchanged.map_or(f64::INFINITY, |fitted| fitted.left_mm), changed_mm })
 }
 
-/// Observations with base and targets placed.
+/// Observations with base and targets located.
 struct Case {
     observations: Vec<Observation>,
     /// All parameters.
     values: Vec<f64>,
     /// Root mean square distance of the nominal robot, mm.
     left_mm: f64,
-    /// Parameter whose nominal value does not count.
+    /// Parameter without a nominal value.
     loose: Option<usize>,
 }
 
 impl Case {
-    /// Places base and targets; `None` where the nominal robot cannot be where the joints put it.
+    /// Locates base and targets; `None` if the nominal robot has no pose at the joint values.
     fn placed(robot: &dyn Robot, observations: &[Observation], anywhere: bool) -> Option<Self> {
         let nominal = robot.nominal();
         let found = misfit(robot, observations, &nominal, anywhere)?;
@@ -183,10 +183,10 @@ impl Case {
 struct Slip {
     what: Phrase,
     origin: Origin,
-    /// The robot by another convention.
+    /// The robot in another convention.
     other: Option<Box<dyn Robot>>,
     case: Case,
-    /// The observations without the change, where they are others than those of all changes.
+    /// The observations without the change, if they differ from those of all changes.
     beside: Option<Case>,
 }
 
@@ -195,7 +195,7 @@ impl Slip {
         self.other.as_deref().unwrap_or(robot)
     }
 
-    /// The change with the value that was found.
+    /// The change with the fitted value.
     fn phrase(&self, robot: &dyn Robot, fitted: &Fitted) -> Phrase {
         let Some(i) = self.case.loose else { return self.what.clone() };
         let p = &robot.parameters()[i];
@@ -203,8 +203,8 @@ impl Slip {
         phrase!("slip-nominal", parameter = p.name, found, unit = p.quantity.unit(), nominal)
     }
 
-    /// Changes that bring the nominal robot nearest to the measurements, which it misses by
-    /// `stated_mm` without a change.
+    /// Changes that bring the nominal robot nearest to the measurements; without a change its error
+    /// is `stated_mm`.
     fn all(robot: &dyn Robot, observations: &[Observation], subset: &[Observation], stated_mm: f64) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
         let new = |what, origin, case| Self { what, origin, other: None, case, beside: None };
@@ -239,7 +239,7 @@ impl Slip {
     }
 }
 
-/// The base of a planar robot wherever the measurements have it.
+/// Base of a planar robot at the position given by the measurements.
 fn elsewhere(robot: &dyn Robot, observations: &[Observation]) -> Option<(Phrase, Case)> {
     let case = Case::placed(robot, observations, true)?;
     let (fit, _) = planar_fit(robot, observations, &robot.nominal(), &ANYWHERE)?;
@@ -251,16 +251,15 @@ fn elsewhere(robot: &dyn Robot, observations: &[Observation]) -> Option<(Phrase,
 struct Misfit {
     /// Root mean square of the distances.
     rms_mm: f64,
-    /// Their median.
+    /// Median of the distances.
     median_mm: f64,
     values: Vec<f64>,
     /// Pose of a planar robot.
     planar: Option<Similarity>,
 }
 
-/// Base and targets placed by the measurements, and what is left; `None` where the robot cannot be
-/// where the joints put it. With `anywhere` the base of a planar robot may be beyond its
-/// tolerances.
+/// Base and targets located by the measurements, and the residuals; `None` if the robot has no pose
+/// at the joint values. With `anywhere`, the base of a planar robot may be beyond its tolerances.
 fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anywhere: bool) -> Option<Misfit> {
     if let Some(arm) = robot.free_base() {
         let places: Vec<usize> = (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
@@ -278,9 +277,9 @@ fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anyw
     planar_misfit(robot, observations, nominal, anywhere)
 }
 
-/// Misfit in the plane: predicted positions are brought to the measured ones by a shift, and by a
-/// turn if the base has an angle, both within the tolerances of the base; the nearer assembly mode
-/// is taken.
+/// Misfit in the plane: predicted positions are fitted to the measured ones by a shift, and by a
+/// rotation if the base has an angle, both within the tolerances of the base; the nearer assembly
+/// mode is used.
 fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anywhere: bool) -> Option<Misfit> {
     let tolerance = |quantity: Quantity| {
         let base = robot.parameters().iter().filter(|p| p.role == Role::Base && p.quantity == quantity);
@@ -293,8 +292,8 @@ fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
     Some(Misfit { rms_mm, median_mm, values: nominal.to_vec(), planar: Some(fit) })
 }
 
-/// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and
-/// the distances that they leave, mm.
+/// Shift and rotation that fit predicted positions to the measured ones, no larger than `most`, and
+/// the residual distances (mm).
 fn planar_fit(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -330,7 +329,7 @@ fn planar_fit(
 
 const ANYWHERE: Similarity = Similarity { angle: f64::INFINITY, shift: [f64::INFINITY; 2] };
 
-/// A shift, and perhaps a turn, of the plane.
+/// A shift of the plane, with or without a rotation.
 #[derive(Default)]
 struct Similarity {
     angle: f64,
@@ -338,7 +337,8 @@ struct Similarity {
 }
 
 impl Similarity {
-    /// From the first to the second point of each pair, by least squares, no further than `most`.
+    /// Motion from the first to the second point of each pair, by least squares, no larger than
+    /// `most`.
     fn between(pairs: &[[[f64; 2]; 2]], most: &Self) -> Option<Self> {
         let n = Some(pairs.len() as f64).filter(|n| *n > 0.0)?;
         let mean = |side: usize| [0, 1].map(|i| pairs.iter().map(|p| p[side][i]).sum::<f64>() / n);
@@ -362,8 +362,8 @@ impl Similarity {
         [cos * p[0] - sin * p[1] + self.shift[0], sin * p[0] + cos * p[1] + self.shift[1]]
     }
 
-    /// Gives observations the nearer assembly mode, and with `back` the frame in which the base is
-    /// nominal.
+    /// Sets the nearer assembly mode of observations, and moves them by `back` into the frame in
+    /// which the base is nominal.
     fn bring_near(&self, robot: &dyn Robot, nominal: &[f64], back: bool, observations: &mut [Observation]) {
         for o in observations {
             let pairs = |joints: &[f64]| -> Vec<[[f64; 2]; 2]> {
@@ -388,7 +388,7 @@ impl Similarity {
         }
     }
 
-    /// The point that comes to `p`.
+    /// The point that is moved to `p`.
     fn undo(&self, p: Vector) -> Vector {
         let (sin, cos) = self.angle.sin_cos();
         let [x, y] = [p[0] - self.shift[0], p[1] - self.shift[1]];
@@ -405,9 +405,9 @@ impl Similarity {
     }
 }
 
-/// Pose from which on measured positions are shifted against the robot at `values`: base or
-/// measuring system has moved. Returns a warning if one shift explains most of the residuals and
-/// chance does not.
+/// Pose from which on measured positions are shifted relative to the robot at `values`: base or
+/// measuring system has moved. Returns a warning if one shift explains most of the residuals beyond
+/// chance.
 pub fn moved_between(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<Message> {
     let left = |o: &Observation| centroid(&o.misses(robot, values).map(|(_, miss)| miss).collect::<Vec<_>>());
     let all: Vec<(PoseName, Vector)> = observations.iter().filter_map(|o| Some((o.pose, left(o)?))).collect();
@@ -437,14 +437,14 @@ pub fn moved_between(robot: &dyn Robot, observations: &[Observation], values: &[
     })
 }
 
-/// Observations on either side of a move, at least.
+/// Minimum number of observations on either side of a move.
 const FEWEST_ASIDE: usize = 5;
-/// Share of the squares that are left which one move must explain: of errors that follow no order
-/// it is a few percent.
+/// Minimum share of the residual sum of squares that one move must explain; for errors without
+/// order it is a few percent.
 const MOVED_SHARE: f64 = 0.4;
 
 /// Slips in one nominal value: each length and angle of the robot that the measurements put beyond
-/// its tolerance where it is free, with its fit.
+/// its tolerance if it is free, with its fit.
 fn wrong_nominal(robot: &dyn Robot, stated: &Case, sigma_mm: f64) -> Vec<(Slip, Fitted)> {
     let (parameters, placed) = (robot.parameters(), &stated.values);
     let places =

@@ -1,4 +1,4 @@
-//! Slips of a set-up: what observations would be without each of them.
+//! Slips of a set-up, and the observations without each of them.
 
 use crate::Observation;
 use crate::warning::Origin;
@@ -18,11 +18,11 @@ pub(crate) const LENGTHS: [(f64, &str); 4] =
 pub(crate) struct Change {
     /// The slip: "`q7` reversed".
     pub what: Phrase,
-    /// Statement of the part of the set-up that is wrong.
+    /// Statement of the wrong part of the set-up.
     pub origin: Origin,
     /// The observations without it.
     pub observations: Vec<Observation>,
-    /// `true` if the base of a planar robot may then lie beyond its tolerances.
+    /// `true` if the base of a planar robot may be beyond its tolerances without the slip.
     pub anywhere: bool,
 }
 
@@ -46,7 +46,7 @@ pub(crate) fn changes(robot: &dyn Robot, observations: &[Observation]) -> Vec<Ch
     all
 }
 
-/// The observations as they would be with one thing of the joints changed, and what that is.
+/// Observations with one property of the joints changed, and the change.
 fn changes_of_joints(robot: &dyn Robot, observations: &[Observation]) -> Vec<(Phrase, Vec<Observation>)> {
     let mut all: Vec<(Phrase, Vec<Observation>)> = Vec::new();
     let mut change = |what: Phrase, how: &dyn Fn(&mut Observation)| {
@@ -130,7 +130,7 @@ fn changes_of_points(robot: &dyn Robot, observations: &[Observation]) -> Vec<(Ph
     all
 }
 
-/// The observations with the joints of the pose before or after, in the order in which poses come.
+/// Observations with the joints of the previous or next pose, in the order of the poses.
 pub(crate) fn shifted(observations: &[Observation], shift: isize) -> Vec<Observation> {
     let mut poses: Vec<(PoseName, &Observation)> = Vec::new();
     for o in observations {

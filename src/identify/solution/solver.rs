@@ -1,4 +1,5 @@
-//! The least-squares solution at which the same parameters are held as those it was found with.
+//! The least-squares solution at which the held parameters are the same as those with which it was
+//! found.
 
 use crate::judgement::diagnosis::{diagnose_failure, nothing_left};
 use crate::model::elimination::Layout;
@@ -13,23 +14,22 @@ use etalon_math::{Options, Solution, WithPriors};
 use etalon_robots::{Quantity, Robot, Role};
 use std::f64::consts::TAU;
 
-/// Observations that suffice to come near, if they are spread over all.
+/// Number of observations, spread over all, that is sufficient for an approximate solution.
 const SUBSET: usize = 96;
-/// Changes of what is held after which the search ends.
+/// Maximum number of changes of the held parameters.
 const ROUNDS: usize = 8;
-/// Iterations of one solution: robots are near nominal, and take a dozen.
+/// Maximum number of iterations of one solution: robots near nominal need a dozen.
 const ITERATIONS: usize = 600;
-/// Noise that the first, tied solution takes residuals to have.
+/// Assumed noise of the residuals in the first, tied solution.
 const ANCHOR_MM: f64 = 0.01;
-/// Least noise beside which nominal values count.
+/// Smallest noise relative to which nominal values count.
 const LEAST_NOISE_MM: f64 = 1e-4;
-/// Share of the parameters that nominal values determine beyond which these may be what keeps
-/// residuals large.
+/// Share of the parameters determined by nominal values above which these may keep residuals large.
 const BY_NOMINAL: f64 = 0.2;
-/// Relative change of the noise below which nominal values weigh as they should.
+/// Relative change of the noise below which the weight of nominal values has converged.
 const SETTLED: f64 = 0.02;
 
-/// A solution, and what was held to find it.
+/// A solution, and the parameters held in it.
 pub(crate) struct Identifiable {
     /// All parameters of the robot.
     pub values: Vec<f64>,
@@ -39,7 +39,7 @@ pub(crate) struct Identifiable {
     pub groups: Vec<Group>,
     /// The solution in the free parameters.
     pub solution: Solution,
-    /// Steps taken in all.
+    /// Total number of steps.
     pub iterations: usize,
     /// Weight of nominal values.
     pub prior: Prior,
@@ -47,13 +47,13 @@ pub(crate) struct Identifiable {
     pub weight: f64,
 }
 
-/// A solution of some of the poses, from which that of all poses is found in few steps.
+/// A solution of some of the poses, from which that of all poses is reached in few steps.
 struct Near {
     /// All parameters of the robot.
     values: Vec<f64>,
     /// Indices of held parameters.
     held: Vec<usize>,
-    /// Prior that is most probable there.
+    /// Most probable prior there.
     prior: Prior,
 }
 
@@ -92,8 +92,8 @@ pub(crate) fn solve_identifiable(
     Ok(found)
 }
 
-/// Takes the angles nearest to nominal: a whole turn more or less is the same robot. Components of
-/// a rotation vector (free base, targets) are left alone.
+/// Chooses the angles nearest to nominal: a whole turn more or less is the same robot. Components
+/// of a rotation vector (free base, targets) are unchanged.
 fn whole_turns(robot: &dyn Robot, values: &mut [f64]) {
     let vector = |role: Role| role == Role::Target || role == Role::Base && robot.free_base().is_some();
     for (value, p) in values.iter_mut().zip(robot.parameters()) {
@@ -123,10 +123,10 @@ impl Estimation<'_> {
         Ok(Near { held: held_by(&found.groups), values: found.values, prior })
     }
 
-    /// Solves with nominal values as readings: what is redundant in the data alone is held,
-    /// everything else is well posed. Nominal values weigh as against the noise that the residuals
-    /// show, where that is more than stated. Returns the solution after at most `most` rounds, and
-    /// the prior that is most probable there.
+    /// Solves with nominal values as readings: parameters that are redundant in the data alone are
+    /// held, everything else is well posed. Nominal values are weighted relative to the noise of
+    /// the residuals, if it exceeds the stated one. Returns the solution after at most `most`
+    /// rounds, and the most probable prior there.
     fn with_prior(&self, start: &[f64], near: Option<Near>, most: usize) -> Result<(Identifiable, Prior)> {
         let Self { robot, observations, settings, wanted } = *self;
         let plain = settings.without_prior();
@@ -187,8 +187,8 @@ impl Estimation<'_> {
         unreachable!("the last round returns")
     }
 
-    /// Solves with redundant and useless parameters held, until the same are redundant at the
-    /// solution; `held` is a first guess of them.
+    /// Solves with redundant and useless parameters held, until the same parameters are redundant
+    /// at the solution; `held` is a first guess of them.
     fn rounds(&self, start: Vec<f64>, held: Option<Vec<usize>>) -> Result<Identifiable> {
         let Self { robot, observations, settings, .. } = *self;
         let mut values = start.clone();
@@ -244,9 +244,9 @@ impl Estimation<'_> {
         Err(Error::Unsteady)
     }
 
-    /// A first solution tied to the start, each parameter as loosely as it may be known before it
-    /// is useless, and what must be held there: what the data do not determine stays where it is,
-    /// instead of running away.
+    /// A first solution tied to the start, each parameter as loosely as its useful uncertainty
+    /// permits, and the parameters to hold there: undetermined ones keep their values instead of
+    /// diverging.
     fn anchored(&self, start: &[f64]) -> Result<(Vec<f64>, Vec<Group>)> {
         let Self { robot, observations, settings, wanted } = *self;
         let all = Residuals::new(robot, observations, settings, &by_rank(robot, wanted), start)?;
@@ -271,8 +271,8 @@ impl Estimation<'_> {
     }
 }
 
-/// Sets held parameters to their nominal values. Base and targets of an arm have none and stay at
-/// `start`, where they were placed.
+/// Sets held parameters to their nominal values. Base and targets of an arm have none and keep the
+/// values of `start`.
 fn hold(robot: &dyn Robot, held: &[usize], start: &[f64], values: &mut [f64]) {
     for &i in held {
         let p = &robot.parameters()[i];
@@ -280,8 +280,8 @@ fn hold(robot: &dyn Robot, held: &[usize], start: &[f64], values: &mut [f64]) {
     }
 }
 
-/// Parameters of an arm in the order in which they take up what is not separately identifiable:
-/// fixtures and mountings, which come last in its list, before its own.
+/// Parameters of an arm in the order in which they absorb inseparable effects: fixtures and
+/// mountings, which come last in its list, before its own.
 fn by_rank(robot: &dyn Robot, wanted: &[usize]) -> Vec<usize> {
     let mut order = wanted.to_vec();
     if robot.free_base().is_some() {

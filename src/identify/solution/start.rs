@@ -1,5 +1,5 @@
-//! Starting values: a tracker may be anywhere, so base and targets of an arm are found, not
-//! assumed.
+//! Starting values: a tracker may be anywhere, so base and targets of an arm are computed from the
+//! observations.
 
 use crate::solution::fixtures::place_fixtures;
 use crate::solution::placing::{
@@ -14,12 +14,12 @@ use etalon_robots::{FreeBase, Robot, Role};
 use std::collections::BTreeSet;
 
 const SUBSET: usize = 24;
-/// Largest root mean square distance that noise of three coordinates leaves, in standard
+/// Largest root mean square distance attributed to noise of three coordinates, in standard
 /// uncertainties of a coordinate: twice √3.
 pub const NOISE_DISTANCE: f64 = 3.5;
 
-/// Starting values of all parameters: nominal, for robots with a free base with those of base,
-/// targets and fixtures that are `wanted` found from what was observed.
+/// Starting values of all parameters: nominal; for robots with a free base, the free (`wanted`)
+/// parameters of base, targets and fixtures are computed from the observations.
 pub(crate) fn start(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -2,7 +2,7 @@
 (function () {
   "use strict";
   var data = JSON.parse(document.getElementById("data").textContent), rows = data.rows, quantities = data.quantities;
-  var CAMPAIGN = 0, REPORT = 1, ROBOT = 2, DATE = 3, ENDED = 4, MESSAGE = 5, VALUES = 6, OUTLIERS = 7, BADNESS = 8, CHECKS = 9;
+  var CAMPAIGN = 0, REPORT = 1, ROBOT = 2, DATE = 3, ENDED = 4, MESSAGE = 5, VALUES = 6, OUTLIERS = 7, BADNESS = 8, CHECKS = 9, UNTIL = 10, LIMITS = 11;
   var COLOURS = ["#1f5fa8", "#f0a020", "#1d6b3a", "#8a3fa0", "#a3201d", "#2a8f9e", "#7a5a2a", "#5b6672"];
   // robots differ by more than their colour: outlines of about one area, in units of a mark's size
   var SHAPES = ["M-1 0a1 1 0 1 0 2 0a1 1 0 1 0 -2 0z", "M0 -1.25L1.25 0 0 1.25 -1.25 0z", "M-.89 -.89H.89V.89H-.89z", "M0 -1.35L1.35 1H-1.35z",
@@ -21,13 +21,15 @@
   }
   var mark = document.documentElement.lang === "en" ? "." : ",";
   function said(value) { return value === null || value === undefined ? value : String(value).replace(".", mark); }
-  // columns: campaign, verdict, cause, checks, robot, date, quantities
-  var FIRST = 3, checks = rows.length ? rows[0][CHECKS].length : 0, FIGURES = FIRST + checks + 2;
+  // columns: campaign, verdict, cause, checks, robot, date, last day of validity, quantities
+  var FIRST = 3, checks = rows.length ? rows[0][CHECKS].length : 0, FIGURES = FIRST + checks + 3;
+  // a page is looked at later than it is written
+  var today = new Date().toISOString().slice(0, 10);
   function cell(row, column) {
     if (column < 0) return row[BADNESS];
     if (column < FIRST) return [row[CAMPAIGN], row[ENDED][0], row[MESSAGE]][column];
     if (column < FIRST + checks) return row[CHECKS][column - FIRST][0];
-    return column < FIGURES ? [row[ROBOT], row[DATE]][column - FIRST - checks] : row[VALUES][column - FIGURES];
+    return column < FIGURES ? [row[ROBOT], row[DATE], row[UNTIL]][column - FIRST - checks] : row[VALUES][column - FIGURES];
   }
   function compare(a, b) {
     var x = cell(a, sorted.column), y = cell(b, sorted.column), sign = sorted.down ? -1 : 1;
@@ -47,6 +49,8 @@
       row[CHECKS].forEach(function (check) { element("td", line, check[0], check[1] ? { class: "grade " + check[1] } : {}); });
       element("bdi", element("td", line), row[ROBOT]);
       element("td", line, row[DATE]);
+      var late = row[UNTIL] && row[UNTIL] < today;
+      element("td", line, late ? row[UNTIL] + " (" + table.dataset.expired + ")" : row[UNTIL], late ? { class: "expired" } : {});
       row[VALUES].forEach(function (value, k) {
         element("td", line, said(value), { class: "num" + (row[OUTLIERS].indexOf(k) < 0 ? "" : " outlier") });
       });
@@ -82,8 +86,13 @@
     if (!points.length) return;
     var x = function (row) { return dated ? Date.parse(row[DATE].slice(0, 10)) / DAY : row.index; };
     var y = function (row) { return Number(row[VALUES][k]); };
+    var limitOf = function (row) {
+      var found = row[LIMITS].find(function (limit) { return limit[0] === k; });
+      return found ? found[1] : null;
+    };
+    var limits = points.map(limitOf).filter(function (limit) { return limit !== null; });
     var range = function (of) {
-      var all = points.map(of), low = all.reduce(function (a, b) { return Math.min(a, b); }), high = all.reduce(function (a, b) { return Math.max(a, b); });
+      var all = of === y ? points.map(of).concat(limits) : points.map(of), low = all.reduce(function (a, b) { return Math.min(a, b); }), high = all.reduce(function (a, b) { return Math.max(a, b); });
       // marks keep away from the frame
       var margin = low < high ? 0.06 * (high - low) : 0.5;
       return [low - margin, high + margin];
@@ -105,6 +114,15 @@
     });
     element("svg:text", svg, label, { x: left, y: 12 });
     element("svg:text", svg, dated ? trend.dataset.date : trend.dataset.order, { x: W - 20, y: H - 6, class: "end" });
+    // the history of a robot: its campaigns in the order of their dates
+    if (dated) robots.forEach(function (robot) {
+      var own = points.filter(function (row) { return (row[ROBOT] || "") === robot; }).sort(function (a, b) { return x(a) - x(b); });
+      if (own.length > 1) element("svg:path", svg, null, { class: "history", d: "M" + own.map(function (row) { return px(x(row)).toFixed(1) + " " + py(y(row)).toFixed(1); }).join("L") });
+    });
+    points.forEach(function (row) {
+      var limit = limitOf(row), at = px(x(row));
+      if (limit !== null) element("svg:path", svg, null, { class: "limit", d: "M" + (at - 9).toFixed(1) + " " + py(limit).toFixed(1) + "h18" });
+    });
     points.forEach(function (row) {
       var unlike = row[OUTLIERS].indexOf(k) >= 0, colour = COLOURS[robots.indexOf(row[ROBOT] || "") % COLOURS.length];
       var place = "translate(" + px(x(row)).toFixed(1) + " " + py(y(row)).toFixed(1) + ") scale(" + (unlike ? 6 : 4) + ")";
@@ -118,6 +136,11 @@
       element("bdi", legend, robot + "  ");
     });
     if (robots.length > COLOURS.length) element("span", legend, "…");
+    if (limits.length) {
+      var line = element("svg:svg", legend, null, { class: "key", viewBox: "-1.5 -1.5 3 3", "aria-hidden": "true" });
+      element("svg:path", line, null, { class: "limit", style: "stroke-width: .4; stroke-dasharray: none", d: "M-1.5 0h3" });
+      element("span", legend, trend.dataset.limit);
+    }
     cues();
   }
   function draw() {

@@ -255,6 +255,14 @@
     [[0.3, 0], [-0.3, 0], [0, 0.2], [0, -0.2]].forEach(function (way, i) { button(tools, words[4 + i], function () { all(way[0], way[1]); }); });
   }
 
+  // an annex opens where it is named, and when the page is printed
+  function unfold() {
+    var annex = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1))), folded = annex && annex.querySelector(":scope > details");
+    if (folded) folded.open = true;
+  }
+  addEventListener("hashchange", unfold);
+  unfold();
+
   // the contents mark the section in sight
   var links = Array.from(document.querySelectorAll("nav a"));
   if (window.IntersectionObserver) {

@@ -23,8 +23,8 @@ use serde_json::{Value, json};
 use typst::foundations::Bytes;
 use world::Desk;
 
-/// Date of a PDF if the campaign states no date of issue or measurement: the earliest date of a ZIP
-/// file.
+/// Date in the metadata of a PDF if neither the campaign nor `SOURCE_DATE_EPOCH` states one: PDF/A
+/// requires a date, and each page says that none is stated. The earliest date of a ZIP file.
 const UNDATED: (i32, u8, u8) = (1980, 1, 1);
 /// Maximum number of warnings before the results; further warnings are in an annex.
 const NOTICES: usize = 6;
@@ -50,7 +50,8 @@ pub(super) fn pdf(
     let template = Bytes::from_string(own.unwrap_or_else(|| TYPESET.1.to_owned()));
     let attached = Bytes::new(serde_json::to_vec(attachments).map_err(fail)?);
     let stated = [&contents.issued, &contents.date];
-    let date = stated.into_iter().flatten().find_map(|date| day(date)).unwrap_or(UNDATED);
+    let stated = stated.into_iter().flatten().find_map(|date| day(date));
+    let date = stated.or(contents.built).unwrap_or(UNDATED);
     let typeset = |letters| {
         let mut data = data.clone();
         printable(&mut data, letters);
@@ -91,6 +92,13 @@ fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> ser
         }
         section["blocks"] = kept.into();
     }
+    if let Some(sections) = data["sections"].as_array_mut() {
+        let (mut behind, before): (Vec<Value>, Vec<Value>) =
+            sections.drain(..).partition(|section| section["annex"] == true);
+        *sections = before;
+        behind.append(&mut annexes);
+        annexes = behind;
+    }
     data["annexes"] = annexes.into();
     data["labels"] = labels(presentation, words);
     Ok(data)
@@ -107,7 +115,9 @@ fn labels(presentation: &Presentation, words: &Words) -> Value {
         "left_out": tr!(words, "rows-in-workbook", count = "{0}"),
         "logo": presentation.logo.as_ref().map(|_| tr!(words, "logo-of-the-laboratory")),
         "end": tr!(words, "end-of-report"),
+        "undated": tr!(words, "date-not-stated"),
         "signatures": tr!(words, "signatures"),
+        "steps": tr!(words, "next-steps"),
         "signs": [tr!(words, "tested-by"), tr!(words, "approved-by")],
         "line": tr!(words, "name-date-signature"),
         "note": if lang == "en" { String::new() } else { note },

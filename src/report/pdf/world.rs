@@ -129,8 +129,7 @@ impl World for Desk {
     }
 }
 
-/// Fonts of the program, loaded once. The fonts of typst are more, but not all have a suitable
-/// licence.
+/// Fonts of the program, loaded once. Typst has further fonts, but not all have a suitable licence.
 pub(super) fn fonts() -> &'static (Vec<Font>, LazyHash<FontBook>) {
     static FONTS: OnceLock<(Vec<Font>, LazyHash<FontBook>)> = OnceLock::new();
     const FILES: [&[u8]; 4] = [

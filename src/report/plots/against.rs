@@ -18,7 +18,7 @@ struct Along<'a> {
 /// Significance level of a trend.
 pub(crate) const SIGNIFICANCE: f64 = 0.05;
 
-/// Errors of a campaign with what they are drawn against.
+/// Errors of a campaign with the quantities against which they are drawn.
 pub(crate) struct Data<'a> {
     pub errors: &'a [&'a PointError],
     /// Names of the joints' columns.
@@ -30,7 +30,7 @@ pub(crate) struct Data<'a> {
 }
 
 /// One figure for each joint, and one for the distance from the base, with one scale of errors:
-/// figures with a significant trend, and the others.
+/// figures with a significant trend, the most significant first, and the others.
 pub(crate) fn pictures(data: &Data, words: &Words) -> [Vec<Figure>; 2] {
     let of_joint = |(k, column): (usize, &'_ String)| {
         let (name, unit) = column.rsplit_once('_').unwrap_or((column, ""));
@@ -56,15 +56,20 @@ pub(crate) fn pictures(data: &Data, words: &Words) -> [Vec<Figure>; 2] {
     for along in joints.chain(reach) {
         let p = trend(&along);
         let figure = picture(data, &along, (&up, p), words);
-        if p.is_some() { significant.extend(figure) } else { others.extend(figure) }
+        match p {
+            Some(p) => significant.extend(figure.map(|figure| (p, figure))),
+            None => others.extend(figure),
+        }
     }
-    [significant, others]
+    significant.sort_by(|a, b| a.0.total_cmp(&b.0));
+    [significant.into_iter().map(|(_, figure)| figure).collect(), others]
 }
 
 fn picture(data: &Data, along: &Along, (up, p): (&Axis, Option<f64>), words: &Words) -> Option<Figure> {
     let known: Vec<&PointError> =
         data.errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
-    let drawn = points::readable(&known);
+    // many figures: half of the marks of others
+    let drawn = points::thin(&points::readable(&known), points::MARKS / 2, points::after_mm);
     let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
     let name = tr!(words, "position-error-in", unit = up.shown().unit);
     let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up.clone()], [along.name.clone(), name]);

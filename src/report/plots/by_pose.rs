@@ -29,7 +29,8 @@ fn picture(
 ) -> Option<Figure> {
     let finite = |p: &PointError| sizes(p).filter(|s| s.iter().all(|v| v.is_finite()));
     let all: Vec<_> = errors.iter().copied().filter(|p| finite(p).is_some()).collect();
-    let drawn = points::readable(&all);
+    // each error has a mark before and after
+    let drawn = points::thin(&points::readable(&all), points::MARKS / 2, points::after_mm);
     let pairs: Vec<_> = drawn.iter().filter_map(|p| Some((*p, finite(p)?))).collect();
     if pairs.is_empty() {
         return None;

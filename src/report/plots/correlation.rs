@@ -11,6 +11,8 @@ const FEW: usize = 14;
 const LETTERED: usize = 48;
 /// Smallest absolute correlation of pairs that are named.
 const STRONG: f64 = 0.9;
+/// Smallest absolute correlation with a text for pointers in a large matrix; the workbook has all.
+const TOLD: f64 = 0.5;
 const TOP: f64 = 4.0;
 
 /// Correlation matrix; `None` without a covariance of the identified parameters.
@@ -35,13 +37,15 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
     for (i, name) in names.iter().enumerate() {
         for (j, other) in names.iter().enumerate().take(i + 1) {
             let at = (margin + cell * j as f64, TOP + cell * i as f64);
-            let tip = tr!(
-                words,
-                "correlation-tooltip",
-                first = name,
-                second = other,
-                correlation = number::fixed(r(i, j), 3)
-            );
+            let correlation = r(i, j);
+            let told = correlation.abs() >= TOLD || n <= FEW;
+            let correlation_text = number::fixed(correlation, 3);
+            let tip = match told {
+                true => {
+                    tr!(words, "correlation-tooltip", first = name, second = other, correlation = correlation_text)
+                }
+                false => String::new(),
+            };
             svg.rect(Look::colour(&colour(r(i, j))), at, (cell - 1.0, cell - 1.0), &tip);
         }
         if i.is_multiple_of(n.div_ceil(LETTERED)) {

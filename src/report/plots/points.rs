@@ -2,6 +2,7 @@
 
 use super::layer::*;
 use crate::words::isolated;
+use etalon_base::catalogue::Phrase;
 use std::collections::BTreeMap;
 
 /// Largest position or error that is drawn (mm); larger ones are blunders.
@@ -33,7 +34,7 @@ pub(crate) fn thin<'a>(
 }
 
 /// Maximum number of marks in a figure; more are illegible and make a page slow.
-const MARKS: usize = 380;
+pub(crate) const MARKS: usize = 380;
 
 /// Selects points for legible figures: all points if there are few. Otherwise each pose is
 /// represented by its largest error after calibration, with validation poses first and calibration
@@ -104,7 +105,7 @@ fn look_of(set: PoseSet) -> Look<'static> {
 /// Style and name of each set that occurs.
 pub(crate) fn sets(points: &[&PointError]) -> Vec<(Look<'static>, Phrase)> {
     let there = PoseSet::ALL.into_iter().filter(|set| points.iter().any(|p| p.set == *set));
-    there.map(|set| (look_of(set), names::set(set))).collect()
+    there.map(|set| (look_of(set), set.phrase())).collect()
 }
 
 /// Adds the sets that occur to the legend.
@@ -125,7 +126,7 @@ pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     let [x, y, z] = p.after_mm.map(length);
     let [before, after] = [before, after].map(|mm| format!("{} {}", length(mm), shown.unit));
     let target = isolated(&p.target);
-    let set = words.tr(&names::set(p.set));
+    let set = words.tr(&p.set.phrase());
     let text = tr!(words, "error-tooltip", pose = p.pose, cycle = p.cycle, target, set, before, after);
     let angle = |deg: Option<f64>| deg.filter(|d| d.is_finite()).map(f64::abs);
     let turned = match (angle(p.before_deg), angle(p.after_deg)) {

@@ -6,7 +6,7 @@ use super::layer::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 /// Maximum number of legible marks.
-const LIMIT: usize = 300;
+const LIMIT: usize = 200;
 /// Minimum number of residuals that show a distribution.
 const FEWEST: usize = 10;
 
@@ -22,7 +22,8 @@ pub(crate) fn pictures(errors: &[&PointError], planar: bool, words: &Words) -> V
 }
 
 fn by_poses(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Figure {
-    let drawn = points::readable(errors);
+    // each error has a mark for each axis
+    let drawn = points::thin(&points::readable(errors), points::MARKS / axes, points::after_mm);
     let poses = by_pose::poses(&drawn);
     let name = tr!(words, "measured-minus-predicted-in", unit = up.shown().unit);
     let mut chart = Chart::new(WIDE, [by_pose::across(&poses), up.clone()], [tr!(words, "pose"), name]);

@@ -5,11 +5,10 @@ use etalon_documents::{FigureBudget, UncertaintySource};
 
 /// Smallest share whose number is shown.
 const WRITTEN: f64 = 0.08;
-/// Smallest share of a second source that is worth a picture.
+/// Smallest share of a second source that is worth a figure.
 const VISIBLE: f64 = 0.01;
 
-/// One bar for each figure, with sources by name; `None` if a single source is all that one would
-/// see.
+/// One bar for each figure, with sources by name; `None` if only one source would be visible.
 pub(crate) fn picture(budget: &[FigureBudget], name_of: fn(&FigureBudget) -> Phrase, words: &Words) -> Option<Figure> {
     let mut sources: Vec<_> = budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();

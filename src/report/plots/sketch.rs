@@ -143,7 +143,7 @@ fn meets([a, b]: [Place; 2], [left, right, top, bottom]: [f64; 4]) -> bool {
     from <= to
 }
 
-/// Names that overlap neither each other nor, where there is room, the parts.
+/// Names that overlap neither each other nor, if there is room, the parts.
 struct Labels {
     height: f64,
     taken: Vec<[f64; 4]>,

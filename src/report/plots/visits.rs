@@ -1,6 +1,7 @@
 //! Visits of a pose by approach, in each plane (thesis, fig. 2.7).
 
 use super::layer::*;
+use etalon_base::catalogue::Phrase;
 use etalon_documents::{Iso9283Document, Iso9283Pose, Iso9283Visit};
 use std::collections::BTreeMap;
 
@@ -9,11 +10,24 @@ const UNKNOWN: Look<'static> = Look { shape: Shape::Circle, class: "map", fill: 
 /// Largest distance from the mean that is drawn (µm); larger ones are blunders.
 const DRAWABLE_UM: f64 = 1e9;
 
-/// Name of an approach; the program's own texts are translated, names from a table are kept.
-pub(crate) fn approach(name: &str, words: &Words) -> String {
-    match name.strip_prefix("from pose ") {
-        Some(pose) => tr!(words, "from-pose-named", pose),
-        None => name.to_owned(),
+/// Names of approaches in the language of a report; names that a table states are kept.
+#[derive(Clone, Copy)]
+pub(crate) struct Approaches<'a> {
+    phrases: &'a BTreeMap<String, Phrase>,
+    words: &'a Words,
+}
+
+impl<'a> Approaches<'a> {
+    pub fn of(document: &'a Iso9283Document, words: &'a Words) -> Self {
+        Self { phrases: &document.approach_phrases, words }
+    }
+
+    pub fn name(self, name: &str) -> String {
+        self.words.worded(name, self.phrases.get(name))
+    }
+
+    fn of_visit(self, name: Option<&str>) -> String {
+        name.map_or_else(|| tr!(self.words, "the-first"), |name| self.name(name))
     }
 }
 
@@ -33,14 +47,12 @@ pub(crate) fn pictures(document: &Iso9283Document, words: &Words) -> Vec<Figure>
     let of_one = |p: &Iso9283Pose| {
         let visits: Vec<&Iso9283Visit> = of_pose(document, p.pose).collect();
         let planar = visits.iter().all(|v| v.attained_mm[2] == visits[0].attained_mm[2]);
-        Seen::planes(planar).iter().filter_map(|seen| picture(p, &visits, *seen, words)).collect::<Vec<_>>()
+        Seen::planes(planar)
+            .iter()
+            .filter_map(|seen| picture(p, &visits, *seen, Approaches::of(document, words)))
+            .collect::<Vec<_>>()
     };
     document.poses.iter().flat_map(of_one).collect()
-}
-
-/// Approach in words.
-fn approached(name: Option<&str>, words: &Words) -> String {
-    name.map_or_else(|| tr!(words, "the-first"), |name| approach(name, words))
 }
 
 /// Draws the commanded point: a cross, or an arrow in its direction if it is outside the figure.
@@ -67,8 +79,8 @@ fn commanded(map: &mut Workspace, p: Vector, words: &Words) {
 }
 
 /// Visits of a pose in a plane, by approach, with their means and the commanded point.
-fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, words: &Words) -> Option<Figure> {
-    let pose = of.pose;
+fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, approaches: Approaches) -> Option<Figure> {
+    let (pose, words) = (of.pose, approaches.words);
     let middle = centroid(&visits.iter().map(|v| v.attained_mm).collect::<Vec<_>>())?;
     let from_middle = |v: &&Iso9283Visit| minus(v.attained_mm, middle).map(|d| 1e3 * d);
     let places: Vec<Vector> = visits.iter().map(from_middle).collect();
@@ -84,7 +96,7 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, words: &Words
     let mut map = Workspace::of(seen, &places, "µm", words);
     let xyz = |place: Vector| place.map(|v| number::fixed(v, 1));
     for (visit, place) in visits.iter().zip(&places) {
-        let (from, [x, y, z]) = (approached(visit.approach.as_deref(), words), xyz(*place));
+        let (from, [x, y, z]) = (approaches.of_visit(visit.approach.as_deref()), xyz(*place));
         let tip = tr!(words, "visit-tooltip", pose, cycle = visit.cycle, approach = from, x, y, z);
         map.svg.mark(look(visit.approach.as_deref()), map.at(*place), 3.0, &tip);
     }
@@ -92,16 +104,16 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, words: &Words
         if let Some(from) = name {
             let mean = centroid(places)?;
             let [x, y, z] = xyz(mean);
-            let tip = tr!(words, "mean-tooltip", approach = approach(from, words), x, y, z);
+            let tip = tr!(words, "mean-tooltip", approach = approaches.name(from), x, y, z);
             map.svg.mark(Look { class: "mean", ..look(*name) }, map.at(mean), 6.5, &tip);
         }
-        map.svg.legend(look(*name), &format!("{} ({})", approached(*name, words), places.len()));
+        map.svg.legend(look(*name), &format!("{} ({})", approaches.of_visit(*name), places.len()));
     }
     if let Some(p) = commanded_um(of) {
         commanded(&mut map, p, words);
     }
     let row = |(visit, place): (&&Iso9283Visit, &Vector)| {
-        let first = [visit.cycle.to_string(), approached(visit.approach.as_deref(), words)];
+        let first = [visit.cycle.to_string(), approaches.of_visit(visit.approach.as_deref())];
         first.into_iter().chain(xyz(*place)).collect()
     };
     let name = seen.name();

@@ -27,8 +27,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     }
     section.push(Block::Table(figures));
     section.figures(shares::picture(&named(accuracy), figure, words));
-    section.push(Block::facts(sources(parameters, words)));
-    let of_parameters = vec![Block::Table(table(parameters, words))];
+    let of_parameters = vec![Block::facts(sources(parameters, words)), Block::Table(table(parameters, words))];
     section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
     section.push(Block::text(repeats(parameters, words)));
     Some(section)
@@ -94,7 +93,7 @@ fn largest(budget: &[BudgetSource], k: usize) -> Option<Source> {
     Some(budget.iter().max_by(|a, b| of(a).total_cmp(&of(b)))?.source)
 }
 
-/// Figures that have a name: not those along single axes.
+/// Named figures: not those along single axes.
 fn named(document: &AccuracyDocument) -> Vec<FigureBudget> {
     document.budget.iter().filter(|f| is_named(f)).cloned().collect()
 }

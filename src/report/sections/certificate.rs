@@ -1,6 +1,6 @@
 //! Certificate: results for the customer (ISO/IEC 17025:2017, 7.8.4), from the facts, the verdict
-//! and the results of the report. Until all fields are stated it is a draft; results of
-//! synthetic data are no certificate.
+//! and the results of the report. Until all fields are stated it is a draft; results of synthetic
+//! data cannot be certified.
 
 use super::{accuracy, checklist, conditions, errors, limits, messages, repeatability};
 use crate::Report;
@@ -37,14 +37,21 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
         draft,
         sections: sections.into_iter().flatten().collect(),
         statement: format!("{} {}", whole.statement, tr!(words, "certificate-reproduction")),
-        // the table contains them
-        verdict: Verdict { about: String::new(), headlines: Vec::new(), ..whole.verdict },
+        // the table contains the headlines; next steps are opinions that a laboratory states by
+        // itself (ISO/IEC 17025:2017, 7.8.7), and the checklist follows
+        verdict: Verdict {
+            about: String::new(),
+            headlines: Vec::new(),
+            steps: Vec::new(),
+            to_complete: None,
+            ..whole.verdict
+        },
         compact: true,
         ..whole
     }
 }
 
-/// Errors before and after at the poses that decide.
+/// Errors before and after at the deciding poses.
 fn of_set(report: &Report, words: &Words) -> Option<Section> {
     let identified = report.identified?;
     let set = identified.accuracy.sets.iter().rfind(|s| s.count > 0)?;

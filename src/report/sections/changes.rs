@@ -144,7 +144,10 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
         .sheet("changed", "", |t| if t.significant { "yes" } else { "no" });
     let mut section = Section::new("rules", tr!(words, "how-changes-are-judged"));
     compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
-    compare.conventions.iter().for_each(|c| section.push(Block::text(Text::document(c, words))));
+    let phrase = |i: usize| compare.convention_phrases.get(i);
+    for (i, convention) in compare.conventions.iter().enumerate() {
+        section.push(Block::text(Text::worded(convention, phrase(i), words)));
+    }
     section.push(Block::Table(Table::of(words, &compare.together, columns).on("All together")));
     let columns = Columns::<CompareBetween>::new()
         .page(phrase!("campaign"), "", |b| format!("{} – {}", b.from, b.to))

@@ -8,7 +8,7 @@ use etalon_base::phrase;
 
 /// A field that is not stated.
 pub(super) struct Missing {
-    field: String,
+    pub field: String,
     /// Key in campaign.toml.
     key: &'static str,
     clause: &'static str,
@@ -45,6 +45,15 @@ pub(super) fn missing(report: &Report, words: &Words) -> Vec<Missing> {
     }
     let missing = all.into_iter().filter(|(.., stated)| !stated);
     missing.map(|(field, key, clause, _)| Missing { field, key, clause }).collect()
+}
+
+/// Mark across a report that is a draft, or of synthetic data.
+pub(crate) fn mark(report: &Report, words: &Words) -> Option<String> {
+    match (report.campaign.synthetic.is_some(), missing(report, words).is_empty()) {
+        (true, _) => Some(tr!(words, "synthetic-mark")),
+        (false, false) => Some(tr!(words, "draft-mark")),
+        (false, true) => None,
+    }
 }
 
 fn is_stated(text: &Option<String>) -> bool {

@@ -24,6 +24,6 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let table = Table::of(words, &document.directions, columns).on("ISO 9283 compliance").without_empty_columns();
     let mut section = Section::new("compliance", tr!(words, "static-compliance"));
     section.table("", note, table);
-    section.push(Block::note(Text::conventions(&document.conventions, words)));
+    section.push(Block::note(Text::conventions(&document.conventions, &document.convention_phrases, words)));
     section.on_terminal().whole()
 }

@@ -55,6 +55,7 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "date-of-receipt"), given.robot_received.clone()),
         (tr!(words, "measurement-dates"), c.date.clone()),
         (tr!(words, "date-of-issue"), issue.issued.clone()),
+        (tr!(words, "valid-until"), Some(c.valid_until.clone().unwrap_or_else(|| tr!(words, "not-stated")))),
         (tr!(words, "method"), Some(method(report, words))),
         (tr!(words, "decision-rule"), rule.or_else(|| Some(default()))),
         (tr!(words, "results-of-external-providers"), issue.external_results.clone()),
@@ -94,6 +95,17 @@ fn method(report: &Report, words: &Words) -> String {
     identified.into_iter().chain(tested).chain([program]).collect::<Vec<_>>().join("; ")
 }
 
+/// Stated temperature, and the range that the exports state.
+fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
+    let stated = campaign.temperature_c.map(|value| words.number(&format!("{value} °C")));
+    let measured = campaign.temperature_range_c.map(|[lowest, highest]| {
+        let [lowest, highest] = [lowest, highest].map(|value| words.number(&value.to_string()));
+        tr!(words, "temperature-range", lowest, highest)
+    });
+    let all: Vec<String> = stated.into_iter().chain(measured).collect();
+    (!all.is_empty()).then(|| all.join("; "))
+}
+
 /// Statements of a campaign on the conditions.
 fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -> Vec<(String, Cell)> {
     let (c, given) = (campaign, &campaign.conditions);
@@ -113,7 +125,7 @@ fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) ->
         (tr!(words, "load"), in_unit(given.load_kg, "kg")),
         (tr!(words, "load-centre"), centre),
         (tr!(words, "velocities"), velocities),
-        (tr!(words, "temperature"), in_unit(c.temperature_c, "°C")),
+        (tr!(words, "temperature"), temperature(c, words)),
         (tr!(words, "relative-humidity"), in_unit(given.humidity_percent, "%")),
         (tr!(words, "environment"), text(&given.environment)),
         (tr!(words, "warm-up-before-the-test"), in_unit(given.warm_up_minutes, "min")),

@@ -1,9 +1,9 @@
-//! Controller files with formats that leave identified parameters out: their values, and errors
-//! with these values.
+//! Controller files of formats that omit identified parameters: their values, and errors with these
+//! values.
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text, significant};
-use crate::words::{Words, names, tr};
+use crate::words::{Words, tr};
 use etalon_base::phrase;
 use etalon_documents::{ControllerErrors, ControllerFiles, WrittenParameter};
 
@@ -16,7 +16,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let columns = Columns::<(&ControllerFiles, &ControllerErrors)>::new()
         .both(phrase!("formats"), "", |(f, _)| Text::name(&f.formats.join(", ")))
         .both(phrase!("parameters-left-out"), "", |(f, _)| Text::name(&f.left_out.join(", ")))
-        .page(phrase!("report-poses"), "", |(_, e)| Text::name(&words.tr(&names::set(e.set))))
+        .page(phrase!("report-poses"), "", |(_, e)| Text::name(&words.tr(&e.set.phrase())))
         .sheet("poses", "", |(_, e)| e.set.name())
         .both(phrase!("nominal-rms"), "mm", |(_, e)| significant(e.nominal.rms_mm, 3))
         .both(phrase!("nominal-max"), "mm", |(_, e)| significant(e.nominal.max_mm, 3))

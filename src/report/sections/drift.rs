@@ -1,7 +1,7 @@
 //! Changes in the course of a test: characteristics by set of cycles, and targets that should be
 //! stationary.
 
-use crate::model::{Cell, Columns, Figure, Section, Table, Text, um};
+use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, um};
 use crate::plots::curves::{Curve, Curves};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
@@ -15,14 +15,19 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.table("", "", sets(document, words));
     let (title, caption) = (tr!(words, "ap-by-set"), tr!(words, "accuracy-over-cycles"));
     let accuracy = by_set("AP", &document.drifts, |d| &d.ap_mm, words);
-    section.figures(Curves { title, caption, ..accuracy }.picture(words));
+    let accuracy = Curves { title, caption, ..accuracy }.picture(words);
     let (title, caption) = (tr!(words, "rp-by-set"), tr!(words, "repeatability-over-cycles"));
     let repeatability = by_set("RP", &document.drifts, |d| &d.rp_mm, words);
-    section.figures(Curves { title, caption, ..repeatability }.picture(words));
+    let repeatability = Curves { title, caption, ..repeatability }.picture(words);
+    section.figures(accuracy);
+    let figures = repeatability.into_iter().collect();
+    section.push(Block::Aside { title: tr!(words, "rp-by-set"), blocks: vec![Block::Figures { figures }] });
     if !document.reference.is_empty() {
         let note = tr!(words, "definition-target-displacement");
-        section.table(tr!(words, "movement-of-the-set-up"), note, reference(&document.reference, words));
-        section.figures(moved(&document.reference, words));
+        let mut blocks = vec![Block::note(note), Block::Table(reference(&document.reference, words))];
+        let figures: Vec<Figure> = moved(&document.reference, words).into_iter().collect();
+        blocks.push(Block::Figures { figures });
+        section.push(Block::Aside { title: tr!(words, "movement-of-the-set-up"), blocks });
     }
     section.on_terminal().whole()
 }

@@ -1,9 +1,9 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
-use crate::model::{Block, Columns, PAPER_ROWS, Section, Table, Text, fixed, shown, significant, term};
+use crate::model::{Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, shown, significant, term};
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
-use crate::plots::{against, arrows, by_pose, histogram, map, prediction};
+use crate::plots::{against, arrows, by_pose, histogram, map, overlay, prediction};
 use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
 use etalon_base::catalogue::Phrase;
@@ -23,18 +23,24 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let flagged = outliers.into_iter().flat_map(|(poses, critical)| {
         poses.iter().filter(move |p| p.residual_over_sigma > critical).map(|p| (p.pose, p.residual_over_sigma))
     });
-    with_flagged(accuracy, errors, &flagged.collect(), words).whole()
+    with_flagged((accuracy, false), errors, &flagged.collect(), words).whole()
 }
 
 /// Section of these errors.
 pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
-    with_flagged(accuracy, errors, &Flagged::new(), words)
+    with_flagged((accuracy, true), errors, &Flagged::new(), words)
 }
 
 /// Calibration poses that disagree with the others, with their residual over σ.
 type Flagged = BTreeMap<PoseName, f64>;
 
-fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Flagged, words: &Words) -> Section {
+/// Section of the errors, of all sets if `whole`, otherwise of the set that decides.
+fn with_flagged(
+    (accuracy, whole): (&AccuracyDocument, bool),
+    errors: &[PointError],
+    flagged: &Flagged,
+    words: &Words,
+) -> Section {
     let mut section = Section::new("errors", tr!(words, "errors-before-and-after"));
     section.summarise(
         tr!(words, "definition-of-errors"),
@@ -45,10 +51,8 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
     if accuracy.sets.is_empty() {
         section.push(Block::text(tr!(words, "no-errors-are-given")));
     }
-    for set in &accuracy.sets {
-        section.push(Block::heading(heading(accuracy, set, words)));
-        let names = [phrase!("before"), phrase!("after")];
-        section.push(Block::Table(statistics(accuracy, set, set.name.name(), names, words).on("Errors")));
+    for set in accuracy.sets.iter().filter(|set| whole || is_deciding(accuracy, set)) {
+        push_set(&mut section, accuracy, set, words);
     }
     if !accuracy.placed_apart.is_empty() {
         section.push(Block::text(placed_by_validation(&accuracy.placed_apart, words)));
@@ -72,7 +76,7 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
             total = d.poses
         )));
     }
-    if let Some(tool) = &accuracy.tool {
+    if let Some(tool) = accuracy.tool.as_ref().filter(|_| whole) {
         push_tool(&mut section, accuracy, tool, words);
     }
     let table = poses(errors, flagged, words);
@@ -89,9 +93,34 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
     section.on_terminal()
 }
 
+/// `true` for the set whose errors decide: the last one.
+fn is_deciding(accuracy: &AccuracyDocument, set: &AccuracySet) -> bool {
+    accuracy.sets.last().is_some_and(|last| last.name == set.name)
+}
+
+/// Adds the errors of a set.
+fn push_set(section: &mut Section, accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) {
+    section.push(Block::heading(heading(accuracy, set, words)));
+    let names = [phrase!("before"), phrase!("after")];
+    section.push(Block::Table(statistics(accuracy, set, set.name.name(), names, words).on("Errors")));
+}
+
+/// Annex with the errors of the sets that do not decide, and at the tool point.
+pub(super) fn other_sets(report: &Report, words: &Words) -> Option<Section> {
+    let accuracy = report.identified?.accuracy;
+    let mut section = Section::new("other-errors", tr!(words, "errors-that-do-not-decide"));
+    for set in accuracy.sets.iter().filter(|set| !is_deciding(accuracy, set)) {
+        push_set(&mut section, accuracy, set, words);
+    }
+    if let Some(tool) = &accuracy.tool {
+        push_tool(&mut section, accuracy, tool, words);
+    }
+    section.on_terminal().whole()
+}
+
 /// Heading of the errors of a set.
 fn heading(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> String {
-    let name = words.tr(&names::set(set.name));
+    let name = words.tr(&set.name.phrase());
     match accuracy.point.as_str() {
         "" => tr!(words, "set-summary", set = name, poses = set.poses, errors = set.count),
         point => {
@@ -107,7 +136,7 @@ fn heading(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Str
     }
 }
 
-/// Sentence on targets that are placed by validation poses alone.
+/// Sentence on targets that are located by validation poses alone.
 fn placed_by_validation(placed: &[PlacedApart], words: &Words) -> String {
     let of = |p: &PlacedApart| match p.is_assessed {
         true => tr!(
@@ -158,6 +187,9 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
     section.push(Block::detail(Text::worded(&tool.definition, tool.definition_phrase.as_ref(), words)));
 }
 
+/// Maximum number of trends beside the other figures, the most significant first.
+const TRENDS: usize = 1;
+
 /// Figures of the errors.
 pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     let identified = report.identified?;
@@ -181,14 +213,17 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     let vectors = arrows::arrows(&drawable, planar, words);
     // space, or the first plane; the other views are folded
     let (mut figures, mut more) = (Vec::new(), Vec::new());
-    for (views, first) in [(maps, !planar), (expected, false), (vectors, false)] {
+    for (views, first) in [(maps, !planar), (vectors, false)] {
         let shown = if first { views.len().saturating_sub(2) } else { 0 };
         for (i, figure) in views.into_iter().enumerate() {
             if (shown..shown + 2).contains(&i) { figures.push(figure) } else { more.push(figure) }
         }
     }
-    figures.extend(histogram::histograms(&drawable, &accuracy.limits, words));
-    figures.extend(by_pose::pictures(&drawable, &accuracy.limits, words));
+    more.extend::<Vec<Figure>>(expected);
+    let at = figures.len().min(2);
+    figures.splice(at..at, overlay::picture(&drawable, &accuracy.limits, words));
+    let mut more_of_errors = histogram::histograms(&drawable, &accuracy.limits, words);
+    more_of_errors.extend(by_pose::pictures(&drawable, &accuracy.limits, words));
     let data = against::Data {
         errors: &drawable,
         joints: &accuracy.joints,
@@ -196,11 +231,14 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
         limits: &accuracy.limits,
         trends: &accuracy.trends,
     };
-    let [significant, others] = against::pictures(&data, words);
+    let [mut significant, others] = against::pictures(&data, words);
+    let weaker = significant.split_off(significant.len().min(TRENDS));
     figures.extend(significant);
     section.figures(figures);
     let folded = |figures| vec![Block::Figures { figures }];
     section.push(Block::Aside { title: tr!(words, "other-planes"), blocks: folded(more) });
+    section.push(Block::Aside { title: tr!(words, "errors-by-set-and-pose"), blocks: folded(more_of_errors) });
+    section.push(Block::Aside { title: tr!(words, "weaker-trends"), blocks: folded(weaker) });
     section.push(Block::Aside { title: tr!(words, "no-trend-pictures"), blocks: folded(others) });
     section.whole()
 }
@@ -242,7 +280,7 @@ fn statistics(
         .sheet("errors", "", |_| set.count)
         .sheet("quantity", "", |e| e.quantity.as_ref())
         .sheet("unit", "", |e| e.unit.as_str())
-        .page(phrase!("error"), "", |e| Text::name(&words.tr(&names::quantity(e.quantity))))
+        .page(phrase!("error"), "", |e| Text::name(&words.tr(&e.quantity.phrase())))
         .page(phrase!("unit"), "", unit)
         .both(phrase!("mean"), "", move |e| cell(e, e.before.mean))
         .both(phrase!("rms"), "", move |e| cell(e, e.before.rms))
@@ -258,7 +296,7 @@ fn statistics(
     Table::of(words, &set.errors, columns)
 }
 
-/// Benefit of each effect at poses that are left out.
+/// Benefit of each effect at left-out poses.
 fn effects(all: &[EffectProof], words: &Words) -> Table {
     let yes_no = |yes: bool| term(words, if yes { phrase!("yes") } else { phrase!("no") });
     let columns = Columns::<EffectProof>::new()
@@ -330,7 +368,7 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
     let columns = Columns::<OfPose>::new()
         .sheet("set", "", |r| r.set.name())
         .both(phrase!("pose"), "", |r| r.pose)
-        .page(phrase!("set"), "", |r| Text::name(&words.tr(&names::set(r.set))))
+        .page(phrase!("set"), "", |r| Text::name(&words.tr(&r.set.phrase())))
         .both(phrase!("errors"), "", |r| r.errors.len())
         .sheet("position before, mean", "mm", |r| r.mean(before_mm))
         .both(phrase!("position-before-max"), "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
@@ -400,6 +438,7 @@ mod tests {
             provenance: None,
             joints: vec![],
             trends: vec![],
+            parameter_influences: vec![],
             schema: String::new(),
             point: String::new(),
             point_phrase: None,

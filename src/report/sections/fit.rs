@@ -35,7 +35,8 @@ pub(crate) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &W
         section.figures(singular::picture(o, words));
     }
     let solver = &document.solver;
-    let steps = tr!(words, "method-iterations", method = solver.method, iterations = solver.iterations) + " ";
+    let method = words.worded(&solver.method, solver.method_phrase.as_ref());
+    let steps = tr!(words, "method-iterations", method, iterations = solver.iterations) + " ";
     let ended = Text::from(steps).and(words.tr(&solver.termination.phrase()));
     section.push(Block::heading(tr!(words, "solver")));
     section.push(Block::text(ended.clone()));

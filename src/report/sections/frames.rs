@@ -51,7 +51,7 @@ fn elements(features: &[Feature], words: &Words) -> Table {
     let columns = Columns::<Feature>::new()
         .both(phrase!("name"), "", |f| f.name.as_str())
         .both(phrase!("report-element"), "", |f| {
-            names::of_document(&f.element).map_or_else(|| Cell::from(&f.element), |element| term(words, element))
+            names::element(&f.element).map_or_else(|| Cell::from(&f.element), |element| term(words, element))
         })
         .both(phrase!("points"), "", |f| f.points)
         .page(phrase!("point"), "mm", |f| numbers(triple(f.point_mm, 4)))
@@ -87,11 +87,11 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
     Table::of(words, &world.poses, columns).on("Frames")
 }
 
-/// Errors that no reading would show.
+/// Errors that no reading can detect.
 fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
     let columns = Columns::<Uncontrolled>::new()
         .page(phrase!("what-no-reading-shows"), "", |u| Text::worded(&u.what, u.what_phrase.as_ref(), words))
-        .sheet("what no reading shows", "", |u| u.what.as_str())
+        .sheet("undetectable errors", "", |u| u.what.as_str())
         .both(phrase!("points"), "", |u| Text::name(&u.points.join(", ")))
         .both(phrase!("controlled-by"), "", |u| Text::name(&u.keys.join(", ")));
     Table::of(words, all, columns).on("Not controlled")

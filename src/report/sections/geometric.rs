@@ -4,7 +4,7 @@ use crate::Report;
 use crate::model::{Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty};
 use crate::number;
 use crate::plots::workspace::{Workspace, XY};
-use crate::words::{Words, tr};
+use crate::words::{Words, names, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
@@ -29,7 +29,9 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::Table(poses(table, words)));
     }
     let columns = Columns::<etalon_documents::MethodErrors>::new()
-        .page(phrase!("method"), "", |m| Text::name(&words.named(&m.name)))
+        .page(phrase!("method"), "", |m| {
+            names::method(&m.name).map_or_else(|| Text::name(&m.name), |p| Text::name(&words.tr(&p)))
+        })
         .sheet("method", "", |m| m.name.as_str())
         .both(phrase!("position-max"), "mm", |m| fixed(m.position_max_mm, 3))
         .both(phrase!("position-rms"), "mm", |m| fixed(m.position_rms_mm, 3))

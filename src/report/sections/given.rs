@@ -43,7 +43,9 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
         |v: Option<f64>| numbers(v.map_or_else(|| tr!(words, "not-by-these-poses"), |v| number::significant(v, 3)));
     let joint = |l: &LeastDetectable| !l.name.starts_with("base ");
     let columns = Columns::<LeastDetectable>::new()
-        .both(phrase!("motion"), "", |l| Text::name(&words.named(&l.name)))
+        .both(phrase!("motion"), "", |l| {
+            names::movement(&l.name).map_or_else(|| Text::name(&l.name), |p| Text::name(&words.tr(&p)))
+        })
         .both(phrase!("detected-from"), "", |l| least(l.value))
         .both(phrase!("named-from"), "", |l| joint(l).then(|| least(l.named)))
         .both(phrase!("unit"), "", |l| l.unit.as_str());

@@ -16,7 +16,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         let columns = Columns::<Refused>::new()
             .sheet("file", "", |_| source.file.as_str())
             .both(phrase!("line"), "", |r| r.line)
-            .both(phrase!("reason"), "", |r| Text::document(&r.reason, words))
+            .both(phrase!("reason"), "", |r| Text::worded(&r.reason, r.reason_phrase.as_ref(), words))
             .both(phrase!("text"), "", |r| Text::code(&r.text));
         let table = Table::of(words, &source.refused, columns).on("Refused rows");
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
@@ -36,7 +36,7 @@ fn sources(sources: &[Source], words: &Words) -> Table {
         .page(phrase!("file"), "", |s| s.file.as_str())
         .page(phrase!("kind"), "", |s| term(words, names::kind(s.kind)))
         .page(phrase!("bytes"), "", |s| s.bytes)
-        .page(phrase!("read-as"), "", |s| Text::document(&s.dialect, words))
+        .page(phrase!("read-as"), "", |s| Text::worded(&s.dialect, s.dialect_phrase.as_ref(), words))
         .page(phrase!("rows"), "", |s| s.rows_read)
         .page(phrase!("refused"), "", |s| s.refused.len());
     Table::of(words, sources, columns)

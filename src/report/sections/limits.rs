@@ -36,7 +36,7 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
 }
 
 /// Verdict on a limit.
-pub(super) fn judged(l: &LimitVerdict, words: &Words) -> Cell {
+pub(crate) fn judged(l: &LimitVerdict, words: &Words) -> Cell {
     match l.acceptance {
         Acceptance::Pass => term(words, phrase!("pass")),
         Acceptance::Conditional => strong_term(words, phrase!("conditional")),

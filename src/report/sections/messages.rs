@@ -79,7 +79,7 @@ fn notice(m: &Message, words: &Words) -> Block {
     let text = |text: &str| match [Some(&english.what), english.expected.as_ref(), english.hint.as_ref()]
         .contains(&Some(&text.to_owned()))
     {
-        true => Text::document(text, words),
+        true => Text::english(text),
         false => Text::from(text.to_owned()),
     };
     let mut lines = vec![Text::from(severity + " ").and(text(&texts.what))];
@@ -94,5 +94,5 @@ fn notice(m: &Message, words: &Words) -> Block {
     let remark = |label: String, said: &String| Text::from(label + " ").and(text(said));
     lines.extend(texts.expected.as_ref().map(|text| remark(tr!(words, "expected-label"), text)));
     lines.extend(texts.hint.as_ref().map(|text| remark(tr!(words, "hint-label"), text)));
-    Block::Notice { class: class(m), lines }
+    Block::Notice { class: class(m), id: m.id.to_string(), lines }
 }

@@ -4,13 +4,14 @@ pub(super) mod accuracy;
 mod budget;
 pub(super) mod certificate;
 pub(super) mod changes;
-mod checklist;
+pub(super) mod checklist;
 mod checks;
 mod compliance;
 pub(super) mod conditions;
 mod controllers;
 pub(super) mod distributions;
 pub(super) mod drift;
+pub(super) mod effects;
 pub(super) mod errors;
 pub(super) mod fit;
 mod frames;
@@ -19,6 +20,7 @@ pub(super) mod given;
 mod import;
 pub(super) mod limits;
 pub(super) mod messages;
+pub(super) mod page_one;
 pub(super) mod parameters;
 pub(super) mod plan;
 pub(super) mod provenance;
@@ -35,20 +37,25 @@ use etalon_documents::Characteristics;
 /// Creates a section from the documents; `None` if they contain nothing for it.
 type Make = fn(&Report, &Words) -> Option<Section>;
 
-/// Sections before and after the characteristics of ISO 9283, in the order of reading.
-const BEFORE: [Make; 5] = [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
-const AFTER: [Make; 10] = [
+/// Evidence before and after the characteristics of ISO 9283, in the order of reading.
+const BEFORE: [Make; 4] = [conditions::section, limits::section, errors::section, errors::pictures];
+const AFTER: [Make; 2] = [effects::section, budget::section];
+/// Annexes behind the evidence.
+const ANNEXES: [Make; 10] = [
+    errors::other_sets,
+    messages::section,
+    checklist::section,
     parameters::section,
     controllers::section,
-    budget::section,
     checks::section,
-    geometric::section,
     fit::section,
     frames::section,
     import::section,
     provenance::section,
-    checklist::section,
 ];
+
+/// Identifiers of characteristics that are annexes beside AP, RP, drift and recorded motions.
+const DETAILS: [&str; 5] = ["poses", "distances", "exchangeability", "compliance", "posing"];
 
 /// Characteristics in the order of ISO 9283:1998, by their clauses.
 const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
@@ -65,13 +72,18 @@ const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
     streams::weaving,          // 11
 ];
 
-/// Sections of all documents.
+/// Sections of all documents: evidence, then annexes.
 pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
     let made = |all: &[Make]| all.iter().filter_map(|make| make(report, words)).collect::<Vec<_>>();
     let mut sections = made(&BEFORE);
     let of_test = tested(report.tested, words).into_iter().map(|section| of_point(section, report, words));
     sections.extend(of_test);
     sections.extend(made(&AFTER));
+    // the geometric method is the evidence of a campaign that identifies nothing else
+    let geometric = geometric::section(report, words);
+    sections.extend(geometric.map(|s| if report.identified.is_some() { s.annex() } else { s }));
+    sections.extend(made(&ANNEXES).into_iter().map(Section::annex));
+    sections.sort_by_key(|section| section.annex);
     sections
 }
 
@@ -95,5 +107,6 @@ fn of_point(mut section: Section, report: &Report, words: &Words) -> Section {
 
 /// Sections of a test by ISO 9283 alone.
 pub(super) fn tested(tested: &Characteristics, words: &Words) -> Vec<Section> {
-    CHARACTERISTICS.iter().filter_map(|make| make(tested, words)).collect()
+    let details = |s: Section| if DETAILS.contains(&s.id.as_str()) { s.annex() } else { s };
+    CHARACTERISTICS.iter().filter_map(|make| make(tested, words)).map(details).collect()
 }

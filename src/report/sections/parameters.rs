@@ -68,14 +68,14 @@ fn change(p: &ParameterEntry) -> Cell {
 }
 
 /// Change as a multiple of its standard uncertainty; `None` if that is zero or unknown, or if the
-/// nominal value is only a start: where the base stands and where targets are does not change.
+/// nominal value is only a starting value (positions of base and targets).
 fn change_over_u(p: &ParameterEntry) -> Option<f64> {
     let nominal = Some(p.nominal).filter(|_| p.role == Role::Robot || p.tolerance.is_some());
     Some((p.value - nominal?) / p.standard_uncertainty?).filter(|ratio| ratio.is_finite())
 }
 
-/// `true` if nominal values of a group are stated: base and targets that are found from the
-/// measurements start at zero.
+/// `true` if nominal values of a group are stated: base and targets without nominal values start at
+/// zero.
 fn has_nominal(parameters: &[&ParameterEntry]) -> bool {
     parameters.iter().any(|p| p.role == Role::Robot || p.tolerance.is_some() || p.nominal != 0.0)
 }

@@ -71,7 +71,7 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
     let greedy = &plan.greedy;
     vec![
         (tr!(words, "index"), format!("{} = {}", plan.index, significant(plan.value, 6)).into()),
-        (tr!(words, "definition"), Text::document(&plan.definition, words).into()),
+        (tr!(words, "definition"), Text::worded(&plan.definition, plan.definition_phrase.as_ref(), words).into()),
         (tr!(words, "chosen"), chosen.into()),
         (tr!(words, "report-poses"), list(&plan.chosen.iter().map(|p| p.pose).collect::<Vec<_>>()).into()),
         (

@@ -3,7 +3,8 @@
 
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
 use crate::number;
-use crate::plots::visits::{self, approach, of_pose};
+use crate::plots::multiples;
+use crate::plots::visits::{self, Approaches, of_pose};
 use crate::words::{Words, isolated, tr};
 use etalon_base::phrase;
 use etalon_base::pose::{Vector, centroid, minus};
@@ -18,8 +19,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let poses = named(document, words);
     let mut section = Section::new("repeatability", tr!(words, "repeatability-title"));
     section.summarise(tr!(words, "conventions"), document.conventions.join("; "), "");
-    section.push(Block::Table(spheres(&poses, words).detail()));
-    section.push(Block::note(Text::conventions(&document.conventions, words)));
+    section.figures(multiples::picture(document, words));
     let note = tr!(words, "definition-rp");
     section.table(tr!(words, "uncertainty-of-rp"), note, intervals(&poses, words));
     let rule = quarter_rule(&poses, words);
@@ -31,8 +31,14 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     }
     let all = Table::of(words, &poses, columns().in_workbook()).on("ISO 9283 poses");
     section.push(Block::Table(all.without_empty_columns()));
-    by_approach(document, &mut section, words);
-    section.figures(visits::pictures(document, words));
+    section.push(Block::Aside { title: tr!(words, "by-approach"), blocks: by_approach(document, words) });
+    let figures = vec![Block::Figures { figures: visits::pictures(document, words) }];
+    section.push(Block::Aside { title: tr!(words, "visits-by-plane"), blocks: figures });
+    let details = vec![
+        Block::note(Text::conventions(&document.conventions, &document.convention_phrases, words)),
+        Block::Table(spheres(&poses, words).detail()),
+    ];
+    section.push(Block::Aside { title: tr!(words, "spheres-and-conventions"), blocks: details });
     let columns = Columns::<Iso9283OutOfPlane>::new().page(phrase!("pose"), "", |p| p.pose).page(
         phrase!("coplanarity-of-pose"),
         "µm",
@@ -205,14 +211,15 @@ struct OfApproach<'a> {
     spatial: bool,
 }
 
-fn by_approach(document: &Iso9283Document, section: &mut Section, words: &Words) {
+/// Variation of AP between approaches.
+fn by_approach(document: &Iso9283Document, words: &Words) -> Vec<Block> {
     if document.approaches.is_empty() {
-        return;
+        return Vec::new();
     }
-    section.push(Block::heading(tr!(words, "by-approach")));
+    let mut section = Section::new("", "");
     section.push(Block::note(tr!(words, "definition-vap")));
     for v in &document.approaches {
-        let [a, b] = v.between.each_ref().map(|name| isolated(&approach(name, words)));
+        let [a, b] = v.between.each_ref().map(|name| isolated(&Approaches::of(document, words).name(name)));
         let um = number::fixed(1e3 * v.vap_mm, 1);
         section.push(Block::text(tr!(words, "vap-farthest", pose = v.pose, first = a, second = b, distance = um)));
     }
@@ -228,6 +235,8 @@ fn by_approach(document: &Iso9283Document, section: &mut Section, words: &Words)
         });
     let variation = Table::of(words, &document.approaches, columns).on("ISO 9283 variation");
     section.push(Block::Table(variation.without_empty_columns()));
+    section.blocks.extend(section.data.into_iter().map(Block::Table));
+    section.blocks
 }
 
 fn approaches(document: &Iso9283Document, words: &Words) -> Table {
@@ -238,10 +247,11 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
         let spatial = document.poses.iter().any(|p| p.pose == v.pose && p.rp_z_mm.is_some());
         rows.extend(v.approaches.iter().map(|approach| OfApproach { pose: v.pose, approach, middle, spatial }));
     }
+    let named = Approaches::of(document, words);
     let off = |r: &OfApproach, axis: usize| um(minus(r.approach.mean_mm, r.middle)[axis]);
     let columns = Columns::<OfApproach>::new()
         .both(phrase!("pose"), "", |r| r.pose)
-        .page(phrase!("approached"), "", |r| Text::name(&approach(&r.approach.name, words)))
+        .page(phrase!("approached"), "", move |r| Text::name(&named.name(&r.approach.name)))
         .sheet("approached", "", |r| r.approach.name.as_str())
         .both(phrase!("visits"), "", |r| r.approach.cycles)
         .page("x", "", move |r| off(r, 0))

@@ -33,9 +33,11 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         section.push(Block::heading(&named.name));
         section.push(Block::facts(facts(named, words)));
         section.push(Block::Table(corners(named, words)));
-        let figures = [path_picture(i, stream.path.as_ref(), words), drift(i, &stream.standstills, words)];
-        section.figures(figures.into_iter().flatten());
-        section.push(Block::note(Text::conventions(&stream.conventions, words)));
+        section.figures(path_picture(i, stream.path.as_ref(), words));
+        let figures = drift(i, &stream.standstills, words).into_iter().collect();
+        let conventions = Block::note(Text::conventions(&stream.conventions, &stream.convention_phrases, words));
+        let blocks = vec![conventions, Block::Figures { figures }];
+        section.push(Block::Aside { title: tr!(words, "conventions-and-drift"), blocks });
         section.push(Block::Table(standstills(named, words)));
         section.push(Block::Table(points(named, words)));
     }

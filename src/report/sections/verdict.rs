@@ -1,6 +1,7 @@
 //! Verdict at the start of a report: compliance with the limits, and improvement of the robot.
 
 use super::limits::{judged, name};
+use super::page_one;
 use super::repeatability::quarter_sentence;
 use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
@@ -22,7 +23,7 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     }
 }
 
-/// Verdict on everything that is judged: plausibility of the result, characteristics of ISO 9283,
+/// Verdict on all judged items: plausibility of the result, characteristics of ISO 9283,
 /// instrument, and all limits of the campaign.
 pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     let (identified, tested) = (report.identified.as_ref(), report.tested);
@@ -42,19 +43,21 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
         .filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
-            tr!(words, "errors-before-after-of", point, set = words.tr(&names::set(s.name)))
+            tr!(words, "errors-before-after-of", point, set = words.tr(&s.name.phrase()))
         }
-        None => tr!(words, "errors-before-after", set = words.tr(&names::set(s.name))),
+        None => tr!(words, "errors-before-after", set = words.tr(&s.name.phrase())),
     });
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
     let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| headlines(i.accuracy, set, words));
-    Verdict {
+    let verdict = Verdict {
         class: Grade::of_verdict(judgement.verdict),
         met: judgement.passes(),
         sentences,
         about: about.unwrap_or_default(),
         headlines: shown.into_iter().chain(tool).collect(),
-    }
+        ..Verdict::default()
+    };
+    page_one::complete(report, &judgement, verdict, words)
 }
 
 /// The verdict by its name; `None` if nothing was judged.
@@ -142,7 +145,7 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// Sentences on the errors that are limited; without limits, on the largest leading error.
+/// Sentences on the limited errors; without limits, on the largest leading error.
 fn errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<String> {
     let limited: Vec<String> = accuracy.limits.iter().filter_map(|l| limited(l, set, words)).collect();
     if accuracy.limits.is_empty() { largest_error(set, words).into_iter().collect() } else { limited }
@@ -165,7 +168,7 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
         "limited-error",
         quantity = words.tr(&names::limit(l.name)),
         count = set.poses,
-        set = words.tr(&names::set(set.name)),
+        set = words.tr(&set.name.phrase()),
         before = number::fixed(before * factor, decimals),
         after = reached,
         unit,
@@ -199,7 +202,7 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
         "error-at-poses",
         quantity = words.tr(&names::error(e.quantity, Figure::Max)),
         count = set.poses,
-        set = words.tr(&names::set(set.name)),
+        set = words.tr(&set.name.phrase()),
         before = number::fixed(before, decimals),
         after = reached,
         unit
@@ -243,12 +246,13 @@ pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdi
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
     let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(accuracy, set, words));
     let sentences = named(&judgement, words).into_iter().chain(errors).chain([counted(&limits, words)]);
-    Verdict {
+    let verdict = Verdict {
         met: judgement.passes(),
         class: Grade::of_verdict(judgement.verdict),
         sentences: sentences.collect(),
         ..Verdict::default()
-    }
+    };
+    page_one::with_figures(verdict, &limits, words)
 }
 
 /// Verdict of a test without a campaign.
@@ -256,12 +260,13 @@ pub(crate) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
     let judged = Judged { parameters: None, accuracy: None, tested, controllers: None, conditions: None };
     let judgement = judged.verdict();
     let sentences = named(&judgement, words).into_iter().chain(characteristics(tested, words));
-    Verdict {
+    let verdict = Verdict {
         met: judgement.passes(),
         class: Grade::of_verdict(judgement.verdict),
         sentences: sentences.chain(reservations(&judgement, words)).collect(),
         ..Verdict::default()
-    }
+    };
+    page_one::with_figures(verdict, &judgement.limits.iter().collect::<Vec<_>>(), words)
 }
 
 /// Verdict of an identification without a campaign.
@@ -290,7 +295,7 @@ fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
 /// Limited errors; without limits, maximum and RMS of the leading error and of orientations.
 fn headlines(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<Headline> {
     let of = |quantity: ErrorQuantity, figure: Figure| {
-        let name = words.tr(&names::quantity(quantity));
+        let name = words.tr(&quantity.phrase());
         let what = match figure {
             Figure::Mean => tr!(words, "mean-of", quantity = name),
             Figure::Rms => tr!(words, "rms-of", quantity = name),
@@ -312,7 +317,8 @@ fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
     let Shown { unit, factor } = number::shown("mm", tool.before.max);
     let text = |v: f64| number::significant(v * factor, 3);
     let what = tr!(words, "tool-point-headline");
-    Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit }
+    let in_documents = ("mm", [tool.before.rms, tool.after.rms]);
+    Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit, in_documents }
 }
 
 fn headline(errors: &ErrorStatistics, what: String, figure: Figure) -> Headline {
@@ -323,7 +329,8 @@ fn headline(errors: &ErrorStatistics, what: String, figure: Figure) -> Headline 
         Some(decimals) => number::fixed(v * factor, decimals),
         None => number::significant(v * factor, 3),
     };
-    Headline { what, before: text(before), after: text(after), unit }
+    let in_documents = (if errors.unit == "deg" { "deg" } else { "mm" }, [before, after]);
+    Headline { what, before: text(before), after: text(after), unit, in_documents }
 }
 
 /// Sentences on the worst accuracy and repeatability: their limits, the evidence of their

@@ -101,7 +101,10 @@ impl Documents {
                 decision_rule: None,
                 contact: None,
                 temperature_c: Some(20.1),
+                temperature_range_c: None,
                 conditions: Conditions::default(),
+                valid_until: None,
+                controller_files: Vec::new(),
                 issue: Issue::default(),
                 report: Presentation::default(),
             },
@@ -115,6 +118,7 @@ impl Documents {
                 given: None,
                 joints: vec![],
                 trends: vec![],
+                parameter_influences: Vec::new(),
                 schema: "etalon/accuracy/1".to_owned(),
                 point: "platform centre (from the balls)".to_owned(),
                 point_phrase: Some(etalon_base::phrase!("platform-as-measured")),
@@ -175,6 +179,7 @@ fn import() -> ImportDocument {
         bytes: 48_211,
         kind,
         dialect: dialect.to_owned(),
+        dialect_phrase: None,
         rows_read: 590,
         refused,
         standstills: Vec::new(),
@@ -183,6 +188,7 @@ fn import() -> ImportDocument {
         line: 17,
         text: "K_12_3;412,331;n/a;20,001".to_owned(),
         reason: "`n/a` is not a number (column y)".to_owned(),
+        reason_phrase: None,
     };
     ImportDocument {
         schema: "etalon/import/1".to_owned(),
@@ -287,6 +293,7 @@ fn parameters() -> ParametersDocument {
         observability: Some(observability()),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".to_owned(),
+            method_phrase: None,
             iterations: 6,
             termination,
             meaning: termination.to_string(),

@@ -1,6 +1,7 @@
 //! Repeatability test for trying the report: two poses with thirty visits each, synthetic.
 
 use etalon_base::noise::Noise;
+use etalon_base::phrase;
 use etalon_documents::*;
 
 /// Repeatability test alone.
@@ -66,6 +67,7 @@ pub(crate) fn whole() -> Characteristics {
     let compliance = Iso9283ComplianceDocument {
         schema: "etalon/iso9283-compliance/1".to_owned(),
         conventions: vec!["least squares".to_owned()],
+        convention_phrases: vec![],
         directions: vec![direction],
         messages: vec![],
     };
@@ -101,6 +103,7 @@ pub(crate) fn iso9283() -> Iso9283Document {
     Iso9283Document {
         schema: "etalon/iso9283/1".to_owned(),
         conventions: vec!["positions alone".to_owned()],
+        convention_phrases: vec![],
         poses: vec![pose(1), pose(2)],
         distances: vec![],
         approaches: vec![Iso9283Variation {
@@ -113,6 +116,10 @@ pub(crate) fn iso9283() -> Iso9283Document {
                 approach("from pose 3", [100.0, 49.994, 0.0]),
             ],
         }],
+        approach_phrases: [2, 3]
+            .map(|pose| (format!("from pose {pose}"), phrase!("from-pose-named", pose)))
+            .into_iter()
+            .collect(),
         drifts: vec![],
         exchangeability_mm: None,
         coplanarity_mm: None,

@@ -35,6 +35,7 @@ fn standing() -> Iso9283StreamDocument {
     Iso9283StreamDocument {
         schema: "etalon/iso9283-stream/1".to_owned(),
         conventions: vec!["times: as stamped in the recording".to_owned()],
+        convention_phrases: vec![],
         samples: 3000,
         left_out: vec![],
         duration_s: 30.0,

@@ -1,6 +1,7 @@
 //! Requirements on all kinds of reports: required contents, unusual input, forbidden contents.
 
 #[cfg(test)]
+mod answer;
 mod comparison;
 pub(super) mod demo;
 pub(super) mod demo_iso9283;

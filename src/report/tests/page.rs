@@ -4,6 +4,7 @@ use super::demo::{Documents, point};
 use super::{demo_iso9283, demo_streams, texts_of};
 use crate::*;
 use etalon_base::message::Place;
+use etalon_base::warning;
 use etalon_documents::{Language, PoseSet, Refused, Statistics};
 
 fn html(report: &Report) -> Result<String> {
@@ -12,7 +13,7 @@ fn html(report: &Report) -> Result<String> {
 
 /// Page alone.
 fn page(documents: &Documents) -> String {
-    let words = &Words::of(documents.campaign.report.language).unwrap();
+    let words = &Words::of(documents.campaign.report.language);
     super::super::html::html(&documents.report().contents(words), &documents.campaign.report, words).unwrap()
 }
 
@@ -25,7 +26,7 @@ fn the_demo_page_has_what_a_reader_needs() {
     let needed = [
         "Synthetic data: ",
         "Both limits of the campaign are met.",
-        "<b>2.0895 → 0.0442 <small>mm</small></b>",
+        "2.0895 → 0.0442 mm",
         "U = 2.7 µm per coordinate (k = 2)",
         "held: not separately identifiable",
         "measured minus predicted, magnified ",
@@ -38,10 +39,11 @@ fn the_demo_page_has_what_a_reader_needs() {
     for id in
         ["verdict", "messages", "errors", "pictures", "parameters", "budget", "fit", "frames", "import", "provenance"]
     {
-        assert!(page.contains(&format!("<section id=\"{id}\">")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
+        assert!(page.contains(&format!("<section id=\"{id}\"")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
     }
-    // eight figures of errors, three of parameters, two of residuals, one of singular values
-    assert_eq!(page.matches("<svg").count(), 14);
+    // two of page one, nine figures of errors, three of parameters, two of residuals, one of
+    // singular values
+    assert_eq!(page.matches("<svg").count(), 17);
 }
 
 /// A parameter is effective if residuals exceed the instrument's uncertainty, and if most of the
@@ -73,6 +75,25 @@ fn the_page_needs_no_network_and_runs_no_script_but_its_own() {
     assert!(page.contains(&format!("<script>{}</script>", super::super::html::SCRIPT)));
     let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'sha256-";
     assert!(page.contains(policy) && !page.contains("unsafe-inline' 'unsafe") && !page.contains("unsafe-eval"));
+}
+
+/// Offline an id leads to its explanation on the same page; the meaning is its tooltip.
+#[test]
+fn every_id_of_a_message_leads_to_its_explanation() {
+    let mut documents = Documents::demo();
+    let several = [3, 4].map(|pose| warning!("few-cycles", least = 30, poses = pose));
+    documents.parameters.messages.extend(several);
+    let page = html(&documents.report()).unwrap();
+    assert!(page.matches("<a href=\"#message-few-cycles\" title=\"").count() >= 1, "{page}");
+    assert_eq!(page.matches("<code id=\"message-few-cycles\">").count(), 1);
+    let links: Vec<&str> = page.split("<a href=\"#").skip(1).filter_map(|rest| Some(rest.split_once('"')?.0)).collect();
+    for link in links {
+        assert_eq!(page.matches(&format!("id=\"{link}\"")).count(), 1, "{link}");
+    }
+    let explained = etalon_base::catalogue::entries().into_iter().find(|entry| entry.id == "few-cycles").unwrap();
+    assert!(page.contains(&explained.meaning) && page.contains(&explained.action), "{page}");
+    // what does not occur is not explained
+    assert!(!page.contains("message-unit-missing"));
 }
 
 #[test]
@@ -147,7 +168,7 @@ pub(crate) fn with_text(text: &str) -> Documents {
     d.import.messages = vec![message()];
     for s in &mut d.import.sources {
         (s.file, s.dialect, s.sha256) = (t(), t(), t());
-        s.refused = vec![Refused { line: 1, text: t(), reason: t() }];
+        s.refused = vec![Refused { line: 1, text: t(), reason: t(), reason_phrase: None }];
     }
     d.features.features.iter_mut().for_each(|f| (f.name, f.element) = (t(), t()));
     d.frames.world.definition = t();
@@ -164,6 +185,7 @@ pub(crate) fn with_text(text: &str) -> Documents {
     d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| e.unit = t());
     d.accuracy.limits.iter_mut().for_each(|l| l.unit = t());
     // a single set keeps the page below the size at which titles of marks become data
+    d.errors.truncate(d.errors.len() / 2);
     d.errors.iter_mut().for_each(|e| (e.set, e.target) = (PoseSet::Calibration, t()));
     d
 }
@@ -201,7 +223,8 @@ fn nothing_to_draw_is_said() {
     documents.features.features.clear();
     documents.frames.world.poses.clear();
     let page = page(&documents);
-    assert!(page.contains("No errors to plot.") && !page.contains("<svg"));
+    // limits are drawn without errors
+    assert!(page.contains("No errors to plot.") && page.matches("<svg").count() == 1);
     assert!(page.contains("The document contains no errors.") && page.contains("The campaign has no fitted features."));
 }
 
@@ -240,7 +263,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     documents.errors[0].at_mm[2] = 100.0;
     let page = page(&documents);
     assert!(page.contains("Position error before calibration, xz plane") && page.contains("z (mm)"));
-    assert_eq!(page.matches("<svg").count(), 24);
+    assert_eq!(page.matches("<svg").count(), 27);
 }
 
 #[test]

@@ -22,8 +22,12 @@ fn everything() -> Documents {
 fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
     let shown = shown(&everything());
     let parts = [
-        "(limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance (ISO 14253-1).\n\nLimits\n",
-        "\nErrors before and after\ncalibration: ",
+        "(limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance (ISO 14253-1).\n",
+        "\n\nNext steps\n1. ",
+        "\n\nTo complete before signing: ",
+        "\nLimits\n",
+        "\nErrors before and after\nvalidation: ",
+        "\nFurther errors\ncalibration: ",
         "\nAccuracy\nPositioning accuracy\n",
         "\nRepeatability\nUncertainty of RP\n",
         "\nDrift\n",

@@ -1,6 +1,4 @@
 //! Names of quantities and families of a comparison, and their changes in words.
-//!
-//! Documents name them in English; names of parameters and streams are kept.
 
 use super::{Words, tr};
 use crate::number;
@@ -23,44 +21,13 @@ pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
 
 /// Subject of a figure or row.
 pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
-    let name = &one_line(&trend.name);
-    let named = match trend.family {
-        CompareFamily::Robot => Some(tr!(words, "parameter-named", name)),
-        CompareFamily::SetUp => Some(tr!(words, "set-up-parameter-named", name)),
-        CompareFamily::MeanError => error(name, words),
-        CompareFamily::PoseAccuracy | CompareFamily::MeanPosition | CompareFamily::PoseRepeatability => {
-            of_pose(name, words)
-        }
-        CompareFamily::PathAccuracy | CompareFamily::PathRepeatability => None,
-    };
-    named.unwrap_or_else(|| name.clone())
-}
-
-/// Name of an error: `position of calibration poses, before`.
-fn error(name: &str, words: &Words) -> Option<String> {
-    let (quantity, rest) = name.split_once(" of ")?;
-    let (set, when) = rest.rsplit_once(" poses, ")?;
-    Some(tr!(
-        words,
-        "mean-error-of",
-        quantity = words.named(quantity),
-        set = words.named(set),
-        when = words.named(when)
-    ))
-}
-
-/// Name of a pose characteristic: `AP, pose 3`, `mean x, pose 3` or `RP, homing`.
-fn of_pose(name: &str, words: &Words) -> Option<String> {
-    let (what, place) = name.split_once(", ")?;
-    let what = match what.strip_prefix("mean ") {
-        Some(axis) => tr!(words, "mean-of-axis", axis),
-        None => what.to_owned(),
-    };
-    let place = match place.strip_prefix("pose ") {
-        Some(pose) => tr!(words, "pose-named", pose),
-        None => words.named(place),
-    };
-    Some(format!("{what}, {place}"))
+    let name = trend.name_phrase.as_ref().map_or_else(|| one_line(&trend.name), |phrase| words.tr(phrase));
+    match trend.family {
+        CompareFamily::Robot => tr!(words, "parameter-named", name),
+        CompareFamily::SetUp => tr!(words, "set-up-parameter-named", name),
+        CompareFamily::MeanError => tr!(words, "mean-error-named", name),
+        _ => name,
+    }
 }
 
 /// A change in printable form; unknown values are empty.

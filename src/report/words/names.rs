@@ -1,31 +1,8 @@
-//! Names of what documents enumerate.
+//! Names of enumerated values in documents.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_documents::{Effect, ErrorQuantity, Figure, LimitQuantity, PoseSet, SourceKind, UncertaintySource};
-
-/// Name of a set of poses.
-pub(crate) fn set(set: PoseSet) -> Phrase {
-    match set {
-        PoseSet::Calibration => phrase!("calibration"),
-        PoseSet::Validation => phrase!("validation"),
-    }
-}
-
-/// Name of a quantity whose errors are counted.
-pub(crate) fn quantity(quantity: ErrorQuantity) -> Phrase {
-    match quantity {
-        ErrorQuantity::Position => phrase!("position"),
-        ErrorQuantity::X => phrase!("axis-x"),
-        ErrorQuantity::Y => phrase!("axis-y"),
-        ErrorQuantity::Z => phrase!("axis-z"),
-        ErrorQuantity::Orientation => phrase!("orientation"),
-        ErrorQuantity::Distance => phrase!("distance"),
-        ErrorQuantity::Surface => phrase!("surface"),
-        ErrorQuantity::Contact => phrase!("contact"),
-        ErrorQuantity::Coordinate => phrase!("coordinate"),
-    }
-}
+use etalon_documents::{Effect, ErrorQuantity, Figure, LimitQuantity, SourceKind, UncertaintySource};
 
 /// Kind of a robot, by the key of its model.
 pub(crate) fn model(key: &str) -> Option<Phrase> {
@@ -43,18 +20,7 @@ pub(crate) fn model(key: &str) -> Option<Phrase> {
 
 /// Name of a limited quantity.
 pub(crate) fn limit(quantity: LimitQuantity) -> Phrase {
-    match quantity {
-        LimitQuantity::DistanceMaxMm => phrase!("limit-distance-max"),
-        LimitQuantity::SurfaceMaxMm => phrase!("limit-surface-max"),
-        LimitQuantity::ContactMaxMm => phrase!("limit-contact-max"),
-        LimitQuantity::CoordinateMaxMm => phrase!("limit-coordinate-max"),
-        LimitQuantity::PositionMaxMm => phrase!("limit-position-max"),
-        LimitQuantity::PositionMeanMm => phrase!("limit-position-mean"),
-        LimitQuantity::PositionRmsMm => phrase!("limit-position-rms"),
-        LimitQuantity::OrientationMaxDeg => phrase!("limit-orientation-max"),
-        LimitQuantity::RepeatabilityMaxMm => phrase!("limit-repeatability-max"),
-        LimitQuantity::AccuracyMaxMm => phrase!("limit-accuracy-max"),
-    }
+    quantity.phrase()
 }
 
 /// Name of a figure of errors.
@@ -98,44 +64,35 @@ pub(crate) fn kind(kind: SourceKind) -> Phrase {
 
 /// Source of uncertainty.
 pub(crate) fn source(source: UncertaintySource) -> Phrase {
-    match source {
-        UncertaintySource::Instrument => phrase!("instrument"),
-        UncertaintySource::Contact => phrase!("contact"),
-        UncertaintySource::RigidParts => phrase!("rigid-parts"),
-        UncertaintySource::KnownPoints => phrase!("known-points"),
-        UncertaintySource::NominalValues => phrase!("nominal-values"),
-        UncertaintySource::Repeatability => phrase!("repeatability"),
-        UncertaintySource::Model => phrase!("model"),
-        UncertaintySource::Residuals => phrase!("residuals"),
-        UncertaintySource::Frame => phrase!("world-frame"),
-        UncertaintySource::FrameOfPoses => phrase!("frames-of-poses"),
-        UncertaintySource::Scale => phrase!("scale"),
-        UncertaintySource::Temperature => phrase!("temperature"),
-        UncertaintySource::Homing => phrase!("homing"),
-    }
+    source.phrase()
 }
 
-/// Names that documents enumerate in texts: elements, methods, movements, quantities of a
-/// comparison. `None` for any other text.
-pub(crate) fn of_document(name: &str) -> Option<Phrase> {
+/// Kind of an element.
+pub(crate) fn element(name: &str) -> Option<Phrase> {
     Some(match name {
         "plane" => phrase!("plane"),
         "line" => phrase!("line"),
         "circle" => phrase!("circle"),
         "cylinder" => phrase!("cylinder"),
+        _ => return None,
+    })
+}
+
+/// Method of the geometric identification.
+pub(crate) fn method(name: &str) -> Option<Phrase> {
+    Some(match name {
         "nominal" => phrase!("nominal"),
         "geometric" => phrase!("geometric"),
         "identified" => phrase!("identified"),
+        _ => return None,
+    })
+}
+
+/// Movement of the whole robot; any other movement is that of a joint.
+pub(crate) fn movement(name: &str) -> Option<Phrase> {
+    Some(match name {
         "base shift" => phrase!("base-shift"),
         "base rotation" => phrase!("base-rotation"),
-        "position" => phrase!("position"),
-        "orientation" => phrase!("orientation"),
-        "calibration" => phrase!("calibration"),
-        "validation" => phrase!("validation"),
-        "before" => phrase!("before"),
-        "after" => phrase!("after"),
-        "homing" => phrase!("homing"),
-        "max" => phrase!("max"),
         _ => return None,
     })
 }

@@ -1,4 +1,4 @@
-//! Blunders, found by rule and listed: distances between targets of a rigid part that do not hold.
+//! Blunders, found by rule and listed: wrong distances between targets of a rigid part.
 
 use super::points::PointColumns;
 use etalon_base::catalogue::Phrase;
@@ -17,13 +17,13 @@ use std::f64::consts::FRAC_PI_2;
 /// Points that were measured together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Together {
-    /// Pose (perhaps the number of the row) and cycle.
+    /// Pose (or the row number) and cycle.
     Pose(PoseName, Option<i64>),
     /// Equal time stamp, as the bits of its seconds.
     Time(u64),
 }
 
-/// With fewer distances of a pair the median does not show which one is wrong.
+/// Minimum number of distances of a pair for a median that identifies the wrong one.
 const FEWEST: usize = 3;
 
 impl Together {
@@ -40,7 +40,7 @@ impl Together {
 /// Indices of the targets measured together, in the order of the rule.
 type Groups = BTreeMap<Together, Vec<Option<usize>>>;
 
-/// Errors in the rules themselves, whatever the files hold.
+/// Errors in the rules themselves, independent of the files.
 pub(super) fn check(campaign: &Campaign) -> Problems {
     let rules = campaign.file.rigid.iter().enumerate();
     Problems(rules.filter_map(|(i, rigid)| stated(campaign, rigid, i).err()).collect())
@@ -72,9 +72,8 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
             let target = point.target.as_deref().unwrap_or("");
             let message = warning!("rigid-row-refused", row = point.row, target, reason);
             problems.0.push(message.at(point.place()));
-            let reason = reason.to_string();
             if let Some(source) = sources.iter_mut().find(|s| s.file == *point.export) {
-                source.refused.push(Refused { line: point.line as usize, text: (&point.text).into(), reason });
+                source.refused.push(Refused::new(point.line as usize, &point.text, reason));
                 source.refused.sort_by_key(|r| r.line);
             }
         }
@@ -89,7 +88,7 @@ fn place(campaign: &Campaign, rigid: &Rigid) -> Place {
     rigid.targets.first().map_or_else(|| Place::file(campaign.path.as_str()), |target| campaign.place(target))
 }
 
-/// Checks a rule: two targets or more, each once, and a positive tolerance.
+/// Checks a rule: at least two targets, each once, and a positive tolerance.
 fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Result<(), Message> {
     let names: BTreeSet<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     if names.len() < 2 || names.len() < rigid.targets.len() {
@@ -123,7 +122,7 @@ fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Resu
     Ok(())
 }
 
-/// Returns the targets of a rigid part as they were measured together.
+/// Returns the targets of a rigid part that were measured together.
 fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::Result<Groups, Message> {
     let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     let mut groups = Groups::new();
@@ -152,7 +151,7 @@ fn pairs(rigid: &Rigid) -> Vec<(usize, usize)> {
     (0..rigid.targets.len()).flat_map(|i| (0..i).map(move |j| (j, i))).collect()
 }
 
-/// A warning about pairs that are seen too rarely to have a median that means something.
+/// Returns a warning about pairs that were measured too rarely for a meaningful median.
 fn too_few(campaign: &Campaign, rigid: &Rigid, groups: &Groups) -> Option<Message> {
     let seen = |p: &(usize, usize)| groups.values().filter(|s| s[p.0].is_some() && s[p.1].is_some()).count();
     let (a, b) = *pairs(rigid).iter().find(|p| (1..FEWEST).contains(&seen(p)))?;
@@ -161,8 +160,8 @@ fn too_few(campaign: &Campaign, rigid: &Rigid, groups: &Groups) -> Option<Messag
     Some(message.at(place(campaign, rigid)))
 }
 
-/// Returns a message where targets measured together have other distances than `places_mm` states,
-/// beyond the uncertainty of both.
+/// Returns a message if the distances of targets measured together contradict `places_mm` beyond
+/// the uncertainty of both.
 fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &Groups) -> Option<Message> {
     let part = rigid.shape()?;
     let u_at = |i: usize| campaign.file.instrument.standard_uncertainty_at_mm(points[i].xyz_mm);
@@ -186,7 +185,7 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
     chi_square_exceeds(square, pairs).then(|| message().at(place(campaign, rigid)))
 }
 
-/// Indices of the points to refuse, and why.
+/// Indices of the points to refuse, with reasons.
 fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usize, Phrase> {
     let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     let distance = |seen: &[Option<usize>], (a, b): (usize, usize)| {

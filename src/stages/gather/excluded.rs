@@ -1,4 +1,4 @@
-//! Rows of exports that a campaign leaves out by their numbers.
+//! Rows of exports that a campaign excludes by their numbers.
 
 use super::points::PointColumns;
 use crate::stages::exclusions::excluded_rows;
@@ -7,7 +7,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{Refused, Source, SourceKind};
 
-/// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones,
+/// Excludes the rows that `[[identify.exclude]]` names: they are listed among the refused rows,
 /// with their reasons.
 pub(super) fn leave_out(
     campaign: &Campaign,
@@ -39,17 +39,13 @@ pub(super) fn leave_out(
                 continue;
             }
         };
-        let reason = format!("excluded: {}", rule.reason);
+        let reason = phrase!("row-excluded", reason = rule.reason);
         if let Some(source) =
             sources.iter_mut().find(|source| source.file == *file && source.kind == SourceKind::Export)
         {
             let left_out =
                 columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row.into()));
-            let refused = |p: &etalon_formats::Point| Refused {
-                line: p.line as usize,
-                text: (&p.text).into(),
-                reason: reason.clone(),
-            };
+            let refused = |p: &etalon_formats::Point| Refused::new(p.line as usize, &p.text, reason.clone());
             source.refused.extend(left_out.map(refused));
             source.refused.sort_by_key(|refused| refused.line);
         }

@@ -1,4 +1,5 @@
-//! Points that lie where another one is, and reference targets that drift: reported, never dropped.
+//! Points with the coordinates of another point, and reference targets that drift: reported, never
+//! dropped.
 
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, minus, norm};
@@ -9,14 +10,14 @@ use etalon_math::statistics::median;
 use indexmap::IndexMap;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Blocks of a recording that are compared for drift; each needs some rows.
+/// Number of blocks of a recording that are compared for drift, and minimum number of rows in each.
 const BLOCKS: usize = 10;
 const FEWEST: usize = 3;
 /// Fewest points of one name that can be a scan, and the number of points that are looked at.
 const FEWEST_OF_SCAN: usize = 20;
 const MOST_OF_SCAN: usize = 1000;
 
-/// Largest distance of two points that are one: ten times the instrument's expanded uncertainty,
+/// Largest distance of two readings of one point: ten times the instrument's expanded uncertainty,
 /// from 0.1 to 1 mm.
 fn near_mm(campaign: &Campaign) -> f64 {
     (10.0 * campaign.file.instrument.expanded_uncertainty_um / 1000.0).clamp(0.1, 1.0)
@@ -27,10 +28,10 @@ fn name(point: &Point) -> &str {
     point.target.as_deref().unwrap_or(&point.label)
 }
 
-/// Warnings about rows that have the name of one point and lie where another is: in the same pose,
-/// or, for points that stand still, where no other row of their own name lies. Each pair of names
-/// has one warning, and no warning where most rows of one name lie at rows of the other: these are
-/// repeats of the same places.
+/// Warnings about rows with the name of one point and the position of another: in the same pose,
+/// or, for stationary points, away from all other rows of their name. Each pair of names has one
+/// warning, and no warning if most rows of one name are at rows of the other: these are repeats of
+/// the same points.
 pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let near = near_mm(campaign);
     let mut same: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
@@ -79,9 +80,8 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     found.into_iter().filter_map(warning).collect()
 }
 
-/// Returns pairs of points of different names that lie near each other. Cells are twice as wide as
-/// `near`, so that a near point lies in the same cell or in the next cell on the nearer side of
-/// each axis.
+/// Returns pairs of neighbouring points with different names. Cells are twice as wide as `near`, so
+/// that a neighbour is in the same cell or in the next cell on the nearer side of each axis.
 fn neighbours<'a>(points: impl Iterator<Item = &'a Point>, near: f64) -> Vec<(&'a Point, &'a Point)> {
     let named = points.filter(|p| !name(p).is_empty() && p.xyz_mm[0].is_finite());
     // by name: repeats of one point are many
@@ -129,7 +129,7 @@ fn strays(point: &Point, same: &[&Point], near: f64) -> bool {
     own().next().is_some() && own().all(|p| distance(p, point) > 10.0 * near)
 }
 
-/// Usual place of the points of one name, and their usual distance from it.
+/// Usual position of the points of one name, and their usual distance from it.
 fn where_it_is(own: &[&Point]) -> (Vector, f64) {
     let usual = middle(&own.iter().map(|p| p.xyz_mm).collect::<Vec<_>>()).unwrap_or_default();
     let spread = median(own.iter().map(|p| norm(minus(p.xyz_mm, usual))));
@@ -142,7 +142,7 @@ fn middle(all: &[Vector]) -> Option<Vector> {
     Some([axis(0)?, axis(1)?, axis(2)?])
 }
 
-/// Errors in the statements on fixed targets.
+/// Errors in the statements about fixed targets.
 pub(super) fn check(campaign: &Campaign) -> Problems {
     let wrong = |(i, fixed): (usize, &Fixed)| {
         let place = || campaign.place_of(&["fixed", &i.to_string(), "drift_mm"]);
@@ -152,8 +152,8 @@ pub(super) fn check(campaign: &Campaign) -> Problems {
     Problems(campaign.file.fixed.iter().enumerate().filter_map(wrong).collect())
 }
 
-/// Warnings about fixed targets that drift: the medians of two tenths of their rows lie farther
-/// apart than stated.
+/// Returns warnings about fixed targets that drift: the medians of two tenths of their rows are
+/// farther apart than stated.
 pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let mut warnings = Vec::new();
     for fixed in &campaign.file.fixed {

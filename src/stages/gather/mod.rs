@@ -9,14 +9,16 @@ mod excluded;
 mod mislabelling;
 mod points;
 mod rounding;
+mod temperature;
 
 pub(crate) use points::used_labels;
+pub use temperature::range as temperature_range;
 
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::files::Stamp;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::two_spellings;
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, Source, SourceKind};
 use etalon_formats::{Export, JointLog, Line, Log, LogRow, Point, SharedText};
@@ -30,7 +32,7 @@ pub struct Gathered {
     pub points: Vec<Point>,
     /// Joint values of each log.
     pub logs: Vec<JointLog>,
-    /// The table of observations, where the campaign has one.
+    /// The table of observations, if the campaign has one.
     pub(crate) observations: Option<TableFile>,
     /// Files that were read, and rows that were refused.
     pub document: ImportDocument,
@@ -78,12 +80,14 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Ok(_) if !campaign.export_reads(i) => {}
             Ok((text, stamp)) => {
                 let mut source = statement(SourceKind::Export, file, &stamp);
-                source.dialect = format!("{}, unit {}", export.format, export.unit.name());
+                let read = phrase!("read-in-unit", format = export.format.title(), unit = export.unit.name());
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
-                if let Some(frame) = export.format.frame(&text) {
-                    source.dialect.push_str(&format!(", relative to `{frame}`"));
-                    frames.push((campaign.place(&export.file), frame.to_owned()));
-                }
+                let frame = export.format.frame(&text);
+                source.read_as(match frame {
+                    Some(frame) => phrase!("read-in-frame", read, frame),
+                    None => read,
+                });
+                frames.extend(frame.map(|frame| (campaign.place(&export.file), frame.to_owned())));
                 sources.push(source);
             }
             Err(more) => problems.0.extend(more.0),
@@ -112,6 +116,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         // of the remaining points
         messages.extend(mislabelling::misplaced(campaign, &columns.points));
         messages.extend(mislabelling::drifting(campaign, &columns.points));
+        messages.extend(temperature::contradicted(campaign, &columns.points));
     }
     let document = ImportDocument {
         schema: "etalon/import/1".to_owned(),
@@ -136,7 +141,7 @@ fn forget_lines(points: &mut [Point], sources: &[Source]) {
     }
 }
 
-/// Reads what can be read of all logs: their rows, and remarks.
+/// Reads all readable rows of all logs, with remarks.
 fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems) -> (Vec<JointLog>, Vec<Message>) {
     let (mut logs, mut said) = (Vec::new(), Vec::new());
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
@@ -185,7 +190,7 @@ fn together(logs: Vec<JointLog>) -> JointLog {
     all
 }
 
-/// The points that an export brings if this is its text, before rules about blunders.
+/// The points of an export with this text, before the rules about blunders.
 pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
     let mut columns = PointColumns::default();
     columns
@@ -210,7 +215,7 @@ pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<Jo
     .map(|(table, _)| table)
 }
 
-/// An error about a pose that two rows of exports and logs name in two spellings.
+/// Returns an error if rows of exports and logs name a pose in two spellings.
 fn other_spelling(points: &[Point], logs: &[JointLog]) -> Option<Message> {
     let logged = || logs.iter().flat_map(|log| log.rows.iter().map(move |row| (log, row)));
     let names = points.iter().map(|point| point.pose).chain(logged().map(|(_, row)| row.pose));
@@ -230,13 +235,15 @@ fn statement(kind: SourceKind, file: &str, stamp: &Stamp) -> Source {
             SourceKind::Export | SourceKind::Log => String::new(),
             _ => "TOML".to_owned(),
         },
+        dialect_phrase: None,
         rows_read: 0,
         refused: Vec::new(),
         standstills: Vec::new(),
     }
 }
 
-/// A warning if the exports of a campaign, each with its place, are relative to several frames.
+/// Returns a warning if the exports of a campaign, each with its place, are relative to several
+/// frames.
 pub(crate) fn frames_differ(frames: &[(Place, String)]) -> Option<Message> {
     let (_, first) = frames.first()?;
     let (place, other) = frames.iter().find(|(_, frame)| frame != first)?;

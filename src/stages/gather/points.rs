@@ -1,11 +1,10 @@
-//! Points of all exports, and what a campaign states of them.
+//! Points of all exports, and the statements of a campaign about them.
 
 use crate::stages::resolution;
 use etalon_base::cell::is_formula;
-use etalon_base::error;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;
-use etalon_base::warning;
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, JoinBy};
 use etalon_documents::{Refused, Source};
 use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point, SharedText};
@@ -34,7 +33,7 @@ impl PointColumns {
         problems
     }
 
-    /// Adds the rows of an export; rows that were not measured go to the refused rows of the
+    /// Adds the rows of an export; rows that were not measured are added to the refused rows of the
     /// source. Returns the errors of the other rows.
     fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<Point>, source: &mut Source) -> Problems {
         let mut problems = Problems::default();
@@ -53,9 +52,9 @@ impl PointColumns {
         // in the memory of the rows: exports have millions
         let kept = rows.into_iter().enumerate().filter_map(|(i, row)| {
             let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
-            let reason = row.refused.clone().or_else(|| zero.then(|| "not measured: 0 0 0".to_owned()));
+            let reason = row.refused.as_deref().cloned().or_else(|| zero.then(|| phrase!("row-at-origin")));
             if let Some(reason) = reason {
-                source.refused.push(Refused { line: row.line as usize, text: (&row.text).into(), reason });
+                source.refused.push(Refused::new(row.line as usize, &row.text, reason));
                 return None;
             }
             let named = pattern.as_ref().and_then(|p| p.read(&row.label, known)).unwrap_or_default();
@@ -92,7 +91,7 @@ impl PointColumns {
         problems
     }
 
-    /// Errors about points that have the same target, pose and cycle as one before them.
+    /// Errors about points with the same target, pose and cycle as a previous one.
     pub fn measured_twice(&self, campaign: &Campaign) -> Vec<Message> {
         let mut first = std::collections::BTreeMap::new();
         let mut errors = Vec::new();
@@ -117,7 +116,7 @@ impl PointColumns {
         errors
     }
 
-    /// Warnings about labels that name no target and that no feature or frame uses.
+    /// Warnings about labels that name no target and are not used by a feature or frame.
     pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
         let used = used_labels(campaign);
         let geometric = campaign.file.geometric.iter().flat_map(|g| g.patterns());
@@ -136,7 +135,8 @@ impl PointColumns {
     }
 }
 
-/// Targets of the robot and of the world frame: labels that name them may name a pose by a text.
+/// Targets of the robot and of the world frame: labels with these targets may name a pose by a
+/// text.
 fn known_targets(campaign: &Campaign) -> BTreeSet<String> {
     let of_robot = campaign.build_robot().map_or_else(|_| Vec::new(), |robot| robot.targets().to_vec());
     let of_frame = campaign.file.world().and_then(|world| world.targets.as_deref()).unwrap_or_default();

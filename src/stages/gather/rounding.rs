@@ -1,4 +1,4 @@
-//! Coordinates that an export rounded away.
+//! Coordinates that an export rounded too coarsely.
 
 use crate::stages::resolution::step;
 use etalon_base::message::Message;
@@ -7,20 +7,21 @@ use etalon_campaign::Campaign;
 use etalon_formats::{Export, Point};
 use std::collections::BTreeSet;
 
-/// Fewest different values of a column: fewer may all be round by chance, or be commanded heights.
+/// Minimum number of different values of a column: fewer may be round by chance, or be commanded
+/// heights.
 const FEWEST: usize = 8;
-/// Fewest where other columns have more decimals.
+/// Minimum number if other columns have more decimals.
 const FEW: usize = 3;
 /// Probability below which values are not round by chance.
 const BY_CHANCE: f64 = 1e-6;
-/// Most decimals that tell how finely a column is written, and the step of one with more.
+/// Maximum number of decimals for the resolution of a column, and the step of a column with more.
 const ALL_DECIMALS: i32 = 9;
 const LEAST_STEP: f64 = 1e-10;
-/// Most decimals of a step that is looked for.
+/// Maximum number of decimals of a step.
 const MOST_DECIMALS: i32 = 4;
 
-/// Returns a warning if coordinates are rounded so coarsely that rounding alone is more uncertain
-/// than the instrument: a step has the standard uncertainty step/√12 (JCGM 100:2008, 4.3.7).
+/// Returns a warning if the uncertainty of the rounding exceeds that of the instrument: a step has
+/// the standard uncertainty step/√12 (JCGM 100:2008, 4.3.7).
 pub(super) fn coarse(campaign: &Campaign, export: &Export, rows: &[Point]) -> Option<Message> {
     let dialect = &export.format.dialect;
     if dialect.angle_unit.is_some() || !dialect.types.is_empty() {

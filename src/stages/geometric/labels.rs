@@ -1,4 +1,4 @@
-//! Labels of points become measurements of the geometric calibration, and back.
+//! Conversion between labelled points and measurements of the geometric calibration.
 
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use etalon_base::error;
@@ -13,7 +13,7 @@ use etalon_identify::geometric::{
 use std::collections::BTreeSet;
 use toml::Spanned;
 
-/// All that is measured.
+/// All measurements.
 #[derive(Clone, Debug)]
 pub struct Gathered {
     /// The robot.
@@ -91,7 +91,7 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
     Ok(Gathered { robot: found, bars: pairs, balls })
 }
 
-/// The readings of every actuator with the displacements that were commanded.
+/// The readings of every actuator with the commanded displacements.
 fn gather_leads(
     campaign: &Campaign,
     definition: &GeometricDefinition,
@@ -125,7 +125,7 @@ pub fn label(pattern: &str, target: &str, pose: PoseName, cycle: i64) -> String 
     pattern.replace("{target}", target).replace("{pose}", &pose.to_string()).replace("{cycle}", &cycle.to_string())
 }
 
-/// Measurements as labelled points: what [`gather`] reads. Rails and ball R are not among them.
+/// Measurements as labelled points, the input of [`gather`]; without rails and ball R.
 pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(String, Vector)> {
     let Gathered { robot: found, bars, balls } = gathered;
     let mut rows = Vec::new();

@@ -1,4 +1,4 @@
-//! The geometric calibration of a campaign: labelled points in, its document out.
+//! The geometric calibration of a campaign: from labelled points to its document.
 
 mod labels;
 
@@ -24,8 +24,8 @@ use etalon_standards::iso9283::pose::repeatability::pose_repeatability;
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 
-/// Finds the robot by geometry alone, and compares it with the parameters identified from the same
-/// campaign, if any; steps that are not stated are left out. `None` if the campaign has no
+/// Determines the robot by geometry alone, and compares it with the parameters identified from the
+/// same campaign, if any; steps that are not stated are omitted. `None` if the campaign has no
 /// `[geometric]`.
 pub fn calibrate(
     campaign: &Campaign,
@@ -79,7 +79,7 @@ pub fn calibrate(
     }))
 }
 
-/// Name of a parameter, its value, and its repeats where it was repeated.
+/// Name of a parameter, its value, and its repeats, if any.
 type Quantity<'a> = (&'static str, &'a Uncertain, Option<&'a Repeated>);
 
 /// Quantities of the measured steps.
@@ -150,11 +150,11 @@ fn bar_result(definition: &ScaleBarDefinition, pairs: &[[Vector; 2]], u_mm: f64)
     })
 }
 
-/// Least ratio of the permissible error to the expanded uncertainty of the certificate (the 4:1
+/// Minimum ratio of the permissible error to the expanded uncertainty of the certificate (the 4:1
 /// rule of ANSI/NCSL Z540).
 const LEAST_RATIO: f64 = 4.0;
 
-/// Warning about the instrument or its verification.
+/// Returns a warning about the instrument or its verification.
 fn bar_message(bar: &ScaleBarResult) -> Option<Message> {
     let name = &bar.name;
     match bar.verdict {
@@ -235,7 +235,7 @@ fn step(name: Phrase, scatter: &Scatter, coverage_deg: Option<f64>) -> Geometric
     }
 }
 
-/// Warning where residuals exceed the stated uncertainty of the instrument.
+/// Returns a warning if residuals exceed the stated uncertainty of the instrument.
 fn scatter_message(step: &GeometricStep) -> Option<Message> {
     let (found_mm, stated_mm) = (step.standard_deviation_mm, step.expected_mm);
     (step.enlarged_by > 1.0).then(|| warning!("step-scatters", step = step.name, found_mm, stated_mm))
@@ -307,7 +307,7 @@ fn tables(
     Ok(tables)
 }
 
-/// Mean errors of one pose; `None` where K and L were never measured together.
+/// Mean errors of one pose; `None` if K and L were never measured together.
 fn pose_row(
     robot: &dyn Platform,
     pose: PoseName,

@@ -5,20 +5,22 @@ use etalon_base::message::{Problems, Result};
 use etalon_documents::Iso9283ComplianceDocument;
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
+use etalon_formats::tables::observations::FORCE;
 use etalon_standards::iso9283::load::{self, DIRECTIONS, LoadReading};
 
 /// Compliance from a table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`.
 pub fn evaluate(table: NamedTable) -> Result<Iso9283ComplianceDocument> {
     let found = load::evaluate(&readings(table)?).map_err(|more| table.place(more))?;
     let mut document = Iso9283ComplianceDocument::new(found);
-    document.messages.extend(table.unread(&["direction", "cycle", "force_n"]));
+    document.messages.extend(table.unread(&["direction", "cycle", FORCE]));
     Ok(document)
 }
 
 fn readings(table: NamedTable) -> Result<Vec<LoadReading>> {
-    let columns = ["direction", "cycle", "force_n"].map(str::to_owned);
+    let columns = ["direction", "cycle", FORCE].map(str::to_owned);
     table::require(table.frame, &columns).map_err(|p| table.place(p))?;
-    let (names, forces) = (table.texts("direction")?, table.texts("force_n")?);
+    let names = table.texts("direction")?;
+    let forces = table::numbers(table.frame, FORCE).map_err(|p| table.place(p))?;
     let cycles = table.integers("cycle")?;
     let all = table.coordinates()?;
     let (positions_mm, spatial) = (all.positions_mm, all.spatial);
@@ -32,9 +34,10 @@ fn readings(table: NamedTable) -> Result<Vec<LoadReading>> {
         if !spatial && names[i].ends_with('z') {
             problems.0.push(table.at_row(error!("load-direction-unmeasured", direction = names[i]), i));
         }
-        let force_n = forces[i].parse().ok().filter(|f: &f64| f.is_finite() && *f >= 0.0);
+        let force_n = Some(forces[i]).filter(|f| f.is_finite() && *f >= 0.0);
         if force_n.is_none() {
-            problems.0.push(table.at_row(error!("force-not-a-number", text = forces[i]), i));
+            let text = if forces[i].is_nan() { String::new() } else { forces[i].to_string() };
+            problems.0.push(table.at_row(error!("force-not-a-number", text), i));
         }
         if let (Some(direction), Some(force_n)) = (direction, force_n) {
             all.push(LoadReading { direction, cycle: cycles[i], force_n, position_mm });

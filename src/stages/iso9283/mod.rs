@@ -1,4 +1,4 @@
-//! Tests of a campaign by ISO 9283: tables, labelled points and recorded motions become
+//! Tests of a campaign by ISO 9283: from tables, labelled points and recorded motions to
 //! characteristics.
 
 pub mod load;
@@ -11,17 +11,18 @@ use crate::stages::gather::Gathered;
 use crate::stages::table_file::CampaignTables;
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
-use etalon_campaign::{Campaign, Limits, PosesDefinition};
+use etalon_campaign::{Campaign, Limits, PosesDefinition, TableDefinition};
 use etalon_documents::*;
 use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
 use pose::{PoseTables, PreparedTest};
 use repeatability::Commanded;
 use toml::Spanned;
 
-/// The 25 % rule takes the expanded uncertainty with this coverage factor.
+/// Coverage factor of the expanded uncertainty in the 25 % rule.
 pub(crate) const COVERAGE_FACTOR: f64 = 2.0;
-/// Seed of the bootstrap where the campaign states none: intervals are the same on every run.
+/// Default seed of the bootstrap: intervals are the same on every run.
 const SEED: u64 = 1;
 
 /// Tables and recordings of the tests of a campaign, read once.
@@ -35,7 +36,7 @@ pub struct TestData {
     streams: Vec<streams::Ready>,
     /// `[compliance]`, evaluated.
     compliance: Option<Iso9283ComplianceDocument>,
-    /// The files.
+    /// The files that were read.
     pub sources: Vec<Source>,
 }
 
@@ -51,7 +52,7 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     }
     // a file that is not named is reported already
     let named = |definition: &&PosesDefinition| {
-        ![&definition.attained, &definition.commanded].into_iter().any(|file| file.get_ref().is_empty())
+        [&definition.attained, &definition.commanded].into_iter().all(TableDefinition::is_named)
     };
     if let Some(definition) = file.poses.as_ref().filter(named) {
         data.poses = problems.keep(read_poses(&mut files, definition));
@@ -59,8 +60,8 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     let (streams, more) = streams::read(&mut files);
     problems.0.extend(more.0);
     data.streams = streams;
-    if let Some(definition) = file.compliance.as_ref().filter(|definition| !definition.file.get_ref().is_empty()) {
-        let table = files.read(&definition.file, "static compliance");
+    if let Some(definition) = file.compliance.as_ref().filter(|definition| definition.is_named()) {
+        let table = files.read(definition, SourceKind::Table, phrase!("table-of-compliance"));
         let found = table.and_then(|table| load::evaluate(table.named()).map_err(|p| table.place(p)));
         data.compliance = problems.keep(found);
     }
@@ -116,7 +117,7 @@ fn drift_sets(campaign: &Campaign) -> Problems {
     if let Some(definition) = &file.poses {
         check(&definition.drift_set, true);
         if file.repeatability.is_some() {
-            problems.0.push(error!("attained-poses-twice").at(campaign.place(&definition.attained)));
+            problems.0.push(error!("attained-poses-twice").at(campaign.place(definition.attained.first())));
         }
     }
     problems
@@ -146,9 +147,7 @@ fn of_tables(
         seed: definition.seed,
         ..settings
     })?;
-    document
-        .conventions
-        .push(format!("the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the frame of the tables"));
+    document.agree(phrase!("convention-tables", k = COVERAGE_FACTOR));
     document.visits = attained.visits();
     Ok(document)
 }
@@ -169,12 +168,12 @@ fn settings(campaign: &Campaign) -> PoseTestSettings {
     }
 }
 
-/// The limits that the campaign states, judged.
+/// The limits of the campaign, judged.
 fn judged(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
     limits(&campaign.file.limits, poses).map_err(|problems| problems.at(&campaign.place_of(&["limits"])))
 }
 
-/// Limits of the largest values: what the decision rule says of every pose.
+/// Limits of the largest values: the decision of the rule on every pose.
 pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
     let rule = limits.decision_rule.unwrap_or_default();
     let mut all = Vec::new();

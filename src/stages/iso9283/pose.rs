@@ -1,27 +1,27 @@
-//! Tables of a test of poses: read, compensated for the drift of the set-up, evaluated.
+//! Tables of a test of poses: read, compensated for the drift of the set-up, and evaluated.
 
-use crate::stages::table_file::{CampaignTables, TableFile};
+use crate::stages::table_file::{CampaignTables, TableFile, TableForm};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
-use etalon_base::warning;
-use etalon_campaign::PosesDefinition;
-use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
+use etalon_base::{error, phrase, warning};
+use etalon_campaign::{PosesDefinition, TableDefinition};
+use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit, SourceKind};
 use etalon_formats::tables::pose_test::pose_test;
 use etalon_formats::tables::reference_targets::{SetupDrift, compensate_setup_drift};
 use etalon_standards::iso9283::pose::PoseTestSettings;
 use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
 use std::path::Path;
-use toml::Spanned;
 
-/// Tables of a test of poses: what was attained, what was commanded, and targets that stand still.
+/// Tables of a test of poses: attained poses, commanded poses, and stationary targets.
 pub(crate) struct PoseTables {
     attained: TableFile,
     commanded: Option<TableFile>,
     reference: Option<TableFile>,
 }
 
-/// A test of poses, compensated for the drift of the set-up where reference targets are among them.
+/// A test of poses, compensated for the drift of the set-up if it has reference targets.
 #[derive(Clone, Debug)]
 pub(crate) struct PreparedTest {
     test: PoseTest,
@@ -29,10 +29,10 @@ pub(crate) struct PreparedTest {
 }
 
 impl PoseTables {
-    /// Tables of a command: attained, commanded and reference, each by the same reader.
+    /// Tables of a command: attained, commanded and reference, each read by the same reader.
     pub fn read(files: [Option<&Path>; 3], read: &dyn Fn(&Path) -> Result<TableFile>) -> Result<Self> {
         let [attained, commanded, reference] = files;
-        let none = || etalon_base::error!("table-to-evaluate-missing");
+        let none = || error!("table-to-evaluate-missing");
         let (commanded, reference) = (commanded.map(read).transpose()?, reference.map(read).transpose()?);
         Ok(Self::of(read(attained.ok_or_else(none)?)?, commanded, reference))
     }
@@ -42,23 +42,29 @@ impl PoseTables {
         Self { attained, commanded, reference }
     }
 
-    /// Tables of a campaign; all tables that do not read are reported.
+    /// Tables of a campaign; all unreadable tables are reported.
     pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
+        if let Some(key) = definition.meaningless_beside_sheet() {
+            let place = files.campaign.place_of(&["poses", key]);
+            return Err(error!("key-of-text-table", key).at(place).into());
+        }
         let mut problems = Problems::default();
-        let mut read = |file: &Spanned<String>, holds: &str| {
-            let layout = definition.layout(holds == "attained poses");
-            let table = files.laid_out(file, holds, layout, definition.encoding);
+        let mut read = |table: &TableDefinition, holds: Phrase, attained: bool| {
+            let layout = definition.layout(attained);
+            let form = TableForm { layout, encoding: definition.encoding, sheet: definition.sheet.clone() };
+            let table = files.read_in(table, &form, SourceKind::Table, holds);
             table.map_err(|more| problems.0.extend(more.0)).ok()
         };
-        let attained = read(&definition.attained, "attained poses");
-        let commanded = read(&definition.commanded, "commanded poses");
-        let reference = definition.reference.as_ref().map(|file| read(file, "reference targets"));
+        let attained = read(&definition.attained, phrase!("table-of-attained-poses"), true);
+        let commanded = read(&definition.commanded, phrase!("table-of-commanded-poses"), false);
+        let reference = definition.reference.as_ref();
+        let reference = reference.map(|file| read(file, phrase!("table-of-reference-targets"), false));
         let (Some(attained), Some(commanded)) = (attained, commanded) else { return Err(problems) };
         problems.check()?;
         Ok(Self { attained, commanded: Some(commanded), reference: reference.flatten() })
     }
 
-    /// The test in these tables; everything that is wrong with them is reported at its line.
+    /// The test in these tables; all errors in them are reported with their lines.
     pub fn test(&self, rotation_order: Option<&str>) -> Result<PreparedTest> {
         let (attained, commanded) = (&self.attained, self.commanded.as_ref());
         let in_texts = |problems: Problems| {
@@ -92,20 +98,19 @@ fn scatter_mm(test: &PoseTest) -> f64 {
     (squares / f64::max(count, 1.0)).sqrt()
 }
 
-/// Compensation that makes poses scatter more than this many times as much does not follow the
-/// set-up.
+/// Maximum increase of the scatter of poses by a compensation that follows the set-up.
 const WORSE: f64 = 1.1;
 
-/// A warning where the compensation of the set-up's drift makes poses scatter more.
+/// Returns a warning if the compensation of the set-up's drift increases the scatter of poses.
 fn worse(before_mm: f64, after_mm: f64) -> Option<Message> {
     (after_mm > WORSE * before_mm).then(|| warning!("compensation-scatters", before_mm, after_mm))
 }
 
-/// The reference targets' own shape differs by more than this many expanded uncertainties where one
-/// of them was measured wrongly.
+/// Maximum change of the shape of the reference targets, in expanded uncertainties, without a wrong
+/// measurement.
 const MISSHAPEN: f64 = 2.0;
 
-/// A warning where reference targets do not lie to each other as they did first.
+/// Returns a warning if the relative positions of reference targets have changed.
 fn misshapen(epoch: &Iso9283Epoch, expanded_mm: f64) -> Option<Message> {
     let Iso9283Epoch { cycle, rms_mm, .. } = epoch;
     (*rms_mm > MISSHAPEN * expanded_mm).then(|| warning!("reference-targets-misshapen", cycle, rms_mm, expanded_mm))
@@ -118,11 +123,11 @@ impl PreparedTest {
         let mut document = Iso9283Document::evaluate(test, settings)?;
         if !drift.epochs.is_empty() {
             let convention = match (drift.turned, test.angles.is_empty()) {
-                (true, _) => "positions and orientations are carried back by reference targets",
-                (false, true) => "positions are carried back by reference targets",
-                (false, false) => "positions are carried back by reference targets; angles are not",
+                (true, _) => phrase!("convention-drift-compensated"),
+                (false, true) => phrase!("convention-positions-drift-compensated"),
+                (false, false) => phrase!("convention-angles-not-drift-compensated"),
             };
-            document.conventions.push(convention.to_owned());
+            document.agree(convention);
         }
         document.reference.clone_from(&drift.epochs);
         let epochs = drift.epochs.iter();

@@ -1,15 +1,16 @@
-//! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of
-//! ISO 9283 out.
+//! The test of repeatability of a campaign (thesis 2.4): from labelled points to the
+//! characteristics of ISO 9283.
 
 use crate::stages::iso9283::{COVERAGE_FACTOR, settings};
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use crate::stages::table_file::{CampaignTables, TableFile};
+use etalon_base::catalogue::{Argument, IntoArgument};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{Campaign, RepeatabilityDefinition};
-use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
+use etalon_campaign::{Campaign, RepeatabilityDefinition, TableDefinition};
+use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, SourceKind};
 use etalon_formats::Point;
 use etalon_formats::table::ANGLES;
 use etalon_formats::tables::recording::commanded_poses;
@@ -18,10 +19,9 @@ use etalon_standards::iso9283::pose::coplanarity::from_the_others;
 use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
-use toml::Spanned;
 
-/// The characteristics of the campaign's labelled visits, in its world frame, and the files beside
-/// the exports that they are of.
+/// The characteristics of the campaign's labelled visits, in its world frame, and the files used in
+/// addition to the exports.
 pub fn evaluate(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
@@ -36,15 +36,11 @@ pub fn evaluate(
     let drift_set = definition.drift_set.as_ref().map(|set| *set.get_ref());
     let settings = PoseTestSettings { drift_set, ..settings(campaign) };
     let mut document = Iso9283Document::evaluate(&gathered.visits, &settings)?;
-    document.conventions.push(format!(
-        "approach: the pose before in the trajectory; the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the world \
-         frame ({})",
-        frames.world.definition
-    ));
+    let frame =
+        frames.world.definition_phrase.clone().map_or_else(|| frames.world.definition.argument(), Argument::Phrase);
+    document.agree(phrase!("convention-approach", k = COVERAGE_FACTOR, frame));
     if !gathered.visits.spatial {
-        document.conventions.push(
-            "commanded positions have no z: all characteristics but the coplanarity are in the plane xy".to_owned(),
-        );
+        document.agree(phrase!("convention-planar"));
     }
     if let Some(homings) = &gathered.homings {
         let settings = PoseTestSettings { drift_set: None, ap_limit_mm: None, ..settings };
@@ -57,7 +53,7 @@ pub fn evaluate(
     Ok(document)
 }
 
-/// Visits that the labels of a campaign name.
+/// Visits in the labels of a campaign.
 #[derive(Clone, Debug)]
 pub struct Gathered {
     /// Visits of the trajectory's poses.
@@ -116,8 +112,8 @@ pub struct Commanded {
 }
 
 impl Commanded {
-    pub(super) fn read(files: &mut CampaignTables, file: &Spanned<String>) -> Result<Self> {
-        let table = files.read(file, "commanded poses")?;
+    pub(super) fn read(files: &mut CampaignTables, table: &TableDefinition) -> Result<Self> {
+        let table = files.read(table, SourceKind::Table, phrase!("table-of-commanded-poses"))?;
         if let Some(column) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
             return Err(table.place(table.named().place(error!("commanded-angle-unmeasured", column))));
         }
@@ -126,7 +122,8 @@ impl Commanded {
         Ok(Self { table, poses, spatial })
     }
 
-    /// Every visited pose must be commanded. Where no z is, the visits lose theirs.
+    /// Checks that every visited pose is commanded. Without commanded z, z of the visits is
+    /// removed.
     fn give_to(&self, visits: &mut PoseTest) -> Result<()> {
         let known = |pose: PoseName| self.poses.iter().find(|known| known.pose == pose).map(|known| known.position_mm);
         let mut missing = Vec::new();
@@ -149,7 +146,7 @@ impl Commanded {
     }
 }
 
-/// Leaves out z.
+/// Removes z.
 fn flatten(visits: &mut PoseTest) {
     visits.spatial = false;
     for visit in visits.poses.iter_mut().flat_map(|p| &mut p.attained) {
@@ -162,7 +159,7 @@ fn visit(pose: PoseName, cycle: i64, approach: Option<String>, attained_mm: etal
     Iso9283Visit { pose, cycle, approach, attained_mm }
 }
 
-/// Errors in statements that no measurement can meet.
+/// Errors in statements, independent of measurements.
 fn statements(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Problems {
     let trajectory = definition.trajectory.get_ref();
     let mut problems = Problems::default();
@@ -179,9 +176,9 @@ fn statements(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Prob
     problems
 }
 
-/// The visits of every cycle along the trajectory. Of a pose that a cycle passes several times all
-/// visits must be there: otherwise it is not known which one is missing. A warning names the poses
-/// and cycles without a visit.
+/// The visits of every cycle along the trajectory. If a cycle passes a pose several times, all
+/// visits must exist: otherwise it is unknown which one is missing. A warning names the poses and
+/// cycles without a visit.
 fn in_order(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,

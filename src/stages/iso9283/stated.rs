@@ -1,7 +1,8 @@
-//! Statements of a command or a campaign on a recorded motion, checked alike for both.
+//! Statements of a command or a campaign about a recorded motion, checked in the same way for both.
 
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
+use etalon_base::phrase;
 use etalon_standards::iso9283::motion::MotionSettings;
 use etalon_standards::iso9283::motion::standstill::Stillness;
 use etalon_standards::iso9283::path::PathSettings;
@@ -9,15 +10,14 @@ use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::path::weaving::Weave;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 
-/// Statements under the names that they have in `campaign.toml`; options of the command are named
-/// alike.
+/// Statements, named by their keys in `campaign.toml`; options of the command have the same names.
 #[derive(Clone, Debug)]
 pub struct TestStatement<'a> {
     /// Sampling rate, instead of time stamps.
     pub rate_hz: Option<f64>,
-    /// Standing: all positions within this distance of their mean.
+    /// Radius of a standstill: largest distance (mm) of its positions from their mean.
     pub still_mm: f64,
-    /// Standing: for at least this time.
+    /// Minimum duration of a standstill (s).
     pub still_s: f64,
     /// Largest distance (mm) of a standstill from its pose, and of an attained path from the
     /// commanded one.
@@ -26,22 +26,22 @@ pub struct TestStatement<'a> {
     pub band_mm: Option<f64>,
     /// `true` if a commanded path is stated.
     pub path: bool,
-    /// Command points on it.
+    /// Number of command points on it.
     pub path_points: usize,
     /// Commanded velocity on it.
     pub velocity_mm_s: Option<f64>,
-    /// Central part of it over which velocities are compared.
+    /// Central part of it in which velocities are compared.
     pub central_percent: f64,
-    /// The path is the centre line of a weave with this stroke from side to side.
+    /// Stroke of the weave from side to side, whose centre line is the path.
     pub weave_stroke_mm: Option<f64>,
-    /// Swings there and back by second.
+    /// Frequency of the weave in full swings.
     pub weave_hz: Option<f64>,
-    /// The way it swings: x, y and z; empty where it is not stated.
+    /// Direction of the weave: x, y and z; empty if not stated.
     pub weave_across: &'a [f64],
 }
 
 impl TestStatement<'_> {
-    /// Statements that mean nothing; `name` makes a key what its reader wrote.
+    /// Meaningless statements; `name` converts a key to the notation of its reader.
     pub fn check(&self, name: impl Fn(&str) -> String) -> Result<()> {
         let numbers = [
             ("rate_hz", self.rate_hz),
@@ -85,7 +85,7 @@ impl TestStatement<'_> {
         problems.check().map(|_| ())
     }
 
-    /// Settings of the statements, with the poses and the path that were read.
+    /// Settings from the statements, with the poses and the path that were read.
     pub fn settings(
         &self,
         poses: Option<Vec<CommandedPose>>,
@@ -112,8 +112,8 @@ impl TestStatement<'_> {
             poses,
             path,
             time: match self.rate_hz {
-                Some(rate) => format!("times: samples at the stated rate of {rate} Hz"),
-                None => "times: as stamped in the recording".to_owned(),
+                Some(rate) => phrase!("convention-times-by-rate", rate),
+                None => phrase!("convention-times-as-stamped"),
             },
             seed,
         }

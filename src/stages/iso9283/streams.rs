@@ -1,29 +1,27 @@
-//! Recorded motions of a campaign: files become characteristics of ISO 9283.
+//! Recorded motions of a campaign: from files to characteristics of ISO 9283.
 
 use super::stated::TestStatement;
-use crate::stages::table_file::{CampaignTables, TableFile};
-use etalon_base::error;
+use crate::stages::table_file::CampaignTables;
 use etalon_base::message::{Problems, Result};
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, StreamDefinition};
 use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, SourceKind};
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
 use etalon_standards::iso9283::motion::MotionSettings;
 use etalon_standards::iso9283::motion::stream::Recording;
 use std::collections::BTreeSet;
-use toml::Spanned;
 
 /// Seed of the bootstrap: intervals are the same on every run.
 const SEED: u64 = 1;
 
-/// A recording that was read, and how it is evaluated.
+/// A recording and its evaluation.
 #[derive(Clone, Debug)]
 pub(super) struct Ready {
     recording: Recording,
     settings: MotionSettings,
 }
 
-/// Reads all recordings with what they are compared with; reports everything that is wrong with
-/// them.
+/// Reads all recordings with their commanded poses and paths; reports all errors in them.
 pub(super) fn read(files: &mut CampaignTables) -> (Vec<Ready>, Problems) {
     let campaign = files.campaign;
     let mut problems = Problems::default();
@@ -48,7 +46,7 @@ pub(super) fn read(files: &mut CampaignTables) -> (Vec<Ready>, Problems) {
     (all, problems)
 }
 
-/// Evaluates all recordings; `None` where the campaign has no `[[stream]]`.
+/// Evaluates all recordings; `None` if the campaign has no `[[stream]]`.
 pub(super) fn evaluate_all(campaign: &Campaign, ready: &[Ready]) -> Result<Option<Iso9283StreamsDocument>> {
     if campaign.file.streams.is_empty() {
         return Ok(None);
@@ -67,26 +65,19 @@ pub(super) fn evaluate_all(campaign: &Campaign, ready: &[Ready]) -> Result<Optio
 }
 
 fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready> {
-    let mut file = |file: &Spanned<String>, what: &str, recorded: bool| -> Result<TableFile> {
-        let read = |file: &str, text: &str| match (&stream.format, stream.unit) {
-            (Some(format), Some(unit)) if recorded => etalon_formats::recorded_points(file, text, format, unit),
-            _ => etalon_formats::observations(file, text),
-        };
-        files.read_with(file, SourceKind::Stream, what, read)
-    };
-    let recorded = file(&stream.file, "recorded motion", true)?;
+    let recorded = files.recording(stream)?;
     let recording = recording(recorded.named(), stream.rate_hz).map_err(|p| recorded.place(p))?;
     let poses = match &stream.commanded {
         None => None,
         Some(commanded) => {
-            let table = file(commanded, "commanded poses", false)?;
+            let table = files.read(commanded, SourceKind::Stream, phrase!("table-of-commanded-poses"))?;
             Some(commanded_poses(table.named()).map_err(|p| table.place(p))?)
         }
     };
     let path = match &stream.path {
         None => None,
         Some(path) => {
-            let table = file(path, "commanded path", false)?;
+            let table = files.read(path, SourceKind::Stream, phrase!("table-of-commanded-path"))?;
             Some(commanded_path(table.named(), &recorded.name, &recording).map_err(|p| table.place(p))?)
         }
     };
@@ -94,7 +85,7 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
     Ok(Ready { recording, settings })
 }
 
-/// Statements of the campaign on a motion.
+/// Statements of the campaign about a motion.
 fn stated(stream: &StreamDefinition) -> TestStatement<'_> {
     TestStatement {
         rate_hz: stream.rate_hz,

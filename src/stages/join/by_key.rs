@@ -1,7 +1,8 @@
-//! Points and rows of the log with equal keys.
+//! Join of points and rows of the log with equal keys.
 
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
@@ -9,15 +10,15 @@ use etalon_documents::Unmatched;
 use etalon_formats::JointLog;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Names of poses, and numbers likewise.
+/// Maximum number of names of poses in a message, and of numbers.
 type Key = [Option<PoseName>; 2];
 /// Indices of rows by their key.
 type Keys = BTreeMap<Key, Vec<usize>>;
 
-/// Keys without a partner that a message lists.
+/// Maximum number of keys without a partner in a message.
 const SHOWN: usize = 8;
 
-/// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a
+/// Joins on equal keys. A key that occurs twice in the log is an error, a key without a partner a
 /// warning.
 pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks: &mut Remarks) -> Result<Vec<Row>> {
     let number = |key: &str, [row, file]: [i64; 2], pose: Option<PoseName>, cycle: Option<i64>| match key {
@@ -46,7 +47,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     }
     misspelt(keys, (targets, &measured), (log, &logged))?;
     let mut report =
-        |of: &str, at: &dyn Fn(usize, String, &str) -> Unmatched, here: &Keys, there: &Keys, reason: &str| {
+        |of: &str, at: &dyn Fn(usize, String, &Phrase) -> Unmatched, here: &Keys, there: &Keys, reason: Phrase| {
             let alone: Vec<&Key> = here.keys().filter(|key| !there.contains_key(*key)).collect();
             if !alone.is_empty() {
                 let mut shown: Vec<String> = alone.iter().take(SHOWN).map(|k| format!("[{}]", listed(k))).collect();
@@ -62,14 +63,13 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
                 remarks.messages.push(message.routine());
             }
             for key in alone {
-                remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), reason)));
+                remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), &reason)));
             }
         };
-    let point = |i: usize, key, reason: &str| At::point(targets[i].point).unmatched(key, reason);
-    let lone = format!("no row of log `{name}` has this key");
-    report("points", &point, &measured, &logged, &lone);
-    let row = |i: usize, key, reason: &str| At::log(log, &log.rows[i]).unmatched(key, reason);
-    report("log", &row, &logged, &measured, "no measured point has this key");
+    let point = |i: usize, key, reason: &Phrase| At::point(targets[i].point).unmatched(key, reason);
+    report("points", &point, &measured, &logged, phrase!("no-row-of-key", log = name));
+    let row = |i: usize, key, reason: &Phrase| At::log(log, &log.rows[i]).unmatched(key, reason);
+    report("log", &row, &logged, &measured, phrase!("no-point-of-key"));
     let met = measured.iter().filter_map(|(key, rows)| Some((rows, &log.rows[*logged.get(key)?.first()?])));
     let pairs = met.flat_map(|(rows, met)| rows.iter().map(move |&i| (&targets[i], met)));
     if keys[0] == "row" {
@@ -78,8 +78,8 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     Ok(pairs.map(|(target, met)| Row::of(target, met)).collect())
 }
 
-/// An error where measured points and the log both have keys without a partner, and a pose among
-/// these is a text that the other does not have: a misspelling.
+/// Returns an error if measured points and the log both have keys without a partner, and one of
+/// these is a pose with a text that the other lacks: a misspelling.
 fn misspelt(keys: &[&str], (targets, measured): (&[Target], &Keys), (log, logged): (&JointLog, &Keys)) -> Result<()> {
     let alone = |here: &Keys, there: &Keys| -> Vec<(PoseName, usize)> {
         let lone = here.iter().filter(|(key, _)| !there.contains_key(*key));
@@ -103,7 +103,7 @@ fn misspelt(keys: &[&str], (targets, measured): (&[Target], &Keys), (log, logged
     Err(message.hint_names(&pose.to_string(), names.iter().map(String::as_str)).into())
 }
 
-/// Rows by their keys, which all must have.
+/// Rows by their keys, which all rows must have.
 fn collected<T>(keys: &[&str], rows: &[T], number: impl Fn(&T, &str) -> Option<PoseName>) -> Result<Keys> {
     let mut all = Keys::new();
     for key in keys {

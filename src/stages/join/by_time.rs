@@ -1,11 +1,12 @@
-//! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or
+//! Join of points and log by time: with the nearest row, with the standstill at this time, or
 //! between two rows.
 
 use super::clock::Clock;
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Problems, Result};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_documents::Unmatched;
 use etalon_formats::{DIRECTION, JointLog};
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,24 +14,24 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Settings of a join by time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clocks {
-    /// Clock of the measurement against the clock of the log.
+    /// Clock of the measurement relative to the clock of the log.
     pub clock: Clock,
-    /// Largest time between a point and its rows (s).
+    /// Largest time (s) between a point and its rows.
     pub tolerance_s: f64,
-    /// Joint values are those between the row before and the row after.
+    /// `true` if joint values are interpolated between the previous and the next row.
     pub interpolate: bool,
 }
 
-/// The rows of the log that a point meets: the nearer one, and with a share of the other where it
-/// lies between two.
+/// The rows of the log for a point: the nearer one, and the share of the other one for a point
+/// between two.
 #[derive(Clone, Copy)]
 struct Met {
     row: usize,
     other: Option<(usize, f64)>,
 }
 
-/// Joins each point with what the log states of its time; where no label names a pose, the log's
-/// row becomes the pose, or between rows the number of the time.
+/// Joins each point with the row of the log at its time. If no label names a pose, the row of the
+/// log becomes the pose, or for interpolated rows the number of the time.
 pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remarks: &mut Remarks) -> Result<Vec<Row>> {
     let name = &log.name;
     let times = targets.iter().map(|t| t.point.time_s.map(|time_s| clocks.clock.of_log(time_s)));
@@ -90,7 +91,7 @@ fn nearest(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
     (apart(&spans[row], t) <= tolerance_ns).then_some(Met { row, other: None })
 }
 
-/// The rows before and after a time, both within the tolerance.
+/// The previous and the next row, both within the tolerance.
 fn between(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
     let after = spans.partition_point(|s| s.0 < t);
     if spans.get(after).is_some_and(|s| s.0 == t) {
@@ -110,11 +111,11 @@ fn at(t: f64) -> String {
     format!("{t} s")
 }
 
-fn unmatched(target: &Target, reason: &str) -> Unmatched {
+fn unmatched(target: &Target, reason: &Phrase) -> Unmatched {
     At::point(target.point).unmatched(at(target.point.time_s.unwrap_or(f64::NAN)), reason)
 }
 
-/// Points that could have met `several` rows, by their indices, with the number of these rows.
+/// Indices of points with `several` possible rows, with the number of these rows.
 fn report_several(targets: &[Target], several: Vec<(usize, usize)>, clocks: Clocks, name: &str, remarks: &mut Remarks) {
     let tolerance_s = clocks.tolerance_s;
     if several.is_empty() {
@@ -122,16 +123,16 @@ fn report_several(targets: &[Target], several: Vec<(usize, usize)>, clocks: Cloc
     }
     remarks.messages.push(warning!("several-rows-near", count = several.len(), log = name, tolerance_s));
     remarks.unmatched.extend(several.into_iter().map(|(i, rows)| {
-        let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest counts");
+        let reason = phrase!("row-of-several", rows, log = name, tolerance_s);
         unmatched(&targets[i], &reason)
     }));
 }
 
-/// Points that met no row.
+/// Points without a row.
 fn report_alone(targets: &[Target], met: &[Option<Met>], clocks: Clocks, name: &str, remarks: &mut Remarks) {
     let reason = match clocks.interpolate {
-        true => format!("no rows of log `{name}` before and after it are within {} s", clocks.tolerance_s),
-        false => format!("no row of log `{name}` is within {} s", clocks.tolerance_s),
+        true => phrase!("no-rows-around", log = name, tolerance_s = clocks.tolerance_s),
+        false => phrase!("no-row-near", log = name, tolerance_s = clocks.tolerance_s),
     };
     let alone: Vec<usize> = (0..met.len()).filter(|&i| met[i].is_none()).collect();
     if !alone.is_empty() {
@@ -141,19 +142,20 @@ fn report_alone(targets: &[Target], met: &[Option<Met>], clocks: Clocks, name: &
     remarks.unmatched.extend(alone.into_iter().map(|i| unmatched(&targets[i], &reason)));
 }
 
-/// Rows of the log that no point met; between the rows of a log that runs on there are many.
+/// Rows of the log without a point; many rows of a log without standstills have none.
 fn report_idle(log: &JointLog, used: &BTreeSet<usize>, clocks: Clocks, remarks: &mut Remarks) {
     let idle: Vec<usize> = (0..log.rows.len()).filter(|i| !used.contains(i)).collect();
     if idle.is_empty() || clocks.interpolate {
         return;
     }
     remarks.messages.push(warning!("rows-without-point", count = idle.len(), log = log.name));
-    let reason = "no measured point is nearest to it";
+    let reason = &phrase!("no-point-nearest");
     let row = |i: usize| At::log(log, &log.rows[i]).unmatched(at(log.rows[i].time_s.unwrap_or(f64::NAN)), reason);
     remarks.unmatched.extend(idle.into_iter().map(row));
 }
 
-/// An error about points of one target that met the same row, or between rows have the same time.
+/// Returns an error about points of one target with the same row, or, for interpolated rows, the
+/// same time.
 fn refuse_twice(targets: &[Target], times: &[i64], met: &[Option<Met>], clocks: Clocks, log: &JointLog) -> Result<()> {
     let mut used: BTreeMap<(i64, &str), Vec<usize>> = BTreeMap::new();
     for (i, met) in met.iter().enumerate() {
@@ -173,7 +175,7 @@ fn refuse_twice(targets: &[Target], times: &[i64], met: &[Option<Met>], clocks: 
     Problems(errors.collect()).check().map(|_| ())
 }
 
-/// The targets that met something, in the order of their times, with the joint values of the log.
+/// The joined targets, in the order of their times, with the joint values of the log.
 fn joined(targets: &[Target], log: &JointLog, times: &[i64], met: &[Option<Met>], interpolated: bool) -> Vec<Row> {
     let mut kept: Vec<(usize, Met)> = met.iter().enumerate().filter_map(|(i, met)| met.map(|met| (i, met))).collect();
     kept.sort_by_key(|(i, _)| times[*i]);

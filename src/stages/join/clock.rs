@@ -1,11 +1,11 @@
-//! Offset and rate of two clocks, from where the robot stood: every measurement was taken while it
-//! did.
+//! Offset and rate of two clocks from the standstills of the robot, in which every measurement was
+//! taken.
 
 use etalon_base::message::Message;
 use etalon_base::{error, phrase};
 use std::collections::BTreeMap;
 
-/// Ranges of offsets that a message lists.
+/// Maximum number of ranges of offsets in a message.
 const SHOWN: usize = 6;
 
 /// Offsets at which every measurement falls into a standstill.
@@ -13,11 +13,12 @@ const SHOWN: usize = 6;
 pub struct OffsetRange {
     /// Time of the measurement minus time of the log: the middle of those offsets.
     pub offset_s: f64,
-    /// Half the width of those offsets: how far the middle may be from the truth.
+    /// Half the width of the range of these offsets: largest error of the middle.
     pub half_width_s: f64,
 }
 
-/// Clock of the measurement against the clock of the log:
+/// Clock of the measurement relative to the clock of the log.
+///
 /// `measured = logged + offset_s + rate * (logged - reference_s)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock {
@@ -30,7 +31,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// A clock of equal rate.
+    /// Creates a clock of equal rate.
     pub fn with_offset(offset_s: f64) -> Self {
         Self { offset_s, rate: 0.0, reference_s: 0.0 }
     }
@@ -73,7 +74,7 @@ pub struct OffsetAndRate {
 /// is significant if the polygon excludes 0.
 ///
 /// # Errors
-/// If no offset and rate within [`LARGEST_RATE`] fit, or if times fit several standstills.
+/// Fails if no offset and rate within [`LARGEST_RATE`] fit, or if times fit several standstills.
 pub fn offset_and_rate(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<OffsetAndRate, Message> {
     let (Some(first), Some(last)) = (standstills.first(), standstills.last()) else {
         return Err(error!("times-missing", of = "log"));
@@ -178,7 +179,7 @@ fn moments(vertices: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
     ([0, 1].map(|k| origin[k] + mean[k]), deviation)
 }
 
-/// Finite times in order, each once.
+/// Finite times in ascending order, each once.
 fn distinct(times_s: &[f64]) -> Vec<f64> {
     let mut times: Vec<f64> = times_s.iter().copied().filter(|t| t.is_finite()).collect();
     times.sort_by(f64::total_cmp);

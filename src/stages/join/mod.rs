@@ -1,5 +1,5 @@
-//! Measurements meet joint values: measured positions per log, and every row without a partner
-//! reported.
+//! Join of measurements and joint values: measured positions for each log, and a report of every
+//! row without a partner.
 
 mod by_key;
 mod by_label;
@@ -20,7 +20,7 @@ use clock::Clock;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, ClockOffset, ClockRate, Join, JoinBy};
 use etalon_documents::{FramesDocument, SourceKind, Unmatched};
 use etalon_formats::{JointLog, LogRow, Point};
@@ -32,7 +32,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use unmatched::At;
 
-/// Observations by log, and what found no partner.
+/// Observations by log, and rows without a partner.
 #[derive(Clone, Debug)]
 pub struct Joined {
     /// Name of each log and its observations, or the observations of the table.
@@ -51,7 +51,7 @@ impl Joined {
     }
 }
 
-/// Remarks of a join beside its observations.
+/// Remarks of a join, in addition to its observations.
 #[derive(Default)]
 struct Remarks {
     messages: Vec<Message>,
@@ -88,12 +88,12 @@ struct Row {
     time_s: Option<f64>,
     assembly: Option<f64>,
     joints: Vec<f64>,
-    /// Line of the log; none of a row between two.
+    /// Line of the log; none for an interpolated row.
     line: Option<usize>,
 }
 
 impl Row {
-    /// A target that meets a row of the log.
+    /// A target and its row of the log.
     fn of(target: &Target, met: &LogRow) -> Self {
         Self {
             pose: target.point.pose,
@@ -121,7 +121,8 @@ pub fn joined(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument,
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
 fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
     let Some(definition) = &campaign.file.join else {
-        return Err(error!("join-missing").at(Place::file(campaign.path.as_str())).into());
+        let message = error!("key-missing", key = "join", has_section = "no", section = "");
+        return Err(message.at(Place::file(campaign.path.as_str())).into());
     };
     let (mut remarks, mut problems) = (Remarks::default(), Problems::default());
     let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);
@@ -189,7 +190,13 @@ fn with_log(
         if join.by == JoinBy::Time {
             let apart_s = apart_s(join, targets, log).unwrap_or(f64::NAN);
             let message = error!("join-by-time-empty", log = log_name, apart_s);
-            return Err(message.at(campaign.place_of(&["join", "clock_offset_s"])).into());
+            // between two rows that are farther apart than the tolerance no offset of the clocks
+            // helps
+            return Err(match join.interpolate && join.tolerance_s.is_some_and(|tolerance_s| apart_s <= tolerance_s) {
+                true => message.hint(phrase!("both-rows-near")).at(campaign.place_of(&["join", "tolerance_s"])),
+                false => message.at(campaign.place_of(&["join", "clock_offset_s"])),
+            }
+            .into());
         }
         let shown = |pose: Option<PoseName>| pose.map_or_else(|| "-".to_owned(), |pose| pose.to_string());
         let measured = shown(targets.first().and_then(|t| t.point.pose));
@@ -199,7 +206,7 @@ fn with_log(
     Ok(joined)
 }
 
-/// The clocks: as stated, or from the standstills of the log, which is remarked.
+/// The clocks: as stated, or from the standstills of the log, with a remark.
 fn clock(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, remarks: &mut Remarks) -> Result<Clock> {
     if join.clock_offset_s != Some(ClockOffset::Standstills) {
         return Ok(Clock::with_offset(join.stated_offset_s().unwrap_or(0.0)));
@@ -242,8 +249,8 @@ fn clock(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, r
     Ok(Clock::with_offset(found.offset_s))
 }
 
-/// The smallest difference of the times of a point and of a row of the log, clocks set by the
-/// campaign's offset.
+/// The smallest time difference between a point and a row of the log, with the campaign's clock
+/// offset.
 fn apart_s(join: &Join, targets: &[Target], log: &JointLog) -> Option<f64> {
     let offset_s = join.stated_offset_s().unwrap_or(0.0);
     let mut logged: Vec<f64> = log.rows.iter().filter_map(|row| row.time_s).collect();
@@ -256,7 +263,7 @@ fn apart_s(join: &Join, targets: &[Target], log: &JointLog) -> Option<f64> {
     targets.iter().filter_map(|t| nearest(t.point.time_s? - offset_s)).min_by(f64::total_cmp)
 }
 
-/// Compares the counts of rows for a join by row, before targets and frames are known.
+/// Compares the numbers of rows for a join by row, before targets and frames are known.
 pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Result<()> {
     if campaign.file.join_by() != Some(JoinBy::Row) {
         return Ok(());
@@ -293,7 +300,7 @@ fn targets_in_world<'a>(
         let Some(world_T_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
             lost.extend(point.pose);
             let key = point.pose.map_or_else(String::new, |pose| format!("pose {pose}"));
-            remarks.unmatched.push(At::point(point).unmatched(key, "its pose has no world frame"));
+            remarks.unmatched.push(At::point(point).unmatched(key, &phrase!("row-of-unframed-pose")));
             continue;
         };
         let covariance_mm2 = own_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));
@@ -313,8 +320,8 @@ fn targets_in_world<'a>(
     targets
 }
 
-/// The covariance of a point along the axes of its export, where its row states one or the
-/// instrument measures range and angles.
+/// The covariance of a point along the axes of its export, if its row states one or the instrument
+/// measures range and angles.
 fn own_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
     let Some(u) = point.standard_uncertainty_mm.as_ref() else {
         return campaign.file.instrument.covariance_mm2(point.xyz_mm);
@@ -322,7 +329,7 @@ fn own_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
     Some([0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { u[i] * u[i] } else { 0.0 })))
 }
 
-/// An error where points and the rows of the log that they meet bear different poses or cycles.
+/// Returns an error if points and their rows of the log have different poses or cycles.
 fn contradictions<'a>(log: &JointLog, pairs: impl Iterator<Item = (&'a Point, &'a LogRow)> + Clone) -> Result<()> {
     type Number = (fn(&Point) -> Option<PoseName>, fn(&LogRow) -> Option<PoseName>);
     let mut problems = Problems::default();
@@ -346,8 +353,7 @@ fn contradictions<'a>(log: &JointLog, pairs: impl Iterator<Item = (&'a Point, &'
     problems.check().map(|_| ())
 }
 
-/// A join by row is only allowed where every export that brings targets has as many data rows as
-/// the log.
+/// Checks a join by row: every export with targets must have as many data rows as the log.
 fn equal_counts<'a>(
     campaign: &Campaign,
     imported: &Gathered,
@@ -371,11 +377,11 @@ fn equal_counts<'a>(
     problems.check().map(|_| ())
 }
 
-/// Largest motion (mm or deg) that the encoder of a standing joint shows.
+/// Largest motion (mm or deg) of the encoder of a stationary joint.
 const STILL: f64 = 0.01;
 
-/// A log with the directions from which the joints with backlash came: as it states them, or by the
-/// order of its times.
+/// A log with the directions of approach of the joints with backlash: stated ones, or those from
+/// the order of its times.
 fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, JointLog>> {
     let mut log = Cow::Borrowed(log);
     for joint in robot.approached().iter().map(|&k| &robot.joints()[k]) {
@@ -406,7 +412,7 @@ fn leave_out_unknown(rows: Vec<Row>, log: &JointLog, remarks: &mut Remarks) -> V
     rows
 }
 
-/// The joint values of the rows that no exclusion names; a joint that the log lacks has none.
+/// The joint values of the rows that are not excluded; a joint that the log lacks has none.
 fn joint_rows(campaign: &Campaign, rows: &[Row], log: &JointLog, robot: &dyn Robot) -> Vec<JointRow> {
     let columns: Vec<Option<(usize, Quantity)>> = robot
         .joints()
@@ -433,12 +439,12 @@ fn joint_rows(campaign: &Campaign, rows: &[Row], log: &JointLog, robot: &dyn Rob
     rows.iter().filter(|row| !left_out(row)).map(joint_row).collect()
 }
 
-/// Targets of a planar robot differ in height by less: more is a tilt against the world's plane
-/// that spoils what is projected, mm.
+/// Maximum difference in height (mm) of the targets of a planar robot: more is a tilt against the
+/// world's plane that distorts the projection.
 const OUT_OF_PLANE_MM: f64 = 0.5;
 
-/// A warning where the targets of a planar robot do not move parallel to the plane of the world
-/// frame.
+/// Returns a warning if the targets of a planar robot do not move parallel to the plane of the
+/// world frame.
 fn out_of_plane(rows: &[Row], robot: &dyn Robot) -> Option<Message> {
     let heights = rows.iter().filter(|_| robot.dimension() == 2).map(|row| row.world_mm[2]);
     let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);

@@ -18,20 +18,20 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Observations with one log, or of a table.
 #[derive(Clone, Debug)]
 pub enum Observations {
-    /// Measured positions that met a log.
+    /// Measured positions joined with a log.
     Log(JoinedLog),
-    /// A table as it was read.
+    /// A table in the form in which it was read.
     Table(DataFrame),
 }
 
-/// Measured positions that met a log, sorted by pose, cycle and the robot's order of targets.
+/// Measured positions joined with a log, sorted by pose, cycle and the robot's order of targets.
 #[derive(Clone, Debug)]
 pub struct JoinedLog {
     /// The positions.
     pub measured: Vec<Measured>,
-    /// Joint values of each position as the log has them (mm or deg), then directions.
+    /// Joint values of each position from the log (mm or deg), then directions.
     logged: Vec<Vec<f64>>,
-    /// Orientations of the bodies at each position, in the world, where they were measured.
+    /// Orientations of the bodies at each position, in the world, if they were measured.
     orientations: Vec<Option<[f64; 4]>>,
     /// Columns of the joint values.
     joints: Vec<String>,
@@ -54,8 +54,8 @@ pub struct ObservationTime {
 }
 
 impl Observations {
-    /// Observations of `robot` and settings of their identification; what the rows of a table refer
-    /// to is added to the parameters of `robot`.
+    /// Observations of `robot` and settings of their identification; fixed points and surfaces in
+    /// the rows of a table are added to the parameters of `robot`.
     pub fn observed(
         &self,
         robot: &mut dyn Robot,
@@ -89,7 +89,7 @@ impl Observations {
         }
     }
 
-    /// Times of the observations; empty where they are not stated.
+    /// Times of the observations; empty if not stated.
     pub fn times(&self) -> Result<Vec<ObservationTime>> {
         match self {
             Self::Table(table) if table.column(table::TIME).is_err() => Ok(Vec::new()),
@@ -111,7 +111,7 @@ impl Observations {
         }
     }
 
-    /// The table that is written: `pose cycle target x_mm y_mm [z_mm]` and the joints.
+    /// The table to be written: `pose cycle target x_mm y_mm [z_mm]` and the joints.
     pub fn into_table(self) -> Result<DataFrame> {
         match self {
             Self::Table(table) => Ok(table),
@@ -121,7 +121,7 @@ impl Observations {
 }
 
 impl JoinedLog {
-    /// The rows of a join with `log`, all of which have a pose and a cycle.
+    /// The rows of a join with `log`, each with a pose and a cycle.
     pub(super) fn new(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<Self> {
         rows.sort_by_key(|row| (row.pose, row.cycle, row.target));
         let column = |name: &String| {
@@ -220,7 +220,7 @@ impl JoinedLog {
         table::frame(self.measured.len(), columns)
     }
 
-    /// A warning where some poses lack a target that others have.
+    /// Returns a warning if some poses lack a target that others have.
     pub(super) fn incomplete(&self) -> Option<Message> {
         let mut seen: BTreeMap<(PoseName, i64), usize> = BTreeMap::new();
         for m in &self.measured {

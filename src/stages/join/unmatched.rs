@@ -1,5 +1,6 @@
-//! Rows that a join leaves alone, or that have two partners, each with its place.
+//! Rows without a partner, or with two, each with its place.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Place;
 use etalon_documents::Unmatched;
 use etalon_formats::{JointLog, LogRow, Point};
@@ -23,8 +24,9 @@ impl<'a> At<'a> {
     }
 
     /// The row with its key in words and the reason.
-    pub fn unmatched(self, key: String, reason: &str) -> Unmatched {
-        Unmatched { file: self.file.to_owned(), line: self.line, key, reason: reason.to_owned() }
+    pub fn unmatched(self, key: String, reason: &Phrase) -> Unmatched {
+        let (file, line) = (self.file.to_owned(), self.line);
+        Unmatched { file, line, key, reason: reason.to_string(), reason_phrase: Some(reason.clone()) }
     }
 
     /// Place of the row.

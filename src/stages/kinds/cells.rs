@@ -1,4 +1,4 @@
-//! Cells that state what a row refers to: of a table, or of a truth that is simulated.
+//! Cells with the references of a row: of a table, or of a truth that is simulated.
 
 use super::KINDS;
 use etalon_base::message::{Message, Result};
@@ -37,7 +37,7 @@ pub fn text<'a>(cells: &'a ByColumn, column: &str) -> Option<&'a str> {
     }
 }
 
-/// Schema of the cells that a truth states, by column.
+/// Schema of the cells stated by a truth, by column.
 pub fn stated_schema(generator: &mut SchemaGenerator) -> Schema {
     let texts = names().map(|name| (name, generator.subschema_for::<Option<String>>()));
     let mut properties: Map<String, _> = texts.map(|(name, schema)| (name.to_owned(), schema.to_value())).collect();
@@ -52,16 +52,16 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     TEXTS.into_iter().filter(|name| !["kind", "target"].contains(name))
 }
 
-/// The cells of a row that state what it refers to.
+/// The cells of a row with its references.
 #[derive(Clone, Debug)]
 pub struct Cells {
     /// Name of the kind.
     pub kind: String,
     /// Name of the target.
     pub target: String,
-    /// Station other than the one whose frame is the world.
+    /// Station, if it is not the one whose frame is the world.
     pub station: Option<String>,
-    /// The others.
+    /// Other cells.
     pub by_column: ByColumn,
     /// `true` if the cells are part of a truth.
     pub in_truth: bool,
@@ -123,7 +123,7 @@ impl Cells {
     }
 }
 
-/// An error about a name of a fixed thing that is a target on the robot.
+/// Returns an error about the name of a fixed point that is a target on the robot.
 pub(super) fn check_fixed(name: &str, robot: &dyn Robot) -> Result<()> {
     match robot.targets().iter().any(|target| target == name) || name == "base" {
         true => Err(error!("fixed-point-on-robot", name).into()),

@@ -1,4 +1,4 @@
-//! The value of a joint as it is: of a home switch or a second encoder.
+//! The value of a joint from a home switch or a second encoder.
 
 use super::kind::not_of;
 use super::{Cells, Facts, Row, RowKind, Simulated};

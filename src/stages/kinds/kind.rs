@@ -1,4 +1,4 @@
-//! Kinds of rows in a table of observations: what a kind has in common with all others.
+//! Kinds of rows in a table of observations: the properties common to all kinds.
 
 use super::{Cells, Row};
 use crate::stages::orientations::AngleOrder;
@@ -15,43 +15,45 @@ use etalon_robots::Robot;
 pub struct Facts {
     /// Name in the column `kind`.
     pub name: &'static str,
-    /// Columns of numbers beside positions and uncertainties.
+    /// Columns of numbers in addition to positions and uncertainties.
     pub numbers: Vec<&'static str>,
-    /// Columns of numbers that a truth states; the others are simulated.
+    /// Columns of numbers stated by a truth; the others are simulated.
     pub stated: &'static [&'static str],
-    /// A row contains the position of its target.
+    /// `true` if a row contains the position of its target.
     pub has_position: bool,
-    /// A row is the position of its target: single coordinates and further stations are possible.
+    /// A row is the position of its target: single coordinates are possible.
     pub is_position: bool,
+    /// A row may be measured by a further station of the instrument.
+    pub has_stations: bool,
     /// A row may be without a target.
     pub is_of_robot: bool,
 }
 
-/// A kind of rows: its columns, the conditions that a row states, and how a row is simulated.
+/// A kind of rows: its columns, the conditions in a row, and the simulation of a row.
 pub trait RowKind: Sync {
     /// Facts that are common to all rows of the kind.
     fn facts(&self) -> Facts;
 
-    /// Conditions of a row with a pose, beside a position in the world, each with a standard
-    /// uncertainty (mm or rad); NaN for the uncertainty of the row.
+    /// Conditions of a row with a pose, in addition to a position in the world, each with a
+    /// standard uncertainty (mm or rad); NaN for the uncertainty of the row.
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>>;
 
-    /// Statement of a row without a pose on fixed things, with its standard uncertainty (mm).
+    /// Statement of a row without a pose about fixed points and surfaces, with its standard
+    /// uncertainty (mm).
     fn known(&self, _row: &Row, _u_mm: f64, _robot: &mut dyn Robot) -> Result<Known> {
         Err(error!("row-without-pose", kind = self.facts().name).into())
     }
 
-    /// Simulation of a row with a pose; the fixed things that it refers to become parameters of
-    /// `robot`.
+    /// Simulation of a row with a pose; its fixed points and surfaces become parameters of `robot`.
     fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated>;
 
-    /// Simulation of a row without a pose; `near_mm` is near the place on a surface.
+    /// Simulation of a row without a pose; `near_mm` is near the point on a surface.
     fn known_simulated(&self, _: &Cells, _near_mm: Option<Vector>, _: &mut dyn Robot) -> Result<Simulated> {
         Err(no_known(self.facts().name).into())
     }
 }
 
-/// The error about a `[[known]]` of a kind that has none.
+/// The error about a `[[known]]` of a kind that does not support it.
 pub fn no_known(kind: &str) -> Message {
     error!("known-unsupported", kind)
 }
@@ -62,19 +64,19 @@ type Measure = dyn Fn(&mut Measurement) -> Result<Numbers>;
 
 /// Simulation of a row.
 pub struct Simulated {
-    /// The condition that joint values have to meet, where the target touches something.
+    /// The condition for the joint values, if the target touches something.
     pub touches: Option<Kind>,
-    /// The numbers of the row, where it is measured.
+    /// The numbers of the row at a state of the robot.
     pub numbers: Box<Measure>,
 }
 
 impl Simulated {
-    /// A row that is measured wherever the target is.
+    /// A row that is measured at any position of the target.
     pub(super) fn anywhere(numbers: impl Fn(&mut Measurement) -> Result<Numbers> + 'static) -> Self {
         Self { touches: None, numbers: Box::new(numbers) }
     }
 
-    /// A row about the fixed point that is its target, measured as a target there.
+    /// A row about the fixed point that is its target, measured like a target.
     pub(super) fn fixed(
         kind: &dyn RowKind,
         cells: &Cells,
@@ -93,7 +95,7 @@ impl Simulated {
     }
 }
 
-/// The true robot where a row is measured, and the noise of the measurement.
+/// The true robot at a measurement, and the noise of the measurement.
 pub struct Measurement<'a> {
     /// The robot.
     pub robot: &'a dyn Robot,
@@ -107,17 +109,17 @@ pub struct Measurement<'a> {
     pub noise: &'a mut Noise,
     /// Standard deviation of a length, mm.
     pub sigma_mm: f64,
-    /// Standard deviation of an angle, rad; the error where none is stated.
+    /// Standard deviation of an angle (rad); the error if none is stated.
     pub sigma_rad: std::result::Result<f64, Message>,
-    /// The order of three angles of an orientation, where it is written in angles.
+    /// The order of the three angles of an orientation, if it is written as angles.
     pub order: Option<AngleOrder>,
-    /// An orientation without an order of angles is written as a rotation vector, not as a
-    /// quaternion.
+    /// `true` if an orientation without an order of angles is written as a rotation vector instead
+    /// of a quaternion.
     pub is_vector: bool,
 }
 
 impl Measurement<'_> {
-    /// The first three parameters of a fixed thing.
+    /// The first three parameters of a fixed point or surface.
     pub(super) fn point(&self, first: usize) -> Vector {
         [0, 1, 2].map(|i| self.values[first + i])
     }
@@ -138,7 +140,7 @@ pub(super) fn xyz(place_mm: Vector) -> Numbers {
     XYZ.into_iter().zip(place_mm).collect()
 }
 
-/// Error about a kind of rows (`joints` or `poses`) that is for arms in space.
+/// Error about a kind of rows (`joints` or `poses`) that needs a spatial arm.
 pub(super) fn not_of(kind: &str, robot: &dyn Robot) -> Message {
     error!("kind-of-arms", kind, model = robot.model())
 }

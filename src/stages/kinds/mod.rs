@@ -49,7 +49,7 @@ const KINDS: [&dyn RowKind; 8] = [
 /// The kind of this name.
 ///
 /// # Errors
-/// A name that no kind has.
+/// Fails if no kind has this name.
 pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
     let found = KINDS.into_iter().find(|kind| kind.facts().name == name);
     Ok(found.ok_or_else(|| {
@@ -58,7 +58,7 @@ pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
     })?)
 }
 
-/// Poses at which the station of the world sees the robot, at least.
+/// Minimum number of poses at which the station of the world observes the robot.
 const FEWEST_SEEN: usize = 3;
 /// Statements on all rows: standard uncertainties of rows without their own, and the order of
 /// angles.
@@ -89,8 +89,8 @@ impl Observed {
     }
 }
 
-/// The names in the column `target` that are on the robot, each once, in their order: those of rows
-/// with a pose.
+/// The names in the column `target` that are on the robot (of rows with a pose), each once, in
+/// their order.
 pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
     let mut targets: Vec<String> = Vec::new();
     let fixed = fixed_rows(observations)?;
@@ -108,16 +108,16 @@ pub fn poses(observations: &DataFrame) -> Result<BTreeSet<PoseName>> {
     Ok(row_poses(observations)?.into_iter().flatten().collect())
 }
 
-/// Columns of names of what many rows share, and the most rows that do not determine more than a
-/// place of their own.
+/// Columns of shared names, and the maximum number of rows that determine only the position of
+/// their own item.
 const SHARED: [(&str, usize); 7] =
     [("target", 1), ("socket", 1), ("other", 2), ("plane", 2), ("line_name", 2), ("sphere", 2), (STATION, 2)];
-/// Rows of the name that is meant, at least.
+/// Minimum number of rows with a name before it is suggested as a correction.
 const MEANT_ROWS: usize = 6;
 
-/// Errors about names that a row or two bear, and that are spelt almost as one of many rows: what
-/// they name would be identified from these rows alone, which then say nothing of the robot. Names
-/// that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
+/// Errors about names in one or two rows that are spelt almost like a name in many rows: the named
+/// item would be identified from these rows alone, which then contribute nothing to the robot.
+/// Names that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
 fn misspelt(observations: &DataFrame) -> Result<Problems> {
     let mut problems = Problems::default();
     let line = table::lines(observations)?;
@@ -130,14 +130,14 @@ fn misspelt(observations: &DataFrame) -> Result<Problems> {
     Ok(problems)
 }
 
-/// An error where a target of measured positions is misspelt, as of a table.
+/// Returns an error if a target of measured positions is misspelt, as for a table.
 pub(super) fn misspelt_targets(measured: &[Measured], targets: &[String]) -> Result<()> {
     let names: Vec<&str> = measured.iter().map(|m| targets[m.target].as_str()).collect();
     Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| None)).check().map(drop)
 }
 
-/// Errors about the names of rows that at most `most` rows bear; those of `fixed` rows state a
-/// place, and need no more rows.
+/// Errors about names in at most `most` rows; those of `fixed` rows state a position, and need no
+/// more rows.
 fn misspelt_names(
     names: &[&str],
     most: usize,
@@ -170,15 +170,15 @@ fn letters_wrong(name: &str, meant: &str) -> Option<usize> {
     (wrong == 0 || wrong <= most && words(name) != words(meant)).then_some(wrong)
 }
 
-/// A warning where an instrument measured positions, and joints move the base of the chain.
+/// Returns a warning if an instrument measured positions and joints move the base of the chain.
 pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
     let joints = robot.joints_of_base();
     (!joints.is_empty()).then(|| warning!("base-moves", joints).to_decide())
 }
 
-/// Observations of `robot` from a table of any kinds; what they refer to is added to its
-/// parameters, and what is not the position of a target to `settings`. What was taken from the
-/// measurement is in `messages`.
+/// Observations of `robot` from a table of any kinds; fixed points and surfaces are added to its
+/// parameters, and observations other than positions of targets to `settings`. Values derived from
+/// the measurement are in `messages`.
 pub fn observed(
     robot: &mut dyn Robot,
     observations: &DataFrame,
@@ -208,7 +208,7 @@ pub fn observed(
             problems.0.extend(more.at(&row.place()).0);
         }
         let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
-        written.extend(added.map(|_| row.orientation));
+        written.extend(added.map(|c| (c.kind.is_world_orientation(), row.orientation)));
     }
     problems.check()?;
     let names = robot.parameters();
@@ -227,8 +227,11 @@ pub fn observed(
         }
         false => Vec::new(),
     };
-    let angles: Vec<[f64; 3]> = written.iter().filter_map(Written::angles).collect();
-    if !angles.is_empty() && without.order.is_none() {
+    let any_angles = written.iter().any(|(_, row)| row.angles().is_some());
+    // the nominal robot shows the orientations of the world alone
+    let written: Vec<Written> = written.into_iter().filter(|(in_world, _)| *in_world).map(|(_, row)| row).collect();
+    if any_angles && without.order.is_none() {
+        let angles: Vec<[f64; 3]> = written.iter().filter_map(Written::angles).collect();
         return Err(unstated(robot, &observations, &settings, &angles).at(header()).into());
     }
     let observed = Observed { observations, settings };
@@ -238,12 +241,11 @@ pub fn observed(
     }
 }
 
-/// An error about a few rows without a station, which would be the world, beside many that have
-/// one.
+/// Returns an error about a few rows without a station beside many that have one.
 fn unnamed_station(rows: &[Row]) -> Option<Message> {
     let points = rows
         .iter()
-        .filter(|row| row.pose.is_some() && kind(&row.cells.kind).is_ok_and(|kind| kind.facts().is_position));
+        .filter(|row| row.pose.is_some() && kind(&row.cells.kind).is_ok_and(|kind| kind.facts().has_stations));
     let (named, unnamed): (Vec<&Row>, Vec<&Row>) = points.partition(|row| row.cells.station.is_some());
     let poses = |rows: &[&Row]| rows.iter().map(|row| row.pose).collect::<BTreeSet<_>>().len();
     let all_stated = unnamed.iter().all(|row| row.cells.text(STATION).is_some());

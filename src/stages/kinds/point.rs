@@ -1,6 +1,7 @@
-//! The position of a target, of which single coordinates and those of further stations are
-//! conditions; the place of a fixed point.
+//! The position of a target (single coordinates and those of further stations are conditions), or
+//! the position of a fixed point.
 
+use super::kind::Measurement;
 use super::kind::xyz;
 use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::error;
@@ -13,7 +14,7 @@ pub(super) struct Point;
 
 impl RowKind for Point {
     fn facts(&self) -> Facts {
-        Facts { name: "point", has_position: true, is_position: true, ..Facts::default() }
+        Facts { name: "point", has_position: true, is_position: true, has_stations: true, ..Facts::default() }
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {
@@ -38,9 +39,7 @@ impl RowKind for Point {
     fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated> {
         if let Some(station) = cells.station(robot)? {
             return Ok(Simulated::anywhere(move |at| {
-                let turned = Pose::from_rotation_vector(at.point(station + 3));
-                let world_T_station = Pose { translation_mm: at.point(station), ..turned };
-                let seen = world_T_station.inverse().apply(at.position);
+                let seen = in_station(at, station).apply(at.position);
                 Ok(xyz(at.place(seen)))
             }));
         }
@@ -54,6 +53,13 @@ impl RowKind for Point {
     fn known_simulated(&self, cells: &Cells, near_mm: Option<Vector>, robot: &mut dyn Robot) -> Result<Simulated> {
         Simulated::fixed(self, cells, near_mm, robot)
     }
+}
+
+/// Pose of the world in the frame of the station whose first parameter is `station`.
+pub(super) fn in_station(at: &Measurement, station: usize) -> Pose {
+    let turned = Pose::from_rotation_vector(at.point(station + 3));
+    let world_T_station = Pose { translation_mm: at.point(station), ..turned };
+    world_T_station.inverse()
 }
 
 /// The coordinates that a text names.

@@ -26,24 +26,24 @@ pub fn numbers() -> Vec<&'static str> {
     all
 }
 
-/// Columns of all kinds beside the columns of positions (the target is one).
+/// Columns of all kinds in addition to the columns of positions (the target is one).
 pub fn columns<'a>() -> Vec<&'a str> {
     ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES).collect()
 }
 
-/// A row of a table; numbers that it does not state are NaN, and names empty.
+/// A row of a table; missing numbers are NaN, and missing names empty.
 pub struct Row {
     pub(super) line: Option<usize>,
     /// References of the row; its kind as stated, or `pose` and `point` with and without an
     /// orientation.
     pub(super) cells: Cells,
-    /// `None` for rows about fixed things alone.
+    /// Name of the pose; `None` for rows about fixed points and surfaces alone.
     pub(super) pose: Option<PoseName>,
     pub(super) cycle: i64,
     /// Joint values (mm or rad) and directions.
     pub(super) joints: Vec<f64>,
     pub(super) xyz_mm: Vector,
-    /// Some coordinates of the target are given, and not all.
+    /// `true` if only some coordinates of the target are given.
     pub(super) is_partial: bool,
     pub(super) orientation: Written,
     /// The order of three angles of an orientation.
@@ -51,11 +51,11 @@ pub struct Row {
     /// Standard uncertainty of a length (mm): the row's own, or the one stated for all rows.
     pub(super) u_mm: f64,
     pub(super) u_axes_mm: Vector,
-    /// Standard uncertainty of a rotation, likewise.
+    /// Standard uncertainty of a rotation (rad), likewise.
     pub(super) u_rotation_rad: f64,
 }
 
-/// The cells of each row: numbers, and texts that are not empty.
+/// The cells of each row: numbers, and non-empty texts.
 fn cells(observations: &DataFrame) -> Result<Vec<ByColumn>> {
     let mut rows = vec![ByColumn::new(); observations.height()];
     let has = |name: &&str| observations.column(name).is_ok();
@@ -117,7 +117,7 @@ impl Row {
         Place { line: self.line, ..Place::default() }
     }
 
-    /// `true` if the row gives a position in the world, all of its coordinates.
+    /// `true` if the row gives a complete position in the world.
     pub fn has_position(&self) -> bool {
         self.pose.is_some()
             && !self.is_partial
@@ -126,7 +126,7 @@ impl Row {
             && self.xyz_mm.iter().any(|v| !v.is_nan())
     }
 
-    /// Place of a fixed point, mm.
+    /// Position of a fixed point (mm).
     pub(super) fn fixed_place(&self) -> Result<Vector> {
         if self.xyz_mm.iter().any(|v| !v.is_finite()) {
             return Err(error!("place-missing", point = self.cells.target).into());
@@ -134,7 +134,7 @@ impl Row {
         Ok(self.xyz_mm)
     }
 
-    /// Adds what the row states to `settings`, unless it is the position of a target alone.
+    /// Adds the statements of the row to `settings`, unless it is only the position of a target.
     pub fn add_to(&self, settings: &mut Settings, robot: &mut dyn Robot) -> Result<()> {
         let kind = kind(&self.cells.kind)?;
         if let Some(name) = &self.cells.station {
@@ -162,13 +162,13 @@ impl Row {
         Ok(())
     }
 
-    /// An error where a row of another station is not a point with all coordinates and one
-    /// uncertainty.
+    /// An error where a row of another station is not a point or a pose with all coordinates and
+    /// one uncertainty.
     fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
         let us = self.u_axes_mm;
         let has_covariance = table::COVARIANCES.iter().any(|name| self.cells.number(name).is_some_and(|v| !v.is_nan()));
         let fault = match self.xyz_mm.iter().all(|v| v.is_finite()) {
-            _ if !kind.facts().is_position => "kind",
+            _ if !kind.facts().has_stations => "kind",
             false => "coordinate",
             true if has_covariance => "covariance",
             true if us[1..].iter().any(|u| u.to_bits() != us[0].to_bits()) => "uncertainties",
@@ -196,7 +196,7 @@ fn positive(standard_uncertainty: f64, is_angle: bool) -> Result<f64> {
     }
 }
 
-/// Rows that give some coordinates of a target, and not all.
+/// Rows with only some coordinates of a target.
 pub(super) fn partial_rows(robot: &dyn Robot, observations: &DataFrame) -> Result<Vec<bool>> {
     let columns = table::XYZ[..robot.dimension()].iter().filter(|name| observations.column(name).is_ok());
     let columns = columns.map(|name| table::numbers(observations, name)).collect::<Result<Vec<_>>>()?;
@@ -212,8 +212,8 @@ pub(super) fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
     Ok(poses.is_null().iter().map(|null| null == Some(true)).collect())
 }
 
-/// The stations of rows that are not in the frame of the world: that of coordinates without a
-/// station, or else of the first with one.
+/// The stations of rows outside the frame of the world, which is that of coordinates without a
+/// station, or else of the first station.
 fn other_stations(rows: &[ByColumn]) -> Vec<Option<String>> {
     let measured = |row: &&ByColumn| matches!(row.get(table::XYZ[0]), Some(Cell::Number(x)) if !x.is_nan());
     let of_points = || rows.iter().filter(measured).map(|row| text(row, STATION));
@@ -221,7 +221,7 @@ fn other_stations(rows: &[ByColumn]) -> Vec<Option<String>> {
     rows.iter().map(|row| text(row, STATION).filter(|name| Some(*name) != world).map(str::to_owned)).collect()
 }
 
-/// The name of the pose of each row; `None` for rows about fixed things alone.
+/// The name of the pose of each row; `None` for rows about fixed points and surfaces alone.
 pub(super) fn row_poses(observations: &DataFrame) -> Result<Vec<Option<PoseName>>> {
     let name = |(name, fixed): (String, bool)| match name.as_str() {
         _ if fixed => Ok(None),
@@ -231,7 +231,7 @@ pub(super) fn row_poses(observations: &DataFrame) -> Result<Vec<Option<PoseName>
     table::texts(observations, "pose")?.into_iter().zip(fixed_rows(observations)?).map(name).collect()
 }
 
-/// Numbers of repeats; 1 where none is stated.
+/// Numbers of repeats; 1 if none is stated.
 fn row_cycles(observations: &DataFrame) -> Result<Vec<i64>> {
     match observations.column("cycle") {
         Ok(_) => {

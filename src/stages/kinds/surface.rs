@@ -1,4 +1,4 @@
-//! A target on a plane, line or sphere, or a fixed place there; the radius of a sphere.
+//! A target on a plane, line or sphere, or a fixed point there; the radius of a sphere.
 
 use super::cells::check_fixed;
 use super::kind::xyz;
@@ -14,9 +14,9 @@ type Unknowns = (Surface, [usize; 4]);
 
 pub(super) struct OnSurface {
     name: &'static str,
-    /// A target may be off it, outside of a sphere.
+    /// `true` if a target may be off the surface: outside a sphere.
     has_offset: bool,
-    /// Its radius may be known.
+    /// `true` if its radius may be known.
     has_radius: bool,
     /// The surface that the cells name.
     surface: fn(&Cells, &mut dyn Robot) -> Result<Unknowns>,

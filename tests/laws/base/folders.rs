@@ -120,8 +120,8 @@ fn parameters_alone_are_refused_where_their_parts_do_not_belong_together() {
         assert!(code == Some(2) && said.contains(part), "{part}: {code:?} {said}");
     };
     refused(&|v| v["schema"] = "etalon/parameters/9".into(), "etalon/parameters/9");
-    refused(&|v| drop(v["covariance"].as_array_mut().unwrap().pop()), "covariance is not square");
-    refused(&|v| drop(v["covariance"][2].as_array_mut().unwrap().pop()), "covariance is not square");
+    refused(&|v| drop(v["covariance"].as_array_mut().unwrap().pop()), "covariance is not a square matrix");
+    refused(&|v| drop(v["covariance"][2].as_array_mut().unwrap().pop()), "covariance is not a square matrix");
     refused(&|v| v["parameters"][0]["standard_uncertainty"] = (-0.1).into(), "is negative");
     refused(&|v| v["covariance"][0][0] = (-1e-9).into(), "is negative");
     refused(&|v| v["parameters"][1]["name"] = v["parameters"][0]["name"].clone(), "twice");
@@ -304,7 +304,7 @@ fn a_template_that_does_not_end_is_stopped() {
     scratch.replace("campaign.toml", "[instrument]", "[report]\ntemplates = \"own\"\n\n[instrument]");
     let template = |name: &str, text: &str| {
         std::fs::write(scratch.path().join("own").join(name), text).unwrap();
-        ends(&scratch, "run", 2, &[&format!("[template-failed]: the template `{name}` takes more than 2 GiB")]);
+        ends(&scratch, "run", 2, &[&format!("[template-failed]: the template `{name}` needs more than 2 GiB")]);
         assert!(!scratch.path().join("out").exists());
         std::fs::remove_file(scratch.path().join("own").join(name)).unwrap();
     };

@@ -57,9 +57,9 @@ fn the_18_blunders_and_only_those() {
     assert_eq!(refused("its median"), BTreeSet::from(wrong_reflector));
     let total: usize = import.sources.iter().map(|s| s.refused.len()).sum();
     assert_eq!(total, 18);
-    let on_smr_3: BTreeSet<usize> = refused("the point lies where `SMR_3` is");
+    let on_smr_3: BTreeSet<usize> = refused("the point coincides with `SMR_3`");
     assert_eq!(on_smr_3, BTreeSet::from([21, 50, 720]));
-    assert_eq!(refused("the point lies where `SMR_2` is"), BTreeSet::from([135, 399]));
+    assert_eq!(refused("the point coincides with `SMR_2`"), BTreeSet::from([135, 399]));
 }
 
 /// What the model leaves unexplained is 20 times the tracker's uncertainty here, and it is in the judgement: a robot that has not changed is

@@ -38,6 +38,7 @@ fn no_errors() -> AccuracyDocument {
         given: None,
         joints: vec![],
         trends: vec![],
+        parameter_influences: Vec::new(),
         schema: "etalon/accuracy/1".to_owned(),
         definition: String::new(),
         definition_phrase: None,
@@ -93,6 +94,7 @@ pub(crate) fn identified(
         observability: None,
         solver: SolverSummary {
             method: String::new(),
+            method_phrase: None,
             iterations: 1,
             termination: etalon::documents::Termination::ResidualsZero,
             meaning: String::new(),
@@ -107,6 +109,7 @@ pub(crate) fn identified(
         robot: None,
         synthetic: Some("drawn for a test".to_owned()),
         notes: None,
+        temperature_range_c: None,
         date: None,
         operator: None,
         instrument: None,
@@ -117,6 +120,8 @@ pub(crate) fn identified(
         contact: None,
         temperature_c: None,
         conditions: Conditions::default(),
+        valid_until: None,
+        controller_files: Vec::new(),
         issue: etalon::documents::Issue::default(),
         report: Presentation::default(),
     };

@@ -131,7 +131,11 @@ impl Campaign {
                 targets: vec![Some(seen)],
                 ..Observation::default()
             });
-            self.observe(joints, Kind::Orientation(Orientation { world_T_body: pose_of(&body), mounting }), U_RAD);
+            self.observe(
+                joints,
+                Kind::Orientation(Orientation { frame_T_body: pose_of(&body), station: None, mounting }),
+                U_RAD,
+            );
         }
         self
     }
@@ -431,9 +435,9 @@ impl Campaign {
     fn cells(&self, c: &Condition) -> Vec<(&'static str, String)> {
         let fixture = |first: usize| self.fixture_name(first);
         match c.kind {
-            Kind::Orientation(Orientation { world_T_body, .. }) => {
+            Kind::Orientation(Orientation { frame_T_body, .. }) => {
                 let at = self.observations.iter().find(|o| o.pose == c.pose).unwrap().targets[0].unwrap();
-                let q = world_T_body.quaternion();
+                let q = frame_T_body.quaternion();
                 let place = ["x_mm", "y_mm", "z_mm"].into_iter().zip(at.map(|v| v.to_string()));
                 let turn = ["qw", "qx", "qy", "qz"].into_iter().zip(q.map(|v| v.to_string()));
                 let u = ("urot_deg", c.standard_uncertainty.to_degrees().to_string());

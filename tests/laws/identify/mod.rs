@@ -1,6 +1,7 @@
 //! Laws of identification, its uncertainty and diagnosis, planning.
 
 pub(super) mod arms;
+pub(super) mod axes;
 pub(super) mod budget;
 pub(super) mod common;
 pub(super) mod conditions;

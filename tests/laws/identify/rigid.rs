@@ -186,7 +186,7 @@ fn a_shape_is_stated_whole() {
             "`places_mm` needs `expanded_uncertainty_um`",
         ),
         (plate(146.0, "").replace(", L = ", ", M = "), "`places_mm` names `M`"),
-        (plate(146.0, "").replace("K = [0, 0, 0], ", ""), "`places_mm` lacks the place of `K`"),
+        (plate(146.0, "").replace("K = [0, 0, 0], ", ""), "`places_mm` lacks the position of `K`"),
         (
             "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = 0.1\ncoverage_factor = 2\n[log]".to_owned(),
             "error[rigid-uncertainty-without-places]",

@@ -5,12 +5,13 @@ use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::identify::{Condition, Distance, Fixture, Kind, Known, Observation, Seen, Settings, identify};
+use etalon::identify::{Condition, Distance, Fixture, Kind, Known, Observation, Orientation, Seen, Settings, identify};
 use etalon::robots::{Effect, Quantity, Robot, Role};
 use std::fmt::Write;
 use std::process::Command;
 
 const U_MM: f64 = 0.02;
+const U_RAD: f64 = 1e-4;
 
 fn settings() -> Settings {
     Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() }
@@ -153,7 +154,9 @@ fn comes_back(keys: &str, effect: Effect, count: usize, first: &str) {
 #[test]
 fn joints_that_slide_have_no_harmonics() {
     let turning = "[[joint]]\nalpha_deg = 0.0\na_mm = 0.0\ntheta_deg = 0.0\nd_mm = 0.0\n";
-    for (keys, what) in [("[1]", "joint q1 slides: it has no turn"), ("[2, 2]", "twice"), ("[8]", "no joint 8")] {
+    for (keys, what) in
+        [("[1]", "joint q1 is prismatic: it does not rotate"), ("[2, 2]", "twice"), ("[8]", "no joint 8")]
+    {
         let scratch = Scratch::with(&[(
             "robot.toml",
             &format!("model = \"serial\"\nharmonics = {keys}\n{turning}prismatic = true\n{turning}"),
@@ -323,7 +326,7 @@ fn wrong_chains_between_hands_are_refused_by_name() {
         ("left_hand", "right_hnd", "", "has no link `right_hnd`"),
         ("left_hand", "torso", "", "no joints lead from `left_hand` to `torso`"),
         ("left_hand", "left_hand", "", "no joint moves between"),
-        ("left_hand", "right_hand", "bending = [1]", "needs a fixed direction of gravity, and joints move `left_hand`"),
+        ("left_hand", "right_hand", "bending = [1]", "needs a fixed direction of gravity, but joints move `left_hand`"),
     ] {
         let message = of_two(base, tool, more).err().unwrap();
         assert!(message.contains(what) && message.contains("robot.toml:"), "{message}");
@@ -416,6 +419,90 @@ fn stations_tied_by_common_points_come_back_with_intervals_that_hold() {
     }
     let share = held as f64 / all as f64;
     println!("stations: {all} intervals, {:.1} % hold the truth; chi-square {chi:.3}", 100.0 * share);
+    assert!((share - 0.95).abs() < 0.046 && (chi - 1.0).abs() < 0.05, "{share} {chi}");
+}
+
+/// Poses of a probe from two stations: position and orientation tie the second to the world of the first.
+struct ProbeStations {
+    robot: Box<dyn Robot>,
+    truth: Vec<f64>,
+    noise: Noise,
+    station: usize,
+    mounting: usize,
+}
+
+impl ProbeStations {
+    fn new(seed: u64) -> Self {
+        let scratch = Scratch::with(&[("robot.toml", &arm_toml("", ""))]);
+        let robot = read_robot(&scratch.path().join("robot.toml")).unwrap();
+        let mut robot = robot.build(&["probe".to_owned()]).unwrap();
+        let mut noise = Noise::new(19, seed);
+        let mut truth = truth(robot.as_ref(), &mut noise);
+        let station = Fixture::Station("T2").add_to(robot.as_mut());
+        truth.extend([900.0, -1500.0, 300.0, 0.3, -0.2, 2.9]);
+        let mounting = Fixture::Mounting("probe").add_to(robot.as_mut());
+        truth.extend([0.4, -1.1, 2.2]);
+        Self { robot, truth, noise, station, mounting }
+    }
+
+    /// Every second pose is seen from the second station; `errors` scales the noise.
+    fn observed(&mut self, poses: usize, errors: f64) -> (Vec<Observation>, Settings) {
+        let (mut observations, mut settings) = (Vec::new(), settings());
+        let three = |truth: &[f64], first: usize| [0, 1, 2].map(|i| truth[first + i]);
+        let turned = Pose::from_rotation_vector(three(&self.truth, self.station + 3));
+        let station = Pose { translation_mm: three(&self.truth, self.station), ..turned }.inverse();
+        let mounted = Pose::from_rotation_vector(three(&self.truth, self.mounting));
+        for i in 0..poses {
+            let joints = joints(self.robot.as_ref(), &mut self.noise);
+            let mut off = |u: f64| [0; 3].map(|_| errors * self.noise.gaussian(u));
+            let (moved, turn) = (off(U_MM), Pose::from_rotation_vector(off(U_RAD)));
+            let at = minus(self.robot.position(&self.truth, &joints, 0), moved);
+            let flange = self.robot.free_base().unwrap().flange(&self.truth, &joints);
+            let body = turn.then(&flange.then(&mounted));
+            let (station, frame) = if i % 2 == 1 { (Some(self.station), station) } else { (None, Pose::identity()) };
+            let in_frame = Pose { translation_mm: [0.0; 3], ..frame.then(&body) };
+            let pose = (i as i64).into();
+            let mut add = |kind, standard_uncertainty| {
+                let joints = joints.clone();
+                settings.conditions.push(Condition { pose, cycle: 1, joints, target: 0, kind, standard_uncertainty });
+            };
+            match station {
+                Some(station) => add(Kind::Seen(Seen { station, at_mm: frame.apply(at) }), U_MM),
+                None => {
+                    let (joints, targets) = (joints.clone(), vec![Some(at)]);
+                    observations.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });
+                }
+            }
+            add(Kind::Orientation(Orientation { frame_T_body: in_frame, station, mounting: self.mounting }), U_RAD);
+        }
+        (observations, settings)
+    }
+}
+
+#[test]
+fn poses_from_two_stations_come_back_with_intervals_that_hold() {
+    let mut site = ProbeStations::new(47);
+    let own: Vec<usize> = (site.station..site.station + 6).chain(site.mounting..site.mounting + 3).collect();
+    let (observations, settings) = site.observed(40, 0.0);
+    let found = identify(site.robot.as_ref(), &observations, &settings).unwrap();
+    for &i in &own {
+        let off = (found.values[i] - site.truth[i]).abs();
+        assert!(off < 1e-7, "{}: off by {off}", site.robot.parameters()[i].name);
+    }
+    let (mut held, mut all, mut chi) = (0, 0, 0.0);
+    let draws = 30;
+    for _ in 0..draws {
+        let (observations, settings) = site.observed(40, 1.0);
+        let found = identify(site.robot.as_ref(), &observations, &settings).unwrap();
+        chi += found.chi_square.unwrap() / found.degrees_of_freedom as f64 / f64::from(draws);
+        for &i in &own {
+            let u = found.standard_uncertainty(i).unwrap();
+            held += usize::from((found.values[i] - site.truth[i]).abs() < 1.96 * u);
+            all += 1;
+        }
+    }
+    let share = held as f64 / all as f64;
+    println!("poses of stations: {all} intervals, {:.1} % hold the truth; chi-square {chi:.3}", 100.0 * share);
     assert!((share - 0.95).abs() < 0.046 && (chi - 1.0).abs() < 0.05, "{share} {chi}");
 }
 

@@ -281,8 +281,11 @@ fn three_reflectors_as_one_pose() {
     for (o, pose, _) in &whole {
         let targets = vec![Some(pose.translation_mm)];
         observations.push(Observation { targets, covariances_mm2: Vec::new(), ..(*o).clone() });
-        let kind =
-            Kind::Orientation(Orientation { world_T_body: Pose { translation_mm: [0.0; 3], ..*pose }, mounting });
+        let kind = Kind::Orientation(Orientation {
+            frame_T_body: Pose { translation_mm: [0.0; 3], ..*pose },
+            station: None,
+            mounting,
+        });
         let (pose, cycle, joints) = (o.pose, o.cycle, o.joints.clone());
         settings.conditions.push(Condition { pose, cycle, joints, target: 0, kind, standard_uncertainty: u_rad });
     }

@@ -141,9 +141,9 @@ fn hexapod_there_and_back() {
     let below = Pose { translation_mm: [0.0, 0.0, -400.0], ..Pose::identity() };
     assert!(arm.all_joints(&robot.nominal(), &below).is_empty());
     assert!(arm.tool_pose(&robot.nominal(), &[-300.0; 6]).is_none());
-    assert!(
-        arm.limit_violation(&robot.nominal(), &[75.0, 75.0, 75.0, 75.0, 75.0, 151.0]).unwrap().contains("leg6 = 151")
-    );
+    let violation = arm.limit_violation(&robot.nominal(), &[75.0, 75.0, 75.0, 75.0, 75.0, 151.0]).unwrap();
+    let (joint, value) = (&violation.arguments["joint"], &violation.arguments["q"]);
+    assert!(violation.id == "joint-beyond-limits" && *joint == "leg6" && *value == 151.0, "{violation}");
 }
 
 /// A joint of a delta's platform is a rod's length from elbow or carriage, here by rotations of nalgebra; and of all ways the one of the
@@ -243,8 +243,11 @@ impl Design<'_> {
             let flange = Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| flange[i][j]));
             let body = turn([0; 3].map(|_| errors * noise.gaussian(U_RAD))) * flange * turn([0.3; 3]);
             let rotation = std::array::from_fn(|i| std::array::from_fn(|j| body[(i, j)]));
-            let kind =
-                Kind::Orientation(Orientation { world_T_body: Pose { rotation, translation_mm: [0.0; 3] }, mounting });
+            let kind = Kind::Orientation(Orientation {
+                frame_T_body: Pose { rotation, translation_mm: [0.0; 3] },
+                station: None,
+                mounting,
+            });
             conditions.push(Condition { pose, cycle: 1, joints, target: 0, kind, standard_uncertainty: U_RAD });
         }
         let settings = Settings { standard_uncertainty_mm: Some(U_MM), conditions, ..Settings::default() };

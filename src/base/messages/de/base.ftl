@@ -22,7 +22,7 @@ pose-name-too-long = der Name der Pose hat { $characters } Zeichen
 pose-name-unprintable = eine Tabelle kann den Namen `{ $name }` nicht enthalten
     .expected = eine ganze Zahl oder ein Name wie `home` oder `A-3`
 
-pose-name-two-spellings = `{ $first }` und `{ $second }` unterscheiden sich nur in Großbuchstaben, Leerzeichen, `_`, `-` oder Nullen
+pose-name-two-spellings = `{ $first }` und `{ $second }` unterscheiden sich nur in Groß- und Kleinschreibung, Leerzeichen, `_`, `-` oder Nullen
     .hint = den Namen einer Pose in allen Zeilen und Dateien gleich schreiben
 
 counts-too-large = zu viele { $of }: { $counts }
@@ -30,7 +30,7 @@ counts-too-large = zu viele { $of }: { $counts }
 
 cannot-read-file = `{ $file }` kann nicht gelesen werden: { $reason }
 
-file-too-large = `{ $file }` kann nicht gelesen werden: größer als { $most_mib } MiB
+file-too-large = `{ $file }` kann nicht gelesen werden: größer als { $most_mib } MiB
 
 not-utf8 = `{ $file }` ist nicht UTF-8 (Byte { $byte })
     .hint = die Datei als UTF-8 speichern
@@ -41,7 +41,7 @@ file-exists = `{ $file }` ist schon vorhanden
     .hint = einen neuen Ordner angeben
 
 lock-foreign = `{ $file }` kann nicht geschrieben werden: `{ $lock }` ist keine Sperrdatei von etalon
-    .expected = eine gewöhnliche Datei mit einem Namen
+    .expected = eine gewöhnliche Datei mit nur einem Namen
     .hint = sie entfernen: etalon braucht diesen Namen, während es schreibt
 
 locked = Prozess { $process } schreibt `{ $file }`
@@ -55,10 +55,34 @@ cannot-write-folder = der Ordner `{ $folder }` kann nicht geschrieben werden: { 
 cannot-encode = { $format } kann nicht geschrieben werden: { $reason }
 
 angle-order-unknown = `{ $text }` ist keine Reihenfolge von drei Winkeln
-    .expected = "zyx", "xyz", "zyz" .. um die Achsen des Körpers, oder "fixed xyz" .. um die Achsen der Welt
+    .expected = "zyx", "xyz", "zyz" .. um die Achsen des Körpers oder "fixed xyz" .. um die Achsen des Weltkoordinatensystems
 
-rotation-not-orthonormal = die Rotationsmatrix ist nicht orthonormal: Produkte ihrer Zeilen weichen um { $off } von 1 und 0 ab
-    .expected = r11 bis r33, zeilenweise: Körper in Welt
+rotation-not-orthonormal = die Rotationsmatrix ist nicht orthonormal: Skalarprodukte ihrer Zeilen weichen um { $off } von 1 oder 0 ab
+    .expected = r11 bis r33, zeilenweise: Orientierung des Körpers im Weltkoordinatensystem
 
-rotation-mirrors = die Rotationsmatrix spiegelt: ihre Determinante ist -1
+rotation-mirrors = die Rotationsmatrix enthält eine Spiegelung: ihre Determinante ist -1
     .hint = die Vorzeichen ihrer Spalten prüfen
+
+factor = { $of ->
+        [poses] { $count ->
+            [one] 1 Pose
+           *[other] { $count } Posen
+        }
+        [cycles] { $count ->
+            [one] 1 Zyklus
+           *[other] { $count } Zyklen
+        }
+        [repeats] { $count ->
+            [one] 1 Wiederholung
+           *[other] { $count } Wiederholungen
+        }
+        [draws] { $count ->
+            [one] 1 Ziehung
+           *[other] { $count } Ziehungen
+        }
+       *[runs] { $count ->
+            [one] 1 Lauf
+           *[other] { $count } Läufe
+        }
+    }
+product = { $first } × { $second }

@@ -1,12 +1,12 @@
 ### Meldungen von campaign; Erklärungen in en/campaign.ftl.
 
-recording-unit = eine Aufzeichnung mit `format` braucht `unit`, und nur dann
-    .hint = beide angeben; ohne beide ist es eine Tabelle time_s,x_mm,y_mm,z_mm, deren Kopf die Einheiten angibt
+recording-unit = eine Aufzeichnung mit `format` braucht `unit`; ohne `format` ist `unit` nicht zulässig
+    .hint = beide angeben; ohne beide ist die Aufzeichnung eine Tabelle time_s,x_mm,y_mm,z_mm, deren Kopf die Einheiten angibt
 
 campaign-missing = die Kampagnendatei `{ $file }` ist nicht vorhanden
-    .hint = `etalon init ORDNER` schreibt eine zum Anfangen
+    .hint = `etalon init ORDNER` schreibt eine Kampagne als Ausgangspunkt
 
-joints-need-delimited-text = `joints` werden aus getrenntem Text mit höchstens einer Namenszeile gelesen
+joints-need-delimited-text = `joints` wird nur aus Text mit Trennzeichen und höchstens einer Namenszeile gelesen
     .hint = `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` angeben; bei anderen Dateien die Gelenke in einem [log] nennen
 
 joints-differ = zwei Exporte von `{ $file }` geben verschiedene `joints` an
@@ -18,17 +18,17 @@ joints-twice = die Gelenke sind zweimal angegeben: in `joints` von `{ $file }` u
 joints-joined-by-row = ein Export mit `joints` wird zeilenweise verknüpft
     .hint = `by = "row"` in [join] angeben oder [join] weglassen
 
-environment-missing = die Umgebung hat kein `{ $name }`
-    .hint = { $name } auf den Ordner setzen, der `{ $file }` enthält
+environment-missing = die Umgebungsvariable `{ $name }` ist nicht gesetzt
+    .hint = sie auf den Ordner setzen, der `{ $file }` enthält
 
 path-outside = `{ $file }` verlässt den Ordner der Kampagne
     .expected = ein Pfad im Ordner der Kampagne oder einer, der mit `$NAME/` beginnt
 
 no-target = ein räumlicher Roboter braucht mindestens eine Zielmarke
-    .hint = sie in `targets` von [join], als `target` der Exporte oder in einer Spalte `target` der Tabelle nennen
+    .hint = die Zielmarken in `targets` von [join], als `target` der Exporte oder in einer Spalte `target` der Tabelle nennen
 
 target-called-base = keine Zielmarke kann `base` heißen: ihre Parameter wären die der Roboterbasis
-    .hint = der Zielmarke in Bezeichnung oder Spalten einen anderen Namen geben
+    .hint = der Zielmarke in `label` oder `columns` einen anderen Namen geben
 
 key-not-positive = `{ $key }` muss positiv sein
     .hint = den Wert berichtigen
@@ -52,7 +52,7 @@ gravity-without-direction = `gravity` hat keine Richtung
     .expected = eine Richtung in der Basis, zum Beispiel [0, 0, -1]
 
 not-denavit-hartenberg = `{ $key }` ist kein Denavit-Hartenberg-Parameter
-    .hint = er gehört zu `convention = "poe"`
+    .hint = `{ $key }` gehört zu `convention = "poe"`
 
 not-screw-axis = eine Schraubachse hat weder Denavit-Hartenberg-Parameter noch `parallel`
     .hint = `direction` und `point_mm` angeben
@@ -60,10 +60,10 @@ not-screw-axis = eine Schraubachse hat weder Denavit-Hartenberg-Parameter noch `
 joint-axis-without-direction = die Gelenkachse hat keine Richtung
     .expected = eine Richtung in der Basis, zum Beispiel [0, 0, 1]
 
-flange-missing = Schraubachsen brauchen die Pose des Flansches bei Gelenkwerten null: der Schlüssel `{ $key }` fehlt
+flange-missing = Schraubachsen brauchen die Pose des Flansches bei Gelenkwerten von null: der Schlüssel `{ $key }` fehlt
 
 flange-of-table = `{ $key }` hat für Denavit-Hartenberg-Parameter keine Bedeutung
-    .hint = er gehört zu `convention = "poe"`
+    .hint = `{ $key }` gehört zu `convention = "poe"`
 
 range-of-other-motion = `{ $key }` ist kein Schlüssel eines { $motion ->
         [slides] Schubgelenks
@@ -71,41 +71,41 @@ range-of-other-motion = `{ $key }` ist kein Schlüssel eines { $motion ->
     }
     .hint = `{ $own }` angeben
 
-range-exchanged = `{ $key }` ist kein Bereich: { $lower } bis { $upper }
+range-exchanged = `{ $key }` ist kein Bereich: von { $lower } bis { $upper }
     .expected = die kleinere Grenze, dann die größere
 
 joint-reference-wrong = { $fault ->
         [unknown-number] es gibt kein Gelenk { $joint }
         [unknown-name] es gibt kein Gelenk `{ $joint }`
-        [slides] Gelenk { $joint } ist ein Schubgelenk: es dreht nicht
-        [twice] Gelenk { $joint } steht zweimal da
-        [itself] Gelenk { $joint } ist mit sich selbst gekoppelt: das ist seine Verstärkung
-       *[pair] das Paar { $joint } steht zweimal da
+        [slides] Gelenk { $joint } ist ein Schubgelenk: es dreht sich nicht
+        [twice] Gelenk { $joint } kommt zweimal vor
+        [itself] Gelenk { $joint } ist mit sich selbst gekoppelt: dieses Verhältnis ist sein Übertragungsfaktor
+       *[pair] das Paar { $joint } kommt zweimal vor
     }
     .expected = Gelenke von 1 bis { $count }, jedes einmal
     .hint = die Gelenke sind { $joints }
 
-urdf-joint-kind = Gelenk `{ $joint }` ist { $kind }, das kein Gelenk einer Kette ist
+urdf-joint-kind = Gelenk `{ $joint }` ist vom Typ { $kind }, der in einer Kette nicht zulässig ist
     .expected = fixed, revolute, continuous oder prismatic
 
 urdf-axis-without-direction = die Achse von Gelenk `{ $joint }` hat keine Richtung
     .expected = <axis xyz="0 0 1"/> oder eine andere Richtung
 
-urdf-origin-far = der Ursprung von Gelenk `{ $joint }` ist { FIXED($away_m, 0) } m von seinem Vorgänger entfernt
-    .hint = Längen einer URDF sind Meter: die dieser Datei durch 1000 teilen
+urdf-origin-far = der Ursprung von Gelenk `{ $joint }` ist { FIXED($away_m, 0) } m von seinem Vorgänger entfernt
+    .hint = Längen einer URDF-Datei sind in Metern: die Längen dieser Datei durch 1000 teilen
 
 urdf-two-parents = Glied `{ $link }` hat zwei Vorgänger: `{ $first }` und `{ $second }`
-    .hint = eine URDF ist ein Baum: Schleifen durch `mimic` schließen
+    .hint = eine URDF-Datei beschreibt einen Baum: Schleifen durch `mimic` schließen
 
 urdf-loop = die Gelenke ab `{ $link }` bilden eine Schleife
-    .hint = eine URDF ist ein Baum: Schleifen durch `mimic` schließen
+    .hint = eine URDF-Datei beschreibt einen Baum: Schleifen durch `mimic` schließen
 
 urdf-link-unknown = `{ $file }` hat kein Glied `{ $link }`
 
-urdf-no-path = keine Gelenke führen von `{ $from }` zu `{ $to }`
+urdf-no-path = keine Gelenkkette führt von `{ $from }` zu `{ $to }`
     .hint = `base_link` und `tool_link` prüfen: kein Gelenk trägt `{ $root }`
 
-urdf-mimic-unknown = Gelenk `{ $joint }` folgt `{ $mimics }`, das die Datei nicht hat
+urdf-mimic-unknown = Gelenk `{ $joint }` folgt dem Gelenk `{ $mimics }`, das in der Datei fehlt
 
 urdf-mimics-itself = Gelenk `{ $joint }` folgt sich selbst
     .hint = in <mimic> ein anderes Gelenk nennen
@@ -114,35 +114,35 @@ urdf-nothing-moves = zwischen `{ $from }` und `{ $to }` bewegt sich kein Gelenk
     .hint = `base_link` und `tool_link` prüfen
 
 urdf-no-moving-joint = kein Gelenk der Datei bewegt sich
-    .hint = die URDF eines Roboters angeben
+    .hint = die URDF-Datei eines Roboters angeben
 
-bending-on-moving-base = `bending` braucht eine feste Richtung der Schwerkraft, und Gelenke bewegen `{ $link }`
+bending-on-moving-base = `bending` braucht eine feste Richtung der Schwerkraft, aber Gelenke bewegen `{ $link }`
     .hint = es entfernen oder als `base_link` ein unbewegtes Glied nehmen
 
-bending-without-mass = hinter Gelenk `{ $joint }` ist keine Masse angegeben: nichts biegt es
+bending-without-mass = hinter Gelenk `{ $joint }` ist keine Masse angegeben: keine Last biegt es
     .hint = seinen Gliedern <inertial> hinzufügen
 
 parameter-name-doubled = zwei Parameter hießen `{ $name }`
-    .hint = die Zielmarke umbenennen: keine kann den Namen eines Gelenks tragen
+    .hint = die Zielmarke umbenennen: keine Zielmarke darf wie ein Gelenk heißen
 
 key-of-other-model = `{ $key }` hat für dieses Modell keine Bedeutung
-    .hint = er gehört zu `model = "{ $model }"`
+    .hint = `{ $key }` gehört zu `model = "{ $model }"`
 
 nominal-unknown = [nominal] nennt `{ $parameter }`, das kein Parameter dieses Roboters ist
 
 nominal-length-not-positive = die Länge `{ $parameter }` muss positiv sein
-    .hint = die Länge der Zeichnung angeben
+    .hint = die Länge nach der Zeichnung angeben
 
 nominal-missing = [nominal] gibt { $parameters } nicht an
     .hint = die Geometrie Ihrer Maschine nach Zeichnung in mm angeben: sie wird nie geraten
 
 tolerance-not-positive = die Toleranz `{ $parameter }` muss positiv sein
-    .hint = die Toleranz der Zeichnung angeben
+    .hint = die Toleranz nach der Zeichnung angeben
 
 tolerance-unknown = `tolerance` nennt `{ $parameter }`, das kein Parameter dieses Roboters ist
 
 selection-empty = `{ $stated }` nennt keine Posen
-    .expected = Namen und Bereiche wie "1-8, 12, home", eine Liste davon, "all", "rest" oder "index mod 10 < 7"
+    .expected = Namen und Bereiche wie "1-8, 12, home", eine Liste aus Namen und Bereichen, "all", "rest" oder "index mod 10 < 7"
 
 not-a-measured-value = `{ $value }` ist kein Messwert
     .expected = eine endliche Zahl
@@ -166,7 +166,7 @@ key-missing = der Schlüssel `{ $key }` fehlt{ $has_section ->
        *[no] {""}
     }
 
-state-unit = die Längeneinheit der Datei angeben: "mm", "m", "um" oder "inch"; sie wird nie geraten
+state-unit = `unit = "mm"` angeben, oder "m", "um" oder "inch", die Einheit, in der die Datei geschrieben wurde; sie wird nie geraten
 
 state-instrument = [instrument] gibt name, expanded_uncertainty_um und coverage_factor an: aus dem Kalibrierschein übernehmen
 
@@ -176,12 +176,12 @@ copy-keys = `etalon init ORDNER` schreibt eine Kampagne mit allen Schlüsseln zu
 
 toml-invalid = { $reason }
 
-table-key-twice = diese Tabelle hat den Schlüssel zweimal{ $more ->
+table-key-twice = diese Tabelle enthält den Schlüssel zweimal{ $more ->
         [0] {""}
         [one] , und 1 Schlüssel danach
        *[other] , und { $more } Schlüssel danach
     }
-    .hint = eine von mehreren Tabellen beginnt mit ihrem Kopf in doppelten Klammern, wie `[[joint]]`: fehlt einer davor?
+    .hint = eine von mehreren Tabellen beginnt mit ihrem Kopf in doppelten Klammern, wie `[[joint]]`: fehlt davor ein solcher Kopf?
 
 unknown-key = { $count ->
         [one] unbekannter Schlüssel { $keys }
@@ -193,18 +193,17 @@ key-belongs-at-top = `{ $key }` gehört an den Anfang, vor den ersten Abschnitt
 table-head-missing = fehlt der Kopf ihrer Tabelle, wie `[section]` oder `[[joint]]`?
 
 key-remedy = { $key ->
-        [station] Stationen eines Messgeräts sind eine Spalte `station` einer Beobachtungstabelle:
-        [observations] statt Exporten und Protokoll angeben
-       *[base_turn_y_deg] ihn löschen: base_rx, base_ry und base_rz sind ein Drehvektor, und keine Orientierung der Basis ist singulär
+        [station] Stationen eines Messgeräts sind eine Spalte `station` einer Beobachtungstabelle: {"["}observations] statt Exporten und Protokoll angeben
+       *[base_turn_y_deg] den Schlüssel löschen: base_rx, base_ry und base_rz sind ein Rotationsvektor, und keine Orientierung der Basis ist singulär
     }
 
-urdf-no-robot = die Datei ist keine URDF
+urdf-no-robot = die Datei ist keine URDF-Datei
     .expected = das Element <robot>
 
 urdf-joint-twice = es gibt zwei Gelenke `{ $joint }`
     .hint = eines umbenennen
 
-urdf-joint-link-unknown = Gelenk `{ $joint }` nennt das Glied `{ $link }`, das die Datei nicht hat
+urdf-joint-link-unknown = Gelenk `{ $joint }` nennt das Glied `{ $link }`, das in der Datei fehlt
 
 urdf-joint-without-link = Gelenk `{ $joint }` hat kein <{ $child } link="..."/>
     .hint = das Element ergänzen
@@ -213,7 +212,7 @@ urdf-limits-exchanged = die Grenzen von Gelenk `{ $joint }` sind vertauscht: { $
     .hint = sie tauschen
 
 urdf-angles-beyond-turn = Winkel von `rpy` übersteigen eine volle Umdrehung
-    .hint = Winkel einer URDF sind Radiant: 90 deg sind 1.5707963267948966
+    .hint = Winkel einer URDF-Datei sind in Radiant: 90 deg sind 1,5707963267948966
 
 urdf-attribute-missing = <{ $element }> hat kein `{ $attribute }`
     .hint = das Attribut ergänzen
@@ -230,18 +229,18 @@ urdf-number-count = `{ $attribute }` hat { $count ->
            *[other] { $expected_count } Zahlen
         }
 
-key-open = `{ $key }` ist offen{ $more ->
+key-open = `{ $key }` ist noch offen{ $more ->
         [0] {""}
-       *[other] ; { $more } weitere zu ergänzen
+       *[other] ; { $more } weitere sind zu ergänzen
     }
     .hint = die Zeile ergänzen{ $remark ->
         [none] {""}
        *[other] : { $remark }
     }
 
-joint-unit-open = die Einheit der Gelenke ist offen{ $more ->
+joint-unit-open = die Einheit der Gelenke ist noch offen{ $more ->
         [0] {""}
-       *[other] ; { $more } weitere zu ergänzen
+       *[other] ; { $more } weitere sind zu ergänzen
     }
     .hint = deg, rad, mm oder m für UNIT einsetzen
 

@@ -1,19 +1,19 @@
 ### Meldungen von compare; Erklärungen in en/compare.ftl.
 
-stream-not-in-all = der Datenstrom `{ $stream }` ist nicht in jeder Kampagne
-    .hint = dem Datenstrom einer Bahn in allen Kampagnen denselben Namen geben
+stream-not-in-all = die Aufzeichnung `{ $stream }` ist nicht in jeder Kampagne vorhanden
+    .hint = der Aufzeichnung derselben Bahn in allen Kampagnen denselben Namen geben
 
-stream-commands-differ = die Sollpunkte des Datenstroms `{ $stream }` sind verschieden: AT und RT werden nicht verglichen
-    .hint = in allen Kampagnen dieselbe Bahn, dasselbe System, `path_points` und `near_mm` verwenden
+stream-commands-differ = die Sollpunkte der Aufzeichnung `{ $stream }` sind verschieden: AT und RT werden nicht verglichen
+    .hint = in allen Kampagnen dieselbe Bahn, dasselbe Koordinatensystem und dieselben Werte von `path_points` und `near_mm` verwenden
 
-stream-few-passes = AT und RT des Datenstroms `{ $stream }` beruhen auf { $passes ->
+stream-few-passes = AT und RT der Aufzeichnung `{ $stream }` beruhen auf { $passes ->
         [one] 1 Durchlauf
        *[other] { $passes } Durchläufen
-    }; die Prüfung auf Änderung ist mit { $validated } validiert
+    }; der Test auf Änderung wurde mit { $validated } Durchläufen validiert
     .hint = die Bahn zehnmal fahren (ISO 9283)
 
-path-change-uncertain = als geändert gemeldet: { $names }; in simulierten Prüfungen enthalten Intervalle von AT den wahren Wert in 93 % bis 95 %, die von RT in 90 % bis 98 %
-    .hint = die Prüfung wiederholen, bevor gehandelt wird
+path-change-uncertain = als geändert gemeldet: { $names }; in simulierten Prüfungen enthalten Intervalle von AT den wahren Wert in 93 % bis 95 % der Fälle, Intervalle von RT in 90 % bis 98 %
+    .hint = die Prüfung wiederholen, bevor Folgerungen gezogen werden
 
 nothing-to-compare = die Kampagnen haben keine gemeinsamen Ergebnisse
     .expected = parameters.json, iso9283.json oder iso9283-streams.json im Ordner jeder Kampagne
@@ -26,29 +26,29 @@ campaign-twice = `{ $folder }` ist zweimal genannt
     .hint = jeden Ordner einmal nennen
 
 robots-differ = verschiedene Roboter: `{ $first }` hat `{ $first_robot }` gemessen, `{ $second }` `{ $second_robot }`
-    .hint = Kampagnen eines Roboters vergleichen; ist es derselbe, ihm in robot.toml einen `name` geben und neu ausführen
+    .hint = Kampagnen eines Roboters vergleichen; ist es derselbe, ihm in robot.toml überall denselben `name` geben und die Kampagnen erneut ausführen
 
 models-differ = verschiedene Robotermodelle: `{ $first }` hat `{ $first_model }` identifiziert, `{ $second }` `{ $second_model }`
-    .hint = beide mit einem Modell identifizieren
+    .hint = beide mit demselben Modell identifizieren
 
 parameters-differ = `{ $first }` und `{ $second }` haben verschiedene Parameter: { $parameters }
     .hint = dieselbe Roboterdatei, dieselben Zielmarken und dasselbe Modell verwenden
 
-campaigns-out-of-order = `{ $first }` ist vor `{ $second }` genannt und hat das spätere Datum
-    .hint = die früheste Kampagne zuerst nennen
+campaigns-out-of-order = `{ $first }` ist vor `{ $second }` genannt, hat aber das spätere Datum
+    .hint = die früheste Kampagne zuerst angeben
 
 document-not-in-all = { $document } wird nicht verglichen: es fehlt in { $folders }
-    .hint = Kampagnen vergleichen, die es alle haben
+    .hint = Kampagnen vergleichen, die alle dieses Dokument haben
 
-poses-not-in-all = nicht in jeder Kampagne: Pose { $poses }
+poses-not-in-all = nicht in jeder Kampagne enthaltene Posen: { $poses }
     .hint = der Name einer Pose muss in allen Kampagnen dieselbe Pose bedeuten
 
 homing = Referenzfahrt
 
 parameters-not-in-all = nicht jede Kampagne hat { $parameters } identifiziert
-    .hint = dieselben Parameter identifizieren: ähnliche können den Fehler der festgehaltenen aufgenommen haben
+    .hint = dieselben Parameter identifizieren: ähnlich wirkende Parameter können die Abweichung der festgehaltenen aufgenommen haben
 
-nominal-values-differ = Nennwerte unterscheiden sich zwischen den Roboterdateien: { $parameters }
+nominal-values-differ = die Nennwerte unterscheiden sich zwischen den Roboterdateien: { $parameters }
     .hint = dieselbe Roboterdatei verwenden: auf Nennwerten festgehaltene Parameter wirken auf die anderen
 
 model-misfits = Residuen von { $campaigns } überschreiten die Unsicherheit des Messgeräts: Unterschiede von Parametern und mittleren Abweichungen belegen keine Änderung und haben keinen p-Wert; die Intervalle der Parameter enthalten die Komponente zwischen den Messreihen (Birge-Verhältnis bis { $birge })

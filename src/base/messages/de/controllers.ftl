@@ -18,7 +18,7 @@ format-for-other-robots = das Format `{ $format }` kann keinen Roboter mit `mode
     .expected = { $kind }
     .hint = ein anderes Format wählen: `etalon export --help` zählt sie auf
 
-format-too-many-joints = der Roboter hat { $joints } Gelenke, das Format `{ $format }` hat { $most }
+format-too-many-joints = der Roboter hat { $joints } Gelenke, das Format `{ $format }` erlaubt { $most }
 
 urdf-malformed = `{ $file }` ist kein wohlgeformtes XML
     .hint = die Datei berichtigen
@@ -29,34 +29,34 @@ formulas-missing = für die Kinematik von `{ $model }` gibt es keine Formeln
 formula-constant-not-finite = eine Konstante der Kinematik ist nicht endlich
     .hint = die identifizierten Parameter prüfen
 
-error-above-nominal = Positionsfehler an den { $set ->
+error-above-nominal = Positionsabweichung an den { $set ->
         [validation] Validierungsposen
        *[other] Kalibrierposen
     }{ $left_out_count ->
         [0] {""}
        *[other] {" "}ohne { $left_out }
-    }: { FIXED($written_mm, $decimals) } mm (Effektivwert); mit nominalen Parametern: { FIXED($nominal_mm, $decimals) } mm
+    }: { FIXED($written_mm, $decimals) } mm (RMS); mit Nennparametern: { FIXED($nominal_mm, $decimals) } mm
 
 file-worse-than-nominal = Format `{ $format }` wird nicht geschrieben: { $reason }
     .hint = ein Format verwenden, das diese Parameter enthält; `etalon export --force` schreibt die Datei
 
 error-near-nominal = { $case ->
-        [rms] Positionsfehler nicht deutlich kleiner als mit nominalen Parametern
-        [maximum] größter Positionsfehler über dem mit nominalen Parametern
-       *[both] Positionsfehler nicht deutlich kleiner als mit nominalen Parametern, sein Maximum größer
+        [rms] Positionsabweichung nicht deutlich kleiner als mit Nennparametern
+        [maximum] größte Positionsabweichung über der mit Nennparametern
+       *[both] Positionsabweichung nicht deutlich kleiner als mit Nennparametern, ihr Maximum größer
     }: { $set ->
         [validation] Validierungsposen
        *[other] Kalibrierposen
-    } { FIXED($written_mm, $decimals) } mm (Effektivwert), { FIXED($written_max_mm, $decimals) } mm (Maximum), nominal { FIXED($nominal_mm, $decimals) } mm und { FIXED($nominal_max_mm, $decimals) } mm
+    } { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (Maximum), nominal { FIXED($nominal_mm, $decimals) } mm und { FIXED($nominal_max_mm, $decimals) } mm
 
 file-near-nominal = { $formats_count ->
         [1] Format
        *[other] Formate
     } `{ $formats }`: { $reason }
-    .hint = die Fehler in controllers.json vergleichen; ein Format verwenden, das die ausgelassenen Parameter enthält, wenn es welche gibt
+    .hint = die Abweichungen in controllers.json vergleichen; falls Parameter ausgelassen sind, ein Format verwenden, das sie enthält
 
-covariance-missing = Format `{ $format }` enthält { $parameters } nicht, und parameters.json hat keine Kovarianz davon
-    .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: sie identifiziert ohne sie neu
+covariance-missing = Format `{ $format }` enthält { $parameters } nicht, und parameters.json enthält deren Kovarianz nicht
+    .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: sie identifiziert ohne diese Parameter neu
 
 parameters-not-converged = die Parameter sind für eine Steuerung nicht geeignet: { $termination }
     .hint = vor dem Export neu identifizieren
@@ -64,8 +64,8 @@ parameters-not-converged = die Parameter sind für eine Steuerung nicht geeignet
 covariance-not-finite = die Kovarianz enthält eine nicht endliche Zahl
     .hint = die Identifikation erneut ausführen
 
-parameter-not-finite = Parameter `{ $parameter }` hat eine nicht endliche Zahl
-    .expected = endlicher Wert, Nennwert und endliche Unsicherheit
+parameter-not-finite = Parameter `{ $parameter }` enthält eine nicht endliche Zahl
+    .expected = Wert, Nennwert und Unsicherheit sind endlich
 
 parameter-twice = es gibt zwei Parameter `{ $parameter }`
     .hint = die Identifikation erneut ausführen
@@ -77,13 +77,13 @@ parameter-missing = die Parameter enthalten kein `{ $parameter }`
     .hint = die robot.toml angeben, mit der sie identifiziert wurden
 
 robot-missing = dieses Format braucht das Robotermodell
-    .hint = die robot.toml angeben: `--robot FILE`
+    .hint = die robot.toml angeben: `--robot DATEI`
 
 robot-parameter-missing = der Roboter hat keinen Parameter `{ $parameter }`
     .hint = ein anderes Format wählen: `etalon export --help` zählt sie auf
 
 deviation-steep = die Abweichung ändert sich von { $from } bis { $to } um { $change }
-    .expected = höchstens 5 % des Abstands
+    .expected = höchstens 5 % des Abstands
     .hint = Positionen und Abweichungen in derselben Einheit angeben, mm oder deg
 
 axis-table-too-long = { $positions } Positionen sind zu viele für { $controller }
@@ -95,11 +95,11 @@ axis-table-too-short = eine SINUMERIK-Tabelle hat { $positions ->
     }
     .expected = mindestens zwei Positionen
 
-axis-positions-uneven = die Positionen haben keinen konstanten Abstand
+axis-positions-uneven = die Positionen haben keinen gleichmäßigen Abstand
     .hint = in gleichen Abständen messen oder eine andere Tabelle verwenden
 
 plane-steps-differ = das Raster hat entlang seiner Achsen verschiedene Abstände
-    .expected = { $step_mm } mm entlang beider
+    .expected = { $step_mm } mm entlang beider
 
 galil-value-too-large = `{ $parameter }` ist zu groß für eine Variable einer Galil-Steuerung
     .hint = ein Format mit Gleitkommazahlen verwenden
@@ -107,7 +107,7 @@ galil-value-too-large = `{ $parameter }` ist zu groß für eine Variable einer G
 galil-constant-too-large = { $name } = { FIXED($value, 6) } ist zu groß für die inverse Kinematik auf einer Galil-Steuerung
     .expected = höchstens { $most }
 
-galil-rounding = `{ $parameter }` verliert { SCIENTIFIC($rounding, 1) } { $unit } auf einer Galil-Steuerung; die Standardunsicherheit ist { SCIENTIFIC($uncertainty, 1) } { $unit }
+galil-rounding = `{ $parameter }` verliert auf einer Galil-Steuerung { SCIENTIFIC($rounding, 1) } { $unit } durch Rundung; seine Standardunsicherheit ist { SCIENTIFIC($uncertainty, 1) } { $unit }
     .hint = ein Format mit Gleitkommazahlen verwenden
 
 galil-axes = { $joints } Gelenke sind zu viele für eine Galil-Steuerung
@@ -133,8 +133,8 @@ axes-coincide = zwei Achsen des Arms fallen zusammen
 platform-out-of-reach = die Plattform erreicht die Mitte nicht
     .hint = die identifizierten Längen prüfen
 
-tower-order = die Türme stehen nicht im Abstand von 120 deg, von oben gegen den Uhrzeigersinn
-    .hint = sie gegen den Uhrzeigersinn nummerieren: `{ $format }` hat sie in dieser Reihenfolge
+tower-order = die Säulen stehen nicht im Winkelabstand von 120 deg, von oben gesehen gegen den Uhrzeigersinn
+    .hint = sie gegen den Uhrzeigersinn nummerieren: `{ $format }` verlangt diese Reihenfolge
 
 program-not-readable = Programme dieser Sprache können nicht gelesen werden
     .hint = die Ziele als Tabelle angeben
@@ -146,10 +146,10 @@ x-and-y = X und Y
 
 position-of-every-axis = eine Position jeder Achse
 
-pose-of-six = alle von X, Y, Z, A, B und C
+pose-of-six = alle Koordinaten X, Y, Z, A, B und C
 
 working-mode-changes = das Programm wechselt den Arbeitsmodus
-    .hint = die Ziele jedes Arbeitsmodus als eigenes Programm angeben
+    .hint = die Ziele jedes Arbeitsmodus in einem eigenen Programm angeben
 
 movement-not-compensated = `{ $command }` wird nicht kompensiert
     .expected = geradlinige Bewegungen zu absoluten Koordinaten
@@ -161,10 +161,10 @@ coordinate-not-number = auf `{ $letter }` folgt keine Zahl
     .hint = die Koordinate als Zahl schreiben
 
 coordinate-unknown = `{ $letter }` hat noch keinen Wert
-    .hint = ihn im ersten Satz mit Bewegung angeben
+    .hint = ihn im ersten Satz mit einer Bewegung angeben
 
-quaternion-length = die Quaternion von { $target } hat die Länge { FIXED($length, 4) }
+quaternion-length = das Quaternion von { $target } hat die Länge { FIXED($length, 4) }
     .expected = Länge 1
 
 urdf-holds-xacro = Elemente ohne Kinematik von `{ $file }` enthalten xacro
-    .hint = die Datei mit dem Befehl `xacro` ersetzen lassen und die URDF in robot.toml nennen
+    .hint = die Datei mit dem Befehl `xacro` expandieren und die URDF-Datei in robot.toml angeben

@@ -1,35 +1,35 @@
 ### Meldungen von documents; Erklärungen in en/documents.ftl.
 
-limits-for-several-robots = Grenzwerte gelten für einen Roboter, und die Tabelle hat { $robots }
+limits-for-several-robots = Grenzwerte gelten für einen Roboter, die Tabelle enthält aber { $robots }
     .hint = jeden Roboter einzeln prüfen; zusammen ergeben sie die Austauschbarkeit
 
-few-cycles = weniger als { $least } Zyklen an Pose { $poses }
+few-cycles = weniger als { $least } Zyklen (Posen: { $poses })
     .hint = 30 Zyklen messen (ISO 9283) oder mit den Intervallen urteilen
 
-few-cycles-of-direction = weniger als { $least } Zyklen in Richtung { $directions }
+few-cycles-of-direction = weniger als { $least } Zyklen (Richtungen: { $directions })
     .hint = mehr Zyklen messen
 
-instrument-too-coarse = die Messunsicherheit übersteigt 25 % des geprüften Werts an Pose { $poses }
-    .hint = die Werte als obere Schranken verwenden oder mit einem besseren Messgerät messen
+instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Kenngröße (Posen: { $poses })
+    .hint = die Werte als Obergrenzen verwenden oder mit einem besseren Messgerät messen
 
-several-approaches = mehrere Anfahrrichtungen an Pose { $poses }: AP, RP und ihre Intervalle gelten für alle Anfahrten zusammen
-    .hint = die Werte jeder Anfahrrichtung verwenden: die aller Anfahrten enthalten vAP, und ihre Streuung ist nicht normalverteilt
+several-approaches = mehrere Anfahrrichtungen (Posen: { $poses }): AP, RP und ihre Intervalle gelten für alle Anfahrten zusammen
+    .hint = die Werte jeder Anfahrrichtung verwenden: die Werte aller Anfahrten zusammen enthalten vAP, und ihre Streuung ist nicht normalverteilt
 
 path-without-pass = die Aufzeichnung enthält keinen Durchlauf der Sollbahn
-    .expected = eine Bewegung durch { $planes } Ebenen, jede innerhalb von { $near_mm } mm der Bahn
-    .hint = System und Richtung von Aufzeichnung und Bahn prüfen; `--near-mm` erlaubt größere Abweichungen
+    .expected = eine Bewegung durch { $planes } Ebenen, jeweils höchstens { $near_mm } mm von der Bahn entfernt
+    .hint = Koordinatensystem und Richtung von Aufzeichnung und Bahn prüfen; `--near-mm` erlaubt größere Abweichungen
 
 samples-too-fast = { $count ->
         [one] 1 Abtastwert
        *[other] { $count } Abtastwerte
-    } ausgelassen: schneller als ein Roboter
-    .hint = Zeile { $lines } prüfen
+    } ausgelassen: zu schnell für einen Roboter
+    .hint = diese Zeilen prüfen: { $lines }
 
-weave-velocity-not-compared = die Sollgeschwindigkeit wird nicht verglichen: die Bahn ist die Mittellinie eines Pendelns
+weave-velocity-not-compared = die Sollgeschwindigkeit wird nicht verglichen: die Bahn ist die Mittellinie einer Pendelbewegung
     .hint = die Bahn ohne Pendeln fahren, um Geschwindigkeiten auszuwerten
 
-arrivals-unsettled = Ankünfte, die sich nicht im Grenzband stabilisieren: bei { $times_s } s
-    .hint = ein Grenzband angeben, das breiter als das Rauschen des stehenden Roboters ist
+arrivals-unsettled = Ankünfte, die sich nicht im Grenzband stabilisieren: bei { $times_s } s
+    .hint = ein Grenzband angeben, das breiter ist als das Rauschen des stehenden Roboters
 
 passes-incomplete = { $count ->
         [one] 1 Durchlauf
@@ -37,16 +37,16 @@ passes-incomplete = { $count ->
     } begonnen und nicht beendet: ausgelassen
     .hint = prüfen, ob die Aufzeichnung abgeschnitten ist; bei stark verrundeten Ecken ein größeres near_mm angeben (`--near-mm`)
 
-corner-in-central-part = der mittlere Teil der Bahn enthält eine Ecke bei { FIXED($at_mm, 3) } mm
-    .hint = eine Bahn ohne Ecke oder einen kleineren mittleren Teil angeben: Abbremsen wirkt auf AV, RV und FV
+corner-in-central-part = der mittlere Teil der Bahn enthält eine Ecke bei { FIXED($at_mm, 3) } mm
+    .hint = eine Bahn ohne Ecke oder einen kürzeren mittleren Teil angeben: das Abbremsen an der Ecke beeinflusst AV, RV und FV
 
-zone-proved-locally = die Minimumzone ist nur unter benachbarten Elementen ({ $element }) als engste bewiesen
-    .hint = ihre Formabweichung mit der der Ausgleichung nach kleinsten Quadraten vergleichen
+zone-proved-locally = es ist nur unter benachbarten Elementen ({ $element }) bewiesen, dass die Minimumzone die engste ist
+    .hint = ihre Formabweichung mit der Formabweichung der Anpassung nach kleinsten Quadraten vergleichen
 
 zone-unproved = es wurde nicht bewiesen, dass kein anderes Element { $element } eine engere Zone hat
-    .hint = mehr von der Fläche messen: so gestreute Punkte zeigen das Element kaum
+    .hint = einen größeren Teil der Fläche messen: so stark streuende Punkte bestimmen das Element kaum
 
-hold-another = um einen anderen Parameter einer solchen Gruppe festzuhalten, ihn unter `hold` in [identify] nennen; Vorgabe ist der letzte des Modells
+hold-another = um einen anderen Parameter einer solchen Gruppe festzuhalten, ihn unter `hold` in [identify] nennen; ohne Angabe ist es der letzte des Modells
 
 set-up-origin = { $origin ->
         [unit] `unit` des Exports
@@ -54,3 +54,87 @@ set-up-origin = { $origin ->
     }
 
 check-rigid-part = Einheit und Namen in `places_mm` prüfen und ob das Teil seit ihrer Bestimmung verändert wurde
+
+points-set-aside = { $count ->
+        [one] 1 Punkt ist beiseitegelegt
+       *[other] { $count } Punkte sind beiseitegelegt
+    }: { $points }
+    .hint = sie liegen weiter vom Element aller anderen, als Rauschen erklärt
+
+foreign-points = { $count ->
+        [one] 1 Punkt liegt weit vom Element aller anderen ({ $points }) und verschiebt
+       *[other] { $count } Punkte liegen weit vom Element aller anderen ({ $points }) und verschieben
+    } den Ausgleich um { FIXED($shift, 1) } Standardunsicherheiten
+    .hint = sie ansehen; `--robust` legt sie beiseite
+plan-cube = { $shape ->
+        [square] das größte Quadrat
+       *[cube] der größte Würfel
+    } im angegebenen Arbeitsraum, Kanten parallel zu den Achsen; C1 bis C4, beginnend beim kleinsten x und y
+plan-poses = P1: Mitte; P2 bis P5: auf den Diagonalen der Prüfebene, 10 % ihrer Länge von den Ecken entfernt, in der Reihenfolge der Ecken
+plan-clauses = P1 bis P5, Lasten, Geschwindigkeiten und 30 Zyklen folgen dem Text der Norm; Bahnen, andere Anzahlen und die Reihenfolge der Ecken wurden nicht mit einem gekauften Exemplar verglichen
+plan-reach-not-examined = nicht geprüft: ob der Roboter die Posen erreicht und ob sich zwischen ihnen alle Gelenke bewegen
+plan-reach = Reichweite: nach den Nennparametern und Grenzen der Roboterdatei; von mehreren Arbeitsmodi gilt für eine ganze Liste der, der die meisten ihrer Posen erreicht; { $moves ->
+        [all] zwischen P1 und P5 bewegen sich alle Gelenke
+       *[some] zwischen P1 und P5 bewegen sich manche Gelenke nicht, obwohl die Norm es von allen verlangt
+    }
+covariance-not-square = seine Kovarianz ist nicht quadratisch mit { $identified } Zeilen, je identifizierten Parameter eine
+uncertainty-negative = eine Standardunsicherheit oder Varianz ist negativ oder keine Zahl
+parameter-listed-twice = es enthält den Parameter `{ $parameter }` zweimal
+
+method-levenberg-marquardt = Levenberg-Marquardt mit Block-QR und skalierten Spalten, Abschluss mit Gauß-Newton
+method-enclosing = kleinstes umschließendes Element, durch { $points } Punkte bestimmt
+method-minimum-zone = Minimumzone (Tschebyschow)
+action-add-cycles = { $count ->
+        [one] Pose { $poses }
+       *[other] die Posen { $poses }
+    } mindestens { $required }-mal anfahren
+action-add-cycles-reason = die kleinste Zahl der Anfahrten einer Pose ist { $least }: die Intervalle von AP und RP sind daher breit
+action-add-effect = `{ $line }` in robot.toml ergänzen
+action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratischer Mittelwert)
+action-add-validation = Posen zur Validierung messen und unter `validation` in [identify] angeben
+action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als die an neuen Posen
+action-finer-instrument = mit einer erweiterten Messunsicherheit von höchstens { $uncertainty } messen
+action-finer-instrument-reason = U = { $uncertainty } ist { $percent } % der Kenngröße an { $count ->
+        [one] Pose { $poses }
+       *[other] den Posen { $poses }
+    }; ISO 9283 erlaubt 25 %
+action-keep-nominal = { $count ->
+        [0] die Nennparameter behalten
+       *[other] { $formats } nicht laden
+    }
+action-keep-nominal-reason = RMS-Abweichung { $rms }, größte Abweichung { $max }; Nennparameter: { $nominal_rms } und { $nominal_max }
+action-load = `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(oder { $others })
+    } laden
+action-load-reason = erwartete Abweichung { $expected }, mit Nennparametern { $nominal } (quadratischer Mittelwert an { $count } { $set ->
+        [validation] Validierungsposen
+       *[calibration] Kalibrierposen
+    })
+action-load-synthetic = `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(oder { $others })
+    } in eine simulierte Steuerung laden, nicht in einen Roboter: die Daten sind synthetisch
+action-measure-again = { $count ->
+        [one] Pose { $poses }
+       *[other] Posen { $poses }
+    } erneut messen{ $more ->
+        [0] {""}
+       *[other] {" "}(weitere abweichende Posen: { $more })
+    }
+action-measure-again-reason = Pose { $pose } passt nicht zu den anderen: { $error }, { $times } σ
+action-measure-quantity = die Größe von `{ $limit }` an den entscheidenden Posen messen oder den Grenzwert entfernen
+action-measure-quantity-reason = der Grenzwert einer nicht gemessenen Größe ist nicht beurteilbar
+action-meet-limit = die Ursache der Abweichungen suchen: { $limit }
+action-meet-limit-at-pose = die Ursache der Abweichung an Pose { $pose } suchen: { $limit }
+action-meet-limit-reason = { $value }, Grenzwert { $limit }: um { $beyond } überschritten
+action-prove-effects = `{ $line }` in [identify] angeben
+action-reduce-uncertainty = die Messunsicherheit verringern: { $limit }
+action-reduce-uncertainty-by-source = U = { $present }; für eine Entscheidung nötig: { $required }; größter Beitrag: { $source } ({ $percent } %)
+action-reduce-uncertainty-reason = U = { $present }; für eine Entscheidung nötig: { $required }
+action-resolve = diese Warnung klären
+action-state-limits = die Toleranz der Anwendung in [limits] angeben
+action-state-limits-reason = ohne Grenzwerte gibt es keine Bewertung
+action-warm-up = den Roboter vor der Prüfung warmfahren und `warm_up_minutes` angeben
+action-warm-up-cold = der Roboter wurde kalt geprüft
+action-warm-up-drift = Drift von AP: { $change } in { $cycles } Zyklen, nicht abgeklungen

@@ -6,20 +6,20 @@ input-is-folder = `{ $folder }` ist ein Ordner
     .expected = eine Datei
     .hint = eine Datei darin angeben: { $files }
 
-input-missing = es gibt keine Datei `{ $file }`
+input-missing = die Datei `{ $file }` existiert nicht
 
 simulate-the-file = sie aus truth.toml schreiben: `etalon simulate { $folder }`
 
-place-the-file = die Datei an diesen Pfad kopieren oder einen anderen angeben: Pfade beginnen im Ordner der Kampagne
+place-the-file = die Datei an diesen Ort kopieren oder einen anderen Pfad angeben: Pfade beginnen im Ordner der Kampagne
 
 name-a-file = der Ordner enthält { $files }
 
-line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
+line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
     .hint = die Datei als Text mit Zeilen exportieren: sie ist wohl eine binäre Aufzeichnung oder ein Archiv
 
 file-not-text = `{ $file }` ist { $kind ->
         [matlab] eine MATLAB-Datei
-        [matlab-hdf5] eine MATLAB-Datei von -v7.3 (HDF5)
+        [matlab-hdf5] eine MATLAB-Datei im Format -v7.3 (HDF5)
         [numpy] eine NumPy-Datei
         [hdf5] eine HDF5-Datei
         [gzip] mit gzip komprimiert
@@ -30,9 +30,9 @@ file-not-text = `{ $file }` ist { $kind ->
     }
     .expected = Text, eine Arbeitsmappe (.xlsx) oder eine Aufzeichnung (.mcap)
     .hint = { $kind ->
-        [matlab] als Protokoll `format = "matlab"` angeben; sonst die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
+        [matlab] ist es ein Protokoll, `format = "matlab"` angeben; sonst die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
         [matlab-hdf5] sie in MATLAB neu mit `-v7` speichern: S = load('DATEI'); save('NEU.mat', '-struct', 'S', '-v7')
-        [numpy] als Protokoll `format = "numpy"` angeben; sonst die Tabelle mit `numpy.savetxt` als Text schreiben und die Spalten angeben
+        [numpy] ist es ein Protokoll, `format = "numpy"` angeben; sonst die Tabelle mit `numpy.savetxt` als Text schreiben und die Spalten angeben
         [hdf5] die Tabelle als Text schreiben und die Spalten angeben
         [gzip] die Datei entpacken
         [xls] sie als .xlsx oder als Text speichern
@@ -41,13 +41,13 @@ file-not-text = `{ $file }` ist { $kind ->
        *[pdf] die Punkte als Text exportieren
     }
 
-encoding-differs = die Datei beginnt mit der Marke von { $of_file }; die Kampagne gibt { $stated } an
-    .hint = `encoding` weglassen: die Marke der Datei gibt sie an
+encoding-differs = die Datei beginnt mit der Byte-Reihenfolge-Marke (BOM) von { $of_file }; die Kampagne gibt { $stated } an
+    .hint = `encoding` entfernen: die Marke der Datei gibt die Kodierung an
 
-encoding-invalid = Byte { $byte } (Zeile { $line }, { $hex }) ist nicht { $encoding }
-    .hint = angeben, wie die Datei geschrieben wurde, zum Beispiel `encoding = "windows-1252"`
+encoding-invalid = Byte { $byte } (Zeile { $line }, { $hex }) ist in { $encoding } nicht gültig
+    .hint = die Kodierung der Datei angeben, zum Beispiel `encoding = "windows-1252"`
 
-encoding-windows = angeben, wie die Datei geschrieben wurde, zum Beispiel `encoding = "windows-1252"`: das Byte ist dann `{ $character }`
+encoding-windows = die Kodierung der Datei angeben, zum Beispiel `encoding = "windows-1252"`: das Byte ist dann `{ $character }`
 
 nul-byte = die Datei enthält ein NUL-Byte (Zeile { $line })
     .expected = Text
@@ -59,11 +59,11 @@ sheet-too-large = Blatt `{ $sheet }` hat eine Zelle in Spalte { $column }, Zeile
     .expected = höchstens { $columns } Spalten und { $rows } Zeilen
     .hint = die Zelle löschen oder die Tabelle in ein eigenes Blatt kopieren
 
-workbook-too-large = die entpackte Arbeitsmappe ist größer als { $most_mib } MiB
+workbook-too-large = die entpackte Arbeitsmappe ist größer als { $most_mib } MiB
     .hint = das Blatt allein oder als Text speichern
 
 workbook-unreadable = die Arbeitsmappe kann nicht gelesen werden: { $reason }
-    .hint = sie neu als .xlsx oder das Blatt als Text speichern
+    .hint = sie neu als .xlsx speichern oder das Blatt als Text
 
 cells-unordered = die Zellen von Blatt `{ $sheet }` sind nicht aufsteigend geordnet (Zeile { $row })
 
@@ -72,7 +72,7 @@ xml-malformed = das XML ist nicht wohlgeformt: { $reason }
 
 entity-unknown = die Entität `&{ $name };` ist unbekannt
 
-second-root-element = ein zweites Wurzelelement folgt
+second-root-element = die Datei enthält ein zweites Wurzelelement
 
 xml-doctype = die XML-Datei deklariert einen Dokumenttyp
     .hint = `<!DOCTYPE ...>` entfernen: Messungen brauchen keinen
@@ -83,9 +83,9 @@ nested-too-deep = `{ $name }` ist { $depth } Ebenen tief geschachtelt
 
 file-too-many-items = die Datei hat mehr als { $most } { $items ->
         [elements] XML-Elemente
-       *[points] Punkte in ihren Elementen
+       *[points] Punkte in ihren Geometrieelementen
     }
-    .hint = weniger Elemente auf einmal exportieren
+    .hint = weniger Geometrieelemente auf einmal exportieren
 
 file-cut-off = die Datei endet vor { $missing }
     .hint = die Datei neu exportieren oder kopieren: sie ist unvollständig
@@ -128,7 +128,7 @@ record-missing = `{ $parent }` hat kein `{ $record }`
     .hint = die Datei mit diesem Datensatz exportieren
 
 element-unsupported = `{ $element }` wird nicht unterstützt
-    .hint = die Punkte ohne diese Angabe exportieren
+    .hint = die Punkte ohne dieses Element exportieren
 
 export-points-as-text = die Punkte als Text exportieren: QIF gibt die Bytefolge binärer Punkte nicht an
 
@@ -146,29 +146,29 @@ head-of-a-run = den Kopf eines Messlaufs
 
 output-of-program = die Ausgabedatei angeben, die das Programm schreibt
 
-calypso-head = die Datei `_chr` oder `_fet` daneben angeben; der Kopf nennt die Längeneinheit `{ $unit }` und eine Werkstücktemperatur von { $temperature } °C
+calypso-head = die zugehörige Datei `_chr` oder `_fet` angeben; der Kopf nennt die Längeneinheit `{ $unit }` und eine Werkstücktemperatur von { $temperature } °C
 
 export-measured-points = die gemessenen Punkte statt der Geometrie des Teils exportieren
 
-export-one-dfq = Beschreibung und Werte in einer Datei .dfq exportieren: .dfd hat keine Werte, .dfx keine Namen
+export-one-dfq = Beschreibung und Werte in einer einzigen .dfq-Datei exportieren: eine .dfd-Datei enthält keine Werte, eine .dfx-Datei keine Namen
 
 fields-of-columns = { $count } Felder, wie `columns` angibt
 
 polyworks-fields = `x y z` oder `x y z i j k`, davor wahlweise ein Name
 
-spatialanalyzer-fields = `collection, group, target, x, y, z` oder die letzten fünf, vier oder drei davon
+spatialanalyzer-fields = `collection, group, target, x, y, z` oder die letzten fünf, vier oder drei dieser Felder
 
 three-to-eight-numbers = drei bis acht Zahlen, durch Kommas getrennt
 
-propose-format = Trennzeichen, Dezimalzeichen und Anführungszeichen der Zeile prüfen, und ob die Datei abgeschnitten ist; `etalon formats DATEI` schlägt vor, wie die Datei zu lesen ist
+propose-format = Trennzeichen, Dezimalzeichen und Anführungszeichen der Zeile prüfen und ob die Datei abgeschnitten ist; `etalon formats DATEI` schlägt vor, wie die Datei zu lesen ist
 
 quote-names = Namen mit Leerzeichen in Anführungszeichen setzen, oder Trennzeichen und Spalten angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
 
-state-as-delimited = eine Datei mit Namen oder Tabulatoren als getrennten Text angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
+state-as-delimited = eine Datei mit Namen oder Tabulatoren als Text mit Trennzeichen angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
 
 state-columns = die Achsen als Kommentar exportieren oder die Spalten angeben: format = {"{"} delimiter = "{ $delimiter }", comment = "//", columns = [{ $columns }] {"}"}
 
-commas-in-commas = den Bericht mit Semikolons exportieren: Dezimalkommas und trennende Kommas sind nicht unterscheidbar
+commas-in-commas = den Bericht mit Semikolons exportieren: Dezimalkommas sind von trennenden Kommas nicht unterscheidbar
 
 number-count-differs = `{ $name }` hat { $found ->
         [one] 1 Zahl
@@ -179,7 +179,7 @@ number-count-differs = `{ $name }` hat { $found ->
 
 three-per-point = drei Zahlen je Punkt
 
-dmis-continuation = prüfen, ob die Datei abgeschnitten ist: ein Datensatz geht nur nach einer Zeile weiter, die mit `$` endet
+dmis-continuation = prüfen, ob die Datei abgeschnitten ist: ein Datensatz wird nur nach einer Zeile fortgesetzt, die mit `$` endet
 
 stated-count-differs = `{ $name }` hat { $found ->
         [one] 1 Wert
@@ -227,7 +227,7 @@ quote-unmatched = { $fault ->
         [open] ein Anführungszeichen wird in seiner Zeile nicht geschlossen
        *[behind] Text folgt auf ein schließendes Anführungszeichen
     }
-    .hint = das Anführungszeichen schließen; in einem Feld mit Anführungszeichen wird es doppelt geschrieben
+    .hint = das Anführungszeichen schließen; innerhalb eines Felds in Anführungszeichen wird ein Anführungszeichen doppelt geschrieben
 
 row-is-comment = die Zeile `{ $row }` würde als Kommentar gelesen
     .hint = ein anderes `comment` angeben
@@ -247,25 +247,25 @@ coordinates-not-cartesian = die Koordinaten sind `{ $found }`
 
 export-cartesian-or-columns = kartesische Koordinaten exportieren oder die Spalten angeben: format = {"{"} delimiter = ",", comment = "//", columns = [{ $columns }], angle_unit = "deg" {"}"}
 
-coordinate-system-differs = die Punkte von `{ $feature }` sind in `{ $found }`
+coordinate-system-differs = die Punkte von `{ $feature }` sind im Koordinatensystem `{ $found }`
     .expected = `{ $needed }`
-    .hint = alle Punkte in einem Koordinatensystem exportieren
+    .hint = alle Punkte in demselben Koordinatensystem exportieren
 
-coordinates-look-spherical = x, y und z sehen aus wie Azimut (rad), Zenit (rad) und Entfernung
+coordinates-look-spherical = x, y und z sehen aus wie Azimut (rad), Zenitwinkel (rad) und Entfernung
     .expected = kartesische Koordinaten: alle Zeilen haben zwei kleine Winkel und eine Länge
     .hint = die Spalten "azimuth", "zenith", "distance" mit `angle_unit = "rad"` angeben, oder `coordinates = "cartesian"`
 
 orientation-incomplete = die Orientierung hat { $found } von { $needed } Zahlen
     .hint = die Orientierung vervollständigen oder alle ihre Zellen leer lassen
 
-direction-not-unit = die Richtung ({ $i }; { $j }; { $k }) hat die Länge { FIXED($length, 3) }
+direction-not-unit = der Richtungsvektor ({ $i }; { $j }; { $k }) hat die Länge { FIXED($length, 3) }
     .expected = ein Einheitsvektor
 
-skip-columns = die Spalten mit "-" auslassen, falls sie etwas anderes sind
+skip-columns = die Spalten mit "-" auslassen, falls sie eine andere Größe enthalten
 
 skip-direction-angles = die Spalten mit "-" auslassen: sie sind die Winkel der Richtung (deg)
 
-direction-zero = die Richtung `{ $direction }` hat keine Länge
+direction-zero = der Richtungsvektor `{ $direction }` ist null
     .expected = drei Zahlen, nicht alle null
 
 direction-notation-differs = die Richtung ist als { $found ->
@@ -300,21 +300,21 @@ file-unit-missing = die Datei gibt ihre { $quantity ->
 unit-factor-invalid = die Einheit hat den Faktor { $factor } und den Versatz { $offset }
     .expected = ein positiver Faktor, kein Versatz
 
-format-without-unit = das Format `{ $format }` kann nicht die Einheit { $unit } haben
+format-without-unit = im Format `{ $format }` ist die Einheit { $unit } nicht möglich
     .expected = { $units }
     .hint = eine dieser Einheiten angeben
 
 format-not-simulated = `etalon simulate` kann { $kind ->
         [fixed] keine festen Breiten oder Arbeitsmappen
         [types] keine Zeilen mit eigener Koordinatenart
-        [numbers] keine Spalten, die nur eine Nummer haben,
+        [numbers] keine nur durch Nummern angegebenen Spalten
        *[qif] kein QIF
     } schreiben
     .hint = { $kind ->
         [fixed] für diesen Export ein `delimiter` angeben
         [types] `columns` mit einer Koordinatenart angeben
         [numbers] die Namen der Spalten angeben
-       *[qif] für diesen Export `format = "polyworks"` oder ein getrenntes Format angeben
+       *[qif] für diesen Export `format = "polyworks"` oder ein Format mit Trennzeichen angeben
     }
 
 label-pattern-invalid = { $fault ->
@@ -325,13 +325,13 @@ label-pattern-invalid = { $fault ->
     .expected = Text mit {"{"}target{"}"}, {"{"}pose{"}"} und {"{"}cycle{"}"}, je höchstens einmal
     .hint = `label` berichtigen
 
-state-encoding = die Kodierung der Datei angeben: sie wurde in einer anderen gelesen
+state-encoding = die Kodierung der Datei angeben: die Datei wurde mit einer anderen gelesen
 
 several-data-sets = ein zweites `{ $record }`: die Datei hat mehrere Datensätze
     .hint = sie in eine Datei je Datensatz aufteilen, jede mit einem [[export]]
 
 characteristic-beyond-count = es gibt kein Merkmal { $index }: K0100 gibt { $count } an
-    .hint = die Datei neu exportieren: sie wurde bearbeitet oder aus mehreren zusammengesetzt
+    .hint = die Datei neu exportieren: sie wurde bearbeitet oder aus mehreren Dateien zusammengesetzt
 
 value-of-piece-missing = Wert { $number } von `{ $name }` gehört zu Teil { $piece }: ein früherer Wert fehlt
     .hint = nicht gemessene Werte mit dem Attribut 255 (K0002) exportieren
@@ -344,9 +344,9 @@ coordinate-counts-differ = `{ $name }` hat { $found ->
 
 metric-misplaced = `METRIC` steht außerhalb der Spalten 11 bis 16: die Einheit ist mehrdeutig (inch oder mm)
     .expected = `XYZIJK    METRIC`, oder `XYZIJK` allein für Zoll
-    .hint = Zeile 1 berichtigen oder die Datei als getrennten Text mit ihrer Einheit angeben
+    .hint = Zeile 1 berichtigen oder die Datei als Text mit Trennzeichen und ihrer Einheit angeben
 
-vertex-not-finite = Punkt { $number } (`vertex`) ist { $coordinates }
+vertex-not-finite = Punkt { $number } (`vertex`) hat die Koordinaten { $coordinates }
     .expected = endliche Koordinaten
     .hint = nur die gemessenen Punkte exportieren
 
@@ -357,9 +357,9 @@ line-number-differs = die Spalten 73 bis 80 enthalten `{ $digits }`: eine Zeilen
 feature-without-points = `{ $feature }` hat keine verwendbaren Punkte: { $message }
 
 compensation-mixed = die Punkte haben verschiedene Tasterkorrekturen
-    .hint = diese Punkte getrennt ausgleichen
+    .hint = für diese Punkte getrennte Anpassungen rechnen
 
-reference-broken = `{ $name }` verweist auf { $id }; das ist kein `{ $kind }` dieser Datei
+reference-broken = `{ $name }` verweist auf { $id }: das ist kein `{ $kind }` dieser Datei
 
 reference-external = die Punktmenge { $id } ist in einem anderen Dokument
     .hint = Element und Punkte in einem Dokument exportieren
@@ -369,8 +369,8 @@ point-range-invalid = `{ $range }` ist kein Bereich der Punktmenge { $id } (Zeil
 
 point-set-unused = kein Element verweist auf die Punktmenge { $id }
 
-id-repeated = die Id { $id } ist zweimal vergeben, zuerst in Zeile { $line }: Verweise gelten der ersten
-    .hint = die Datei neu exportieren: sie wurde aus mehreren zusammengesetzt
+id-repeated = die Kennung { $id } ist zweimal vergeben, zuerst in Zeile { $line }: Verweise gelten der ersten
+    .hint = die Datei neu exportieren: sie wurde aus mehreren Dateien zusammengesetzt
 
 further-messages = { $count ->
         [one] 1 weitere Meldung
@@ -380,21 +380,21 @@ further-messages = { $count ->
 recording-unreadable = die Aufzeichnung kann nicht gelesen werden: { $fault ->
         [checksum] die Prüfsumme eines Blocks weicht ab
         [compression] ein Block ist anders als mit LZ4 oder Zstandard komprimiert
-        [size] ein Block ist größer als 256 MiB
+        [size] ein Block ist größer als 256 MiB
         [unpack] ein Block kann nicht entpackt werden
         [channel] eine Nachricht hat keinen Kanal
        *[end] sie endet mitten in einem Eintrag
     }
     .hint = sie mit `mcap recover DATEI -o REPARIERT` reparieren oder neu kopieren
 
-recording-missing = die Datei ist keine MCAP-Aufzeichnung und hat daher kein Topic `{ $topic }`
+recording-missing = die Datei ist keine MCAP-Aufzeichnung und enthält daher kein Topic `{ $topic }`
     .hint = die .mcap-Datei im Ordner der Aufzeichnung angeben oder `topic` weglassen
 
 topic-not-stated = die Datei ist eine Aufzeichnung (MCAP), und `topic` fehlt
 
 topic-missing = die Aufzeichnung hat keine Nachricht des Topics `{ $topic }`
 
-topic-too-large = die Nachrichten des Topics `{ $topic }` sind größer als { $most_mib } MiB
+topic-too-large = die Nachrichten des Topics `{ $topic }` sind größer als { $most_mib } MiB
     .hint = die Aufzeichnung auf die Zeit der Messungen kürzen: `mcap filter DATEI -o KURZ --start SEKUNDEN --end SEKUNDEN`
 
 topic-type-unknown = das Topic `{ $topic }` hat Nachrichten des Typs `{ $message }`
@@ -430,20 +430,44 @@ recording-without-known-topics = die Aufzeichnung hat kein Topic mit Gelenkwerte
     .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped oder geometry_msgs/PointStamped
     .hint = ein Topic mit einem dieser Typen aufzeichnen
 
-array-missing = die Datei hat kein Zahlenfeld `{ $column }`
+array-missing = die Datei hat kein Zahlenarray `{ $column }`
 
-array-part-unknown = `{ $column }` ist nicht eine Spalte: `{ $name }` hat die Größe { $shape }
-    .hint = den Teil wie in der Sprache der Datei schreiben: `{ $example }`
+array-part-unknown = `{ $column }` ist nicht genau eine Spalte: `{ $name }` hat die Größe { $shape }
+    .hint = den Teil so schreiben wie in der Sprache, aus der die Datei stammt: `{ $example }`
 
 array-lengths-differ = `{ $first }` hat { $count } Zahlen und `{ $second }` hat { $other }
     .expected = Spalten gleicher Länge
-    .hint = Felder einer Aufzeichnung angeben; eine Matrix, deren Spalten Zeitpunkte sind, hat ihre Gelenke in Zeilen
+    .hint = Arrays einer einzigen Aufzeichnung angeben; eine Matrix, deren Spalten Zeitpunkte sind, hat ihre Gelenke in Zeilen
 
-arrays-unreadable = die Datei kann nicht als Felder von { $format ->
+arrays-unreadable = die Datei kann nicht als Arrays von { $format ->
         [numpy] NumPy (.npz, .npy)
-       *[matlab] MATLAB (.mat von -v6 oder -v7)
+       *[matlab] MATLAB (.mat im Format -v6 oder -v7)
     } gelesen werden
     .hint = sie neu speichern oder `format` berichtigen
 
-arrays-too-large = die Felder der Datei sind größer als { $most_mib } MiB
-    .hint = nur die Felder der Messung speichern
+arrays-too-large = die Arrays der Datei sind größer als { $most_mib } MiB
+    .hint = nur die Arrays der Messung speichern
+
+sheet-not-stated = eine Arbeitsmappe, deren Blatt nicht angegeben ist; sie enthält { $sheets }
+    .hint = das Blatt (`sheet`) angeben
+
+state-sheet = `sheet = "{ $sheet }"` angeben (Option --sheet)
+
+state-column = ist es die Spalte `{ $heading }`, `columns = {"{"} { $column } = "{ $heading }" {"}"}` angeben (Option --column)
+row-marked-deleted = weggelassen: als gelöscht markiert (`{ $cell }`)
+row-left-out-by-cell = weggelassen: `{ $column }` ist `{ $cell }`
+row-without-coordinates = nicht gemessen: keine Koordinaten
+row-not-measured = nicht gemessen: { $column } ist `{ $cell }`
+characteristic-of-no-axis = keine Koordinate: der Name des Merkmals endet nicht auf X, Y oder Z
+feature-of-no-point = ein Element `{ $kind }`: sein Punkt kann überall auf dem Element liegen
+feature-not-read = ein Element `{ $kind }`: diese Art wird nicht gelesen
+point-incomplete = kein Punkt: { $found } ohne { $missing }
+probe-centre-no-point = ein Tastermittelpunkt, kein Punkt des Elements
+
+log-delimited = Trennzeichen `{ $delimiter }`, Dezimalzeichen `{ $decimal }`
+log-of-format = { $format }, { $read }
+log-with-start = { $read }, Beginn { $start }
+read-with-decimal-comma = { $format }, Dezimalzeichen `,`
+
+value-without-label = ein Wert ohne Bezeichnung
+primitive-no-point = ein Grundelement der Art `{ $kind }`, kein Punkt

@@ -18,7 +18,7 @@ element = { $name ->
 
 element-unknown = unbekanntes Element `{ $name }`
 
-probe-radius-not-positive = der Tasterradius ist { $radius } mm
+probe-radius-not-positive = der Tasterradius ist { $radius } mm
     .expected = eine positive Zahl
     .hint = den qualifizierten Radius des Tasters angeben, nicht den Durchmesser; bei Kontaktpunkten weglassen
 
@@ -30,33 +30,33 @@ probe-side-needs-inside = eine Richtung gibt für das Element { $element } nicht
     .expected = inside (Bohrung) oder outside (Welle)
     .hint = angeben, wo die Kugel war: inside oder outside
 
-probe-direction-zero = die Richtung { $direction } zum Taster hat keine Länge
+probe-direction-zero = der Richtungsvektor { $direction } zum Taster ist null
     .expected = drei endliche Zahlen, nicht alle null
     .hint = die Richtung von der Oberfläche zum Taster angeben
 
-probe-direction-along-element = die Richtung { $direction } zum Taster verläuft entlang des Elements { $element }
+probe-direction-along-element = die Richtung { $direction } zum Taster ist parallel zum Element { $element }
     .expected = eine Richtung vom Element weg
     .hint = die Richtung von der Oberfläche zum Taster angeben
 
-probe-larger-than-element = ein Taster mit dem Radius { $probe_mm } mm kann das Element { $element } nicht von außen berühren
-    .expected = Mittelpunkte auf einem größeren Radius als dem des Tasters; der Radius ist { FIXED($centres_mm, 6) } mm
+probe-larger-than-element = ein Taster mit dem Radius { $probe_mm } mm kann das Element { $element } nicht von außen berühren
+    .expected = Mittelpunkte auf einem größeren Radius als dem des Tasters; dieser Radius ist { FIXED($centres_mm, 6) } mm
     .hint = die andere Seite angeben: der Taster war innen
 
-compensated-twice = die Ausgleichung ist schon um den Taster korrigiert
-    .expected = eine Ausgleichung der Tastermittelpunkte
-    .hint = einmal korrigieren
+compensated-twice = die Anpassung ist schon um den Tasterradius korrigiert
+    .expected = eine Anpassung an die Tastermittelpunkte
+    .hint = nur einmal korrigieren
 
 held-radius-unsupported = das Element { $element } hat keinen Radius
     .expected = kein Radius
     .hint = den Radius weglassen
 
-held-radius-not-positive = der festgehaltene Radius ist { $radius } mm
+held-radius-not-positive = der festgehaltene Radius ist { $radius } mm
     .expected = eine positive Zahl
     .hint = den Radius in Millimetern angeben
 
-held-radius-below-probe = ein Taster im Element { $element } mit dem Radius { $radius } mm hat seine Mittelpunkte bei { $centres } mm
+held-radius-below-probe = ein Taster im Element { $element } mit dem Radius { $radius } mm hätte seine Mittelpunkte auf dem Radius { $centres } mm
     .expected = ein Taster, der kleiner als der festgehaltene Radius ist
-    .hint = die andere Seite oder den Radius angeben
+    .hint = die andere Seite angeben oder den Radius berichtigen
 
 held-axis-unsupported = das Element { $element } hat keine Achse
     .expected = keine Achse
@@ -66,39 +66,39 @@ held-axis-zero = die festgehaltene Achse { $axis } hat keine Richtung
     .expected = drei Zahlen, nicht alle null
     .hint = die Achse angeben
 
-element-not-found = kein Element { $element } durch die Punkte gefunden
+element-not-found = für die Punkte wurde kein Element { $element } gefunden
     .expected = Punkte auf einem Element { $element }
     .hint = prüfen, ob die Punkte zu diesem Element gehören; sonst die Achse festhalten
 
 element-ambiguous = ein anderes Element { $element } passt fast ebenso gut zu den Punkten
     .hint = dort mehr Punkte messen, wo das Element nicht erfasst ist, oder die Achse festhalten
 
-element-not-determined = kein Element { $element } konnte angepasst werden: { $termination }
+element-not-determined = das Element { $element } konnte nicht angepasst werden: { $termination }
     .expected = Punkte, die ein Element { $element } bestimmen
-    .hint = die Punkte prüfen: zu kurzer Bogen, zu gerade oder anderes Element; sonst Radius oder Achse festhalten
+    .hint = die Punkte prüfen: zu kurzer oder zu gerader Bogen, oder ein anderes Element; sonst Radius oder Achse festhalten
 
-zone-flat = keine Minimumzone des Elements { $element }: die Punkte liegen ebenso nahe an einer Ebene
-    .expected = Punkte auf einem Teil der Fläche, der höher als die Formabweichung ist
-    .hint = mehr von der Fläche messen oder die Minimumzone einer Ebene auswerten
+zone-flat = keine Minimumzone des Elements { $element }: eine Ebene passt ebenso gut zu den Punkten
+    .expected = Punkte auf einem Teil der Fläche, dessen Höhe größer ist als die Formabweichung
+    .hint = einen größeren Teil der Fläche messen oder die Minimumzone einer Ebene auswerten
 
-zone-straight = keine Minimumzone eines Kreises: die Punkte liegen ebenso nahe an einer Geraden
-    .expected = Punkte auf einem Bogen, der höher als die Formabweichung ist
+zone-straight = keine Minimumzone eines Kreises: eine Gerade passt ebenso gut zu den Punkten
+    .expected = Punkte auf einem Bogen, dessen Höhe größer ist als die Formabweichung
     .hint = einen längeren Bogen messen oder die Minimumzone einer Geraden auswerten
 
 zone-unsupported = die Minimumzone des Elements { $element } ist nicht verfügbar
     .expected = line2d, plane, circle2d, circle3d, sphere, cylinder oder cone
-    .hint = die Ausgleichung nach kleinsten Quadraten verwenden
+    .hint = die Anpassung nach kleinsten Quadraten verwenden
 
-point-counts-differ = { $from } Punkte können nicht { $to } zugeordnet werden
+point-counts-differ = { $from } Punkte können nicht { $to } Punkten zugeordnet werden
     .expected = dieselbe Anzahl von Punkten in derselben Reihenfolge
     .hint = jede Zielmarke in beiden Listen einmal nennen
 
-rotation-ambiguous = keine starre Transformation bestimmbar: mehrere Drehungen passen gleich gut
+rotation-ambiguous = keine starre Transformation kann angepasst werden: mehrere Drehungen passen gleich gut
     .expected = zwei Punktmengen derselben Form
     .hint = prüfen, ob beide Listen die Zielmarken in derselben Reihenfolge nennen und keine gespiegelt ist
 
-rotation-uncertain = die Drehung hat eine erweiterte Unsicherheit von { FIXED($expanded_deg, 1) } deg (k = 2)
-    .hint = weiter entfernte Zielmarken verwenden und prüfen, ob ihre Namen vertauscht sind
+rotation-uncertain = die Drehung hat eine erweiterte Messunsicherheit von { FIXED($expanded_deg, 1) } deg (k = 2)
+    .hint = Zielmarken mit größerem Abstand voneinander verwenden und prüfen, ob ihre Namen vertauscht sind
 
 too-few-points = { $count ->
         [one] 1 Punkt ist
@@ -107,11 +107,11 @@ too-few-points = { $count ->
     .expected = mindestens { $minimum } Punkte
     .hint = mehr Punkte messen oder alle Punkte nennen, die zum Element gehören
 
-point-not-finite = Punkt { $number } des Elements { $element } ist { $coordinates }
+point-not-finite = Punkt { $number } des Elements { $element } hat die Koordinaten { $coordinates }
     .expected = endliche Koordinaten in Millimetern
     .hint = diesen Punkt im Export prüfen
 
-points-degenerate = kein Element { $element } bestimmbar: { $spanned ->
+points-degenerate = das Element { $element } kann nicht angepasst werden: { $spanned ->
         [0] alle Punkte sind gleich
         [1] alle Punkte liegen auf einer Geraden
        *[other] alle Punkte liegen in einer Ebene
@@ -124,17 +124,23 @@ points-degenerate = kein Element { $element } bestimmbar: { $spanned ->
     .hint = die Punkte über das Element verteilen
 
 weights-unusable = die { $weights } Gewichte des Elements { $element } passen nicht zu seinen { $points } Punkten
-    .expected = ein positives endliches Gewicht für jeden Punkt, innerhalb eines Faktors 1e12
-    .hint = 1/u² jedes Punktes verwenden; einen Punkt weglassen, statt ihm kein Gewicht zu geben
+    .expected = ein positives endliches Gewicht für jeden Punkt; zwei Gewichte im Verhältnis von höchstens 1e12
+    .hint = 1/u² jedes Punktes verwenden; einen Punkt weglassen, statt ihm das Gewicht null zu geben
 
 element-without-redundancy = das Element { $element } hat keinen überzähligen Punkt: die Residuen sind null und die Unsicherheit ist unbekannt
     .hint = mehr Punkte als die Mindestzahl messen
 
-radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $element } hat eine erweiterte Unsicherheit von { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
+radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $element } hat eine erweiterte Messunsicherheit von { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
         [none] {""}
-       *[other] {" "}über { $covered_deg } deg
+       *[other] {" "}über { $covered_deg } deg
     }
     .hint = einen längeren Bogen messen oder den Radius auf dem Nennwert festhalten
 
-cone-is-cylinder = der Kegelwinkel ist nicht von null unterscheidbar (k = 2)
+cone-is-cylinder = der Kegelwinkel ist nicht signifikant von null verschieden (k = 2)
     .hint = einen Zylinder anpassen
+
+robust-few-points = ein robuster Ausgleich des Elements { $element } braucht { $needed } Punkte, nicht { $points }
+    .hint = mehr Punkte messen oder alle ausgleichen, ohne welche beiseitezulegen
+method-principal-directions = Hauptrichtungen der zentrierten Punkte
+method-orthogonal-distance = orthogonaler Abstand, Gauß-Newton mit Trust-Region
+method-circle-in-plane = Ebene nach kleinsten Quadraten, Projektion, Kreis in der Ebene nach orthogonalem Abstand

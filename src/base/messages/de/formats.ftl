@@ -2,17 +2,17 @@
 
 columns-in-two-forms = `columns` nennt { $quantity ->
         [orientation] zwei Formen der Orientierung
-       *[uncertainty] Standardunsicherheiten und erweiterte Unsicherheiten
+       *[uncertainty] Standardunsicherheiten und erweiterte Messunsicherheiten
     }
     .hint = die Spalten einer Form weglassen
 
 column-group-incomplete = `columns` nennt nur einen Teil von { $names }
-    .hint = alle oder keine nennen
+    .hint = alle diese Spalten nennen oder keine
 
 key-needs-columns = `{ $key }` braucht die Spalten { $columns }
     .hint = diese Spalten in `columns` nennen oder `{ $key }` entfernen
 
-coverage-factor-missing = erweiterte Unsicherheiten brauchen ihren Erweiterungsfaktor `coverage_factor`
+coverage-factor-missing = erweiterte Messunsicherheiten brauchen ihren Erweiterungsfaktor `coverage_factor`
     .hint = ihn in `format` angeben, zum Beispiel `coverage_factor = 2`
 
 uncertainty-column-count = `columns` nennt { $stated ->
@@ -37,7 +37,7 @@ column-width-zero = eine Spalte von `widths` ist 0 Zeichen breit
 more-columns-than-widths = `columns` nennt { $columns } Spalten, `widths` hat { $widths }
     .hint = eine Breite je Spalte angeben
 
-comma-ambiguous = ein Komma kann nicht zugleich Spalten trennen und Dezimalzeichen sein: `1,25` wäre eine Zahl oder zwei
+comma-ambiguous = ein Komma kann nicht zugleich Spaltentrennzeichen und Dezimalzeichen sein: `1,25` wäre eine Zahl oder zwei
     .hint = die Datei mit Semikolons oder Tabulatoren exportieren oder mit Dezimalpunkt
 
 thousands-mark-ambiguous = das Tausenderzeichen `{ $mark }` ist auch das { $other ->
@@ -49,7 +49,7 @@ thousands-mark-ambiguous = das Tausenderzeichen `{ $mark }` ist auch das { $othe
 column-role-twice = `columns` nennt `{ $role }` zweimal
     .hint = eine Angabe berichtigen; eine Spalte, die nicht gelesen wird, ist `-`
 
-coordinates-of-two-kinds = `columns` nennt Koordinaten fester Art und zugleich c1, c2, c3
+coordinates-of-two-kinds = `columns` nennt sowohl Koordinaten fester Art als auch c1, c2, c3
     .expected = entweder x, y, z oder Winkel und Abstände, oder c1, c2, c3
 
 row-types-missing = die Spalten c1, c2, c3 brauchen eine Spalte `type` und den Schlüssel `types`
@@ -78,7 +78,7 @@ coordinate-type-differs = `coordinates` gibt { $stated ->
     }
     .hint = eine Angabe berichtigen
 
-header-not-stated = `columns` nennt die Überschrift `{ $column }`, und keine Kopfzeile ist angegeben
+header-not-stated = `columns` nennt die Überschrift `{ $column }`, aber es ist keine Kopfzeile angegeben
     .hint = `header = 1` angeben oder die Nummer der Spalte nennen
 
 expression-malformed = der Ausdruck `{ $expression }` kann nicht gelesen werden: { $fault ->
@@ -92,7 +92,7 @@ expression-malformed = der Ausdruck `{ $expression }` kann nicht gelesen werden:
     }
     .expected = Überschriften, `$3` für die dritte Spalte und Zahlen, dazwischen + - * / und Klammern
 
-column-unknown = es gibt keine Spalte `{ $column }`
+column-unknown = unbekannte Spalte `{ $column }`
 
 table-failed = die Tabelle kann nicht gebildet werden: { $reason }
 
@@ -114,28 +114,28 @@ rows-left-out = { $count ->
        *[other] { $count } Zeilen
     } ausgelassen; die erste: { $reason }
 
-count-value-missing = `{ $key }` gibt den Wert eines Impulses nicht an: Galil-Felder enthalten Impulse des Messgebers
+count-value-missing = `{ $key }` gibt den Wert eines Impulses nicht an: Galil-Arrays enthalten Geberimpulse
     .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count in der Einheit des Schlüssels
 
-galil-array-hole = das Feld von `{ $column }` hat eine Lücke
-    .hint = das Feld erneut auslesen
+galil-array-hole = das Array von `{ $column }` hat eine Lücke
+    .hint = das Array erneut aus der Steuerung auslesen
 
-galil-array-ended = kein Impuls: das Feld von { $columns } ist zu Ende
+galil-array-ended = Wert fehlt: das Array von { $columns } ist zu Ende
 
-galil-array-empty = eines der Felder ist leer
-    .hint = die Felder nach dem Ende der Aufzeichnung erneut auslesen
+galil-array-empty = eines der Arrays ist leer
+    .hint = die Arrays nach dem Ende der Aufzeichnung erneut aus der Steuerung auslesen
 
-not-a-count = { $value } ist kein Impuls eines Messgebers
+not-a-count = { $value } ist keine Impulszahl eines Gebers
     .expected = eine ganze Zahl mit 32 Bit
-    .hint = sind die Werte skaliert, `format = "galil"` weglassen
+    .hint = sind die Werte schon umgerechnet, `format = "galil"` weglassen
 
-counter-wrapped = der Zähler ist übergelaufen: { $to } folgt auf { $from }
-    .hint = den Messgeber vor der Aufzeichnung auf null setzen
+counter-wrapped = der Zähler ist übergelaufen: auf { $from } folgt { $to }
+    .hint = den Geber vor der Aufzeichnung auf null setzen
 
 rsi-cycles-missing = { $count ->
         [one] 1 Zeile, in der
        *[other] { $count } Zeilen, in denen
-    } `IPOC` nicht um { $step_ms } ms weitergeht
+    } `IPOC` nicht um { $step_ms } ms weitergeht
     .hint = Telegramme gingen verloren: der aufzeichnende Rechner war zu spät
 
 ros-joints-change = Gelenk { $number } ist in dieser Zeile `{ $found }` und in der ersten `{ $first }`
@@ -152,13 +152,13 @@ log-key-inapplicable = `{ $key }` gilt nicht für { $column ->
        *[other] `{ $column }`
     }
     .hint = { $key ->
-        [per_count] `per_count` ist der Wert eines Impulses des Messgebers eines Gelenks: entfernen
-        [values] `values` gehört zu `format = "twincat"`: entfernen
-        [comment] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
-        [decimal] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
-        [delimiter] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
-        [encoding] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
-        [sheet] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
+        [per_count] `per_count` ist der Wert eines Geberimpulses und gilt nur für ein Gelenk: den Schlüssel entfernen
+        [values] `values` gehört zu `format = "twincat"`: den Schlüssel entfernen
+        [comment] eine Array-Datei enthält keinen Text: `{ $key }` entfernen
+        [decimal] eine Array-Datei enthält keinen Text: `{ $key }` entfernen
+        [delimiter] eine Array-Datei enthält keinen Text: `{ $key }` entfernen
+        [encoding] eine Array-Datei enthält keinen Text: `{ $key }` entfernen
+        [sheet] eine Array-Datei enthält keinen Text: `{ $key }` entfernen
         [header] ein TwinCAT-Export nennt seine Kanäle: `header` entfernen
        *[other] Kanäle eines TwinCAT-Exports haben eigene Zeiten: `{ $key }` entfernen
     }
@@ -172,8 +172,8 @@ write-column = `{ $key } = "{ $column }"` schreiben
 
 column-in-unit = eine Spalte in { $unit }
 
-header-words-missing = keine Zeile enthält die Wörter des Kopfes: { $words }
-    .hint = die Wörter aus der Kopfzeile der Datei abschreiben
+header-words-missing = keine Zeile enthält alle Wörter der Kopfzeile: { $words }
+    .hint = die Wörter aus der Kopfzeile der Datei übernehmen
 
 data-rows-missing = die Datei hat keine Datenzeilen
     .hint = sie erneut exportieren; enthält ihre einzige Zeile Werte, `header = false` angeben
@@ -197,17 +197,17 @@ state-delimiter = `delimiter = "{ $delimiter }"` und `decimal = "{ $decimal }"` 
 
 state-delimiter-of-rows = `delimiter` und `decimal` der Zeilen angeben
 
-header-holds-numbers = die Kopfzeile enthält nur Zahlen
-    .hint = hat die Datei keinen Kopf, `header = false` angeben und Spalten durch Nummern nennen
+header-holds-numbers = die Zeile, die die Spalten nennen soll, enthält Zahlen
+    .hint = hat die Datei keinen Kopf, `header = false` angeben und die Spalten mit Nummern angeben
 
-column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer genannt werden: { $format ->
-        [galil] Felder stehen in alphabetischer Reihenfolge, gleich zu welchem Gelenk sie gehören
+column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer angegeben werden: { $format ->
+        [galil] Arrays stehen in alphabetischer Reihenfolge, unabhängig von ihrem Gelenk
         [ros] die Reihenfolge der Gelenke ist beliebig
        *[twincat] die Reihenfolge der Kanäle wechselt von Export zu Export
     }
     .hint = ihren Namen angeben
 
-column-number-unknown = es gibt keine Spalte { $number }
+column-number-unknown = Spalte { $number } existiert nicht
     .expected = eine Nummer von 1 bis { $columns }
 
 heading-repeated = der Kopf hat { $times ->
@@ -223,14 +223,14 @@ assembly-mode-invalid = der Montagemodus ist { $value }
     .expected = 1 oder -1
     .hint = ihn berichtigen; ist er unbekannt, die Spalte `assembly` weglassen
 
-standstill-missing = der Roboter des Protokolls `{ $log }` steht nie { $at_least_s } s lang still
-    .hint = sein längster Stillstand innerhalb der Grenzen dauert { FIXED($longest_s, 3) } s: `at_least_s` und die Grenzen prüfen
+standstill-missing = der Roboter des Protokolls `{ $log }` steht nie { $at_least_s } s lang still
+    .hint = sein längster Stillstand innerhalb der Grenzen dauert { FIXED($longest_s, 3) } s: `at_least_s` und die Grenzen prüfen
 
 standstill-time-missing = [log.standstill] braucht die Zeiten der Zeilen
     .hint = `time_s`, `time_ms` oder `time_ns` in `columns` angeben oder `period_s`
 
 standstill-limit-missing = [log.standstill] hat keine Grenze für `{ $column }`
-    .hint = `{ $key }` angeben: der größte Unterschied zweier Werte im Stillstand
+    .hint = `{ $key }` angeben: die größte Differenz zweier Werte im Stillstand
 
 changes-at-standstill = `{ $column }` wechselt während eines Stillstands von { $from } zu { $to }
     .hint = die Spalte weglassen oder die Grenzen von [log.standstill] senken
@@ -243,22 +243,22 @@ simulated-column-unknown = `{ $key }` kann nicht simuliert werden
 
 log-columns-missing = `columns` dieses Protokolls nennt keinen Kanal
 
-twincat-two-scales = Kanal `{ $channel }` hat eine Skalierung, und seine Einheit auch
+twincat-two-scales = Kanal `{ $channel }` hat eine Skalierung, und auch seine Einheit hat eine
     .hint = skalierte Werte exportieren und `values = "scaled"` angeben
 
-twincat-scale-undecided = Kanal `{ $channel }` hat eine Skalierung (Faktor und Offset { $scale }, der Einheit { $unit_scale }): ob sie angewendet ist, ist unbekannt
-    .hint = `values = "raw"` oder `values = "scaled"` angeben, wie der Export eingestellt war
+twincat-scale-undecided = Kanal `{ $channel }` hat eine Skalierung (Faktor und Offset { $scale }, der Einheit { $unit_scale }): es ist unbekannt, ob sie schon angewendet ist
+    .hint = `values = "raw"` oder `values = "scaled"` angeben, je nach Einstellung des Exports
 
 channel-resumes = Kanal `{ $channel }` geht nach seinem Ende weiter
     .hint = die Aufzeichnung erneut exportieren
 
-channels-without-common-time = diese Kanäle haben keine gemeinsame Zeit
+channels-without-common-time = diese Kanäle haben keinen gemeinsamen Zeitpunkt
     .hint = Kanäle einer Task mit einer Abtastzeit exportieren
 
 channel-samples-unused = Kanal `{ $channel }`: { $count ->
         [one] 1 Abtastwert
        *[other] { $count } Abtastwerte
-    } ausgelassen, weil ein anderer Kanal zu diesen Zeiten keinen hat
+    } ausgelassen, weil ein anderer Kanal zu diesen Zeitpunkten keinen Abtastwert hat
 
 twincat-head-malformed = das ist kein Export von TwinCAT 3 Scope: { $part ->
         [first-line] die erste Zeile beginnt nicht mit `Name` und einem Trennzeichen
@@ -270,14 +270,14 @@ twincat-head-malformed = das ist kein Export von TwinCAT 3 Scope: { $part ->
 twincat-head-ragged = Zeile `{ $row }` des Kopfes hat { $fields } Felder, die Zeile der Namen { $width }: das Trennzeichen kommt auch in Werten oder Namen vor
     .hint = erneut exportieren, getrennt durch Tabulatoren oder Semikolons
 
-twincat-separated-by-blanks = der Export ist durch Leerzeichen getrennt, und ein Leerzeichen ist auch ein fehlender Wert und Teil von Namen
+twincat-separated-by-blanks = der Export ist durch Leerzeichen getrennt, aber ein Leerzeichen steht auch für einen fehlenden Wert oder ist Teil eines Namens
     .hint = erneut exportieren, getrennt durch Tabulatoren oder Semikolons
 
 channel-scale-not-number = `{ $key }` von Kanal `{ $channel }` ist `{ $value }`, keine Zahl
     .hint = die Aufzeichnung erneut exportieren
 
 delimiter-differs = der Export ist durch { $separator } getrennt
-    .hint = `delimiter` dieses Protokolls entfernen: der Export gibt es an
+    .hint = `delimiter` dieses Protokolls entfernen: der Export gibt sein Trennzeichen selbst an
 
 coordinates-differ = Ist- und Sollpositionen haben verschiedene Koordinaten
     .expected = die Koordinaten von `{ $file }`
@@ -291,17 +291,17 @@ columns-not-read = nicht gelesen: { $count ->
        *[other] Spalten
     } { $columns }
 
-joint-direction-missing = `backlash` von Gelenk `{ $joint }` braucht die Richtung, aus der es kam
-    .expected = eine Spalte `{ $column }`: +1, wo es von unten kam, -1 von oben
-    .hint = eine Kampagne entnimmt sie einem Protokoll mit Zeiten; oder das Gelenk aus `backlash` der Roboterdatei entfernen
+joint-direction-missing = `backlash` von Gelenk `{ $joint }` braucht die Anfahrrichtung
+    .expected = eine Spalte `{ $column }`: +1 bei Annäherung von kleineren Werten, -1 von größeren Werten
+    .hint = eine Kampagne entnimmt sie einem Protokoll mit Zeiten; andernfalls das Gelenk aus `backlash` der Roboterdatei entfernen
 
 joint-direction-invalid = `{ $column }` { $value ->
         [missing] fehlt
        *[other] ist { $value }
     }
-    .expected = +1, wo `{ $joint }` von unten kam, -1 von oben
+    .expected = +1, wenn `{ $joint }` von kleineren Werten her kommt, -1 von größeren Werten her
 
-joint-column-twice = die Tabelle hat Gelenk `{ $joint }` zweimal: `{ $first }` und `{ $second }`
+joint-column-twice = die Tabelle enthält Gelenk `{ $joint }` zweimal: `{ $first }` und `{ $second }`
     .hint = eine der Spalten entfernen
 
 in-row = Zeile { $row }: { $message }
@@ -313,36 +313,36 @@ pose-not-commanded = Pose { $pose } ist nicht unter den Sollposen
     .hint = sie in `{ $file }` ergänzen oder ihren Namen berichtigen
 
 pose-attained-twice = Pose { $pose } wurde in Zyklus { $cycle } zweimal angefahren
-    .hint = die Zyklen nummerieren, Anfahrrichtungen in `approach` nennen oder Ablesungen eines Besuchs in `reading` nummerieren
+    .hint = die Zyklen nummerieren, Anfahrrichtungen in `approach` nennen oder die Messwerte einer Anfahrt in `reading` nummerieren
 
 commanded-pose-not-measured = Pose { $pose } ist Sollpose, wurde aber nicht gemessen
 
 no-pose-measured = keine Pose wurde gemessen
     .hint = die Namen der Posen prüfen
 
-recording-time-missing = die Aufzeichnung hat keine Spalte der Zeit
+recording-time-missing = die Aufzeichnung hat keine Zeitspalte
     .expected = eine Spalte `time_s` oder die Abtastrate
-    .hint = die Rate des Messgeräts angeben: `--rate-hz 1000`, in einer Kampagne `rate_hz = 1000`
+    .hint = die Abtastrate des Messgeräts angeben: `--rate-hz 1000`, in einer Kampagne `rate_hz = 1000`
 
-state-sampling-rate = die Abtastrate angeben (`--rate-hz`): Zeitstempel, die gröber als die Abtastung sind, ergeben keine Zeiten
+state-sampling-rate = die Abtastrate angeben (`--rate-hz`): aus Zeitstempeln, die gröber sind als die Abtastung, ergeben sich keine Zeiten
 
-recording-implausible = { $count } von { $samples } Abtastwerten sind schneller als 20 m/s: so schnell bewegt sich kein Roboter
+recording-implausible = { $count } von { $samples } Abtastwerten sind schneller als 20 m/s: so schnell bewegt sich kein Roboter
     .hint = Abtastrate, Einheit und Reihenfolge der Abtastwerte prüfen
 
-angles-not-compensated = Winkel sind nicht durch die Referenzziele um die Drift berichtigt
-    .expected = alle von a_deg, b_deg, c_deg (bei einem ebenen Roboter c_deg) und die Reihenfolge ihrer Drehungen
+angles-not-compensated = die Drift der Winkel wird nicht durch die Referenzmarken korrigiert
+    .expected = a_deg, b_deg und c_deg (bei einem ebenen Roboter nur c_deg) und die Reihenfolge ihrer Drehungen
     .hint = die Reihenfolge angeben: `--rotation-order "Rz(c) Ry(b) Rx(a)"`, in einer Kampagne `rotation_order`
 
-angles-not-separable = Winkel von Pose { $pose }, Zyklus { $cycle } sind unbestimmt: zwei Drehungen haben dieselbe Achse
+angles-not-separable = die Winkel von Pose { $pose }, Zyklus { $cycle } sind unbestimmt: zwei Drehungen haben dieselbe Achse
     .hint = eine andere Reihenfolge der Drehungen angeben
 
-cycle-before-reference-targets = Zyklus { $cycle } wurde vor allen Referenzzielen gemessen
-    .hint = die Referenzziele vor der Prüfung messen; die ersten gehören zu Zyklus { $first }
+cycle-before-reference-targets = Zyklus { $cycle } wurde vor allen Referenzmarken gemessen
+    .hint = die Referenzmarken vor der Prüfung messen; die ersten gehören zu Zyklus { $first }
 
-reference-target-twice = das Referenzziel `{ $target }` wurde in Zyklus { $cycle } zweimal gemessen
+reference-target-twice = die Referenzmarke `{ $target }` wurde in Zyklus { $cycle } zweimal gemessen
     .hint = eine der Zeilen entfernen oder ihren Namen berichtigen
 
-reference-targets-differ = die Referenzziele von Zyklus { $cycle } sind andere als die ersten
+reference-targets-differ = die Referenzmarken von Zyklus { $cycle } unterscheiden sich von den ersten
     .expected = { $targets }
 
 observation-column-unknown = `{ $column }` ist keine Spalte von Beobachtungen
@@ -354,14 +354,14 @@ column-stated-twice = die Spalte `{ $column }` ist als `{ $first }` und als `{ $
 heading-twice = der Kopf nennt `{ $column }` mehrmals
     .hint = eine der Spalten umbenennen oder entfernen
 
-stated-and-in-table = `{ $key }` ist angegeben, und die Tabelle hat eine Spalte dieses Namens
+stated-and-in-table = `{ $key }` ist angegeben, aber die Tabelle hat auch eine Spalte dieses Namens
     .hint = eines davon entfernen
 
 no-row-selected = `only` und `without` wählen keine Zeile aus
     .hint = ihre Zellen mit denen der Datei vergleichen
 
 computed-not-finite = der berechnete Wert von `{ $column }` ist { $value }
-    .hint = den Ausdruck prüfen: er teilt durch null oder läuft über
+    .hint = den Ausdruck prüfen: Division durch null oder Überlauf
 
 name-is-formula = der Name `{ $name }` in der Spalte `{ $column }` wäre in einer Tabellenkalkulation eine Formel
     .hint = einen Namen verwenden, der nicht mit = + - oder @ beginnt
@@ -386,36 +386,36 @@ file-without-points = das ist { $kind ->
 
 no-rows-of-numbers = { $file ->
         [workbook] kein Blatt der Arbeitsmappe hat
-       *[text] keine Lesart als getrennter Text ergibt
+       *[text] keine Lesart als Text mit Trennzeichen ergibt
     } Zeilen mit zwei oder mehr Zahlen
     .hint = die Punkte als Text exportieren, eine Zeile je Punkt
 
-robot-does-not-test = ein Roboter des Modells `{ $model }` prüft den Vorschlag nicht: sein Flansch hat keine freie Pose im Raum
+robot-does-not-test = mit einem Roboter des Modells `{ $model }` lässt sich der Vorschlag nicht prüfen: die Pose seines Flansches im Raum ist nicht frei
 
-robot-not-tested = der Nennroboter prüft den Vorschlag nicht: nötig sind { $fewest } Zeilen mit Gelenken und Koordinaten, die den Raum aufspannen
+robot-not-tested = der Vorschlag wird nicht mit dem nominalen Roboter geprüft: nötig sind mindestens { $fewest } Zeilen mit Gelenkwerten und Koordinaten, die den Raum aufspannen
 
-robot-contradicts = der Nennroboter reproduziert { $points } mit keiner der versuchten Reihenfolgen, Richtungen und Einheiten der Gelenke{ $known ->
-        [yes] ; die beste lässt { FIXED($rms_mm, 2) } mm (quadratisches Mittel)
+robot-contradicts = der nominale Roboter reproduziert { $points } mit keiner der versuchten Reihenfolgen, Richtungen und Einheiten der Gelenke{ $known ->
+        [yes] ; das kleinste Residuum ist { FIXED($rms_mm, 2) } mm (quadratischer Mittelwert)
        *[no] {""}
     }
 
-robot-ambiguous = die Daten bestimmen Reihenfolge und Richtung von { $joints } nicht: eine andere Lesart lässt { FIXED($rms_mm, 3) } mm (quadratisches Mittel)
+robot-ambiguous = die Daten bestimmen Reihenfolge und Richtung von { $joints } nicht: eine andere Lesart ergibt ein Residuum von { FIXED($rms_mm, 3) } mm (quadratischer Mittelwert)
 
-robot-units-ambiguous = die Daten bestimmen die Einheiten der Gelenke nicht: eine andere Einheit lässt { FIXED($rms_mm, 3) } mm (quadratisches Mittel)
+robot-units-ambiguous = die Daten bestimmen die Einheiten der Gelenke nicht: eine andere Einheit ergibt ein Residuum von { FIXED($rms_mm, 3) } mm (quadratischer Mittelwert)
 
-robot-finds-targets = mit einem Ziel für jeden Wert von { $column } reproduziert der Nennroboter die Koordinaten
+robot-finds-targets = mit einer eigenen Zielmarke für jeden Wert von { $column } reproduziert der nominale Roboter die Koordinaten
 
-robot-contradicts-unit = die Überschrift von { $column } nennt { $stated }, und die Kinematik des Nennroboters passt mit { $unit }
+robot-contradicts-unit = die Überschrift von { $column } nennt { $stated }, aber die Kinematik des nominalen Roboters passt zu { $unit }
 
-robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der Nennroboter passt mit umgekehrtem Vorzeichen
+robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der nominale Roboter passt mit umgekehrtem Vorzeichen
 
-robot-orders = der Nennroboter passt mit den Gelenken in der Reihenfolge { $columns }
+robot-orders = der nominale Roboter passt mit den Gelenken in der Reihenfolge { $columns }
 
-robot-reproduces = der Nennroboter reproduziert { $points } in { $unit } mit einem Residuum von { FIXED($rms_mm, 4) } mm (quadratisches Mittel von { $rows } Zeilen, Basis und Ziel frei)
+robot-reproduces = der nominale Roboter reproduziert { $points } in { $unit } mit einem Residuum von { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert aus { $rows } Zeilen, Basis und Zielmarke frei)
 
-points-commanded = { $points } sind kommandiert oder berechnet, nicht gemessen: der Nennroboter berechnet sie bis auf ihre Rundung (Residuum { FIXED($rms_mm, 6) } mm)
+points-commanded = { $points }: Sollwerte oder berechnete Werte, keine Messwerte; der nominale Roboter ergibt sie bis auf die Rundung (Residuum { FIXED($rms_mm, 6) } mm)
 
-points-perhaps-commanded = { $points } sind vielleicht kommandiert, nicht gemessen: das Residuum von { FIXED($rms_mm, 4) } mm liegt innerhalb der Rundung von Koordinaten und Gelenken
+points-perhaps-commanded = { $points }: vielleicht Sollwerte, keine Messwerte; das Residuum von { FIXED($rms_mm, 4) } mm liegt innerhalb der Rundung von Koordinaten und Gelenkwerten
 
 file-is = `{ $file }`: { $kind }, { $rows ->
         [one] 1 Zeile
@@ -434,36 +434,40 @@ file-is = `{ $file }`: { $kind }, { $rows ->
        *[other] , Zeiten in { $times }
     }
 
-files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine Zeile von `{ $log }` nach { $by }
+files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine Zeile in `{ $log }` (Schlüssel: { $by })
 
-files-not-joined = kein Schlüssel verbindet alle Exporte mit den { $rows } Zeilen von `{ $log }`
-
-expand-xacro = die Datei ersetzen lassen und stattdessen die URDF nennen: { $command }
+files-not-joined = kein Schlüssel verknüpft alle Exporte mit den { $rows } Zeilen von `{ $log }`
+expand-xacro = die Datei expandieren und stattdessen die URDF-Datei angeben: { $command }
 
 attribute-malformed = ein Attribut, das nicht lesbar ist
 
-xacro-construct = `{ $construct }` von xacro wird hier nicht ersetzt
+xacro-construct = `{ $construct }` von xacro wird hier nicht expandiert
 
 xacro-undefined = vor dieser Zeile ist keine Eigenschaft `{ $name }` definiert
 
 xacro-argument-missing = das Argument `{ $argument }` der xacro-Datei hat keinen Wert
-    .hint = `arguments = ["{ $argument }:=VALUE"]` in robot.toml angeben, oder `--argument { $argument }:=VALUE` von `etalon init`
+    .hint = `arguments = ["{ $argument }:=WERT"]` in robot.toml angeben oder `--argument { $argument }:=WERT` bei `etalon init`
 
 xacro-argument-unknown = { $file } hat kein Argument `{ $argument }`
 
 xacro-argument-form = `{ $argument }` ist kein Argument von xacro
-    .expected = NAME:=VALUE
+    .expected = NAME:=WERT
 
-xacro-package = das Paket `{ $package }` liegt weder über noch neben der Datei
+xacro-package = das Paket `{ $package }` liegt weder in einem übergeordneten Ordner noch neben der Datei
 
-xacro-include-unreadable = die eingebundene Datei ist nicht lesbar: { $reason }
+xacro-include-unreadable = die eingebundene Datei kann nicht gelesen werden: { $reason }
 
 xacro-include-loop = `{ $file }` bindet sich selbst ein
 
 xacro-recursion = die Eigenschaft `{ $name }` ist durch sich selbst definiert
 
-xacro-too-many-files = mehr als { $most_files } eingebundene Dateien, oder mehr als { $most_depth } ineinander
+xacro-too-many-files = mehr als { $most_files } eingebundene Dateien oder mehr als { $most_depth } ineinander verschachtelt
 
-xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte, oder er braucht mehr als { $most_depth } Eigenschaften ineinander
+xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte oder braucht mehr als { $most_depth } verschachtelte Eigenschaften
 
-xacro-too-large = der ersetzte Text ist größer als { $most_mib } MiB
+xacro-too-large = der expandierte Text ist größer als { $most_mib } MiB
+joints-named-as-robots = die Gelenke heißen wie die des Roboters
+
+doubt-numbers-and-text = Spalte { $column } enthält in { $count } von { $rows } Zeilen Zahlen, und `{ $text }`: solche Zeilen weglassen (`header`, `comment`)
+
+doubt-array-columns = `{ $array }` hat { $count } Spalten: Gelenke, Koordinaten oder beides nebeneinander; Arrays werden nur als Protokolle gelesen

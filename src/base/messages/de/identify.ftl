@@ -3,36 +3,36 @@
 no-observations = es gibt keine Beobachtungen, aus denen Parameter identifiziert werden können
     .hint = prüfen, welche Posen gewählt und welche ausgeschlossen sind
 
-pose-residuals-without-uncertainty = Residuen der Pose mischen mm und rad: sie brauchen die Standardunsicherheit einer Koordinate
+pose-residuals-without-uncertainty = die Residuen der Pose enthalten mm und rad: sie brauchen die Standardunsicherheit einer Koordinate
 
 common-uncertainty-alone = eine gemeinsame Unsicherheit mehrerer Beobachtungen braucht Residuen von Zielmarken und die Unsicherheit jeder Beobachtung
 
 parameter-unknown = `{ $pattern }` ist kein Parameter dieses Roboters
 
-observations-need-arm = Orientierungen, Abstände, Kontakte, Flächen und Gelenkwerte gelten für räumliche Arme, nicht für `{ $model }`
+observations-need-arm = Orientierungen, Abstände, Kontakte, Flächen und Gelenkwerte gelten nur für räumliche Arme, nicht für `{ $model }`
 
 kinds-need-target-residuals = Orientierungen, Abstände, Kontakte, Flächen und Gelenkwerte brauchen Residuen von Zielmarken ohne gemeinsame Unsicherheit
     .hint = Zielmarken vergleichen und die gemeinsame Unsicherheit weglassen
 
 kinds-without-uncertainty = Beobachtungen verschiedener Art brauchen die Standardunsicherheit einer Koordinate
 
-own-uncertainties-unusable = eigene Unsicherheiten der Messwerte brauchen Residuen von Zielmarken ohne gemeinsame Unsicherheit
+own-uncertainties-unusable = Messwerte mit eigenen Unsicherheiten brauchen Residuen von Zielmarken ohne gemeinsame Unsicherheit
 
 readings-without-uncertainty = { $without } von { $readings } Messwerten haben keine Unsicherheit
 
-pose-residuals-not-planar = Residuen der Pose gelten für ebene Roboter, nicht für `{ $model }`
+pose-residuals-not-planar = Residuen der Pose gelten nur für ebene Roboter, nicht für `{ $model }`
 
-tool-part-missing = der Werkzeugpunkt ist im System { $part ->
+tool-part-missing = der Werkzeugpunkt ist im Koordinatensystem { $part ->
         [flange] des Flansches
        *[platform] der Plattform
-    } angegeben: `{ $model }` hat keine solche
+    } angegeben: ein solches Teil hat `{ $model }` nicht
 
-too-few-poses-planned = { $poses } Posen bestimmen nicht { $parameters } Parameter
+too-few-poses-planned = { $poses } Posen reichen nicht aus, um { $parameters } Parameter zu bestimmen
 
 base-not-found = Basis und Zielmarken können aus diesen Posen nicht bestimmt werden
     .expected = mindestens vier Posen, in denen sich der Arm in alle Richtungen bewegt
 
-nothing-to-identify = kein Parameter bleibt zu identifizieren{ $cause ->
+nothing-to-identify = es bleibt kein Parameter zu identifizieren{ $cause ->
         [none] {""}
        *[other] : { $cause }
     }
@@ -45,9 +45,9 @@ parameters-undetermined = { $residuals ->
     } aus { $poses ->
         [one] 1 Pose
        *[other] { $poses } Posen
-    }, davon { $independent } unabhängig, bestimmen nicht { $parameters ->
-        [one] 1 Parameter
-       *[other] { $parameters } Parameter
+    }, davon { $independent } unabhängig, bestimmen { $parameters ->
+        [one] 1 Parameter nicht
+       *[other] { $parameters } Parameter nicht
     }
 
 parameter-without-effect = die Daten hängen nicht von `{ $parameter }` ab
@@ -71,11 +71,11 @@ named-poses = { $count ->
        *[other] { $count } Posen ({ $poses })
     }
 
-poses-unreachable = der nominale Roboter kann die Gelenkwerte nicht annehmen: { $poses }
+poses-unreachable = der nominale Roboter kann diese Gelenkwerte nicht annehmen: { $poses }
 
-extents-differ = gemessene Punkte erstrecken sich über { FIXED($measured_mm, 0) } mm, die des Modells über { FIXED($model_mm, 0) } mm
+extents-differ = die gemessenen Punkte erstrecken sich über { FIXED($measured_mm, 0) } mm, die Punkte des Modells über { FIXED($model_mm, 0) } mm
 
-assembly-mode-contradicted = die gemessene Position widerspricht dem Montagemodus ({ $poses }): für Pose { $worst } lässt der angegebene Modus { $stated } { FIXED($stated_mm, 1) } mm, Modus { $other } { FIXED($other_mm, 1) } mm
+assembly-mode-contradicted = die gemessene Position widerspricht dem Montagemodus ({ $poses }): an Pose { $worst } ist die Abweichung mit dem angegebenen Modus { $stated } { FIXED($stated_mm, 1) } mm, mit Modus { $other } { FIXED($other_mm, 1) } mm
 
 scale-unobserved = keine Beobachtung enthält eine Länge: der Maßstab des Roboters ist der seiner Nennlängen{ $lengths ->
         [none] {""}
@@ -83,12 +83,12 @@ scale-unobserved = keine Beobachtung enthält eine Länge: der Maßstab des Robo
     }
     .hint = einen Abstand zwischen zwei Aufnahmen oder zu einem festen Punkt messen, oder die Position einer Zielmarke
 
-readings-weighted = { $own } von { $readings } Messwerten sind mit ihren eigenen Standardunsicherheiten gewichtet: { FIXED($least_mm, 4) } bis { FIXED($most_mm, 4) } mm je Koordinate
+readings-weighted = { $own } von { $readings } Messwerten sind mit ihren eigenen Standardunsicherheiten gewichtet: { FIXED($least_mm, 4) } bis { FIXED($most_mm, 4) } mm je Koordinate
 
-rigid-part-contradicted = { $places } von { $targets } widersprechen den Messungen über ihre Unsicherheit hinaus: `{ $first }` bis `{ $second }` { FIXED($found_mm, 4) } mm { $by ->
+rigid-part-contradicted = { $places } von { $targets } widersprechen den Messungen über ihre Unsicherheit hinaus: `{ $first }` bis `{ $second }` { FIXED($found_mm, 4) } mm { $by ->
         [identification] ohne sie identifiziert
        *[measurement] gemessen
-    }, { FIXED($stated_mm, 4) } mm angegeben
+    }, { FIXED($stated_mm, 4) } mm angegeben
 
 stated-positions = angegebene Positionen
 
@@ -99,7 +99,7 @@ robot-not-at-joints = der Roboter kann diese Gelenkwerte mit { $parameters ->
         [nominal] Nennparametern
        *[given] den gegebenen Parametern
     } nicht annehmen
-    .hint = Einheit, Vorzeichen und Versatz der Gelenkwerte prüfen und ob die Parameter zu diesem Roboter gehören
+    .hint = Einheit, Vorzeichen und Versatz der Gelenkwerte prüfen, und ob die Parameter zu diesem Roboter gehören
 
 covariance-not-positive-definite = die Kovarianz der Parameter ist nicht positiv definit
     .hint = die Kovarianz so verwenden, wie die Identifikation sie angegeben hat
@@ -107,18 +107,18 @@ covariance-not-positive-definite = die Kovarianz der Parameter ist nicht positiv
 no-redundant-observations = es gibt so viele Gleichungen wie Parameter: die Unsicherheit der Parameter ist unbekannt
     .hint = mehr Posen messen oder die Unsicherheit des Messgeräts angeben
 
-pose-residuals-correlated = Residuen einer Pose sind korreliert: die Standardunsicherheiten sind aus der Streuung der Posen geschätzt, dem { FIXED($ratio, 1) }-fachen derer des Messgeräts
-    .hint = der Roboter hat Fehler, die das Modell nicht beschreibt, oder das Messgerät hat gemeinsame Fehler der Messwerte einer Pose
+pose-residuals-correlated = die Residuen derselben Pose sind korreliert: die Standardunsicherheiten sind aus der Streuung der Posen geschätzt und betragen das { FIXED($ratio, 1) }-Fache der Werte aus dem Messgerät
+    .hint = der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder das Messgerät hat gemeinsame Abweichungen aller Messwerte einer Pose
 
-instrument-uncertainty-too-large = Residuen betragen das { FIXED($ratio, 2) }-fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): Standardunsicherheiten sind zu groß
-    .hint = Unsicherheit des Messgeräts, ihre Einheit und ihren Erweiterungsfaktor prüfen; gemeinsame Fehler aller Posen sind in Residuen nicht sichtbar
+instrument-uncertainty-too-large = die Residuen betragen das { FIXED($ratio, 2) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind zu groß
+    .hint = Unsicherheit des Messgeräts, ihre Einheit und ihren Erweiterungsfaktor prüfen; gemeinsame Abweichungen aller Posen sind in den Residuen nicht sichtbar
 
-residuals-exceed-uncertainty = Residuen betragen das { FIXED($ratio, 1) }-fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 0) }, { $degrees } Freiheitsgrade): Standardunsicherheiten sind { $from ->
+residuals-exceed-uncertainty = die Residuen betragen das { FIXED($ratio, 1) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 0) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind { $from ->
         [poses] aus der Streuung der Posen geschätzt
         [regions] aus der Streuung von Bereichen des Arbeitsraums geschätzt
-       *[residuals] vergrößert, als wären Residuen einer Pose unabhängig
-    } (das { FIXED($inflation, 1) }-fache derer des Messgeräts, Median)
-    .hint = Ausreißer und Modell prüfen: der Roboter hat Fehler, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
+       *[residuals] vergrößert, als wären die Residuen derselben Pose unabhängig
+    } (das { FIXED($inflation, 1) }-Fache der Werte aus dem Messgerät, Median)
+    .hint = Ausreißer und Modell prüfen: der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
 
 parameters-fixed-by-frames = { $count } Parameter sind nicht getrennt von Basis und Zielmarken identifizierbar und bleiben auf ihren Nennwerten: { $parameters }
 
@@ -136,39 +136,39 @@ parameter-separable-poorly = `{ $parameter }` ist von { $others } nur mit einer 
     }
     .hint = Posen messen, in denen diese Parameter verschieden wirken
 
-tool-targets-collinear = die Zielmarken bestimmen kein System für den Werkzeugpunkt: im Raum braucht es drei, nicht auf einer Geraden; in der Ebene zwei
-    .hint = den Punkt im System des Flansches angeben oder die erste Zielmarke selbst verwenden ([0, 0, 0])
+tool-targets-collinear = die Zielmarken bestimmen kein Koordinatensystem für den Werkzeugpunkt: nötig sind im Raum drei, die nicht auf einer Geraden liegen, in der Ebene zwei
+    .hint = den Punkt im Flanschkoordinatensystem angeben oder die erste Zielmarke selbst verwenden ([0, 0, 0])
 
-nominal-robot-far = der nominale Roboter verfehlt die Messungen um { FIXED($left_mm, 3) } mm (quadratischer Mittelwert, Basis und Zielmarken angepasst); die Toleranzen lassen { FIXED($allowed_mm, 3) } mm zu
+nominal-robot-far = der nominale Roboter weicht von den Messungen um { FIXED($left_mm, 3) } mm ab (quadratischer Mittelwert, Basis und Zielmarken angepasst); die Toleranzen lassen { FIXED($allowed_mm, 3) } mm zu
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Verknüpfung von Gelenkwerten und Punkten prüfen
 
 nominal-robot-not-at-joints = der nominale Roboter kann diese Gelenkwerte nicht annehmen
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Verknüpfung von Gelenkwerten und Punkten prüfen
 
-placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
+placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
     .hint = Einheiten, Reihenfolge, Vorzeichen und Versatz der Gelenke und die Nennparameter des Roboters prüfen
 
-reference-moved = ab Pose { $pose } sind die gemessenen Positionen um { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) gegen die bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
+reference-moved = ab Pose { $pose } sind die gemessenen Positionen gegenüber den Posen bis { $previous } um { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
     .hint = Basis oder Messsystem hat sich bewegt: die beiden Teile getrennt identifizieren oder neu messen
 
-parameters-weakly-identifiable = { $groups } sind aus diesen Posen schwach identifizierbar: Standardunsicherheiten { $uncertainties } (Korrelation { FIXED($correlation, 6) })
+parameters-weakly-identifiable = { $groups } sind aus diesen Posen nur schwach identifizierbar: Standardunsicherheiten { $uncertainties } (Korrelation { FIXED($correlation, 6) })
 
-parameter-groups-weakly-identifiable = { $count } Gruppen von Parametern sind aus diesen Posen schwach identifizierbar: { $groups }; ihre Standardunsicherheiten sind groß, und ihre Fehler heben sich nahe diesen Posen auf
+parameter-groups-weakly-identifiable = { $count } Gruppen von Parametern sind aus diesen Posen nur schwach identifizierbar: { $groups }; ihre Standardunsicherheiten sind groß, und ihre Abweichungen heben sich in der Nähe dieser Posen auf
 
 parameter-group = { $first } und { $second }
 
 separate-parameters = Posen messen, in denen diese Parameter verschieden wirken, oder einen davon festhalten
 
-too-many-positions = { $positions } Positionen können nicht aus { $candidates } Kandidaten gewählt werden
+too-many-positions = { $positions } Positionen können nicht aus { $candidates } Kandidaten ausgewählt werden
     .expected = eine Zahl von 1 bis { $candidates }
 
-start-pose-unknown = Pose { $pose } des Anfangs ist kein Kandidat
+start-pose-unknown = die Startpose { $pose } ist kein Kandidat
     .hint = Posen aus der Tabelle der Kandidaten verwenden
 
-start-too-large = der Anfang hat { $start } Kandidaten, mehr als die { $positions } zu wählenden Positionen
+start-too-large = die Startauswahl hat { $start } Kandidaten, mehr als die { $positions } zu wählenden Positionen
     .hint = mit weniger Posen beginnen oder mehr wählen
 
-study-too-few-positions = { $positions } Positionen bestimmen nicht alle Parameter
+study-too-few-positions = { $positions } Positionen reichen nicht aus, um alle Parameter zu bestimmen
     .hint = mehr Positionen wählen
 
 no-candidates = es gibt keine Kandidaten
@@ -185,38 +185,38 @@ candidates-left-out = { $count ->
 candidate-violation = Pose { $pose } ({ $reason })
 
 at-geometric-step = { $step ->
-        [lead-1] Steigung von Aktor 1
-        [lead-2] Steigung von Aktor 2
-        [lead-3] Steigung von Aktor 3
-        [base] Basissystem
-        [mobile] bewegtes System
+        [lead-1] Steigung von Antrieb 1
+        [lead-2] Steigung von Antrieb 2
+        [lead-3] Steigung von Antrieb 3
+        [base] Basiskoordinatensystem
+        [mobile] bewegtes Koordinatensystem
         [shaft] Welle
-       *[offsets] Versatz
+       *[offsets] Versätze
     }: { $message }
 
 geometric-step-alone = { $step ->
         [shaft] die Welle braucht den Bogen der Kugel N
-       *[offsets] die Verschiebung von Aktor 1 braucht den Bogen der Kugel N, die gedrehte Plattform und die Welle
+       *[offsets] die Verschiebung von Antrieb 1 braucht den Bogen der Kugel N, die gedrehte Plattform und die Welle
     }
     .hint = die fehlenden Schritte messen oder diesen weglassen
 
-geometry-incomplete = die vollständige Geometrie braucht den Bogen der Kugel N, die gedrehte Plattform, die Welle in zwei Positionen und eine Verschiebung von Aktor 1
-    .expected = mindestens eine Wiederholung von jedem
+geometry-incomplete = die vollständige Geometrie braucht den Bogen der Kugel N, die gedrehte Plattform, die Welle in zwei Positionen und eine Verschiebung von Antrieb 1
+    .expected = mindestens eine Wiederholung jedes Schritts
 
 ball-unmoved = { $ball ->
-        [R] Kugel R hat sich nicht bewegt, während Aktor 2 zu seinem Ende fuhr
-       *[K] Kugel K hat sich entlang x um weniger als 1 mm bewegt, während Aktor 1 zu seinem Ende fuhr
+        [R] Kugel R hat sich nicht bewegt, während Antrieb 2 bis zum Anschlag fuhr
+       *[K] Kugel K hat sich entlang x um weniger als 1 mm bewegt, während Antrieb 1 bis zum Anschlag fuhr
     }
-    .hint = Kugel { $ball } noch einmal messen, nachdem Aktor { $actuator } allein zu seinem Ende gefahren ist
+    .hint = Kugel { $ball } noch einmal messen, nachdem Antrieb { $actuator } allein bis zum Anschlag gefahren ist
 
-lead-undetermined = diese Positionen bestimmen die Steigung des Aktors nicht
-    .expected = mindestens drei Messwerte bei zwei oder mehr kommandierten Verschiebungen
+lead-undetermined = diese Positionen bestimmen die Steigung des Antriebs nicht
+    .expected = mindestens drei Messwerte bei mindestens zwei Sollverschiebungen
 
 shaft-positions-parallel = die beiden Positionen der Welle sind parallel: ihre Achsen schneiden sich nicht
-    .hint = dazwischen Aktor 2 allein zu seinem Ende fahren
+    .hint = dazwischen nur Antrieb 2 bis zum Anschlag fahren
 
 points-undetermined = diese Punkte bestimmen das angepasste Element nicht
-    .hint = die Positionen über den ganzen Weg oder Winkel verteilen
+    .hint = die Positionen über den ganzen Weg oder Drehwinkel verteilen
 
 slip-reversed = { $joint } umgekehrt
 
@@ -225,10 +225,10 @@ slip-exchanged = { $first } und { $second } vertauscht
 slip-joint-order = die Gelenke { $order ->
         [reversed] in umgekehrter Reihenfolge
         [left] um einen Platz verschoben
-       *[right] um einen Platz zur anderen Seite verschoben
+       *[right] um einen Platz in der Gegenrichtung verschoben
     }
 
-slip-offset = { $degrees } deg zu { $joint } addiert
+slip-offset = { $degrees } deg zu { $joint } addiert
 
 slip-unit = { $quantity ->
         [all-joints] alle Gelenke
@@ -253,16 +253,16 @@ slip-points = { $change ->
 
 slip-targets = die Zielmarken { $first } und { $second } vertauscht
 
-slip-neighbour = die Gelenke jeder Pose aus der { $neighbour ->
-        [previous] vorigen
-       *[next] nächsten
+slip-neighbour = die Gelenkwerte jeder Pose aus der { $neighbour ->
+        [previous] vorigen Pose
+       *[next] nächsten Pose
     } genommen
 
 slip-convention = { $convention }
 
-slip-world-frame = das Weltsystem um { FIXED($angle_deg, 1) } deg gedreht und um ({ FIXED($x_mm, 1) }; { FIXED($y_mm, 1) }) mm verschoben
+slip-world-frame = das Weltkoordinatensystem um { FIXED($angle_deg, 1) } deg gedreht und um ({ FIXED($x_mm, 1) }; { FIXED($y_mm, 1) }) mm verschoben
 
-slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } statt { FIXED($nominal, 2) } { $unit }
+slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } statt { FIXED($nominal, 2) } { $unit }
 
 with-slip = mit { $slip }{ $origin ->
         [none] {""}
@@ -272,8 +272,18 @@ with-slip = mit { $slip }{ $origin ->
 set-up-slip = { $first }{ $others ->
         [none] {""}
        *[other] {" "}(ebenso { $others })
-    } lässt eine Identifikation { FIXED($changed_mm, 3) } mm (quadratischer Mittelwert){ $stated ->
+    } ergibt eine Identifikation ein Residuum von { FIXED($changed_mm, 3) } mm (quadratischer Mittelwert){ $stated ->
         [unreachable] ; ohne das sind Posen nicht erreichbar
         [tolerances] {" "}und hält Parameter in ihren Toleranzen
-       *[residuals] {" "}statt { FIXED($stated_mm, 3) } mm
+       *[residuals] {" "}statt { FIXED($stated_mm, 3) } mm
     }: das zuerst prüfen
+
+index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m Parameter, n Konfigurationen; Jacobi-Matrix in mm je mm, rad und 1
+index-o2 = O2 = smin / smax; Jacobi-Matrix in mm je mm, rad und 1
+index-o3 = O3 = smin; Jacobi-Matrix in mm je mm, rad und 1
+index-o4 = O4 = smin^2 / smax; Jacobi-Matrix in mm je mm, rad und 1
+index-o5 = O5 = 1 / (1/s1 + ... + 1/sm); Jacobi-Matrix in mm je mm, rad und 1
+index-d = D = (s1...sm)^(1/m); Jacobi-Matrix in mm je mm, rad und 1
+index-a = A = 1 / sqrt(tr((J'J)^-1)); Spalten von J durch ihre Normen über alle Kandidaten geteilt
+index-e = E = smin; Spalten von J durch ihre Normen über alle Kandidaten geteilt
+index-i = I = 1 / quadratischer Mittelwert der Standardunsicherheit der Position über alle Kandidaten, je mm Rauschen

@@ -2,21 +2,25 @@
 
 accepted = angenommen
 accuracy = Genauigkeit
-accuracy-at-pose = Größte Pose-Genauigkeit AP: { $accuracy } µm, an Pose { $pose }.
+accuracy-at-pose = Größter Wert der Pose-Genauigkeit AP: { $accuracy } µm, an Pose { $pose }.
 accuracy-not-tested = Die Kampagne enthält keine Sollpositionen: Die Pose-Genauigkeit (AP) ist nicht geprüft.
 accuracy-of-position = Positioniergenauigkeit
 accuracy-over-cycles = Pose-Genauigkeit jeder Pose im Verlauf der Prüfung.
+action-label = Abhilfe:
 actual-lead = tatsächliche Steigung
 actuator = Antrieb
-after = danach
-after-named = { $name }, danach
-against = gegen
-agree = stimmen überein
-all-poses-conform = alle { $count } Posen sind konform
+after = nachher
+after-named = nachher ({ $name })
+against = in Abhängigkeit von
+agree = in Übereinstimmung
+all-poses-conform = { $count ->
+        [one] die einzige Pose ist konform
+       *[other] alle { $count } Posen sind konform
+    }
 all-tables = Alle Tabellen
 allowed = zulässig
 along-path-in-mm = entlang der Bahn (mm)
-amends-report = ändert Bericht
+amends-report = Änderung zu Bericht
 and-more = und { $count } weitere
 ap-by-set = AP je Satz
 approached = angefahren
@@ -26,27 +30,31 @@ area = Fläche
 arrivals = Ankünfte
 arrivals-title = Ankünfte
 arrows-common = Pfeile vorher und nachher { $factor }-fach vergrößert; der längste: { $longest }.
-arrows-description = Ein Pfeil je gemessener Position: gemessen minus vorhergesagt, { $factor }-fach vergrößert.
+arrows-description = Ein Pfeil je gemessener Position: gemessene minus vorhergesagte Position, { $factor }-fach vergrößert.
 arrows-longest = Pfeile { $factor }-fach vergrößert; der längste: { $longest }.
-at-of-angles = AT der Winkel (Grad)
-at-position = { $value }, bei { $position } mm
+at-of-angles = AT der Winkel (deg)
+at-position = { $value }, bei { $position } mm
 at-rt-diamonds = Rauten: größtes AT und größtes RT mit ihren Intervallen. Das Maximum vieler streuender Werte liegt systematisch zu hoch: RT kann über dem Intervall für unendlich viele Durchläufe liegen.
-at-tool-point = Am Werkzeugpunkt: { $count } Posen
+at-tool-point = Am Werkzeugpunkt: { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    }
 authorised-by = freigegeben durch
 axis-x = x
 axis-y = y
 axis-z = z
-backlash = Umkehrspanne
+backlash = Umkehrspiel
 ball = Kugel
-bar-too-uncertain = die Unsicherheit des Stabs ist zu groß (4:1 gefordert)
+bar-too-uncertain = die Unsicherheit des Kalibrierstabs ist zu groß (4:1 gefordert)
 base-and-targets = Basis und Zielmarken
-base-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Basis um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+base-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Basis um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
 base-moved = die Basis hat sich um { $by } bewegt
 base-rotation = Drehung der Basis
 base-shift = Verschiebung der Basis
 batch-ends = { $pass } bestanden, { $conditional } bedingt, { $undecided } unentschieden, { $fail } nicht bestanden, { $failed } nicht gerechnet, { $skipped } übersprungen
-before = davor
-before-named = { $name }, davor
+before = vorher
+before-after-description = Abweichungen mit Nennparametern und nach der Kalibrierung, auf einer Achse.
+before-named = vorher ({ $name })
 bending = Biegung
 best-possible-choice = die bestmögliche Auswahl
 between-poses = zwischen den Posen
@@ -55,11 +63,19 @@ bootstrap-resamples = Bootstrap: { $count } Stichproben aus Posen und Zyklen.
 both = beide
 box-of-poses = Der Quader umschließt die Posen; seine Kanten sind parallel zu den Achsen.
 branch-and-bound-nodes = Branch-and-Bound-Knoten
-budget-note = Beiträge zu den Standardunsicherheiten (k = 1), in der Einheit jeder Zeile. Die letzte Spalte ist die Wurzel ihrer Quadratsumme. Effekte, die mehrere Ablesungen gemeinsam haben, gelten als korreliert.
-budget-of-errors-note = Messunsicherheit der Abweichungen, die mit den Grenzwerten verglichen werden: Ablesungen, Koordinatensysteme, angepasste Basis und Zielmarken. Die identifizierten Parameter sind Gegenstand der Prüfung und tragen nichts bei. Die Grenzwerte werden mit der erweiterten Unsicherheit beurteilt, dem Doppelten dieser Werte (k = 2).
+budget-note = Beiträge zu den Standardunsicherheiten (k = 1), in der Einheit jeder Zeile. Die letzte Spalte ist die Wurzel ihrer Quadratsumme. Effekte, die mehreren Messwerten gemeinsam sind, gelten als korreliert.
+budget-of-errors-note = Messunsicherheit der Abweichungen, die mit den Grenzwerten verglichen werden: Messwerte, Koordinatensysteme, angepasste Basis und Zielmarken. Die identifizierten Parameter sind Gegenstand der Prüfung und tragen nichts bei. Die Grenzwerte werden mit der erweiterten Messunsicherheit beurteilt, dem Doppelten dieser Werte (k = 2).
 budget-of-parameters = Messunsicherheitsbudget der Parameter
 budget-shares-description = Ein Balken je Ergebnis: Quadrate der Beiträge in Prozent der Varianz.
 budget-shares-title = Anteile der Unsicherheitsquellen an der Varianz
+bullet-accepted = angenommen
+bullet-beyond = über dem Grenzwert
+bullet-description = Jeder Wert bezogen auf seinen Grenzwert, mit U (k = 2); der Schutzabstand ist so breit wie U.
+bullet-guard-band = Schutzabstand
+bullet-not-measured = nicht gemessen, Grenzwert { $limit } { $unit }
+bullet-value = Wert
+bullet-value-limit = { $value } { $unit }, Grenzwert { $limit } { $unit }
+bullet-value-limit-risk = { $value } { $unit }, Grenzwert { $limit } { $unit }, Risiko { $risk } %
 by-approach = Nach Anfahrrichtung
 bytes = Bytes
 calibration = Kalibrierung
@@ -71,15 +87,18 @@ calibration-report-of-robot = Kalibrierbericht des Roboters { $robot }
 campaign = Kampagne
 campaign-as-named = Kampagne, in der angegebenen Reihenfolge
 campaign-column = Kampagne
-campaign-from = { $to } seit { $from }
+campaign-from = { $to } gegenüber { $from }
 campaign-of-parameters = Kampagne der Parameter
-campaign-value = Kampagne { $campaign }: { $value } { $unit }
+campaign-value = Kampagne { $campaign }: { $value } { $unit }
 campaigns = Kampagnen
 campaigns-in-order = { $count } Kampagnen, in der angegebenen Reihenfolge
 campaigns-of-robot = { $count } Kampagnen des Roboters { $robot }, in der angegebenen Reihenfolge
 campaigns-of-robots = { $campaigns } Kampagnen von { $robots } Robotern
 campaigns-shown = { $shown } von { $total } Kampagnen
-candidate-tooltip = Pose { $pose }, { $configurations } Konfigurationen: x { $x }, y { $y } mm
+candidate-tooltip = Pose { $pose }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }: x { $x }, y { $y } mm
 candidates = Kandidaten
 candidates-and-chosen-positions = Kandidaten und gewählte Positionen
 candidates-and-configurations = { $candidates }, { $configurations } Konfigurationen
@@ -87,28 +106,34 @@ candidates-chosen = { $chosen } von { $candidates } Kandidaten sind gewählt. Di
 cause-column = Ursache
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
 change = Änderung
-change-by-u = Änderung/u
-change-over-u = Änderung durch u
+change-by-u = Änderung / u
+change-over-u = Änderung / u
+change-with-interval = Änderung ± U (k = 2)
 changed = geändert
 changed-below = unterhalb von { $significance } als geändert gemeldet
 changes = Änderungen
+check-column = Prüfung
 checklist-clause = Abschnitt
 checklist-field = Angabe
 checklist-key = Schlüssel
+checklist-keys = Schlüssel und Abschnitte
 checklist-note = { $count ->
-    [one] Eine Angabe fehlt. Ergänzen Sie sie in campaign.toml und rechnen Sie die Kampagne neu.
-   *[other] { $count } Angaben fehlen. Ergänzen Sie sie in campaign.toml und rechnen Sie die Kampagne neu.
+    [one] Eine Angabe fehlt. Ergänzen Sie sie in campaign.toml und führen Sie die Kampagne erneut aus.
+   *[other] { $count } Angaben fehlen. Ergänzen Sie sie in campaign.toml und führen Sie die Kampagne erneut aus.
 }
 checklist-title = Vor der Unterschrift zu ergänzen
 checks-of-the-model = Prüfung des Modells
 chi-square = Chi-Quadrat
 choice = Auswahl
-choice-gap = höchstens { $percent } % unter der bestmöglichen Auswahl
-choice-proven = Bewiesen: Keine andere Wahl von { $chosen } aus { $candidates } Kandidaten hat ein größeres { $index }
-choice-within-percent = { $index } liegt höchstens { $percent } % unter der bestmöglichen Wahl von { $chosen } aus { $candidates } Kandidaten
+choice-gap = höchstens { $percent } % unter der bestmöglichen Auswahl
+choice-proven = Bewiesen: Keine andere Auswahl von { $chosen } aus { $candidates } Kandidaten ergibt ein größeres { $index }
+choice-within-percent = { $index } liegt höchstens { $percent } % unter der bestmöglichen Auswahl von { $chosen } aus { $candidates } Kandidaten
 choice-without-bound = Für { $index } ist keine Schranke bekannt: Eine bessere Auswahl kann existieren
 chosen = gewählt
-chosen-candidate-tooltip = Pose { $pose }, { $configurations } Konfigurationen, gewählt: x { $x }, y { $y } mm
+chosen-candidate-tooltip = Pose { $pose }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }, gewählt: x { $x }, y { $y } mm
 chosen-candidates-marks = Leere Marken: Kandidaten; gefüllte Marken mit der Nummer ihrer Pose: gewählt.
 chosen-one-by-one = { $poses } Posen, { $configurations } Konfigurationen, einzeln
 chosen-poses = Gewählte Posen
@@ -117,8 +142,8 @@ circle = Kreis
 circle-x-y = Kreis x, y
 colours = Farben
 command = Sollwert
-commanded-away = Sollposition, { $distance } µm entfernt
-commanded-tooltip = Sollposition: x { $x }, y { $y }, z { $z } µm vom Mittel
+commanded-away = Sollposition, { $distance } µm entfernt
+commanded-tooltip = Sollposition: x { $x }, y { $y }, z { $z } µm vom Mittel
 compared-with = verglichen mit
 compliance = Nachgiebigkeit
 condition = Kondition
@@ -134,15 +159,59 @@ contents = Inhalt
 controlled-by = kontrolliert durch
 controller = Steuerung
 controller-files = Steuerungsdateien
+convention-angles = die Winkel a, b, c sind stetig fortgesetzt und einzeln ausgewertet; Reihenfolge der Drehungen: { $order }
+convention-angles-not-drift-compensated = die Drift der Positionen ist durch die Referenzmarken korrigiert, die der Winkel nicht
+convention-angles-of-motion = die Winkel { $angles } sind entlang der Bewegung verfolgt und einzeln ausgewertet
+convention-angles-of-unknown-order = die Winkel a, b, c sind stetig fortgesetzt und einzeln ausgewertet; Reihenfolge der Drehungen: nicht angegeben
+convention-ap-interval = AP: Intervall der Differenz, aus beiden Intervallen bestimmt (MOVER, Zou & Donner 2008)
+convention-ap-rp = AP: Mittel minus Sollposition; RP: mittlerer Radius + 3 s, s mit n - 1; 95-%-Intervalle, normalverteilte Streuung
+convention-approach = Anfahrt: von der vorigen Pose im Ablauf; 25-%-Regel mit U bei k = { $k }; Positionen im Weltkoordinatensystem ({ $frame })
+convention-at-rt = AT: Intervall der Differenz, aus beiden Intervallen bestimmt, wie bei AP; RT: ebenso auf der logarithmischen Skala um die Mitten beider Intervalle, die für unendlich viele Durchläufe stehen; die Bootstrap-Intervalle enthalten den wahren Wert je nach Art der Streuung in 90 bis 98 % der simulierten Prüfungen mit zehn Durchläufen und nicht in 95 % aller Prüfungen
+convention-birge = passt das Modell nicht, sind die Intervalle der Parameteränderungen mit dem Birge-Verhältnis aller Roboterparameter beider Kampagnen multipliziert (mindestens 1), denn die Parameter nehmen auf, was das Modell an den gemessenen Posen nicht beschreibt
+convention-change-of-parameters = Parameter: Änderung geteilt durch die Wurzel aus u1² + u2², nach der t-Verteilung mit den Freiheitsgraden von Welch, wenn die Unsicherheiten aus Residuen geschätzt sind; beide Kampagnen gelten als unabhängig
+convention-compared-with = jede Kampagne ist mit der ersten und mit der vorigen verglichen, in der angegebenen Reihenfolge
+convention-compliance = Nachgiebigkeit: Verschiebung in Richtung der Kraft je Krafteinheit, kleinste Quadrate durch die unbelastete Position
+convention-compliance-clause = Abschnitt 10 wurde nicht mit einem gekauften Exemplar der Norm verglichen
+convention-different-instruments = die Kampagnen haben verschiedene Messgeräte: ein systematischer Unterschied zwischen ihnen, den keine Streuung zeigt, erscheint als Änderung des Roboters
+convention-drift-compensated = die Drift der Positionen und Orientierungen ist durch die Referenzmarken korrigiert
+convention-f-test = Parameter insgesamt: F-Test; sind die Unsicherheiten aus den Abweichungen der Posen geschätzt, ist er eine Näherung und zeigt bei einer oder zwei gemessenen Koordinaten je Pose zu oft eine Änderung an
+convention-first-robot = von { $count } Robotern: alle Werte gelten für `{ $robot }`, außer der Austauschbarkeit
+convention-guarded-acceptance = Konformität: Annahme mit Schutzabstand (ISO 14253-1) und 95-%-Intervall: nur nachgewiesen, wenn das ganze Intervall auf einer Seite des Grenzwerts liegt
+convention-intervals-instrument = die Intervalle berücksichtigen die Stichprobe und die erweiterte Messunsicherheit einer Koordinate, { $uncertainty_um } µm (k = 2)
+convention-intervals-sampling = die Intervalle berücksichtigen nur die Stichprobe: für das Messgerät ist keine Messunsicherheit angegeben
+convention-limit-band = Grenzband: { $band } mm um das Mittel des Stillstands
+convention-mean-errors = mittlere Abweichungen: t-Test von Welch, so viele Abweichungen wie Posen; haben beide Kampagnen dieselben Posen gemessen, zeigt er eher zu selten als zu oft eine Änderung an
+convention-mean-positions = mittlere Positionen: t-Test von Welch für jede Koordinate, allein aus der Streuung der Anfahrten: die Unsicherheit, mit der das Koordinatensystem wiedergefunden wurde, ist nicht enthalten
+convention-motion-clauses = die Abschnitte 7.4, 7.5, 8, 9 und 11 wurden nicht mit einem gekauften Exemplar der Norm verglichen
+convention-no-commanded-poses = keine Sollposen: AP, Abstände und Drift sind nicht bestimmt
+convention-path = Bahn: Normalebenen an { $points } Sollpunkten, den Mitten gleicher Teile; je Ebene der letzte Durchgang innerhalb von { $near } mm
+convention-path-corners = keine Ebene innerhalb von { $near } mm um eine Ecke (höchstens ein Viertel ihres Schenkels); die Ecke wird für sich ausgewertet
+convention-path-intervals = AT und RT: Intervalle durch parametrischen Bootstrap über die Durchläufe, für AT und RT unendlich vieler Durchläufe; in simulierten Prüfungen mit zehn Durchläufen enthalten sie den wahren Wert je nach Art der Streuung in 90 bis 98 % der Fälle
+convention-path-velocities = Geschwindigkeiten zwischen den Ebenen in den mittleren { $percent } % der Bahn
+convention-planar = die Sollpositionen haben kein z: alle Kenngrößen außer der Koplanarität gelten in der Ebene xy
+convention-positions-drift-compensated = die Drift der Positionen ist durch die Referenzmarken korrigiert
+convention-readings-averaged = die Messwerte einer Anfahrt sind gemittelt; ihre Streuung ist das Rauschen des Messgeräts
+convention-rp-clause = RP folgt dem Text der Norm (7.2.2); die anderen Abschnitte wurden nicht mit einem gekauften Exemplar verglichen
+convention-rp-ratio = RP: F-Test des Verhältnisses, mit den Freiheitsgraden des Intervalls in geschlossener Form (normalverteilte Streuung)
+convention-set-up = die Parameter von Basis und Zielmarken ändern sich mit jedem Aufbau: eine Änderung dort kommt nicht unbedingt vom Roboter
+convention-shared-instrument = alle Kampagnen haben dasselbe Messgerät { $instrument }: seine gleichbleibenden Abweichungen stecken in jedem Wert und heben sich in den Änderungen auf, die daher genauer bekannt sind, als u angibt, wenn diese Abweichungen zu u gehören; seine Drift zwischen den Kampagnen erscheint als Änderung des Roboters
+convention-shared-risk = Konformität: geteiltes Risiko (JCGM 106:2012, 8.2.1): entschieden, wenn die erweiterte Messunsicherheit höchstens ein Viertel des Grenzwerts ist
+convention-significance = eine Änderung ist signifikant, wenn ihre Zufallswahrscheinlichkeit, korrigiert für die Zahl der Größen ihrer Familie in einem Paar von Kampagnen, unter 5 % liegt: bei Parametern nach der Verteilung der größten Änderung mit ihren Kovarianzen (Westfall & Young 1993), bei anderen Größen nach Holm (1979); die 95-%-Intervalle sind nicht korrigiert
+convention-simple-acceptance = Konformität: einfache Annahme (ILAC-G8:09/2019, 4.2.1)
+convention-standing = Stillstand: { $duration } s oder länger innerhalb von { $radius } mm um das Mittel; eine Pose gilt innerhalb von { $near } mm als erreicht; ihre Position ist das Mittel der mittleren Hälfte des Stillstands
+convention-tables = 25-%-Regel mit U bei k = { $k }; Positionen im Koordinatensystem der Tabellen
+convention-times-as-stamped = Zeiten: Zeitstempel der Aufzeichnung
+convention-times-by-rate = Zeiten: Abtastwerte mit der angegebenen Rate von { $rate } Hz
 conventions = Vereinbarungen
+conventions-and-drift = Konventionen, Drift der Aufzeichnung
 cooks-distance = Cook-Abstand
 cooks-distance-description = Ein Balken je Pose der Tabelle; Posen über der Linie sind einflussreich.
 cooks-distance-note = Cook-Abstand: Änderung der Parameter ohne die Pose, bezogen auf ihre Kovarianz. Eine Pose über { $limit } ist einflussreich (Median von F; Cook 1977).
 cooks-distance-of-poses = Cook-Abstand der Posen
 cooks-distance-tooltip = Pose { $pose }: Cook-Abstand { $distance }
 coordinate = Koordinate
-coordinate-uncertainty = { $uncertainty } mm (k = 1) je Koordinate
-coordinate-uncertainty-in-common = { $uncertainty } mm (k = 1) je Koordinate, unabhängig für jede Beobachtung, und { $common } mm gemeinsam für alle Beobachtungen eines gemessenen Punkts
+coordinate-uncertainty = { $uncertainty } mm (k = 1) je Koordinate
+coordinate-uncertainty-in-common = { $uncertainty } mm (k = 1) je Koordinate, unabhängig für jede Beobachtung, und { $common } mm gemeinsam für alle Beobachtungen eines gemessenen Punkts
 coordinates = Koordinaten
 coplanarity = Koplanarität
 coplanarity-of-pose = Abstand der mittleren Position von der Ebene der drei anderen
@@ -156,57 +225,67 @@ correlation-description = Eine Zelle je Paar: blau bei positiver, orange bei neg
 correlation-title = Korrelation der identifizierten Parameter
 correlation-tooltip = { $first } und { $second }: { $correlation }
 count-at-poses = { $count } an { $poses } Posen
-count-of-set = { $count } Punkte der { $set }
+count-of-set = { $count ->
+        [one] 1 Punkt
+       *[other] { $count } Punkte
+    } ({ $set })
 coupling = Kopplung
 coverage-factor = Erweiterungsfaktor
 curve = Kurve
-curve-caption = Schrittweise kommt die jeweils beste Position mit allen ihren Konfigurationen hinzu.
+curve-caption = In jedem Schritt kommt die beste Position mit allen ihren Konfigurationen hinzu.
 curve-description = Kreise: Index, linke Achse. Rauten: Konditionszahl, rechte Achse.
 curve-point-tooltip = { $curve }: { $value } bei { $at }
 curve-title = { $index } und Konditionszahl über der Anzahl der Positionen
-curve-tooltip = { $positions } Positionen, { $configurations } Konfigurationen: { $index } { $value }, Kondition { $condition }
+curve-tooltip = { $positions ->
+        [one] 1 Position
+       *[other] { $positions } Positionen
+    }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }: { $index } { $value }, Kondition { $condition }
 customer = Kunde
 cycle = Zyklus
 cycles = Zyklen
 cylinder = Zylinder
 date = Datum
 date-column = Datum
+date-not-stated = Datum: nicht angegeben
 date-of-issue = Ausstellungsdatum
 date-of-receipt = Eingangsdatum
 decide-now = Jetzt zu entscheiden
 decision-rule = Entscheidungsregel
 decision-rule-by-default = Die Kampagne nennt keine Entscheidungsregel; es gilt diese Vorgabe.
-decision-rule-explained = Entscheidungsregel: { $rule }: { $explanation }.
+decision-rule-explained = Entscheidungsregel, { $rule }: { $explanation }.
 decision-rule-named = Entscheidungsregel: { $rule }.
 definition = Definition
 definition-ad-rd = AD: mittlerer Ist-Abstand minus Sollabstand; RD: drei Standardabweichungen des Ist-Abstands (ISO 9283:1998, 7.3).
 definition-ap = AP: Abstand der mittleren Istposition von der Sollposition, mit seinen Komponenten (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP: mittlerer Istwinkel minus Sollwinkel; RP: drei Standardabweichungen; ausgewertet für jeden Winkel (ISO 9283:1998, 7.2.1 und 7.2.2).
 definition-compliance = Verschiebung in Richtung der Kraft je Krafteinheit: Steigung der Ausgleichsgeraden durch die unbelastete Position (ISO 9283:1998, 10).
-definition-drift = dAP und dRP: letzter Satz minus erster Satz (ISO 9283:1998, 7.6).
+definition-drift = dAP und dRP: Wert der letzten Reihe von Zyklen minus Wert der ersten (ISO 9283:1998, 7.6).
 definition-of-errors = Definition der Abweichungen
 definition-posing-time = Zeit vom Verlassen einer Pose bis zum Ende der Stabilisierung an der nächsten Pose (ISO 9283:1998, 9).
-definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten.
-definition-rp = RP: ISO 9283:1998, 7.2.2. Ergänzend zur Norm: RP ohne das Rauschen des Messgeräts (bei wiederholten Ablesungen je Anfahrt) und das Ellipsoid, das die nächste Position mit einer Wahrscheinlichkeit von 95 % enthält.
-definition-stabilisation = Zeit vom ersten Eintritt in das Grenzband, bis der Roboter darin bleibt (ISO 9283:1998, 7.4 und 7.5).
+definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten.
+definition-rp = RP: ISO 9283:1998, 7.2.2. Ergänzend zur Norm: RP ohne das Rauschen des Messgeräts (bei mehreren Messwerten je Anfahrt) und das Ellipsoid, das die nächste Position mit einer Wahrscheinlichkeit von 95 % enthält.
+definition-stabilisation = Zeit vom ersten Eintritt in das Grenzband bis zu dem Zeitpunkt, ab dem der Roboter darin bleibt (ISO 9283:1998, 7.4 und 7.5).
 definition-standstill-distance = Abstand des Mittels jedes Stillstands vom ersten Stillstand an derselben Pose. Ein wachsender Abstand weist auf Drift hin, ein gleichbleibender auf die Wiederholgenauigkeit.
 definition-target-displacement = Verschiebung der festen Zielmarken seit ihrer ersten Messung und verbleibende Verschiebung nach Korrektur der Positionen (nicht Teil der Norm).
 definition-vap = vAP: größter Abstand zwischen den mittleren Positionen zweier Anfahrrichtungen (ISO 9283:1998, 7.2.3).
 degrees-of-freedom = Freiheitsgrade
 detected-from = erkannt ab
-detected-with-probability = Wahrscheinlichkeit der Erkennung: { $percent } %
+detected-with-probability = Wahrscheinlichkeit der Erkennung: { $percent } %
 deviation = Abweichung
 deviation-along-path = Abweichung entlang der Bahn
 deviation-of-the-mean-path = Abweichung der mittleren Bahn
 deviations-from-the-method = Abweichungen von der Methode
 difference = Differenz
-difference-over-u = Differenz durch u
+difference-over-u = Differenz / u
 different-instruments = Verschiedene Messgeräte: { $instruments }. Ihre systematischen Unterschiede erscheinen als Änderungen.
 different-models = Verschiedene Modelle: { $counts } Parameter wurden identifiziert. Die in einem Modell festgehaltenen Parameter wirken auf die übrigen.
 different-set-ups = Verschiedene Aufbauten: { $differences }.
 differs = verschieden
 direction = Richtung
-disagrees = widerspricht
+disagrees = abweichend
 displacement-up-to = Verschiebung bis
 distance = Abstand
 distance-after-entry = Abstand von der Istpose nach dem ersten Eintritt in das Grenzband: erste Ankünfte an jeder Pose.
@@ -224,41 +303,51 @@ draft-mark = ENTWURF
 draws-agree = Die lineare Fortpflanzung stimmt mit { $draws } Monte-Carlo-Ziehungen für alle { $parameters } Parameter überein.
 draws-differ = Die lineare Fortpflanzung und { $draws } Monte-Carlo-Ziehungen weichen bei { $differing } von { $parameters } Parametern voneinander ab (um mehr als eine halbe Einheit der zweiten Stelle der Standardunsicherheit).
 draws-of-stated = Die Ziehungen erfassen die angegebenen Unsicherheiten, nicht den Modellfehler.
-draws-too-few = Zu wenige Ziehungen für zwei Stellen jeder Standardunsicherheit: Anzahl erhöhen.
+draws-too-few = Zu wenige Ziehungen für zwei signifikante Stellen jeder Standardunsicherheit: Anzahl erhöhen.
 draws-without-model-bootstrap = Die Ziehungen erfassen nur die angegebenen Unsicherheiten. Der Bootstrap erfasst auch den Modellfehler.
 draws-without-model-both = Die Ziehungen erfassen nur die angegebenen Unsicherheiten. Die Standardunsicherheiten des Berichts und der Bootstrap erfassen auch den Modellfehler.
 draws-without-model-report = Die Ziehungen erfassen nur die angegebenen Unsicherheiten. Die Standardunsicherheiten des Berichts erfassen auch den Modellfehler.
 drift = Drift
 drift-title = Drift der Pose-Genauigkeit und der Pose-Wiederholgenauigkeit
 effect = Effekt
+effect-at-worst-pose = Verschiebung an der empfindlichsten Pose ({ $unit })
+effect-tooltip = { $name }: { $value } ± { $half } { $unit } an Pose { $pose }
 effective-parameters = Effektive, nicht physikalische Parameter: { $names }. Die Residuen übersteigen die Unsicherheit des Messgeräts, und die Unsicherheit dieser Werte stammt überwiegend aus dem Modellfehler. Sie beschreiben die gemessenen Posen, können aber von den Maßen des Roboters abweichen.
-effects-cross-validated = Effekte: { $folds }-Fache Kreuzvalidierung an { $poses } Posen, Wiederholungen: { $repeats }
+effects-cross-validated = Effekte: { $folds }-fache Kreuzvalidierung an { $poses } Posen, Wiederholungen: { $repeats }
+effects-description = Verschiebung des Messpunkts, den jeder Parameter am stärksten bewegt, für identifizierten Wert minus Nennwert; alle anderen Parameter unverändert. { $count } von { $total } Parametern.
+effects-of-all = Wirkungen aller Parameter
+effects-section = Parameter nach ihrer Wirkung
+effects-title = Wirkungen der Parameter
 ellipsoid-semi-axes = Ellipsoid, Halbachsen
 enclosing-sphere-radius = umschließende Kugel, Radius
 end-of-report = Ende des Berichts
 environment = Umgebung
 error = Abweichung
-error-at-poses = { $quantity } an { $count } Posen ({ $set }): { $before } → { $after } { $unit }.
-error-axis-linear = Die Achse der Abweichung ist linear: Die größte Abweichung vorher ist höchstens das { $factor }-Fache des Medians nachher.
-error-axis-logarithmic = Die Achse der Abweichung ist logarithmisch: Die größte Abweichung vorher übersteigt das { $factor }-Fache des Medians nachher.
-error-definition = Abweichung: { $error }; { $values }; Statistik: über die Beträge, jede Wiederholung gezählt
-error-in = Abweichung { $quantity } ({ $unit })
-error-left-out = RMS-Abweichung an den ausgelassenen Posen: { $nominal } mm mit den Nennparametern, { $all } mm mit allen Parametern, { $recommended } mm mit den empfohlenen Parametern
+error-at-poses = { $quantity } an { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    } ({ $set }): { $before } → { $after } { $unit }.
+error-axis-linear = Die Achse der Abweichung ist linear: Die größte Abweichung vor der Kalibrierung ist höchstens das { $factor }-Fache des Medians nach der Kalibrierung.
+error-axis-logarithmic = Die Achse der Abweichung ist logarithmisch: Die größte Abweichung vor der Kalibrierung übersteigt das { $factor }-Fache des Medians nach der Kalibrierung.
+error-definition = Abweichung: { $error }; { $values }; Statistik über die Beträge, jede Wiederholung einzeln gezählt
+error-in = Abweichung in { $quantity } ({ $unit })
+error-in-unit = Abweichung ({ $unit })
+error-left-out = RMS-Abweichung an den ausgelassenen Posen: { $nominal } mm mit den Nennparametern, { $all } mm mit allen Parametern, { $recommended } mm mit den empfohlenen Parametern
 error-map-description = Marken an den gemessenen Positionen: Farbe und Größe von 0 bis { $top }, vorher und nachher gleiche Skala; größte Abweichung { $largest }.
 error-map-own-scale = Marken an den gemessenen Positionen: Farbe und Größe von 0 bis { $top }, Skala nur für dieses Bild; größte Abweichung { $largest }.
 error-of-platform = gemessene Pose der Plattformmitte C (aus den Kugeln) minus der aus den Gelenkwerten vorhergesagten Pose; Positionen: C im Basiskoordinatensystem
-error-of-targets = gemessene minus vorhergesagte Position jeder Zielmarke, vorhergesagt aus den Gelenkwerten; Orientierung: Drehung zwischen den gemessenen und den vorhergesagten Zielmarken; Positionen: Zielmarken im Weltkoordinatensystem
+error-of-targets = gemessene minus aus den Gelenkwerten vorhergesagte Position jeder Zielmarke; Orientierung: Drehung zwischen den gemessenen und den vorhergesagten Zielmarken; Positionen: Zielmarken im Weltkoordinatensystem
 error-of-tool = Abweichung: wahre Position von { $point } im Basiskoordinatensystem minus der von der Steuerung berechneten Position
 error-sizes-after = Verteilung der Positionsabweichungen nach der Kalibrierung
 error-sizes-before = Verteilung der Positionsabweichungen vor der Kalibrierung
-error-tooltip = Pose { $pose }, Zyklus { $cycle }, { $target } ({ $set }): { $before } davor, { $after } danach
+error-tooltip = Pose { $pose }, Zyklus { $cycle }, { $target } ({ $set }): { $before } vorher, { $after } nachher
 error-vectors-after = Abweichungsvektoren nach der Kalibrierung, { $plane }-Ebene
 error-vectors-before = Abweichungsvektoren vor der Kalibrierung, { $plane }-Ebene
 errors = Abweichungen
 errors-against-description = Eine Marke je Abweichung: Kreise für Kalibrierposen, Rauten für Validierungsposen.
 errors-before-after = Abweichungen vor → nach der Kalibrierung, Posen der { $set }:
 errors-before-after-of = Abweichungen ({ $point }) vor → nach der Kalibrierung, Posen der { $set }:
-errors-before-and-after = Abweichungen davor und danach
+errors-before-and-after = Abweichungen vorher und nachher
 errors-below-axis = { $count ->
     [one] 1 kleinere Abweichung ist am unteren Rand gezeichnet.
    *[other] { $count } kleinere Abweichungen sind am unteren Rand gezeichnet.
@@ -266,40 +355,52 @@ errors-below-axis = { $count ->
 errors-by-number-of-positions = Positionsabweichungen über der Anzahl der Positionen
 errors-by-pose-linear = Eine Marke je Pose, Zyklus und Zielmarke; lineare Achse ({ $unit }).
 errors-by-pose-logarithmic = Eine Marke je Pose, Zyklus und Zielmarke; logarithmische Achse ({ $unit }).
+errors-by-set-and-pose = Abweichungen nach Gruppe und nach Pose
 errors-hold-among = Diese Werte gelten im gemessenen Bereich: Der Abstand einer Validierungspose von der nächsten Kalibrierpose ist das { $ratio }-Fache des Abstands der Kalibrierposen (Median; höchstens das { $largest }-Fache). Validierungsposen mit einem Gelenk außerhalb seines Kalibrierbereichs: { $outside } von { $total }.
-errors-not-drawn = { $count } Abweichungen mit nicht endlicher Position oder nicht endlichem Wert sind nicht gezeichnet.
+errors-not-drawn = { $count ->
+        [one] 1 Abweichung, deren Position oder Wert nicht endlich ist, ist nicht gezeichnet.
+       *[other] { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
+    }
 errors-of-each-pose = Abweichungen je Pose
-errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet: die größte Abweichung jeder Pose nach der Kalibrierung, für alle Validierungsposen, soweit Platz ist, und eine gleichmäßige Auswahl der Kalibrierposen.
+errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet: die größte Abweichung jeder Pose nach der Kalibrierung, für alle Validierungsposen, die Platz finden, und für eine gleichmäßige Auswahl der Kalibrierposen.
+errors-overlaid-description = Anteile von { $count } Punkten ({ $set }); logarithmische Achse.
+errors-overlaid-title = Positionsabweichungen vorher und nachher
+errors-that-do-not-decide = Weitere Abweichungen
+example-label = Beispiel:
 exchangeability = Austauschbarkeit
-exchangeability-between-robots = Austauschbarkeit E = { $distance } µm: größter Abstand zwischen den mittleren Positionen zweier Roboter an derselben Pose (ISO 9283:1998, 7.7).
+exchangeability-between-robots = Austauschbarkeit E = { $distance } µm: größter Abstand zwischen den mittleren Positionen zweier Roboter an derselben Pose (ISO 9283:1998, 7.7).
 expected = erwartet
 expected-from-the-points = aus den Punkten erwartet
 expected-label = erwartet:
 expected-value = { $value }, erwartet { $expected }
+expired = abgelaufen
 explained = erklärt
+explanations-of-messages = Erklärungen dieser Meldungen
 export = Export
 fail = nicht bestanden
 features = Geometrieelemente
 figure = Ergebnis
+figure-of-set = { $quantity }, { $figure } ({ $set })
 figures-of-measurement-point = Alle Werte beziehen sich auf den Messpunkt: { $point }.
 file = Datei
 filter = Filter
 filter-rows = Zeilen filtern
-fit = Ausgleich
-fit-and-observability = Ausgleich und Beobachtbarkeit
-fits = Ausgleiche
+first-cycle = erster Zyklus
+fit = Anpassung
+fit-and-observability = Anpassung und Beobachtbarkeit
+fits = Anpassungen
 fixed-in-the-world = Im Weltkoordinatensystem feste Elemente
 folder = Ordner
-folds-over-u = Teilmengen durch u
+folds-over-u = Standardabweichung der Teilmengen / u
 force-up-to = Kraft bis
 formats = Formate
 formats-without-all-parameters = Diese Formate können nicht alle identifizierten Parameter aufnehmen. Ihre Dateien enthalten eine zweite Identifikation, bei der die übrigen Parameter auf ihren Nennwerten festgehalten sind. Positionsabweichungen: RMS und Maximum.
-formula-sources = Systeme und Identifikation: gewichtete kleinste Quadrate (A. Joubair, Dissertation, ÉTS Montréal 2012, Kapitel 1 bis 4); Kenngrößen: ISO 9283:1998; Unsicherheiten: JCGM 100:2008, JCGM 101:2008
+formula-sources = Koordinatensysteme und Identifikation: gewichtete kleinste Quadrate (A. Joubair, Dissertation, ÉTS Montréal 2012, Kapitel 1 bis 4); Kenngrößen: ISO 9283:1998; Unsicherheiten: JCGM 100:2008, JCGM 101:2008
 frame-as-exported = die Koordinaten der Exporte sind im Weltkoordinatensystem angegeben
-frame-from-plane = xy-Ebene: Element `{ $plane }`; Ursprung: `{ $origin }`; { $axis }-Achse: von `{ $from }` nach `{ $to }`; andere Achse in Richtung `{ $towards }`
-frame-from-targets = Bestanpassung der Zielmarken { $targets }: Ursprung in der ersten Zielmarke, x-Achse zur zweiten, dritte in der xy-Ebene
-frame-from-targets-each = Bestanpassung der Zielmarken { $targets }, bei jeder Pose neu gemessen: Ursprung in der ersten Zielmarke, x-Achse zur zweiten, dritte in der xy-Ebene
-frames-and-features = Koordinatensysteme und Elemente
+frame-from-plane = xy-Ebene: Geometrieelement `{ $plane }`; Ursprung: `{ $origin }`; { $axis }-Achse: von `{ $from }` nach `{ $to }`; andere Achse in Richtung `{ $towards }`
+frame-from-targets = Anpassung an die Zielmarken { $targets }: Ursprung in der ersten Zielmarke, x-Achse zur zweiten, die dritte in der xy-Ebene
+frame-from-targets-each = Anpassung an die Zielmarken { $targets }, an jeder Pose neu gemessen: Ursprung in der ersten Zielmarke, x-Achse zur zweiten, die dritte in der xy-Ebene
+frames-and-features = Koordinatensysteme und Geometrieelemente
 frames-of-poses = Koordinatensysteme der Posen
 from = von
 from-cycle-on = ab Zyklus
@@ -310,38 +411,37 @@ from-residuals = aus den Residuen (als unabhängig behandelt)
 from-residuals-by-pose = aus den Residuen, nach Posen gruppiert
 from-residuals-by-region = aus den Residuen, nach Bereichen des Arbeitsraums gruppiert
 from-the-instrument = aus dem Messgerät
-further-rows = { $count ->
-    [one] { $last } und 1 weiteren Zeile
-   *[other] { $last } und { $count } weiteren Zeilen
-}
-gain-over-u = Gewinn durch u
-gains = Übersetzungen
+gain-over-u = Gewinn / u
+gains = Übertragungsfaktoren
 geometric = geometrisch
-geometric-definition = Dissertation, Kapitel 2: Jede Größe ist an eigens gemessene Punkte angepasst, ohne Optimierung des Robotermodells; gamma, beta und epsilon_theta sind null gesetzt; d3 ist um die Steigungen der Antriebe 2 und 3 korrigiert. Unsicherheiten: aus den Punkten, fortgepflanzt durch alle Anpassungen und Koordinatensysteme; aus den Residuen, wo deren Streuung die angegebene Unsicherheit des Messgeräts übersteigt. Abweichungen: Mittel aus gemessener minus vorhergesagter Pose, nominal und geometrisch, im geometrisch bestimmten Basiskoordinatensystem
+geometric-definition = Dissertation, Kapitel 2: Jede Größe ist an eigens dafür gemessene Punkte angepasst, ohne Optimierung des Robotermodells; gamma, beta und epsilon_theta sind auf null gesetzt; d3 ist um die Steigungen der Antriebe 2 und 3 korrigiert. Unsicherheiten: aus den Punkten, fortgepflanzt durch alle Anpassungen und Koordinatensysteme; aus den Residuen, wo deren Streuung die angegebene Unsicherheit des Messgeräts übersteigt. Abweichungen: Mittel aus gemessener minus vorhergesagter Pose, nominal und geometrisch, im geometrisch bestimmten Basiskoordinatensystem
 geometric-u-note = u (k = 1) enthält die Unsicherheit des Basiskoordinatensystems. Sie ist allen Wiederholungen gemeinsam und daher nicht in deren Standardabweichung enthalten.
 geometry = Geometrie
 geometry-alone = Geometrie allein
 geometry-alone-title = Messungen mit Geometrie allein
-geometry-beside-identification = Geometrie allein, neben der Identifikation
-geometry-improvement = Die größte mittlere Positionsabweichung sinkt durch Geometrie allein von { $nominal } mm auf { $geometric } mm: Faktor { $improvement }.
+geometry-beside-identification = Geometrie allein, im Vergleich mit der Identifikation
+geometry-improvement = Die größte mittlere Positionsabweichung sinkt durch Geometrie allein von { $nominal } mm auf { $geometric } mm: Faktor { $improvement }.
 guarded-acceptance = Annahme mit Schutzabstand (ISO 14253-1)
-guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Unsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
-harmonics = Oberwellen
-harmonics-of-the-transmissions = Oberwellen der Getriebe
+guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Messunsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
+harmonics = Harmonische
+harmonics-of-the-transmissions = Harmonische der Getriebe
 held = festgehalten
 held-by-the-campaign = von der Kampagne festgehalten
-held-not-identifiable = festgehalten: nicht einzeln identifizierbar
+held-not-identifiable = festgehalten: nicht getrennt identifizierbar
 held-singular-values = Rauten: die { $count } kleinsten Singulärwerte mit allen Parametern; ebenso viele Parameter sind festgehalten. Richtungen auf oder unter der Linie (das { $cut }-Fache des größten) sind unbeobachtbar; Richtungen knapp darüber sind kaum beobachtbar.
 hint-label = Hinweis:
 histogram-description = Anteil der Punkte jeder Gruppe in Schritten von { $step }.
 histogram-shares = Anteil jeder Gruppe in Schritten von { $step }: { $totals }.
-histogram-tooltip = { $from } bis { $to } { $unit }: { $points } Punkte der { $set }, { $percent } %
+histogram-tooltip = { $from } bis { $to } { $unit }: { $points ->
+        [one] 1 Punkt
+       *[other] { $points } Punkte
+    } ({ $set }), { $percent } %
 how-changes-are-judged = Entscheidungsregel für Änderungen
 how-many-and-where = Anzahl und Lage der Positionen
-identification-against-geometry = Die Identifikation aller Parameter aus derselben Kampagne ergibt { $identified } mm; Geometrie allein lässt das { $ratio }-Fache übrig.
+identification-against-geometry = Die Identifikation aller Parameter aus derselben Kampagne ergibt { $identified } mm; mit Geometrie allein bleibt das { $ratio }-Fache.
 identification-ended = Die Identifikation ist gescheitert: { $reason }.
 identified = identifiziert
-identified-max = identifiziert, max
+identified-max = identifiziert, max.
 identified-minus-geometric = identifiziert − geometrisch
 identified-minus-nominal = identifiziert minus nominal
 identified-minus-nominal-in = identifiziert minus nominal ({ $unit })
@@ -358,17 +458,17 @@ index-value-of-poses = { $index } = { $value }, Posen { $poses }
 influential = einflussreich
 instrument = Messgerät
 instrument-calibration = Kalibrierung des Messgeräts
-instrument-expanded-uncertainty = erweiterte Unsicherheit des Messgeräts
+instrument-expanded-uncertainty = erweiterte Messunsicherheit des Messgeräts
 instrument-good-enough = Eignung des Messgeräts
-instrument-good-for-all = Geeignet: Die Messunsicherheit übersteigt an keiner Pose 25 % von AP und RP.
-instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP: Die Werte sind obere Schranken für den Roboter.
-instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an diesen Posen, wo die Werte obere Schranken für den Roboter sind: { $poor }. Geeignet an den Posen: { $good }.
+instrument-good-for-all = Geeignet: Die Messunsicherheit übersteigt an keiner Pose 25 % von AP und RP.
+instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP: Die Werte sind Obergrenzen für den Roboter.
+instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an diesen Posen, wo die Werte Obergrenzen für den Roboter sind: { $poor }. Geeignet an den Posen: { $good }.
 instrument-uncertainty = Unsicherheit des Messgeräts
-instrument-uncertainty-of-position = U = { $uncertainty } µm für eine Position
-instrument-uncertainty-with-k = U = { $uncertainty } µm je Koordinate (k = { $k })
-instrument-uncertainty-without-k = U = { $uncertainty } µm je Koordinate (Erweiterungsfaktor nicht angegeben)
+instrument-uncertainty-of-position = U = { $uncertainty } µm für eine Position
+instrument-uncertainty-with-k = U = { $uncertainty } µm je Koordinate (k = { $k })
+instrument-uncertainty-without-k = U = { $uncertainty } µm je Koordinate (Erweiterungsfaktor nicht angegeben)
 interval-95 = 95-%-Intervall
-intervals-caption = Identifiziert minus nominal. Der Strich durch eine Marke ist ± 2u, oft schmaler als die Marke. Werte: siehe Tabelle oben.
+intervals-caption = Identifiziert minus nominal. Der Strich durch eine Marke stellt ± 2u dar und ist oft kürzer als die Marke. Werte: siehe Tabelle oben.
 intervals-description = Eine Marke je identifiziertem Parameter: identifiziert minus nominal; Strich: ± 2u.
 intervals-of-95 = 95-%-Intervalle.
 intervals-of-ratios-title = { $group }: Änderung der Verhältnisse, ± 2u
@@ -376,15 +476,15 @@ intervals-title = { $group }: Änderung ({ $unit }), ± 2u
 iso9283-characteristics = Ergebnisse: Leistungskenngrößen (ISO 9283)
 iso9283-report = Prüfbericht nach ISO 9283
 item-customer-traceability = Gegenstand, Kunde, Rückführbarkeit
-joint-motion-explains-most = die Parameter gelten nicht mehr: Eine Verschiebung des Nullpunkts von Gelenk { $joint } um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+joint-motion-explains-most = die Parameter gelten nicht mehr: Eine Verschiebung des Nullpunkts von Gelenk { $joint } um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
 joint-zero-moved = der Nullpunkt von Gelenk { $joint } hat sich um { $by } verschoben
 joints = Gelenke
 kind = Art
 knee-at = Knie: { $count }
-knee-caption = Knie: Punkt der Kurve, der am weitesten über der Geraden von ihrem ersten zu ihrem letzten Wert liegt.
+knee-caption = Knie: Punkt der Kurve, der am weitesten über der Geraden durch ihren ersten und letzten Wert liegt.
 known-points = bekannte Punkte
 laboratory = Labor
-lack-of-fit = Streuung der Wiederholungen: { $repeats } µm je Koordinate ({ $degrees_of_freedom } Freiheitsgrade). Modellfehler darüber hinaus: { $model } µm je Pose (F-Test auf Modellabweichung: { $probability }).
+lack-of-fit = Streuung der Wiederholungen: { $repeats } µm je Koordinate ({ $degrees_of_freedom } Freiheitsgrade). Modellfehler darüber hinaus: { $model } µm je Pose (F-Test auf mangelnde Anpassung: { $probability }).
 largest = größter Beitrag
 largest-distance = größter Abstand
 largest-error = größte Abweichung
@@ -393,33 +493,40 @@ largest-errors-of-poses = Abweichungen je Pose, die größten zuerst
 largest-mean-deviation-from-linear = größte mittlere Linearitätsabweichung
 largest-of-all-modes = größte aller Arbeitsmodi
 largest-residual-of-a-coordinate = größtes Residuum einer Koordinate
+last-cycle = letzter Zyklus
 leads = Spindelsteigungen
 left = verbleibend
-left-out-rms = ausgelassen, RMS
+left-out-rms = ausgelassene Posen, RMS
 left-rms = verbleibend, RMS
 length = Länge
 limit = Grenzwert
-limit-accuracy-max = größte Pose-Genauigkeit AP
-limit-band-value = Das Grenzband beträgt { $value } µm.
+limit-accuracy-max = größter Wert der Pose-Genauigkeit AP
+limit-band-value = Das Grenzband beträgt { $value } µm.
 limit-contact-max = größter Abstand von einer Aufnahme
 limit-coordinate-max = größte Koordinatenabweichung
 limit-distance-max = größte Abstandsabweichung
-limit-exceeded-sentence = Grenzwert { $limit } µm überschritten.
-limit-kept-sentence = Grenzwert { $limit } µm eingehalten.
-limit-margin = Reserve { $margin } { $unit }, Risiko einer falschen Annahme { $risk } %
-limit-margin-without-uncertainty = Reserve { $margin } { $unit }, Unsicherheit unbekannt
+limit-exceeded-sentence = Grenzwert { $limit } µm überschritten.
+limit-kept-sentence = Grenzwert { $limit } µm eingehalten.
+limit-margin = Reserve { $margin } { $unit }, Risiko einer falschen Annahme { $risk } %
+limit-margin-without-uncertainty = Reserve { $margin } { $unit }, Unsicherheit unbekannt
 limit-met-sentence = Der Grenzwert der Kampagne ist eingehalten.
 limit-not-met-sentence = Der Grenzwert der Kampagne ist nicht eingehalten.
-limit-of = Grenzwert: { $quantity } { $value } { $unit }
+limit-of = Grenzwert: { $quantity } { $value } { $unit }
 limit-orientation-max = größte Orientierungsabweichung
 limit-position-max = größte Positionsabweichung
 limit-position-mean = mittlere Positionsabweichung
 limit-position-rms = Positionsabweichung, RMS
-limit-repeatability-max = größte Pose-Wiederholgenauigkeit RP
+limit-repeatability-max = größter Wert der Pose-Wiederholgenauigkeit RP
 limit-surface-max = größter Abstand von einer Fläche
-limited-error = { $quantity } an { $count } Posen ({ $set }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
+limited-error = { $quantity } an { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    } ({ $set }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
 limits = Grenzwerte
-limits-all-met = Alle { $count } Grenzwerte der Kampagne sind eingehalten.
+limits-all-met = { $count ->
+        [one] Der Grenzwert der Kampagne ist eingehalten.
+       *[other] Alle { $count } Grenzwerte der Kampagne sind eingehalten.
+    }
 limits-both-met = Beide Grenzwerte der Kampagne sind eingehalten.
 limits-not-assessable = Nicht beurteilbar (Größe nicht gemessen): { $limits }.
 limits-not-met = { $count ->
@@ -435,34 +542,35 @@ load-proven = { $count ->
     [one] { $load } von 1 Parameter laden: Seine Änderung gegenüber dem Nennwert ist signifikant
    *[other] { $load } von { $count } Parametern laden: Ihre Änderung gegenüber dem Nennwert ist signifikant, einzeln oder gemeinsam
 }
-load-sentence = Last: { $load } kg.
+load-sentence = Last: { $load } kg.
 load-stable = { $count ->
-    [one] { $load } von 1 Parameter laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein lassen größere Abweichungen übrig
-   *[other] { $load } von { $count } Parametern laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein lassen größere Abweichungen übrig
+    [one] { $load } von 1 Parameter laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein ergeben größere Abweichungen
+   *[other] { $load } von { $count } Parametern laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein ergeben größere Abweichungen
 }
 log = Protokoll
 logo-of-the-laboratory = Logo des Labors
 manufacturer = Hersteller
 margin = Reserve
-max = Max.
-max-after = Max. danach
-max-before = Max. davor
-max-of = { $quantity }, Max.
+max = max.
+max-after = max. nachher
+max-before = max. vorher
+max-of = { $quantity }, max.
 mean = Mittel
 mean-distance-from-mean = mittlerer Abstand von der mittleren Position
 mean-error = mittlere Abweichung
-mean-error-of = Mittlere Abweichung: { $quantity }, Posen der { $set }, { $when }
+mean-error-named = Mittlere Abweichung: { $name }
+mean-error-of-set = { $quantity }, { $when } (Posen: { $set })
 mean-from-overall-mean = Abstand ihres Mittels vom Gesamtmittel (µm)
 mean-of = { $quantity }, Mittel
 mean-of-attained-positions = Mittel der erreichten Positionen.
 mean-of-axis = Mittel { $axis }
 mean-of-identifications = Mittel aus { $runs } Identifikationen. Werte: siehe Tabelle oben.
-mean-plus-3s = Mittel + 3 s
-mean-plus-3s-of-distance = Mittel + 3 s des Abstands von der mittleren Position (µm)
+mean-plus-3s = Mittel + 3 s
+mean-plus-3s-of-distance = Mittel + 3 s des Abstands von der mittleren Position (µm)
 mean-positions = Mittlere Positionen
 mean-positions-changed = Die mittleren Positionen haben sich geändert: durch den Roboter oder durch die Bestimmung seines Koordinatensystems.
-mean-radius-plus-3s = mittlerer Radius + 3 s der Durchläufe
-mean-tooltip = Mittel { $approach }: x { $x }, y { $y }, z { $z } µm
+mean-radius-plus-3s = mittlerer Radius + 3 s der Durchläufe
+mean-tooltip = Mittel { $approach }: x { $x }, y { $y }, z { $z } µm
 meaning-and-sign = Bedeutung und Vorzeichen
 meanings-title = Bedeutung der Parameter
 measured = gemessen
@@ -474,7 +582,10 @@ met = eingehalten
 method = Methode
 method-identification = Identifikation der kinematischen Parameter ({ $model }) nach der Methode der kleinsten Quadrate
 method-iso9283 = Leistungsprüfung nach ISO 9283:1998
-method-iterations = { $method }, { $iterations } Iterationen;
+method-iterations = { $method }, { $iterations ->
+        [one] 1 Iteration
+       *[other] { $iterations } Iterationen
+    };
 minimum-posing-time = Minimale Positionierzeit
 mode-count = { $count ->
     [one] 1 Modus
@@ -490,7 +601,7 @@ model-leaves-residuals = Die Residuen betragen das { $ratio }-Fache { $uncertain
 model-of-the-robot = Modell des Roboters
 model-prexyt = PreXYT-Tisch
 model-serial = serieller Arm
-model-urdf = Arm aus einer URDF-Datei
+model-urdf = durch eine URDF-Datei beschriebener Arm
 more-in-annex = { $count ->
     [one] 1 weitere Meldung: siehe Anhang.
    *[other] { $count } weitere Meldungen: siehe Anhang.
@@ -502,15 +613,19 @@ more-without-picture = { $count ->
 }
 motion = Bewegung
 mounting = Aufstellung
-moved = bewegt
+moved = Bewegung
 movement = Bewegung
 movement-of-the-set-up = Bewegung des Aufbaus
 moves = Bewegungen
+multiples-description = xy-Ebene um den Schwerpunkt, alle Posen in einem Maßstab (halbe Breite { $half } µm). { $count } von { $total } Posen.
+multiples-title = Anfahrten der Posen
 name = Name
 name-date-signature = Name, Datum, Unterschrift
-named-from = benannt ab
-naming-probability = Wahrscheinlichkeit, dass das bewegte Gelenk erkannt wird: { $percent } %.
+named-from = zugeordnet ab
+naming-probability = Wahrscheinlichkeit, dass das bewegte Gelenk erkannt wird: { $percent } %.
 needed = nötig
+next-step = nächster Schritt { $number }
+next-steps = Nächste Schritte
 no = nein
 no-certificate-stated = kein Kalibrierschein angegeben
 no-correlated-pairs = Kein Paar hat eine Korrelation von 0,9 oder mehr.
@@ -526,12 +641,12 @@ no-uncertainty-is-known = die Unsicherheit ist unbekannt
 noise = Rauschen
 nominal = nominal
 nominal-lead = Nennsteigung
-nominal-max = nominal, max
+nominal-max = nominal, max.
 nominal-minus-identified = nominal minus identifiziert
 nominal-rms = nominal, RMS
 nominal-values = Nennwerte
 none = keine
-norm = Norm
+norm = Betrag
 normal-quantile = Quantil der Normalverteilung
 not-accepted = nicht angenommen
 not-assessable = nicht beurteilbar
@@ -547,7 +662,7 @@ not-run = nicht gerechnet
 not-stated = nicht angegeben
 not-stated-items = Nicht angegeben: { $items }.
 notes = Bemerkungen
-nothing-held = Kein Parameter ist festgehalten: Jede Spalte liegt weiter als die Rangschwelle { $cut } vom Aufspann der anderen entfernt.
+nothing-held = Kein Parameter ist festgehalten: Der Abstand jeder Spalte von der linearen Hülle der anderen übersteigt die Rangschwelle { $cut }.
 nothing-to-verify = nichts zu prüfen
 number = Nummer
 numbers-of-arrows = Werte der { $count } Pfeile
@@ -571,7 +686,7 @@ orientation-max = Orientierung, max.
 orientation-title = Orientierung
 origin-in-the-exports = Ursprung in den Exporten
 other-planes = Andere Ebenen
-outliers-note = Farbige Zahlen: Ausreißer (modifizierter z-Wert über 3,5; Iglewicz und Hoaglin, 1993). Bezug: die Kampagnen desselben Roboters oder, bei weniger als acht, von Robotern derselben Bauart.
+outliers-note = Farbige Zahlen: Ausreißer (modifizierter z-Wert über 3,5; Iglewicz und Hoaglin, 1993). Bezug: die Kampagnen desselben Roboters oder, wenn er weniger als acht hat, die von Robotern derselben Bauart.
 outliers-then-largest-errors = Abweichungen je Pose: Ausreißer, dann die größten
 overshoot = Überschwingen
 overshoot-co = Überschwingen CO
@@ -587,7 +702,7 @@ parameters = Parameter
 parameters-implausible = Diese Parameter sind für den Roboter unplausibel: nicht laden.
 parameters-left-out = weggelassene Parameter
 parameters-no-longer-valid = die Parameter gelten nicht mehr; keine Bewegung der Basis, eines einzelnen Gelenks oder einer einzelnen Zielmarke erklärt die Abweichung
-parameters-note = u: Standardunsicherheit (k = 1); U = 2u: erweiterte Unsicherheit. Die Werte sind auf die zweite Stelle von u gerundet. „Davor“: Nur Basis und Zielmarken sind angepasst. Änderung: identifiziert minus nominal.
+parameters-note = u: Standardunsicherheit (k = 1); U = 2u: erweiterte Messunsicherheit. Die Werte sind auf die zweite Stelle von u gerundet. „Vorher“: Nur Basis und Zielmarken sind angepasst. Änderung: identifiziert minus nominal.
 parameters-of-robot = Parameter des Roboters
 parameters-of-set-up = Parameter von Basis und Zielmarken
 parameters-still-valid = die Parameter gelten für diese Posen noch
@@ -597,21 +712,27 @@ path = Bahn
 path-accuracy-at = Bahngenauigkeit AT
 path-accuracy-at-reorientation = Bahngenauigkeit AT bei Umorientierung
 path-accuracy-title = Bahngenauigkeit AT
-path-passes = { $length } mm, { $passes } Durchläufe
-path-passes-incomplete = { $length } mm, { $passes } Durchläufe, { $incomplete } unvollständige
+path-passes = { $length } mm, { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }
+path-passes-incomplete = { $length } mm, { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }, { $incomplete } unvollständig
 path-repeatability-rt = Bahnwiederholgenauigkeit RT
 path-repeatability-title = Bahnwiederholgenauigkeit RT
 path-velocity = Bahngeschwindigkeit
-percent-of-rated = { $percent } % der Nenngeschwindigkeit
-permissible = zulässig
-permissible-over-certificate = zulässig / Kalibrierunsicherheit
-picture-marks = Kreise: Kalibrierposen; Rauten: Validierungsposen. Am Bildschirm zeigt der Mauszeiger auf einer Marke Pose, Zyklus, Zielmarke und Abweichung. Werte: siehe Tabelle je Pose und unter den Bildern.
+percent-of-rated = { $percent } % der Nenngeschwindigkeit
+permissible = Fehlergrenze
+permissible-over-certificate = Fehlergrenze / Unsicherheit des Kalibrierscheins
+picture-marks = Kreise: Kalibrierposen; Rauten: Validierungsposen. Am Bildschirm den Mauszeiger auf eine Marke setzen, um Pose, Zyklus, Zielmarke und Abweichung zu lesen. Werte: siehe die Tabelle je Pose und die Tabellen unter den Bildern.
 pictures = Bilder
 pictures-of-thesis = Bilder (Dissertation, Bilder 4.8 und 4.9)
 place-of-the-base = Lage der Basis
 placed-by-validation-poses = durch Validierungsposen bestimmt
 places-of-the-targets = Lage der Zielmarken
-plan-better-than = Posen { $poses }: { $value } (der Plan ist { $percent } % besser)
+plan-better-than = Posen { $poses }: { $value } (der Plan ist { $percent } % besser)
 plan-for-model = Kalibrierplan: { $model }
 plane = Ebene
 plane-named = { $plane }-Ebene
@@ -620,11 +741,11 @@ platform-centre = Plattformmitte C
 platform-in-base = der Plattformmitte C im Basiskoordinatensystem
 point = Punkt
 point-error-in-common = die Abweichung des Messgeräts an einem Punkt ist allen Beobachtungen dieses Punkts gemeinsam
-point-in-flange = Punkt { $point } mm im Flanschkoordinatensystem
-point-in-platform = Punkt { $point } mm im Plattformkoordinatensystem
-point-in-targets = Punkt { $point } mm im Koordinatensystem der Zielmarken
+point-in-flange = Punkt { $point } mm im Flanschkoordinatensystem
+point-in-platform = Punkt { $point } mm im Plattformkoordinatensystem
+point-in-targets = Punkt { $point } mm im Koordinatensystem der Zielmarken
 points = Punkte
-points-drawn = { $drawn } von { $total } Punkten sind gezeichnet: eine gleichmäßige Auswahl mit dem größten.
+points-drawn = { $drawn } von { $total } Punkten sind gezeichnet: eine gleichmäßige Auswahl einschließlich des größten Werts.
 points-of = { $set }, Punkte
 pose = Pose
 pose-accuracy-ap = Pose-Genauigkeit AP
@@ -633,9 +754,12 @@ pose-conforms = Pose { $pose } ist konform
 pose-coordinates = { $count } Posekoordinaten (mm und rad)
 pose-named = Pose { $pose }
 pose-repeatability-rp = Pose-Wiederholgenauigkeit RP
-pose-tooltip = Pose { $pose }: x { $x }, y { $y }, z { $z } mm
+pose-tooltip = Pose { $pose }: x { $x }, y { $y }, z { $z } mm
 poses-and-cycles = Posen und Zyklen
-poses-and-visits = { $poses } Posen, je { $visits } Anfahrten
+poses-and-visits = { $poses } Posen, je { $visits ->
+        [one] 1 Anfahrt
+       *[other] { $visits } Anfahrten
+    }
 poses-conform = { $count ->
     [one] 1 von { $total } Posen ist konform
    *[other] { $count } von { $total } Posen sind konform
@@ -663,22 +787,23 @@ position-error-against = Positionsabweichung nach der Kalibrierung über { $quan
 position-error-before = Positionsabweichung vor der Kalibrierung, { $plane }
 position-error-by-pose = Positionsabweichung je Pose, vor und nach der Kalibrierung
 position-error-in = Positionsabweichung ({ $unit })
+position-error-log = Positionsabweichung ({ $unit }), logarithmisch
 position-max = Position, max.
-position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }; aus Messgerät und Koordinatensystemen erwartet: { $expected } { $unit }.
+position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }; aus Messgerät und Koordinatensystemen erwartet: { $expected } { $unit }.
 position-residuals-rms = Positionsresiduen, RMS
 position-rms = Position, RMS
 positions = Positionen
 preconditions-column = Voraussetzungen
-predicted-target-uncertainty = vorhergesagte Unsicherheit der Zielmarkenpositionen über die Kandidaten (k = 1)
+predicted-target-uncertainty = vorhergesagte Unsicherheit der Zielmarkenpositionen an den Kandidaten (k = 1)
 predicted-u = vorhergesagtes u (k = 1)
 predicted-uncertainty-title = Vorhergesagte Unsicherheit der Parameter
-prediction-behind = Wo sich Zellen überdecken, ist die größte gezeichnet.
-prediction-description = Eine Zelle je { $spacing } mm im Basiskoordinatensystem, im Bereich der Kalibrierposen. Farbe von 0 bis { $colour }, gleiche Skala für beide Bilder; größter Wert { $largest }.
+prediction-behind = Wo sich Zellen überdecken, ist die mit dem größten Wert gezeichnet.
+prediction-description = Eine Zelle je { $spacing } mm im Basiskoordinatensystem, im Bereich der Kalibrierposen. Farbe von 0 bis { $colour }, gleiche Skala für beide Bilder; größter Wert { $largest }.
 prediction-difference-title = Werkzeugpunkt: nominales minus identifiziertes Modell, { $plane }-Ebene
 prediction-expected-title = Werkzeugpunkt: erwartete Abweichung mit den identifizierten Parametern, { $plane }-Ebene
-prediction-map-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; p95_mm: Obergrenze von 95 % der Abweichungen an einem Knoten, bei Normalverteilung (Box 1954)
-prediction-own-scale = Eine Zelle je { $spacing } mm im Basiskoordinatensystem, im Bereich der Kalibrierposen. Farbe von 0 bis { $colour }, Skala nur für dieses Bild; größter Wert { $largest }.
-prediction-tooltip = x { $x }, y { $y }, z { $z } mm: nominal minus identifiziert { $difference }; erwartet { $expected } (k = 1), 95 % innerhalb { $largest }
+prediction-map-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; p95_mm: Obergrenze von 95 % der Abweichungen an einem Knoten, bei Normalverteilung (Box 1954)
+prediction-own-scale = Eine Zelle je { $spacing } mm im Basiskoordinatensystem, im Bereich der Kalibrierposen. Farbe von 0 bis { $colour }, Skala nur für dieses Bild; größter Wert { $largest }.
+prediction-tooltip = x { $x }, y { $y }, z { $z } mm: nominal minus identifiziert { $difference }; erwartete Abweichung { $expected } (k = 1), zu 95 % kleiner als { $largest }
 probability-by-chance = p-Wert
 probability-of-errors = Wahrscheinlichkeit so großer Abweichungen bei der Unsicherheit von Parametern und Messung: { $probability }.
 projected-into-xy = in die xy-Ebene projiziert
@@ -687,6 +812,7 @@ provenance = Herkunft
 quantiles-description = Sortierte Residuen über den Quantilen einer Normalverteilung; Gerade: normalverteiltes Rauschen.
 quantities-changed = Signifikante Änderungen: { $changed } von { $total } Größen des Roboters: { $names }.
 quantity = Größe
+quantity-at = { $quantity }, { $place }
 quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = 25-%-Regel
 radius = Radius
@@ -696,25 +822,31 @@ rank-cut = Rangschwelle { $value }
 ratio = Verhältnis
 reached = erreicht
 read-as = gelesen als
-readings = Ablesungen
-readings-not-judged = { $target } ({ $readings } Ablesungen, Redundanz { $redundancy }: nicht beurteilt)
-readings-redundancy = { $target } ({ $readings } Ablesungen, Redundanz { $redundancy })
+readings = Messwerte
+readings-not-judged = { $target } ({ $readings ->
+        [one] 1 Messwert
+       *[other] { $readings } Messwerte
+    }, Redundanz { $redundancy }: nicht beurteilt)
+readings-redundancy = { $target } ({ $readings ->
+        [one] 1 Messwert
+       *[other] { $readings } Messwerte
+    }, Redundanz { $redundancy })
 reason = Grund
 recommendation-title = Empfehlung der zu ladenden Parameter
 recorded = aufgezeichnet
 recorded-motion = Aufgezeichnete Bewegung
-reference-targets = Referenzziele
+reference-targets = Referenzmarken
 refused = abgelehnt
 refused-rows = { $refused } von { $total } Zeilen abgelehnt
 region-of-c = Bereich von C, im Basiskoordinatensystem
-region-of-orientation = Orientierung { $orientation } deg
-region-of-orientations = jede Orientierung von { $from } bis { $to } deg
+region-of-orientation = Orientierung { $orientation } deg
+region-of-orientations = jede Orientierung von { $from } bis { $to } deg
 relative-humidity = relative Luftfeuchte
 relaxation-alone = Relaxation allein
-reliability-note = Zuverlässigkeit (Baarda 1968; Signifikanzniveau { $significance } %, Teststärke { $power } %). Kleinster aufdeckbarer Fehler einer Koordinate: Median { $median }, ungünstigste Ablesung { $largest }; kleinste Redundanz { $redundancy }. Ablesungen mit einem Residuum über { $factor } Standardabweichungen: { $beyond } von { $readings }.
+reliability-note = Zuverlässigkeit (Baarda 1968; Signifikanzniveau { $significance } %, Teststärke { $power } %). Kleinster aufdeckbarer Fehler einer Koordinate: Median { $median }, ungünstigster Messwert { $largest }; kleinste Redundanz { $redundancy }. Messwerte mit einem Residuum über { $factor } Standardabweichungen: { $beyond } von { $readings }.
 repeatability = Wiederholgenauigkeit
-repeatability-at-pose = Größte Pose-Wiederholgenauigkeit RP: { $repeatability } µm, an Pose { $pose }.
-repeatability-from-one-approach = Wiederholgenauigkeit bei einer einzigen Anfahrrichtung an Pose { $pose } ({ $approaches } Anfahrrichtungen): { $smallest } bis { $largest } µm; alle Anfahrrichtungen zusammen: { $together } µm.
+repeatability-at-pose = Größter Wert der Pose-Wiederholgenauigkeit RP: { $repeatability } µm, an Pose { $pose }.
+repeatability-from-one-approach = Wiederholgenauigkeit bei einer einzigen Anfahrrichtung an Pose { $pose } ({ $approaches } Anfahrrichtungen): { $smallest } bis { $largest } µm; alle Anfahrrichtungen zusammen: { $together } µm.
 repeatability-over-cycles = Pose-Wiederholgenauigkeit jeder Pose im Verlauf der Prüfung.
 repeatability-report = Bericht zur Pose-Wiederholgenauigkeit
 repeatability-title = Wiederholgenauigkeit
@@ -724,7 +856,7 @@ report-element = Element
 report-homing = Referenzfahrt
 report-number = Nummer des Berichts
 report-poses = Posen
-reservation-drift = AP änderte sich während der Prüfung um bis zu { $change } µm und hat sich nicht stabilisiert an { $count ->
+reservation-drift = AP änderte sich während der Prüfung um bis zu { $change } µm und hat sich nicht stabilisiert an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, 7.6)
@@ -732,22 +864,22 @@ reservation-few-cycles = weniger als { $required } Zyklen an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     }
-reservation-file-hardly-better = die Steuerungsdatei für { $formats } ist kaum besser als die Nennparameter: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
+reservation-file-hardly-better = die Steuerungsdatei für { $formats } bringt keine deutliche Verbesserung gegenüber den Nennparametern: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = mindestens eine Steuerungsdatei wurde nicht geschrieben (siehe Meldungen)
-reservation-hardly-better = die identifizierten Parameter sind kaum besser als nominale: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
-reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von AP oder RP an { $count ->
+reservation-hardly-better = die identifizierten Parameter sind kaum besser als die Nennparameter: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
+reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von AP oder RP an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, Abschnitt 6)
 reservation-no-warm-up = der Roboter wurde vor der Prüfung nicht warmgefahren
 reservations = Vorbehalte: { $reasons }.
-residual-over = Residuum durch σ
+residual-over = Residuum / σ
 residuals = Residuen
-residuals-against-normal = Residuen der Kalibrierposen gegen eine Normalverteilung
+residuals-against-normal = Residuen der Kalibrierposen im Vergleich mit einer Normalverteilung
 residuals-by-pose = Residuen je Pose nach der Kalibrierung
 residuals-by-pose-description = Eine Marke je Pose, Zyklus, Zielmarke und Achse.
-residuals-max = Residuen, Max.
-residuals-pattern = Residuen mit einem Muster sind kein Rauschen: Das Modell ist unvollständig.
+residuals-max = Residuen, max.
+residuals-pattern = Residuen mit erkennbarem Muster sind kein Rauschen: Das Modell ist unvollständig.
 residuals-rms = Residuen, RMS
 residuals-summary = { $count } Residuen, Mittel { $mean }, Standardabweichung { $deviation }; Gerade: Rauschen allein.
 residuals-title = Residuen
@@ -757,12 +889,12 @@ results-relate-to-item = Diese Ergebnisse beziehen sich nur auf den geprüften G
 rigid-parts = starre Teile
 risk = Risiko
 rms = RMS
-rms-after = RMS danach
-rms-and-largest = RMS { $rms } µm, größter Wert { $largest } µm
-rms-and-max = RMS und Maximum
+rms-after = RMS nachher
+rms-and-largest = RMS { $rms } µm, größter Wert { $largest } µm
+rms-and-max = RMS und max.
 rms-and-max-values = { $rms } und { $max }
-rms-before = RMS davor
-rms-expected = { $value } mm, erwartet { $expected } mm
+rms-before = RMS vorher
+rms-expected = { $value } mm, erwartet { $expected } mm
 rms-of = { $quantity }, RMS
 rms-ratio = RMS-Verhältnis
 rms-with-it = RMS mit dem Effekt
@@ -778,18 +910,23 @@ robust = robust
 robust-fit = Robuste Anpassung
 robust-fit-agrees = Die robuste Anpassung stimmt mit der Anpassung nach kleinsten Quadraten überein. Größte Differenz: { $parameter }, { $difference } Standardunsicherheiten der Differenz (durch Zufall erwartet: { $chance }).
 robust-fit-difference = Die robuste Anpassung weicht von der Anpassung nach kleinsten Quadraten ab. Größte Differenz: { $parameter }, { $difference } Standardunsicherheiten der Differenz (durch Zufall erwartet: { $chance }).
-robust-fit-note = Ablesungen, die weit von den anderen liegen, haben wenig Gewicht (Cauchy-Verlust, c = { $c } σ mit σ = { $sigma } µm; Holland & Welsch 1977). Differenz: robuster Wert minus Wert der kleinsten Quadrate. Ihre Standardunsicherheit ist der größere von zwei Schätzwerten: aus normalverteilten Residuen und aus der Streuung der Posen. Die Tabelle enthält die Parameter mit den größten Differenzen.
+robust-fit-note = Messwerte, die weit von den anderen liegen, haben wenig Gewicht (Cauchy-Verlustfunktion, c = { $c } σ mit σ = { $sigma } µm; Holland & Welsch 1977). Differenz: robuster Wert minus Wert nach kleinsten Quadraten. Ihre Standardunsicherheit ist der größere von zwei Schätzwerten: aus normalverteilten Residuen und aus der Streuung der Posen. Die Tabelle enthält die Parameter mit den größten Differenzen.
 robust-fit-poses = Posen mit einem Residuum über { $factor } σ, unvereinbar mit den anderen: { $poses }.
 round-off-cr = Eckenverrundung CR
 routine-remarks = Routinemäßige Hinweise
 rows = Zeilen
-rows-in-frame = { $count } Zeilen: innerhalb der Tabelle blättern.
-rows-in-workbook = { $count } weitere Zeilen: siehe Arbeitsmappe.
+rows-in-frame = { $count } Zeilen: innerhalb der Tabelle scrollen.
+rows-in-workbook = { $count ->
+        [one] 1 weitere Zeile
+       *[other] { $count } weitere Zeilen
+    }: siehe Arbeitsmappe.
 rp-by-set = RP je Satz
+rp-circle = Radius RP
+rp-circle-tooltip = Pose { $pose }: RP = { $rp } µm
 rp-without-noise = RP ohne Rauschen
-rt-of-angles = RT der Winkel (Grad)
+rt-of-angles = RT der Winkel (deg)
 rule-not-stated = { $rule } (Vorgabe; die Kampagne nennt keine Regel)
-samples-in-seconds = { $samples } Abtastwerte in { $seconds } s
+samples-in-seconds = { $samples } Abtastwerte in { $seconds } s
 scale = Maßstab
 scale-bars = Kalibrierstäbe
 scaling-label = Skalierung:
@@ -797,14 +934,27 @@ seed = Startwert
 serial-number = Seriennummer
 set = Gruppe
 set-of-cycles = Satz von Zyklen
-set-summary = { $set }: { $poses } Posen, { $errors } Abweichungen
-set-summary-of = { $set }: { $poses } Posen, { $errors } Abweichungen ({ $point })
+set-summary = { $set }: { $poses ->
+        [one] 1 Pose
+       *[other] { $poses } Posen
+    }, { $errors ->
+        [one] 1 Abweichung
+       *[other] { $errors } Abweichungen
+    }
+set-summary-of = { $set }: { $poses ->
+        [one] 1 Pose
+       *[other] { $poses } Posen
+    }, { $errors ->
+        [one] 1 Abweichung
+       *[other] { $errors } Abweichungen
+    } ({ $point })
 set-up-changes = Basis und Zielmarken: { $changed } von { $total } Größen haben sich geändert (bei neuem Aufbau zu erwarten).
 set-up-parameter-named = Parameter { $name } (Basis oder Zielmarke)
 sets = Sätze
 settled-after-set = stabilisiert nach Satz
 severity-error = Fehler
 severity-warning = Warnung
+share-of-points = Anteil (%)
 share-of-set = Anteil der Gruppe (%)
 shared-risk = Annahme mit geteiltem Risiko (JCGM 106:2012, 8.2.1)
 shared-risk-explained = bestanden, wenn der Wert den Grenzwert einhält; unentschieden, wenn U ein Viertel des Grenzwerts übersteigt
@@ -816,7 +966,7 @@ signatures = Unterschriften
 significant-changes = Signifikant: { $campaigns }.
 simple-acceptance = einfache Annahme (ILAC-G8:09/2019, 4.2.1)
 simple-acceptance-explained = bestanden, wenn der Wert den Grenzwert einhält, unabhängig von seiner Unsicherheit U
-simulated-calibration-note = Synthetisch: Gaußsches Rauschen von { $noise } µm auf jeder Koordinate; Mittel aus { $identifications } Identifikationen. Parameter und Bilder zeigen ein solches Mittel. Abweichungen über der Anzahl der Positionen sind Mediane aus { $medians }. Die Abweichungen beziehen sich auf { $point }, ausgewertet über { $configurations } Konfigurationen.
+simulated-calibration-note = Synthetische Daten: normalverteiltes Rauschen von { $noise } µm auf jeder Koordinate; Mittel aus { $identifications } Identifikationen. Parameter und Bilder zeigen eines dieser Mittel. Abweichungen über der Anzahl der Positionen sind Mediane aus { $medians }. Die Abweichungen beziehen sich auf { $point }, ausgewertet über { $configurations } Konfigurationen.
 simulated-calibration-title = Simulierte Kalibrierung
 single-balls = Einzelne Kugeln, wiederholt gemessen
 singular-value = Singulärwert
@@ -829,18 +979,18 @@ skipped = übersprungen
 smallest-sphere-and-circle = Radius der kleinsten umschließenden Kugel und des kleinsten umschließenden Kreises (µm)
 solver = Löser
 solver-gradient-vanished = konvergiert: die Residuen sind orthogonal zur Jacobi-Matrix
-solver-iteration-limit = nicht konvergiert innerhalb der erlaubten Iterationen: Startwerte prüfen
+solver-iteration-limit = nicht konvergiert innerhalb der zulässigen Iterationen: Startwerte prüfen
 solver-not-finite = abgebrochen: Ein Residuum ist nicht endlich; Startwerte und Daten prüfen
-solver-rank-deficient = abgebrochen: Parameter sind nicht einzeln identifizierbar; einen davon festhalten
+solver-rank-deficient = abgebrochen: Parameter sind nicht getrennt identifizierbar; einen davon festhalten
 solver-residuals-zero = konvergiert: die Residuen sind bis auf Rundung null
 solver-rounding = bis auf Rundung konvergiert: kein kürzerer Schritt verkleinert die Residuen
 solver-step-vanished = konvergiert: der letzte Schritt ließ die Parameter unverändert
 solver-too-few-equations = abgebrochen: weniger Gleichungen als Parameter; mehr Posen messen oder Parameter festhalten
 source-contact-meaning = angegebene Wiederholgenauigkeit der Antastung eines gemessenen Punkts durch den Roboter
 source-frame-meaning = Punkte, die das Weltkoordinatensystem festlegen (allen Posen gemeinsam)
-source-frame-of-poses-meaning = Punkte des Koordinatensystems, das bei jeder Pose neu gemessen wird
+source-frame-of-poses-meaning = Punkte des Koordinatensystems, das an jeder Pose neu gemessen wird
 source-homing-meaning = Gelenkwerte nach der Referenzfahrt (allen Posen gemeinsam)
-source-instrument-meaning = angegebene Unsicherheit jeder Ablesung
+source-instrument-meaning = angegebene Unsicherheit jedes Messwerts
 source-known-points-meaning = angegebene Positionen und Längen fester Punkte
 source-model-meaning = Modellfehler: Anteil der Residuen, den keine andere Quelle erklärt
 source-nominal-values-meaning = Toleranzen der Nennwerte der Parameter
@@ -851,13 +1001,15 @@ source-scale-meaning = Maßstab des Messsystems (allen Längen gemeinsam)
 source-temperature-meaning = Wärmeausdehnung von Roboter und Werkstück (allen Längen gemeinsam)
 sources-of-the-formulas = Quellen der Formeln
 sphere-x-y-z = Kugel x, y, z
-stabilisation-and-overshoot = Positions-Stabilisierungszeit und Überschwingen
-stabilisation-path-length = Stabilisierungsweg
+spheres-and-conventions = Hüllkugeln und Konventionen
+stabilisation-and-overshoot = Pose-Stabilisierungszeit und Pose-Überschwingen
+stabilisation-path-length = Bahnlänge der Stabilisierung
 stabilisation-time = Stabilisierungszeit
 stability = Stabilität
 standard-deviation = Standardabweichung
 standstills = Stillstände
 state-of-the-robot = Zustand des Roboters
+stated-tolerance = angegebene Toleranz
 stated-uncertainty = angegebene Unsicherheit
 static-compliance = Statische Nachgiebigkeit
 status = Status
@@ -873,20 +1025,21 @@ synthetic-mark = SYNTHETISCHE DATEN
 table = Tabelle
 target = Zielmarke
 target-coordinates = { $count } Koordinaten von Zielmarken (mm)
-target-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Zielmarke { $target } um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+target-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Zielmarke { $target } um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
 target-moved = die Zielmarke { $target } hat sich auf ihrem Teil um { $by } bewegt
 target-movement-caption = Größte Bewegung einer Zielmarke seit ihrer ersten Messung und RMS der verbleibenden Verschiebung.
 target-named = Zielmarke { $target }
 targets-as-measured = gemessene Zielmarken
 targets-from-their-places = Abstand der Zielmarken von ihren Referenzpositionen
 targets-in-world = den Zielmarken im Weltkoordinatensystem
-targets-placed-by-validation = Keine Kalibrierpose misst { $targets }: bestimmt aus Ablesungen an den Validierungsposen, bei festgehaltenem identifiziertem Roboter. Jede dieser Abweichungen ist durch √r geteilt (r: Redundanz).
+targets-placed-by-validation = Keine Kalibrierpose misst { $targets }: aus den Messwerten an den Validierungsposen bestimmt, bei festgehaltenen identifizierten Roboterparametern. Jede dieser Abweichungen ist durch √r geteilt (r: Redundanz).
 temperature = Temperatur
+temperature-range = { $lowest } °C bis { $highest } °C in den Exporten
 test-certificate = Prüfschein
 test-certificate-draft = Entwurf eines Prüfscheins
-test-cube = P1 ist die Mitte eines Würfels von { $size } mm, P2 bis P5 liegen auf den Diagonalen der Prüfebene (ISO 9283:1998, 6).
+test-cube = P1 ist die Mitte eines Würfels von { $size } mm, P2 bis P5 liegen auf den Diagonalen der Prüfebene (ISO 9283:1998, 6).
 test-of-synthetic-data = Prüfung mit synthetischen Daten, kein Prüfschein
-test-square = P1 ist die Mitte eines Quadrats von { $size } mm, P2 bis P5 liegen auf seinen Diagonalen (ISO 9283:1998, 6).
+test-square = P1 ist die Mitte eines Quadrats von { $size } mm, P2 bis P5 liegen auf seinen Diagonalen (ISO 9283:1998, 6).
 tested-by = Geprüft von
 text = Text
 texts-of-campaign-note = Texte der Kampagne sind nicht übersetzt.
@@ -894,25 +1047,29 @@ the-campaign-fits-no-features = Die Kampagne enthält keine angepassten Geometri
 the-campaign-states-no-limits = Die Kampagne nennt keine Grenzwerte.
 the-first = die erste
 their-standard-deviation = Standardabweichung
-this-file-max = diese Datei, max
+this-file-max = diese Datei, max.
 this-file-rms = diese Datei, RMS
 time-in-s = Zeit (s)
 time-since-entry = Zeit seit dem Eintritt (s)
 times-for-each-cycle = { $count } Mal, einmal je Pose und Zyklus
 to = bis
+to-complete-count = Vor der Unterschrift zu ergänzen: { $count ->
+        [one] eine Angabe
+       *[other] { $count } Angaben
+    }
 to-hold = festzuhalten
 to-load = zu laden
 to-pose = nach Pose
 tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
-tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Unsicherheit einer Pose (k = 2): { $largest } µm.
+tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
 tool-point-headline = Werkzeugpunkt, RMS: nominal minus identifiziert → erwartet
 traceability = Rückführbarkeit
 trend = Trend
 trend-description = Eine Marke je Kampagne mit ihrem 95-%-Intervall; Rauten: signifikante Änderung.
 trend-in-picture = Nicht modellierter Trend ({ $probability }).
 trend-of = Verlauf von
-trends-note = F-Tests der mittleren Abweichungen der Kalibrierposen nach der Identifikation: Parabel gegen Konstante; p-Werte für mehrfaches Testen korrigiert (Holm 1979). Ein Trend ist ein Fehler, den das Modell nicht beschreibt.
+trends-note = F-Tests der mittleren Abweichungen der Kalibrierposen nach der Identifikation: Parabel gegen Konstante; p-Werte für mehrfaches Testen korrigiert (Holm 1979). Ein Trend ist eine Abweichung, die das Modell nicht beschreibt.
 trends-of-the-residuals = Trends der Residuen
 true = wahr
 turn-down = Nach unten drehen
@@ -923,14 +1080,14 @@ type = Typ
 u-bootstrap = u, Bootstrap
 u-draws = u, Ziehungen
 u-linear = u, linear
-u-over-ap = U durch AP
-u-over-rp = U durch RP
+u-over-ap = U / AP
+u-over-rp = U / RP
 u-report = u, Bericht
 uncertainties = Unsicherheiten
 uncertainties-enlarged-by = Vergrößerungsfaktor der Unsicherheiten
 uncertainties-of-robot = Unsicherheiten des Roboters { $robot }
 uncertainty-budget = Messunsicherheitsbudget
-uncertainty-for-outliers = ± { $uncertainty } µm je Koordinate ({ $factor } Standardabweichungen), unabhängig für jede Beobachtung
+uncertainty-for-outliers = ± { $uncertainty } µm je Koordinate ({ $factor } Standardabweichungen), unabhängig für jede Beobachtung
 uncertainty-inflation = das { $factor }-Fache des Werts aus dem Messgerät allein (Median)
 uncertainty-of-instrument = der Standardunsicherheit des Messgeräts
 uncertainty-of-instrument-and-contact = der Standardunsicherheit von Messgerät und Antastung
@@ -940,60 +1097,71 @@ unit = Einheit
 unjudged-by-misfit = Nicht beurteilt, weil das Modell nicht passt: { $count }.
 unjudged-without-uncertainty = Nicht beurteilt, weil die Unsicherheit unbekannt ist: { $count }.
 unknown-without-redundancy = unbekannt (gleich viele Gleichungen wie Parameter)
-unshown-frame-points = Fehler der Punkte, die das Weltkoordinatensystem festlegen: ohne Redundanz verschieben sie nur das Koordinatensystem
-unshown-frame-targets = Positionsfehler der Zielmarken, die das Weltkoordinatensystem festlegen: die gemessenen Positionen sind der Bezug
-unshown-shift = eine allen Ablesungen gemeinsame Verschiebung oder Drehung: Die Basis nimmt sie auf
+unshown-frame-points = Abweichungen der Punkte, die das Weltkoordinatensystem festlegen: ohne Redundanz verschieben sie nur das Koordinatensystem
+unshown-frame-targets = Positionsabweichungen der Zielmarken, die das Weltkoordinatensystem festlegen: die gemessenen Positionen sind der Bezug
+unshown-shift = eine allen Messwerten gemeinsame Verschiebung oder Drehung: Die Basis nimmt sie auf
+valid-until = gültig bis
+valid-until-column = Gültig bis
 validation = Validierung
 validation-of-given-parameters = Validierung gegebener Parameter
 value = Wert
-value-and-limit = { $quantity } { $value } { $unit }, Grenzwert { $limit } { $unit }
-value-tooltip = { $name }: { $value } ± { $uncertainty } { $unit }
-value-with-interval = { $value } µm (95 %: { $low } bis { $high })
-values-given = vorher: Nennparameter des Roboters mit der Basis und den Zielmarken, die die frühere Kalibrierung daran angepasst hat; nachher: alle Parameter wie gegeben, einschließlich Basis und Zielmarken; nichts ist an diese Daten angepasst
+value-and-limit = { $quantity } { $value } { $unit }, Grenzwert { $limit } { $unit }
+value-tooltip = { $name }: { $value } ± { $uncertainty } { $unit }
+value-with-interval = { $value } µm (95 %: { $low } bis { $high })
+values-given = vorher: Nennparameter des Roboters mit der Basis und den Zielmarken, die die frühere Kalibrierung daran angepasst hat; nachher: alle Parameter wie gegeben, einschließlich Basis und Zielmarken; keine Anpassung an diese Daten
 values-given-prior = vorher: Nennparameter des Roboters, mit an die Kalibrierposen angepasster Basis und Zielmarken; nachher: alle Parameter wie gegeben, Basis und Zielmarken aus ihrer gegebenen Kovarianz und den Kalibrierposen geschätzt (wahrscheinlichste Werte)
 values-given-refit = vorher: Nennparameter des Roboters; nachher: gegebene Parameter; beide mit an die Kalibrierposen angepasster Basis und Zielmarken
-values-nominal = vorher und nachher: Nennparameter, einschließlich Basis und Zielmarken; nichts ist an diese Daten angepasst
+values-nominal = vorher und nachher: Nennparameter, einschließlich Basis und Zielmarken; keine Anpassung an diese Daten
 values-nominal-refit = vorher und nachher: Nennparameter des Roboters, mit an die Kalibrierposen angepasster Basis und Zielmarken
 values-of-every-campaign = Werte je Kampagne
 values-of-identification = vorher: Nennparameter des Roboters, nur Basis und Zielmarken an die Kalibrierposen angepasst; nachher: alle identifizierten Parameter
-vap-farthest = Größtes vAP: { $distance } µm an Pose { $pose }, zwischen den Mitteln { $first } und { $second }.
+vap-farthest = Größter Wert von vAP: { $distance } µm an Pose { $pose }, zwischen den Mitteln { $first } und { $second }.
 velocities = Geschwindigkeiten
 velocity-sentence = Geschwindigkeit: { $velocity }.
-verdict = Urteil
-verdict-conditional = Urteil: bedingt bestanden.
-verdict-fail = Urteil: nicht bestanden.
-verdict-pass = Urteil: bestanden.
-verdict-title = Urteil
-verdict-undecided = Urteil: unentschieden.
+verdict = Bewertung
+verdict-conditional = Bewertung: bedingt bestanden.
+verdict-fail = Bewertung: nicht bestanden.
+verdict-pass = Bewertung: bestanden.
+verdict-title = Bewertung
+verdict-undecided = Bewertung: unentschieden.
 verification-of-identified-parameters = Überprüfung identifizierter Parameter
-visit-tooltip = Pose { $pose }, Zyklus { $cycle }, { $approach }: x { $x }, y { $y }, z { $z } µm vom Mittel
+visit-of-cycle-tooltip = Pose { $pose }, Zyklus { $cycle }: x { $x }, y { $y } µm
+visit-tooltip = Pose { $pose }, Zyklus { $cycle }, { $approach }: x { $x }, y { $y }, z { $z } µm vom Mittel
 visits = Anfahrten
 visits-by-approach = { $visits } Anfahrten um ihr Mittel, nach Anfahrrichtung; große Marken: Mittel.
 visits-by-approach-in-space = { $visits } Anfahrten um ihr Mittel; Farbe und Form: vorhergehende Pose; große Marken: Mittel.
-visits-from-one-pose = { $visits } Anfahrten um ihr Mittel, alle von einer Pose; große Marke: Mittel.
+visits-by-plane = Anfahrten jeder Pose, je Ebene
+visits-from-one-pose = { $visits } Anfahrten um ihr Mittel, alle von derselben Pose; große Marke: Mittel.
 visits-of-pose-title = Pose { $pose }, { $plane }-Ebene
 visits-over-time = Anfahrten über der Zeit
 warm-up-before-the-test = Warmlauf vor der Prüfung
 warnings-and-remarks = Warnungen und Bemerkungen
+weaker-trends = Weitere signifikante Trends
 weave = Pendeln
-weave-passes = { $passes } Durchläufe, { $turns } Umkehrungen
+weave-passes = { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }, { $turns ->
+        [one] 1 Umkehrpunkt
+       *[other] { $turns } Umkehrpunkte
+    }
 weaving = Pendeln
 weaving-frequency = Pendelfrequenz
-weaving-frequency-measured = { $measured } Hz, vorgegeben { $commanded } Hz: WF { $ratio } %
+weaving-frequency-measured = { $measured } Hz, Sollwert { $commanded } Hz: WF { $ratio } %
 weaving-stroke = Pendelhub
-weaving-stroke-measured = { $measured } mm, vorgegeben { $commanded } mm: WS { $ratio } %
+weaving-stroke-measured = { $measured } mm, Sollwert { $commanded } mm: WS { $ratio } %
 weight = Gewicht
 what-changed = Änderungen zwischen Kampagnen
 what-differs-between-series = Unterschiede zwischen den Messreihen
 what-no-reading-shows = nicht aufdeckbare Fehler
-wider-than-window = Die Tabelle ist breiter als das Fenster: seitwärts verschieben.
+wider-than-window = Die Tabelle ist breiter als das Fenster: seitwärts scrollen.
 with-colon = { $label }:
 workspace = Arbeitsraum
 workspace-outlines = Umrisse dieser Bereiche; dicke Linie: mit jeder Orientierung erreichbar.
 workspace-plane = Arbeitsraum der Plattformmitte C, { $plane }-Ebene
 world-frame = Weltkoordinatensystem
 world-frame-title = Weltkoordinatensystem
-worst-campaigns = Die { $worst } schlechtesten Kampagnen sind gezeigt. Weitere { $left_out } erscheinen mit aktivierten Skripten; batch.parquet enthält alle Kampagnen.
+worst-campaigns = Die { $worst } schlechtesten Kampagnen sind gezeigt. Die übrigen { $left_out } erscheinen, wenn Skripte aktiviert sind; batch.parquet enthält alle Kampagnen.
 written-by = geschrieben von
 x-y-z-rp = x, y, z (RP)
 yes = ja

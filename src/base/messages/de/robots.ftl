@@ -2,7 +2,7 @@
 
 meaning-axis-displacement = Kleine Verschiebung der Gelenkachse längs der Achse am Ende des Namens.
 meaning-axis-rotation = Kleine Drehung der Gelenkachse um die Achse am Ende des Namens; gegen den Uhrzeigersinn positiv.
-meaning-backlash = Umkehrspanne des Gelenks: Stellung beim Anfahren von oben minus Stellung beim Anfahren von unten, beim selben aufgezeichneten Wert; 0 ohne Spiel.
+meaning-backlash = Umkehrspiel des Gelenks: Stellung beim Anfahren von größeren Werten minus Stellung beim Anfahren von kleineren Werten, beim selben aufgezeichneten Wert; 0 ohne Spiel.
 meaning-ball-distance = Abstand der Kugeln K und L.
 meaning-ball-line-angle = Winkel von der x-Achse der Plattform zur Geraden durch die Kugeln K und L; gegen den Uhrzeigersinn positiv.
 meaning-base-orientation = Orientierung der Basis im Weltkoordinatensystem als Rotationsvektor; gegen den Uhrzeigersinn positiv.
@@ -24,13 +24,13 @@ meaning-distal-link-2 = Länge des äußeren Gliedes von Arm 2, B2 bis C.
 meaning-encoder-1-offset = Nullpunktversatz von Geber 1: wird zu seinem Wert addiert; gegen den Uhrzeigersinn positiv.
 meaning-encoder-2-offset = Nullpunktversatz von Geber 2: wird zu seinem Wert addiert; gegen den Uhrzeigersinn positiv.
 meaning-encoder-offset = Nullpunktversatz des Gebers: wird zu seinem Wert addiert; ein größerer Versatz senkt den Arm.
-meaning-fixture-place = Lage oder Größe eines raumfesten Elements: Koordinate längs der Achse am Ende des Namens, oder Radius.
+meaning-fixture-place = Lage oder Größe eines im Weltkoordinatensystem festen Elements: Koordinate längs der Achse am Ende des Namens, oder Radius.
 meaning-foot-aside = Seitliche Lage des Fußpunkts von Motorachse oder Säule, längs der y-Achse des Beins.
 meaning-foot-outwards = Abstand des Fußpunkts von Motorachse oder Säule von der z-Achse der Basis, längs der x-Achse des Beins; nach außen positiv.
-meaning-gain = Verstärkung des Gelenks: Bewegung je Einheit des aufgezeichneten Wertes; nominell 1.
+meaning-gain = Übertragungsfaktor des Gelenks: Bewegung je Einheit des aufgezeichneten Wertes; nominell 1.
 meaning-guide-angle = Winkel der Führung auf Schlitten 1 zur y-Achse der Basis; im Uhrzeigersinn positiv.
-meaning-harmonic = Oberwelle des Getriebes: Gelenkbewegung je Einheit des Sinus oder Kosinus (am Ende des Namens) des einfachen oder doppelten Gelenkwinkels.
-meaning-hayati-angle = Winkel nach Hayati zwischen nahezu parallelen Achsen, um die y-Achse; ersetzt den Versatz; gegen den Uhrzeigersinn positiv.
+meaning-harmonic = Harmonische des Getriebes: Gelenkbewegung je Einheit des Sinus oder Kosinus (am Ende des Namens) des einfachen oder doppelten Gelenkwinkels.
+meaning-hayati-angle = Winkel nach Hayati zwischen nahezu parallelen Achsen, um die y-Achse; ersetzt den Versatz des Gliedes; gegen den Uhrzeigersinn positiv.
 meaning-joint-offset = Nullpunktversatz des Gelenks: wird zum aufgezeichneten Gelenkwert addiert, um die z-Achse; gegen den Uhrzeigersinn positiv.
 meaning-leg-joint-on-base = Mittelpunkt des Beingelenks an der Basis, längs der Achse der Basis am Ende des Namens.
 meaning-leg-joint-on-platform = Mittelpunkt des Beingelenks an der Plattform, längs der Achse der Plattform am Ende des Namens.
@@ -56,7 +56,7 @@ meaning-rail-3-distance = Abstand der Schiene 3 von Schiene 2, längs x.
 meaning-rod-joint = Abstand des Stangengelenks von der z-Achse der Plattform, längs der x-Achse des Beins; nach außen positiv.
 meaning-rod-length = Länge der Stange (Unterarm) zwischen den Mittelpunkten ihrer Gelenke.
 meaning-station-pose = Pose eines weiteren Standorts des Messgeräts im Weltkoordinatensystem: sein Ursprung und seine Orientierung als Rotationsvektor.
-meaning-surface-direction = Richtung einer raumfesten Fläche: Neigung ihrer Spur längs der Achse am Ende des Namens.
+meaning-surface-direction = Richtung einer im Weltkoordinatensystem festen Fläche: Neigung ihrer Spur längs der Achse am Ende des Namens.
 meaning-target-orientation = Orientierung des Zielmarkenkörpers am Flansch, als Rotationsvektor.
 meaning-target-place = Lage der Zielmarke im Koordinatensystem von Flansch oder Plattform, längs der Achse am Ende des Namens.
 meaning-tool-angle = Winkel bei B2 von C zum Werkzeug E; gegen den Uhrzeigersinn positiv.
@@ -69,9 +69,30 @@ sketch-five-bar = Fünfgelenkmechanismus von oben: Glieder und Winkel (gegen den
 sketch-legs = Roboter in der Mitte seiner Gelenkbereiche, mit den Parametern von Bein 1. Die anderen Beine haben dieselben Parameter.
 sketch-link-dh = Glied mit seinen Denavit-Hartenberg-Parametern (Standard).
 sketch-link-mdh = Glied mit seinen modifizierten Denavit-Hartenberg-Parametern.
-sketch-table = Tisch von oben, mit überhöhten Neigungen: Schienen, Schlitten, Plattform C und Kugeln K und L.
+sketch-table = Tisch von oben, Neigungen übertrieben dargestellt: Schienen, Schlitten, Plattform C und Kugeln K und L.
 
 
 measure-all-working-modes = jede Position in allen Arbeitsmodi messen, die sie erreichen, und die Positionen über den ganzen Arbeitsraum verteilen
 
 measure-different-angles = Posen mit verschiedenen |theta| messen, zum Beispiel 0 und dem größten Wert des Tisches
+
+out-of-reach = nicht erreichbar
+out-of-nominal-reach = für den nominalen Roboter nicht erreichbar
+joint-beyond-limits = { $joint } = { $q } { $unit }, außerhalb der Grenzen { $lower } und { $upper } { $unit }
+angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, außerhalb der Grenzen { $least } und { $greatest } deg
+actuator-beyond-travel = { $actuator } = { $rho } mm, der Verfahrweg ist 0 bis { $end } mm
+legs-apart = die Beine erreichen die Plattform nicht
+arms-do-not-meet = die Arme treffen sich nicht
+singularity-near = { FIXED($found, 3) } deg von der Singularität des Typs { $kind } entfernt { $kind ->
+        [1] (ein Arm gestreckt oder gefaltet)
+       *[2] (die distalen Glieder in einer Linie)
+    }: mindestens { $margin } deg sind nötig
+links-near = Glieder { FIXED($found, 3) } mm auseinander: mehr als { $least } mm sind nötig
+command-refused = die Steuerung weist diesen Befehl ab: { $reason }
+joints-admit-no-pose = mit diesen Gelenkwerten ist keine Pose möglich
+no-command-leads-there = kein Befehl führt den Roboter dorthin: { SCIENTIFIC($left_mm, 2) } mm Abweichung bleiben
+table-read-as = die Tabelle der Gelenke, gelesen als { $convention ->
+        [modified] modifizierte
+        [standard] klassische
+       *[other] { $convention }
+    } Denavit-Hartenberg-Parameter

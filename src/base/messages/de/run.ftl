@@ -6,22 +6,22 @@ contact-without-targets = [contact] hat keine Wirkung auf Residuen der Pose
 uncertainty-source = { $section ->
         [instrument] aus dem Kalibrierschein des Messgeräts übernehmen
         [tool] die Unsicherheit des Punktes am Werkzeug angeben
-       *[contact] einen Punkt mehrmals antasten und die Streuung der Geberwerte verwenden
+       *[contact] denselben Punkt mehrmals antasten und die Streuung der Geberwerte verwenden
     }
 
 key-uncertainty-implausible = `{ $key }` = { $value } ist keine Unsicherheit einer gemessenen Koordinate in Mikrometern
     .expected = ein Wert von { $least } bis { $most }
-    .hint = die Einheit prüfen: 0.0027 mm sind 2.7 µm
+    .hint = die Einheit prüfen: 0,0027 mm sind 2,7 µm
 
 target-named-twice = die Zielmarke `{ $target }` ist zweimal genannt
     .hint = jede Zielmarke einmal nennen
 
-limit-without-result = die Grenze `{ $limit }` braucht { $needs ->
+limit-without-result = der Grenzwert `{ $limit }` braucht { $needs ->
         [identify] {"["}identify]
         [commanded] {"["}repeatability] mit `commanded` oder [poses]
        *[repeatability] {"["}repeatability] oder [poses]
     }
-    .hint = die Grenze entfernen oder den Abschnitt ergänzen, den sie beurteilt
+    .hint = den Grenzwert entfernen oder den Abschnitt ergänzen, für den er gilt
 
 section-beside-observations = `{ $section }` ist neben [observations] angegeben
     .hint = entweder [observations] angeben oder [[export]], [[log]] und [join]
@@ -29,14 +29,14 @@ section-beside-observations = `{ $section }` ist neben [observations] angegeben
 join-clock-missing = eine Verknüpfung über die Zeit braucht { $keys }
     .hint = `clock_offset_s` (Zeit der Messung minus Zeit des Protokolls) und `tolerance_s` in [join] ergänzen
 
-standstills-missing = der Uhrenversatz kann nicht geschätzt werden: Protokoll `{ $log }` hat kein [log.standstill]
+standstills-missing = der Uhrenversatz kann nicht geschätzt werden: Protokoll `{ $log }` hat keinen Abschnitt [log.standstill]
     .hint = [log.standstill] mit `at_least_s` und `within_deg` oder `within_mm` ergänzen oder `clock_offset_s` als Zahl angeben
 
 interpolate-with-standstills = `interpolate` hat keine Wirkung: Protokoll `{ $log }` hat [log.standstill]
-    .hint = `interpolate` entfernen: jeder Punkt wird mit dem Stillstand verknüpft, der seine Zeit enthält
+    .hint = `interpolate` entfernen: jeder Punkt wird mit dem Stillstand verknüpft, in den seine Zeit fällt
 
 key-of-other-join = `{ $key }` hat in dieser Verknüpfung keine Wirkung
-    .hint = entfernen oder `by = "{ $by }"` angeben
+    .hint = `{ $key }` entfernen oder `by = "{ $by }"` angeben
 
 key-negative = `{ $key }` ist negativ
     .expected = null oder eine positive Zahl
@@ -45,77 +45,77 @@ key-above-maximum = `{ $key }` überschreitet { $most }
     .hint = den Wert und seine Einheit prüfen
 
 join-label-missing = eine Verknüpfung über die Bezeichnung braucht die Bezeichnung des Punktes im Protokoll `{ $log }`
-    .hint = `label = "Name oder Nummer der Spalte"` in seinen `columns` ergänzen
+    .hint = `label` in seinen `columns` ergänzen, mit Name oder Nummer der Spalte
 
 key-and-column = `{ $key }` ist zweimal angegeben: als Schlüssel des Exports und als eine seiner Spalten
     .hint = eine der beiden Angaben entfernen
 
 input-in-output-folder = der Ausgabeordner enthält die Eingabe `{ $input }`
-    .expected = ein Ordner ohne Eingaben: er wird als Ganzes ersetzt
+    .expected = ein Ordner ohne Eingabedateien: er wird als Ganzes ersetzt
     .hint = einen anderen Ordner angeben oder `output` entfernen: Vorgabe ist `out`
 
-feature-element = Element `{ $feature }` ist nicht genau ein Geometrieelement
-    .expected = eines von `plane`, `line`, `circle`, `cylinder` mit den Bezeichnungen seiner Punkte
+feature-element = Element `{ $feature }` muss genau ein Geometrieelement bezeichnen
+    .expected = einer der Schlüssel `plane`, `line`, `circle`, `cylinder` mit den Bezeichnungen seiner Punkte
 
 feature-label-twice = Element `{ $feature }` nennt `{ $label }` zweimal
     .hint = jede Bezeichnung einmal nennen
 
-nominal-without-tolerance = `nominal_mm` und `tolerance_mm` des Weltsystems gehören zusammen
-    .hint = die Positionen der Zeichnung und den größten zulässigen Abstand eines Punktes davon angeben
+nominal-without-tolerance = `nominal_mm` und `tolerance_mm` des Weltkoordinatensystems gehören zusammen
+    .hint = die Positionen nach der Zeichnung und den größten zulässigen Abstand eines Punktes davon angeben
 
-world-frame-definition = das Weltsystem muss auf genau eine Weise definiert sein
+world-frame-definition = das Weltkoordinatensystem muss auf genau eine Weise definiert sein
     .expected = `plane` mit `origin` und einer Achse, oder `targets`, oder `as_exported = true`
 
-key-of-other-frame = `{ $key }` hat in diesem Weltsystem keine Wirkung
-    .hint = entfernen oder das System durch `{ $definition }` definieren
+key-of-other-frame = `{ $key }` hat in diesem Weltkoordinatensystem keine Wirkung
+    .hint = `{ $key }` entfernen oder das Koordinatensystem durch `{ $definition }` definieren
 
-frame-axis-without-direction = die Achse des Weltsystems hat keine Richtung
+frame-axis-without-direction = die Achse des Weltkoordinatensystems hat keine Richtung
     .expected = zwei Bezeichnungen (von, nach) oder ein Element mit einer Richtung
 
-plane-frame-incomplete = ein Weltsystem aus einer Ebene braucht `origin`, eines von `x_axis` und `y_axis`, und `towards`
+plane-frame-incomplete = ein durch eine Ebene definiertes Weltkoordinatensystem braucht `origin`, entweder `x_axis` oder `y_axis`, und `towards`
     .hint = in `towards` eine Bezeichnung auf der positiven Seite der anderen Achse nennen: sie bestimmt die Richtung von z
 
 file-name-empty = der Name der Datei ist leer
     .hint = die Datei im Ordner der Kampagne angeben
 
-date-invalid = `date` beginnt nicht mit einem Kalenderdatum
+date-invalid = `date` beginnt nicht mit einem Datum
     .expected = Jahr-Monat-Tag (ISO 8601), zum Beispiel 2026-01-31
 
 temperature-implausible = `temperature_c` = { $value } ist keine Temperatur eines Roboters in Grad Celsius
     .expected = ein Wert von { $least } bis { $most }
-    .hint = die Einheit prüfen: 293.15 K sind 20 °C
+    .hint = die Einheit prüfen: 293,15 K sind 20 °C
 
-geometric-step-missing = in [geometric] fehlt `{ $missing }`, das `{ $step }` braucht
+geometric-step-missing = in [geometric] fehlt der Schlüssel `{ $missing }`, den `{ $step }` braucht
     .hint = ergänzen; s braucht `shaft` und `arc`; d1 und d3 brauchen `offsets`, `mid_travel_mm`, `arc`, `turn` und `shaft`; O braucht `arc`; C braucht `turn`
 
-errors-table-incomplete = eine Fehlertabelle braucht die vollständige geometrische Kalibrierung und [identify]
+errors-table-incomplete = eine Tabelle der Abweichungen braucht die vollständige geometrische Kalibrierung und [identify]
     .hint = alle Schritte von [geometric] und [identify] angeben oder die Tabelle entfernen
 
 key-out-of-range = `{ $key }` = { $value } liegt außerhalb von { $least } bis { $most }
 
 plausible-value = { $quantity ->
-        [scale] die Einheit prüfen: 1 µm/m ist 1 ppm
-        [polar] die Einheit prüfen: 10 ppm sind 10 µm/m, 1 Bogensekunde ist 4.85 µm/m
-        [expansion] die Einheit prüfen: Stahl dehnt sich um 11.5e-6 je Grad aus, Aluminium um 23.5e-6
+        [scale] die Einheit prüfen: 1 µm/m ist 1 ppm
+        [polar] die Einheit prüfen: 10 ppm sind 10 µm/m, 1 Bogensekunde ist 4,85 µm/m
+        [expansion] die Einheit prüfen: Stahl dehnt sich um `11.5e-6` je Grad aus, Aluminium um `23.5e-6`
         [temperature] in Grad Celsius angeben
-        [coverage] den Erweiterungsfaktor angeben: 2 entspricht einem Grad des Vertrauens von etwa 95 %
+        [coverage] den Erweiterungsfaktor angeben: 2 entspricht einem Grad des Vertrauens von etwa 95 %
        *[homing] mehrere Referenzfahrten ausführen und die Streuung eines Gelenks an seinem Schalter verwenden
     }
 
 homing-incomplete = in [homing] fehlt `{ $key }` für Gelenk `{ $joint }` (Werte in { $unit })
-    .hint = angeben; 0 angeben, wo die Referenzfahrt keinen Fehler hinzufügt
+    .hint = den Schlüssel angeben; 0, wenn die Referenzfahrt keine Abweichung hinzufügt
 
-polar-with-observations = `polar` braucht Exporte: eine Beobachtungstabelle enthält nicht den Ort des Messgeräts
+polar-with-observations = `polar` braucht Exporte: eine Beobachtungstabelle enthält nicht die Position des Messgeräts
     .hint = die Kovarianz jeder Zeile (`cxx_mm2` bis `czz_mm2`) in der Tabelle angeben
 
-section-without-identify = [{ $section }] hat keine Wirkung: die Kampagne hat kein [identify]
+section-without-identify = [{ $section }] hat keine Wirkung: die Kampagne hat keinen Abschnitt [identify]
     .hint = [{ $section }] entfernen oder [identify] ergänzen
 
 label-unknown = kein Punkt hat die Bezeichnung `{ $label }`
 
-feature-unknown = es gibt kein Element `{ $feature }`
+feature-unknown = unbekanntes Element `{ $feature }`
 
-point-or-feature-unknown = es gibt keinen Punkt und kein Element `{ $name }`
+point-or-feature-unknown = unbekannter Punkt oder unbekanntes Element `{ $name }`
 
 target-not-exported = kein Export enthält die Zielmarke `{ $target }`
 
@@ -127,20 +127,20 @@ target-not-of-robot = `{ $target }` ist keine Zielmarke dieses Roboters
 targets-incomplete = `targets` lässt `{ $target }` aus
     .expected = alle Zielmarken dieses Roboters
 
-travel-missing = der Arbeitsraum braucht den Verfahrweg der Aktoren
-    .hint = [reach] mit `travel_mm = [..., ..., ...]` in robot.toml angeben
+travel-missing = der Arbeitsraum braucht den Verfahrweg der Antriebe
+    .hint = `travel_mm` der drei Antriebe unter [reach] in robot.toml angeben
 
-z-column-missing = `columns` hat kein z, das ein räumlicher Roboter braucht
-    .hint = `z = "Name oder Nummer der Spalte"` ergänzen
+z-column-missing = in `columns` fehlt z, das ein räumlicher Roboter braucht
+    .hint = `z` ergänzen, mit Name oder Nummer der Spalte
 
 log-name-invalid = `{ $name }` kann nicht der Name dieses Protokolls sein
     .expected = Buchstaben, Ziffern, `_` und `-`; ein anderer Name für jedes Protokoll
 
 log-joint-unknown = `{ $key }` ist kein Gelenk dieses Roboters
-    .hint = eines von { $joints } verwenden, oder dasselbe mit anderer Einheit
+    .hint = eines der Gelenke { $joints } verwenden, auch mit anderer Einheit
 
 log-joint-missing = Protokoll `{ $log }` hat keine Spalte für Gelenk `{ $joint }`
-    .hint = `{ $column } = "Name oder Nummer der Spalte"` in seinen `columns` ergänzen
+    .hint = `{ $column }` in seinen `columns` ergänzen, mit Name oder Nummer der Spalte
 
 label-form-differs = keine Bezeichnung von `{ $file }` hat die Form `{ $form }`
     .hint = die Form ihrer Bezeichnungen mit {"{"}target{"}"}, {"{"}pose{"}"} und {"{"}cycle{"}"} angeben; die erste ist `{ $first }`
@@ -154,39 +154,49 @@ threads-failed = die Kampagnen können nicht gleichzeitig ausgeführt werden: { 
     }
     .hint = mit weniger Threads ausführen: `RAYON_NUM_THREADS=1`
 
-data-elsewhere = ihre Daten liegen unter ${ $name }, das nicht gesetzt ist
+data-elsewhere = ihre Daten liegen unter ${ $name }, einer nicht gesetzten Umgebungsvariablen
 
-not-an-output-folder = es gibt keine Datei `{ $file }`
+not-an-output-folder = `{ $folder }` ist kein Ausgabeordner eines Laufs: manifest.json fehlt
     .hint = einen Ordner angeben, den `etalon run` schrieb, oder eine ausgeführte Kampagne
 
 file-not-of-run = der Lauf hat `{ $file }` nicht geschrieben
-    .hint = die Kampagne noch einmal ausführen: `etalon run KAMPAGNE`
+    .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
 
 file-changed-since-run = `{ $file }` wurde nach dem Lauf geändert
     .expected = der SHA-256 { $sha256 } aus manifest.json
-    .hint = die Kampagne noch einmal ausführen: `etalon run KAMPAGNE`
+    .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
 
 folder-replaced = ein anderer Prozess hat `{ $folder }` beim Lesen ersetzt
     .hint = den Befehl wiederholen, wenn der andere Prozess beendet ist
 
 document-unreadable = `{ $file }` ist kein Dokument dieser Version: { $reason }
-    .hint = die Kampagne mit dieser Version noch einmal ausführen: `etalon run KAMPAGNE`
+    .hint = die Kampagne mit dieser Version erneut ausführen: `etalon run KAMPAGNE`
 
 document-schema-other = `{ $file }` hat { $schema ->
         [none] kein Schema
        *[other] das Schema `{ $schema }`
     }
     .expected = das Schema `{ $wanted }`
-    .hint = die Kampagne mit dieser Version noch einmal ausführen: `etalon run KAMPAGNE`
+    .hint = die Kampagne mit dieser Version erneut ausführen: `etalon run KAMPAGNE`
 
-foreign-file = `{ $file }` würde überschrieben, und kein Lauf hat es geschrieben
-    .hint = in einen anderen Ordner verschieben oder in campaign.toml ein anderes `output` angeben
+foreign-file = `{ $file }` würde überschrieben, obwohl kein Lauf diese Datei geschrieben hat
+    .hint = die Datei in einen anderen Ordner verschieben oder in campaign.toml ein anderes `output` angeben
 
 input-changed = `{ $file }` hat sich während des Laufs geändert
-    .hint = die Kampagne noch einmal ausführen, wenn die Datei vollständig ist
+    .hint = die Kampagne erneut ausführen, wenn die Datei vollständig ist
 
-identify-missing = die Kampagne hat kein [identify], das die Posen zur Beurteilung der Parameter nennt
+identify-missing = die Kampagne hat keinen Abschnitt [identify], der die Posen zur Beurteilung der Parameter nennt
     .hint = `calibration` und `validation` in [identify] angeben
 
 clock-rate-without-offset = `clock_rate = "standstills"` braucht `clock_offset_s = "standstills"`
     .hint = `clock_offset_s = "standstills"` angeben oder `clock_rate` weglassen
+
+label-form-missing = die Bezeichnungen von `{ $file }` nennen Zielmarken, aber die Form der Bezeichnungen ist nicht angegeben
+    .hint = `label = "{ $form }"` in diesem [[export]] angeben: alle seine Bezeichnungen haben diese Form
+
+state-targets = `targets = { $targets }` in [join] angeben: die Bezeichnungen nennen sie
+valid-until-no-date = `valid_until` ist kein Datum: "{ $date }"
+    .expected = der letzte Tag der Gültigkeit in Anführungszeichen, wie "2027-03-02"
+
+valid-until-before-measurements = `valid_until` ({ $date }) liegt vor den Messungen ({ $measured })
+    .hint = `valid_until` oder `date` berichtigen

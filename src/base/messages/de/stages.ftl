@@ -1,21 +1,21 @@
 ### Meldungen von stages; Erklärungen in en/stages.ftl.
 
-rigid-distance-off = der Abstand { $first }-{ $second } ist { FIXED($off_mm, 3) } mm { $side ->
+rigid-distance-off = der Abstand { $first }-{ $second } ist { FIXED($off_mm, 3) } mm { $side ->
         [shorter] kürzer
        *[longer] länger
-    } als sein Median (Toleranz { $limit_mm } mm)
+    } als sein Median (Toleranz { $limit_mm } mm)
 
-rigid-point-coincides = { $message }; der Punkt liegt, wo `{ $other }` ist
+rigid-point-coincides = { $message }; der Punkt fällt mit `{ $other }` zusammen
 
-rigid-row-refused = Zeile { $row }: `{ $target }` ist abgewiesen: { $reason }
+rigid-row-refused = `{ $target }` wird in Zeile { $row } abgelehnt: { $reason }
 
-rigid-targets = ein starres Teil braucht zwei oder mehr Zielmarken, jede einmal genannt
+rigid-targets = ein starres Teil braucht mindestens zwei Zielmarken, jede einmal genannt
     .hint = jede Zielmarke des Teils einmal in `targets` nennen
 
 limit-not-positive = `{ $key }` muss eine positive Zahl sein
     .expected = { $key ->
-            [drift_mm] die größte Bewegung einer festen Zielmarke während der Kampagne, zum Beispiel 0.02
-           *[tolerance_mm] die größte Abweichung eines Abstands von seinem Median: einige Male seine Streuung, zum Beispiel 0.1
+            [drift_mm] die größte Bewegung einer festen Zielmarke während der Kampagne, zum Beispiel `0.02`
+           *[tolerance_mm] die größte Abweichung eines Abstands von seinem Median: ein kleines Vielfaches seiner Streuung, zum Beispiel `0.1`
         }
 
 rigid-uncertainty-without-places = `{ $key }` gehört zu `places_mm`, das fehlt
@@ -23,57 +23,57 @@ rigid-uncertainty-without-places = `{ $key }` gehört zu `places_mm`, das fehlt
 
 rigid-place-unknown = `places_mm` nennt `{ $target }`, das keine Zielmarke dieses starren Teils ist
 
-rigid-place-missing = in `places_mm` fehlt der Ort von `{ $target }`
-    .hint = seine Koordinaten ergänzen oder es aus `targets` entfernen
+rigid-place-missing = in `places_mm` fehlt die Position von `{ $target }`
+    .hint = ihre Koordinaten ergänzen oder die Zielmarke aus `targets` entfernen
 
 rigid-places-need-uncertainty = `places_mm` braucht `{ $key }`, eine positive Zahl
     .expected = die erweiterte Messunsicherheit einer Koordinate und ihr Erweiterungsfaktor
 
-rigid-row-without-pose = [[rigid]] nennt `{ $target }`, und diese Zeile hat weder Pose noch Zeit
+rigid-row-without-pose = [[rigid]] nennt `{ $target }`, aber diese Zeile hat weder Pose noch Zeit
     .hint = die Pose in `label` oder `columns` nennen oder die Zielmarke aus [[rigid]] entfernen
 
-rigid-time-twice = [[rigid]] nennt `{ $target }`, und zwei seiner Zeilen haben dieselbe Zeit
+rigid-time-twice = [[rigid]] nennt `{ $target }`, aber zwei ihrer Zeilen haben dieselbe Zeit
     .hint = die erste ist Zeile { $first }; die Pose in `label` oder `columns` nennen
 
-rigid-never-together = { $targets } von [[rigid]] sind nie zusammen gemessen
+rigid-never-together = { $targets } von [[rigid]] werden nie zusammen gemessen
     .expected = Zeilen mit derselben Pose und demselben Zyklus oder mit derselben Zeit
-    .hint = die Pose in `label` oder `columns` nennen; `pose = "row"` nummeriert Zeilen von Dateien mit je einer Zielmarke
+    .hint = die Pose in `label` oder `columns` nennen; `pose = "row"` nummeriert Zeilen von Dateien mit einer einzigen Zielmarke
 
-rigid-few-distances = der Abstand `{ $first }`-`{ $second }` von [[rigid]] weist keine Zeile ab: er wurde { $count }-mal gemessen
-    .expected = { $least }-mal oder öfter
+rigid-few-distances = der Abstand `{ $first }`-`{ $second }` von [[rigid]] lässt keine Zeile ablehnen: er wurde nur { $count }-mal gemessen
+    .expected = mindestens { $least }-mal
 
 exclusion-mixed = ein Ausschluss nennt entweder Posen oder die Zeilen einer Datei
-    .expected = `poses`, dazu `cycle` und `target`, wenn nötig; oder `file` und `rows`
+    .expected = `poses`, bei Bedarf mit `cycle` und `target`; oder `file` und `rows`
 
-exclusion-file-unknown = `{ $file }` ist kein Export mit Zeilen zum Ausschließen
+exclusion-file-unknown = `{ $file }` ist kein Export, aus dem Zeilen ausgeschlossen werden können
 
 of-name = `{ $name }`: { $message }
 
-point-lies-at-another = Zeile { $row }: `{ $point }` liegt, wo `{ $other }` ist{ $rows ->
+point-lies-at-another = Zeile { $row }: `{ $point }` fällt mit `{ $other }` zusammen{ $rows ->
         [one] {""}
        *[other] {""}; insgesamt { $rows } solche Zeilen
     }
-    .hint = wenn das Messgerät auf die andere Zielmarke zeigte oder die Bezeichnung falsch ist, sie berichtigen oder die Zeile auslassen; [[rigid]] weist Zeilen nach ihren Abständen ab
+    .hint = wenn das Messgerät auf die andere Zielmarke zeigte oder die Bezeichnung falsch ist, sie berichtigen oder die Zeile ausschließen; [[rigid]] lehnt Zeilen nach ihren Abständen ab
 
-drift-few-readings = `{ $target }` ist { $count }-mal gemessen: zu selten, um eine Drift zu erkennen
-    .expected = { $least } oder mehr
+drift-few-readings = `{ $target }` wurde nur { $count }-mal gemessen: zu selten, um eine Drift zu erkennen
+    .expected = mindestens { $least }-mal
 
-reference-drifts = `{ $target }` driftet: von den Zeilen { $first } zu den Zeilen { $second } bewegt es sich um { FIXED($moved_mm, 4) } mm; Grenze { $limit_mm } mm
-    .hint = Temperatur und Aufstellung des Messgeräts prüfen; mit `targets` und `each = "pose"` in [frame.world] folgt das System den Zielmarken
+reference-drifts = `{ $target }` driftet: von den Zeilen { $first } bis zu den Zeilen { $second } bewegt sie sich um { FIXED($moved_mm, 4) } mm; Grenzwert { $limit_mm } mm
+    .hint = Temperatur und Aufstellung des Messgeräts prüfen; mit `targets` und `each = "pose"` in [frame.world] folgt das Koordinatensystem den Zielmarken
 
-frames-differ = die Punkte beziehen sich auf das System `{ $second }`, die eines anderen Exports auf `{ $first }`
-    .hint = sie in einem Arbeitssystem exportieren oder nicht zusammen verwenden
+frames-differ = die Punkte beziehen sich auf das Koordinatensystem `{ $second }`, die Punkte eines anderen Exports auf `{ $first }`
+    .hint = sie in demselben Koordinatensystem exportieren oder nicht zusammen verwenden
 
 export-empty = `{ $file }` enthält keine Punkte
-    .hint = die Punkte neu exportieren oder diesen [[export]] entfernen; `etalon formats DATEI` zeigt, wie ein Text gelesen wird
+    .hint = die Punkte neu exportieren oder diesen [[export]] entfernen; `etalon formats DATEI` zeigt, wie eine Textdatei gelesen wird
 
-target-formula = die Zielmarke `{ $target }` ist in einer Tabellenkalkulation eine Formel
-    .hint = sie umbenennen oder ein `label` ohne ihr erstes Zeichen angeben
+target-formula = der Zielmarkenname `{ $target }` wäre in einer Tabellenkalkulation eine Formel
+    .hint = die Zielmarke umbenennen oder ein `label` ohne das erste Zeichen angeben
 
 target-without-pose = die Zeile nennt eine Zielmarke, aber keine Pose
     .hint = die Pose in der Bezeichnung nennen oder für diesen Export `pose = "row"` angeben
 
-target-twice = die Zielmarke `{ $target }` steht bei Pose { $pose }, Zyklus { $cycle } zweimal da
+target-twice = die Zielmarke `{ $target }` kommt an Pose { $pose }, Zyklus { $cycle } zweimal vor
     .hint = zuerst in { $file }:{ $line }; { $numbered ->
             [by-row] für eine der Dateien `pose = "row + 100"` angeben
            *[by-label] Wiederholungen als Zyklen nummerieren oder eine entfernen
@@ -82,19 +82,19 @@ target-twice = die Zielmarke `{ $target }` steht bei Pose { $pose }, Zyklus { $c
 labels-unused = { $count ->
         [one] 1 Bezeichnung nennt keine Zielmarke und wird
        *[other] { $count } Bezeichnungen nennen keine Zielmarke und werden
-    } von keinem Element oder System verwendet; die erste ist `{ $label }`
+    } von keinem Element oder Koordinatensystem verwendet; die erste ist `{ $label }`
     .hint = die Bezeichnung oder `label` dieses Exports berichtigen
 
-column-step = { $column } auf { $step } { $unit }
+column-step = { $column } auf { $step } { $unit }
 
-coordinates-rounded = Koordinaten von `{ $file }` sind gerundet ({ $columns }): Standardunsicherheit { FIXED($rounding_um, 1) } µm, Messgerät { FIXED($instrument_um, 1) } µm
-    .hint = sie mit mehr Dezimalen exportieren
+coordinates-rounded = die Koordinaten von `{ $file }` sind gerundet ({ $columns }): Standardunsicherheit der Rundung { FIXED($rounding_um, 1) } µm, Messgerät { FIXED($instrument_um, 1) } µm
+    .hint = sie mit mehr Nachkommastellen exportieren
 
 labels-missing = kein Punkt hat eine Bezeichnung der Form `{ $pattern }`
     .hint = das Muster berichtigen oder den Export hinzufügen
 
 exclusion-option-without-reason = { $option } { $text } gibt keinen Grund an
-    .expected = was ausgelassen wird und warum: "13, 20-22: Kugel lose"
+    .expected = was ausgeschlossen wird und warum: "13, 20-22: Kugel lose"
 
 exclusion-poses = { $count ->
         [one] Pose
@@ -106,17 +106,17 @@ exclusion-cycle = Zyklus { $cycle }
 exclusion-target = Zielmarke `{ $target }`
 
 excluded-readings = ausgeschlossen: { $count ->
-        [one] 1 Ablesung
-       *[other] { $count } Ablesungen
+        [one] 1 Messwert
+       *[other] { $count } Messwerte
     }, { $of }: { $reason }
 
-exclusions-leave-nothing = die Ausschlüsse lassen keine Ablesung übrig
+exclusions-leave-nothing = die Ausschlüsse lassen keinen Messwert übrig
     .hint = einen Ausschluss entfernen
 
 exclusion-names-nothing = `{ $stated }` nennt keine { $of ->
         [rows] Zeilen
        *[poses] Posen
-    } zum Ausschließen
+    } zum Ausschluss
     .expected = { $of ->
             [rows] Nummern und Bereiche wie "13, 20-22", gezählt von der ersten Datenzeile an
            *[poses] Namen und Bereiche wie "13, 20-22, home"
@@ -127,66 +127,65 @@ not-of-this-robot = `{ $name }` ist { $kind ->
        *[target] keine Zielmarke
     } dieses Roboters
 
-exclusion-without-reason = ein Ausschluss braucht seinen Grund
-    .hint = in `reason` angeben, warum die Messungen ausgelassen werden
+exclusion-without-reason = ein Ausschluss braucht eine Begründung
+    .hint = in `reason` angeben, warum die Messungen ausgeschlossen werden
 
 exclusion-matches-nothing = { $of ->
-        [rows] es gibt keine Zeile { $name } zum Ausschließen
-       *[poses] es gibt keine Ablesung bei Pose { $name } mit diesem Zyklus und dieser Zielmarke zum Ausschließen
+        [rows] es gibt keine Zeile { $name } zum Ausschluss
+       *[poses] es gibt an Pose { $name } keinen Messwert dieses Zyklus und dieser Zielmarke zum Ausschluss
     }
     .hint = den Ausschluss berichtigen oder entfernen
 
-join-missing = Exporte und Protokolle brauchen [join]
-    .hint = `by` in [join] angeben: "pose", "pose_and_cycle", "row", "time" oder "label"
-
-join-by-time-empty = kein Messpunkt hat ein Gegenstück in Protokoll `{ $log }`: die beiden nächsten Zeiten liegen { FIXED($apart_s, 3) } s auseinander
+join-by-time-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die beiden nächsten Zeitpunkte liegen { FIXED($apart_s, 3) } s auseinander
     .hint = Wert und Vorzeichen von `clock_offset_s` prüfen: Zeit der Messung minus Zeit des Protokolls
 
-join-empty = kein Messpunkt hat ein Gegenstück in Protokoll `{ $log }`: die erste Pose der Punkte ist `{ $measured }`, des Protokolls `{ $logged }`
+both-rows-near = ein Punkt zwischen zwei Zeilen braucht beide innerhalb von `tolerance_s`: mindestens die Zeit von Zeile zu Zeile angeben
+
+join-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die erste Pose der Punkte ist `{ $measured }`, die erste des Protokolls `{ $logged }`
     .hint = Posen und Zyklen von Exporten und Protokoll vergleichen oder mit `by` in [join] einen anderen Schlüssel wählen
 
 clock-from-standstills = die Uhr von Protokoll `{ $log }` ist nach { $count ->
         [one] 1 Stillstand
        *[other] { $count } Stillständen
-    } gestellt: Versatz { FIXED($offset_s, 3) } s ± { FIXED($half_width_s, 3) } s
+    } gestellt: Versatz { FIXED($offset_s, 3) } s ± { FIXED($half_width_s, 3) } s
     .hint = mit diesem Versatz fällt jeder Messpunkt in einen Stillstand
 
 pose-without-frame = { $count ->
         [one] 1 Pose
        *[other] { $count } Posen
-    } ohne Weltsystem, ausgelassen: { $poses }
-    .hint = die Zielmarken des Systems wurden abgewiesen oder nicht gemessen: siehe import.json
+    } ohne Weltkoordinatensystem, ausgeschlossen: { $poses }
+    .hint = die Zielmarken des Koordinatensystems wurden abgelehnt oder nicht gemessen: siehe import.json
 
 join-contradicts = { $count ->
         [one] 1 Messpunkt hat
        *[other] { $count } Messpunkte haben
-    } ein anderes { $column } als die verknüpfte Zeile von Protokoll `{ $log }`: { $measured } und { $logged } (Zeile { $line } des Protokolls)
-    .hint = nach Pose verknüpfen; oder `{ $column }` aus `columns` des Protokolls weglassen, wenn es dort anderes zählt
+    } einen anderen Wert von { $column } als die verknüpfte Zeile von Protokoll `{ $log }`: { $measured } und { $logged } (Zeile { $line } des Protokolls)
+    .hint = nach Pose verknüpfen; oder `{ $column }` aus `columns` des Protokolls weglassen, wenn die Spalte dort etwas anderes zählt
 
 row-counts-differ = `{ $file }` hat { $rows } Zeilen, Protokoll `{ $log }` hat { $log_rows }
-    .expected = gleiche Anzahlen für eine Verknüpfung nach Zeilen
+    .expected = gleich viele Zeilen für eine Verknüpfung nach Zeilen
     .hint = die Datei ergänzen, der Zeilen fehlen; oder in beiden Pose und Zyklus nennen und danach verknüpfen
 
-approach-direction-unknown = Protokoll `{ $log }` zeigt nicht, aus welcher Richtung Gelenk `{ $joint }` kam
-    .hint = `backlash` braucht sie: die Zeiten der Zeilen angeben (`time_s` in `columns`, oder `period_s`), oder `{ $column }` in `columns`: +1 von unten, -1 von oben
+approach-direction-unknown = Protokoll `{ $log }` zeigt die Anfahrrichtung von Gelenk `{ $joint }` nicht
+    .hint = `backlash` braucht sie: die Zeiten der Zeilen angeben (`time_s` in `columns` oder `period_s`), oder `{ $column }` in `columns`: +1 von kleineren Werten, -1 von größeren Werten
 
-backlash-direction-unknown = Protokoll `{ $log }` hat keine Bewegung eines Gelenks mit Umkehrspiel vor Pose { $poses }: ausgelassen
+backlash-direction-unknown = Protokoll `{ $log }` enthält vor diesen Posen keine Bewegung eines Gelenks mit Umkehrspiel; sie sind ausgeschlossen: { $poses }
     .hint = das Protokoll vor der ersten Pose beginnen oder die Anfahrrichtung angeben
 
-targets-out-of-plane = die Zielmarken des ebenen Roboters haben Höhen von { FIXED($low_mm, 3) } mm bis { FIXED($high_mm, 3) } mm im Weltsystem
-    .hint = z der Exporte (Einheit, Vorzeichen, Spalte) und die Punkte prüfen, die die Ebene des Weltsystems festlegen
+targets-out-of-plane = die Höhen der Zielmarken des ebenen Roboters reichen von { FIXED($low_mm, 3) } mm bis { FIXED($high_mm, 3) } mm im Weltkoordinatensystem
+    .hint = z der Exporte (Einheit, Vorzeichen, Spalte) und die Punkte prüfen, die die Ebene des Weltkoordinatensystems festlegen
 
 log-column-missing = Protokoll `{ $log }` hat keine Spalte `{ $column }`
 
 column-empty = die Spalte `{ $column }` ist leer oder fehlt
     .hint = die Spalte hinzufügen oder die Zelle ausfüllen
 
-targets-missing = Zielmarken fehlen bei Pose { $poses }
-    .hint = ihre übrigen Zielmarken zählen; eine Pose oder Orientierung braucht alle
+targets-missing = Zielmarken fehlen (Posen: { $poses })
+    .hint = die übrigen Zielmarken dieser Posen zählen; eine Pose oder Orientierung braucht alle
 
 key-in-lines = { $key } (Zeilen { $lines })
 
-log-key-twice = Protokoll `{ $log }` hat { $count ->
+log-key-twice = Protokoll `{ $log }` enthält { $count ->
         [one] 1 Schlüssel
        *[other] { $count } Schlüssel
     } mehr als einmal: { $keys }
@@ -201,18 +200,18 @@ keys-unmatched = { $count ->
     } ({ $columns }): { $keys }; siehe import.json
 
 pose-misspelt = Pose `{ $pose }` { $of ->
-        [log] des Protokolls `{ $log }` ist nicht gemessen, und gemessene Posen fehlen im Protokoll
-       *[points] ist nicht in Protokoll `{ $log }`, und Posen des Protokolls sind nicht gemessen
+        [log] des Protokolls `{ $log }` wurde nicht gemessen, und gemessene Posen fehlen im Protokoll
+       *[points] ist nicht in Protokoll `{ $log }`, und Posen des Protokolls wurden nicht gemessen
     }
 
-join-key-missing = die Verknüpfung braucht `{ $key }`, das manche Zeilen nicht haben
-    .hint = es in `label` der Exporte und in `columns` des Protokolls nennen oder `by` in [join] ändern
+join-key-missing = die Verknüpfung braucht `{ $key }`, das in manchen Zeilen fehlt
+    .hint = `{ $key }` in `label` der Exporte und in `columns` des Protokolls nennen oder `by` in [join] ändern
 
-join-by-label-targets = eine Verknüpfung nach Bezeichnung ist für Roboter mit einer Zielmarke; dieser hat { $count }
+join-by-label-targets = eine Verknüpfung nach Bezeichnung setzt einen Roboter mit einer einzigen Zielmarke voraus; dieser hat { $count }
     .hint = eine Zielmarke nennen oder mit `by` in [join] einen anderen Schlüssel wählen
 
-join-by-label-frame = eine Verknüpfung nach Bezeichnung braucht ein Weltsystem für alle Posen
-    .hint = das System aus Punkten bilden, die sich nicht bewegen
+join-by-label-frame = eine Verknüpfung nach Bezeichnung braucht ein einziges Weltkoordinatensystem für alle Posen
+    .hint = das Koordinatensystem durch unbewegte Punkte definieren
 
 label-not-measured = kein Messpunkt hat die Bezeichnung `{ $label }`
 
@@ -221,7 +220,7 @@ points-untouched = { $count ->
        *[other] { $count } Punkte werden
     } von keiner Zeile des Protokolls `{ $log }` berührt; der erste ist `{ $label }`
 
-log-times-not-increasing = die Zeiten des Protokolls `{ $log }` nehmen bei seiner Zeile { $row } nicht zu
+log-times-not-increasing = die Zeiten des Protokolls `{ $log }` nehmen in Zeile { $row } nicht zu
     .hint = das Protokoll nach der Zeit sortieren und Zeilen mit gleichen Zeiten entfernen
 
 times-missing = { $of ->
@@ -234,13 +233,13 @@ times-missing = { $of ->
 several-rows-near = { $count ->
         [one] 1 Messpunkt hat
        *[other] { $count } Messpunkte haben
-    } mehrere Zeilen von Protokoll `{ $log }` innerhalb von { $tolerance_s } s: die nächste zählt
+    } mehrere Zeilen von Protokoll `{ $log }` innerhalb von { $tolerance_s } s: die zeitlich nächste zählt
     .hint = `tolerance_s` auf weniger als die halbe Periode des Protokolls verringern
 
 points-without-row = { $count ->
         [one] 1 Messpunkt hat
        *[other] { $count } Messpunkte haben
-    } keine Zeile von Protokoll `{ $log }` innerhalb von { $tolerance_s } s
+    } keine Zeile von Protokoll `{ $log }` innerhalb von { $tolerance_s } s
 
 rows-without-point = { $count ->
         [one] 1 Zeile
@@ -250,18 +249,18 @@ rows-without-point = { $count ->
 target-time-twice = { $count } Punkte der Zielmarke `{ $target }` haben dieselbe Zeit (Zeilen { $lines })
     .hint = die Zeiten berichtigen oder die Zielmarke jedes Punkts nennen
 
-log-row-met-twice = Zeile { $row } von Protokoll `{ $log }` ist { $count } Punkten der Zielmarke `{ $target }` am nächsten (Zeilen { $lines })
+log-row-met-twice = Zeile { $row } von Protokoll `{ $log }` liegt { $count } Punkten der Zielmarke `{ $target }` am nächsten (Zeilen { $lines })
     .hint = `tolerance_s` verringern oder `clock_offset_s` prüfen
 
-clock-offset-none = bei keinem Versatz der Uhren fällt jeder Messpunkt in einen Stillstand des Protokolls: { $count ->
-        [one] 1 Zeit passt
-       *[other] { $count } Zeiten passen
-    }, bis { $last_s } s; die Zeit { $first_s } s passt nicht
-    .hint = in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben: Zeilen ohne Gegenstück werden dann aufgelistet
+clock-offset-none = kein Versatz der Uhren legt alle Messpunkte in Stillstände des Protokolls: { $count ->
+        [one] 1 Zeitpunkt passt
+       *[other] { $count } Zeitpunkte passen
+    }, bis { $last_s } s; der Zeitpunkt { $first_s } s passt nicht
+    .hint = in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben: Zeilen ohne Zuordnung werden dann aufgelistet
 
-range-of-seconds = { FIXED($low_s, 3) } bis { FIXED($high_s, 3) } s
+range-of-seconds = { FIXED($low_s, 3) } bis { FIXED($high_s, 3) } s
 
-clock-offsets-several = die Stillstände lassen { $count } Bereiche des Uhrenversatzes zu, zuerst: { $ranges }
+clock-offsets-several = die Stillstände sind mit { $count } Bereichen des Uhrenversatzes vereinbar, zuerst: { $ranges }
     .hint = die Uhren vergleichen und `clock_offset_s` als Zahl angeben
 
 axis-of-world = "x", "y" oder "z"
@@ -273,30 +272,30 @@ distance-not-positive = `distance_mm` fehlt oder ist keine Länge
     .expected = eine Länge größer als 0
 
 fixed-point-on-robot = `{ $name }` ist eine Zielmarke am Roboter, kein fester Punkt
-    .hint = festen Punkten eigene Namen geben; Zeilen allein über sie haben keine Pose
+    .hint = festen Punkten eigene Namen geben; Zeilen, die nur feste Punkte betreffen, haben keine Pose
 
-distance-to-itself = der Abstand ist von `{ $name }` zu sich selbst
+distance-to-itself = der Abstand reicht von `{ $name }` zu sich selbst
     .hint = `other` berichtigen
 
 number-missing = `{ $column }` fehlt oder ist keine Zahl
     .expected = { $column ->
-            [offset_mm] der Abstand der Zielmarke von der Ebene längs ihrer Achse oder von der Kugel nach außen: der Radius einer Kugel, oder 0
-           *[value_deg] der Gelenkwert nach dem Schalter oder dem zweiten Drehgeber
+            [offset_mm] der Abstand der Zielmarke von der Ebene, längs der angegebenen Achse, oder von der Kugel, nach außen: Radius der Zielkugel oder 0
+           *[value_deg] der Gelenkwert nach dem Schalter oder dem zweiten Geber
         }
 
 row-without-pose = eine Zeile der Art `{ $kind }` hat keine Pose
-    .hint = Zeilen ohne Pose geben Orte (`point`) und Abstände (`distance`) fester Punkte an, und Orte auf `plane`, `line` oder `sphere`
+    .hint = ohne Pose sind nur Zeilen über feste Punkte: Positionen (`point`), Abstände (`distance`) und Positionen auf `plane`, `line` oder `sphere`
 
-known-unsupported = eine Zeile der Art `{ $kind }` hat kein [[known]]
+known-unsupported = für eine Zeile der Art `{ $kind }` gibt es kein [[known]]
     .expected = `point`, `distance`, `plane`, `line` oder `sphere`
 
-near-without-surface = `near_mm` ist für Orte auf Flächen
+near-without-surface = `near_mm` gilt nur für Positionen auf Flächen
     .hint = `near_mm` entfernen
 
 kind-of-arms = { $kind ->
         [joints] Gelenkwerte
        *[poses] Posen
-    } sind für räumliche Arme, nicht für `{ $model }`
+    } gelten nur für räumliche Arme, nicht für `{ $model }`
     .hint = Positionen oder Abstände von Zielmarken beobachten
 
 kind-unknown = `{ $name }` ist keine Art von Beobachtung
@@ -305,25 +304,25 @@ name-on-few-rows = `{ $name }` steht nur in { $count ->
         [one] 1 Zeile
        *[other] { $count } Zeilen
     }, `{ $meant }` in { $meant_count }
-    .hint = meinten Sie `{ $meant }`? sonst die Zeilen von `{ $name }` auslassen: sie bestimmen nicht, wo es ist
+    .hint = meinten Sie `{ $meant }`? sonst die Zeilen von `{ $name }` weglassen: sie reichen nicht aus, seine Lage zu bestimmen
 
-base-moves = die Gelenke { $joints } bewegen `base_link`: Positionen gelten als in einem mitbewegten System gemessen
-    .hint = wenn das Messgerät im Raum steht, die Wurzel der URDF als `base_link` angeben
+base-moves = die Gelenke { $joints } bewegen `base_link`: Positionen gelten als in einem mitbewegten Koordinatensystem gemessen
+    .hint = wenn das Messgerät fest im Raum steht, die Wurzel der URDF-Datei als `base_link` angeben
 
-names-of-fixed-things = Zielmarken, Punkten und Ebenen eigene Namen geben
+names-of-fixed-things = Zielmarken, Punkten und Ebenen verschiedene Namen geben
 
 partial-coordinates = { $count ->
         [one] 1 Zeile gibt
        *[other] { $count } Zeilen geben
-    } eine oder zwei Koordinaten einer Zielmarke an: jede zählt für sich
+    } eine oder zwei Koordinaten einer Zielmarke an: jede Koordinate zählt einzeln
 
-station-missing = die Spalte `station` ist hier leer, und andere Punkte haben eine
-    .hint = die Station nennen: Zeilen ohne Station gehören zur Station des Weltsystems, die den Roboter an mindestens { $least } Posen sehen muss
+station-missing = die Spalte `station` ist hier leer, obwohl andere Punkte eine Station angeben
+    .hint = die Station nennen: Zeilen ohne Station gehören zur Station des Weltkoordinatensystems, die den Roboter an mindestens { $least } Posen sehen muss
 
 coordinates-unknown = `{ $text }` nennt keine Koordinaten
     .expected = Buchstaben aus x, y und z: "z", "xy"
 
-place-missing = der Ort von `{ $point }` fehlt oder ist keine Zahl
+place-missing = die Position von `{ $point }` fehlt oder ist keine Zahl
     .hint = seine Koordinaten ergänzen oder die Zeile entfernen
 
 joint-value-missing = ein Gelenkwert fehlt oder ist keine Zahl
@@ -335,7 +334,7 @@ station-row-unsupported = { $fault ->
         [covariance] ein von Station `{ $station }` gemessener Punkt gibt eine Kovarianz an
        *[uncertainties] von Station `{ $station }` gemessene Koordinaten haben eigene Unsicherheiten
     }
-    .expected = Zeilen der Art `point` mit x_mm, y_mm, z_mm und einer Unsicherheit `u_mm`, für alle Stationen außer der ersten
+    .expected = Zeilen der Art `point` oder `pose` mit x_mm, y_mm, z_mm und einer Unsicherheit `u_mm`, für alle Stationen außer der ersten
 
 uncertainty-not-positive = `{ $column }` = { $value } ist keine Standardunsicherheit
     .expected = eine positive Zahl
@@ -347,54 +346,54 @@ uncertainty-missing = die Zeile hat keine Standardunsicherheit
         }
 
 surface-axis-missing = { $kind ->
-        [line] die Gerade `{ $name }` braucht die Achse des Weltsystems, die ihr am nächsten ist
-       *[plane] die Ebene `{ $name }` braucht die Achse des Weltsystems, die ihrer Normalen am nächsten ist
+        [line] die Gerade `{ $name }` braucht die Achse des Weltkoordinatensystems, die ihrer Richtung am nächsten ist
+       *[plane] die Ebene `{ $name }` braucht die Achse des Weltkoordinatensystems, die ihrer Normalen am nächsten ist
     }
     .expected = x, y oder z in der Spalte `axis`{ $kind ->
             [line] {""}
            *[plane] : z für einen Tisch, x oder y für eine Wand
         }
 
-offset-of-line = `offset_mm` ist für Ebenen und Kugeln, nicht für eine Gerade
+offset-of-line = `offset_mm` gilt nur für Ebenen und Kugeln, nicht für eine Gerade
     .hint = die Zelle leer lassen
 
-near-missing = ein Ort auf { $kind } braucht `near_mm`
-    .hint = angeben, wo ungefähr er im Weltsystem liegt
+near-missing = eine Position auf { $kind } braucht `near_mm`
+    .hint = ihre ungefähre Position im Weltkoordinatensystem angeben
 
 load-direction-unknown = `{ $direction }` ist keine Richtung
     .expected = +x, -x, +y, -y, +z oder -z
 
-load-direction-unmeasured = Richtung `{ $direction }` braucht `z_mm`: dort ist keine Verschiebung gemessen
+load-direction-unmeasured = Richtung `{ $direction }` braucht `z_mm`: in dieser Richtung ist keine Verschiebung gemessen
     .hint = die Spalte `z_mm` hinzufügen oder die Zeile entfernen
 
 force-not-a-number = `{ $text }` ist keine Kraft
-    .expected = Newton, null oder mehr: die Richtung gibt das Vorzeichen
+    .expected = eine Kraft in Newton, null oder positiv: die Richtung gibt das Vorzeichen
 
 drift-without-commanded = `drift_set` braucht Sollposen
     .hint = sie angeben: `commanded = "commanded.csv"`
 
 attained-poses-twice = [poses] und [repeatability] geben beide Istposen an
-    .hint = behalten, worin die Messungen sind: Bezeichnungen oder eine Tabelle
+    .hint = den Abschnitt behalten, der zu den Messungen passt: Bezeichnungen oder Tabelle
 
-limit-without-value = der Grenzwert `{ $limit }` kann nicht beurteilt werden: Pose { $pose } hat keinen solchen Wert
+limit-without-value = der Grenzwert `{ $limit }` kann nicht beurteilt werden: an Pose { $pose } fehlt dieser Wert
     .hint = jede Pose mindestens zweimal anfahren und als Sollpose angeben
 
-compensation-scatters = Istpositionen streuen nach der Kompensation durch Referenzmarken um { FIXED($after_mm, 4) } mm um das Mittel ihrer Pose, vorher um { FIXED($before_mm, 4) } mm
-    .hint = nach einer falschen Ablesung unter den Referenzmarken suchen oder sie weglassen
+compensation-scatters = die Istpositionen streuen nach der Korrektur durch die Referenzmarken um { FIXED($after_mm, 4) } mm um das Mittel ihrer Pose, vorher um { FIXED($before_mm, 4) } mm
+    .hint = nach einem falschen Messwert unter den Referenzmarken suchen oder sie weglassen
 
-reference-targets-misshapen = Referenzmarken von Zyklus { $cycle } liegen { FIXED($rms_mm, 4) } mm (quadratisches Mittel) neben einer starren Bewegung des ersten Zyklus; erweiterte Messunsicherheit { FIXED($expanded_mm, 4) } mm
-    .hint = eine hat sich bewegt oder ist falsch gemessen: neu messen oder weglassen
+reference-targets-misshapen = die Referenzmarken von Zyklus { $cycle } weichen um { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert) von einer starren Bewegung derjenigen des ersten Zyklus ab; erweiterte Messunsicherheit { FIXED($expanded_mm, 4) } mm
+    .hint = eine Referenzmarke hat sich bewegt oder wurde falsch gemessen: sie neu messen oder weglassen
 
-repeatability-frame = [repeatability] braucht ein einmal gemessenes Weltsystem
-    .hint = das System aus Punkten bilden, die sich nicht bewegen
+repeatability-frame = [repeatability] braucht ein einmal gemessenes Weltkoordinatensystem
+    .hint = das Koordinatensystem durch unbewegte Punkte definieren
 
-commanded-angle-unmeasured = `{ $column }` ist vorgegeben, aber Bezeichnungen liefern nur Positionen
+commanded-angle-unmeasured = `{ $column }` hat Sollwerte, aber Bezeichnungen liefern nur Positionen
     .hint = die Spalte entfernen oder Istposen mit Winkeln als Tabelle angeben: [poses]
 
-commanded-pose-missing = für Pose { $poses } ist keine Sollposition angegeben
+commanded-pose-missing = für diese Posen ist keine Sollposition angegeben: { $poses }
     .hint = für jede gemessene Pose des Ablaufs eine Zeile ergänzen
 
-commanded-pose-unmeasured = Pose { $pose } ist vorgegeben, aber dort ist nichts gemessen
+commanded-pose-unmeasured = Pose { $pose } ist Sollpose, aber dort wurde nichts gemessen
 
 trajectory-empty = der Ablauf hat keine Pose
     .hint = die Posen eines Zyklus in ihrer Reihenfolge angeben, zum Beispiel [1, 2, 1, 3]
@@ -405,47 +404,47 @@ coplanar-not-four = `coplanar` nennt nicht vier Posen des Ablaufs
 pose-not-in-trajectory = Pose { $pose } (Zyklus { $cycle }) ist nicht im Ablauf
     .hint = die Bezeichnung berichtigen oder die Pose in `trajectory` ergänzen
 
-pose-of-several-targets = Pose { $pose } (Zyklus { $cycle }) hat Ablesungen von `{ $target }` und einer anderen Zielmarke
-    .hint = die eine Zielmarke der Prüfung in `label` nennen
+pose-of-several-targets = Pose { $pose } (Zyklus { $cycle }) hat Messwerte von `{ $target }` und einer anderen Zielmarke
+    .hint = in `label` die einzige Zielmarke der Prüfung nennen
 
 pose-of-cycle = Pose { $pose } von Zyklus { $cycle }
 
-visit-count-differs = Pose { $pose } ist in Zyklus { $cycle } { $found }-mal gemessen, der Ablauf fährt sie { $count }-mal an
-    .hint = die fehlende Ablesung ergänzen oder alle dieser Pose und dieses Zyklus entfernen: die Anfahrrichtung der anderen ist unbekannt
+visit-count-differs = Pose { $pose } wurde in Zyklus { $cycle } { $found }-mal gemessen, der Ablauf fährt sie aber { $count }-mal an
+    .hint = den fehlenden Messwert ergänzen oder alle dieser Pose und dieses Zyklus entfernen: die Anfahrrichtung der anderen ist unbekannt
 
 visits-missing = nicht gemessen: { $poses }{ $count ->
         [one] {""}
        *[other] {""}; insgesamt { $count }
     }
 
-homing-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der Wiederholgenauigkeit der Referenzfahrt, { FIXED($rp_mm, 4) } mm
-    .hint = den Wert als obere Schranke verwenden oder mit einem besseren Messgerät messen
+homing-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der Wiederholgenauigkeit der Referenzfahrt, { FIXED($rp_mm, 4) } mm
+    .hint = den Wert als Obergrenze verwenden oder mit einem besseren Messgerät messen
 
-central-part-too-large = { $option } ist mehr als die Bahn
+central-part-too-large = der Wert von { $option } ist größer als die ganze Bahn
     .expected = eine Zahl größer als 0 und höchstens 100
 
-path-points-out-of-range = { $option } ist außerhalb des Bereichs
+path-points-out-of-range = der Wert von { $option } liegt außerhalb des zulässigen Bereichs
     .expected = 2 bis 100000
 
 path-not-stated = { $option } braucht { $path }
     .hint = die Datei der Sollbahn angeben
 
-weave-incomplete = dem Pendeln fehlt { $option }
+weave-incomplete = für das Pendeln fehlt { $option }
     .hint = Hub, Frequenz und Richtung angeben
 
-weave-direction-count = { $option } hat nicht drei Zahlen
-    .expected = x, y und z der Richtung der Auslenkung
+weave-direction-count = { $option } muss drei Zahlen haben
+    .expected = x, y und z der Auslenkungsrichtung
 
-stream-twice = der Datenstrom `{ $stream }` steht zweimal da
-    .hint = jedem Datenstrom einen eigenen Namen geben
+stream-twice = die Aufzeichnung `{ $stream }` kommt zweimal vor
+    .hint = jeder Aufzeichnung einen eigenen Namen geben
 
-in-observation = Pose { $pose } Zyklus { $cycle } der Beobachtungen: { $message }
+in-observation = Pose { $pose }, Zyklus { $cycle } der Beobachtungen: { $message }
 
 in-candidate = Pose { $pose } der Kandidaten: { $message }
 
 in-feature = Element `{ $name }`: { $message }
 
-joints-of-pose-differ = seine Zeilen haben verschiedene Gelenkwerte
+joints-of-pose-differ = die Zeilen dieser Pose haben verschiedene Gelenkwerte
     .hint = sie berichtigen oder Wiederholungen in der Spalte `cycle` nummerieren
 
 target-repeated = die Zielmarke `{ $target }` kommt zweimal vor
@@ -457,27 +456,27 @@ table-without-observations = es gibt keine Beobachtungen
 arms-apart = mit Nennparametern treffen sich die Arme bei diesen Gelenkwerten nicht
     .hint = Einheit, Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
 
-assembly-mode-missing = der Aufbaumodus ist nicht angegeben
+assembly-mode-missing = der Montagemodus ist nicht angegeben
     .expected = 1 oder -1 in der Spalte `assembly`
-    .hint = Kandidaten können auch Positionen sein: `pose,x_mm,y_mm` ohne Gelenke ergibt alle Arbeitsmodi
+    .hint = Kandidaten können auch Positionen sein: `pose,x_mm,y_mm` ohne Gelenkwerte ergibt alle Arbeitsmodi
 
-assembly-mode-ambiguous = beide Aufbaumodi passen gleich gut: { FIXED($near_mm, 2) } mm und { FIXED($far_mm, 2) } mm von der gemessenen Position
-    .hint = eine Spalte `assembly` mit 1 oder -1 angeben; oder den Ort der Basis (x_o, y_o, phi) unter [nominal]
+assembly-mode-ambiguous = beide Montagemodi passen gleich gut: { FIXED($near_mm, 2) } mm und { FIXED($far_mm, 2) } mm von der gemessenen Position
+    .hint = eine Spalte `assembly` mit 1 oder -1 angeben; oder die Lage der Basis (x_o, y_o, phi) unter [nominal]
 
-assembly-modes-assumed = der Aufbaumodus von { $count } Beobachtungen wurde der Messung entnommen ({ $positive } in Modus +1, { $negative } in Modus -1); am wenigsten eindeutig ist Pose { $pose }: { FIXED($near_mm, 1) } mm und { FIXED($far_mm, 1) } mm
+assembly-modes-assumed = der Montagemodus von { $count } Beobachtungen wurde aus der Messung abgeleitet ({ $positive } in Modus +1, { $negative } in Modus -1); am wenigsten eindeutig ist Pose { $pose }: { FIXED($near_mm, 1) } mm und { FIXED($far_mm, 1) } mm
     .hint = eine Spalte `assembly` mit 1 oder -1 angeben, wenn das Protokoll sie enthält
 
-height-missing = Beobachtungen eines räumlichen Roboters fehlt `z_mm`
+height-missing = den Beobachtungen eines räumlichen Roboters fehlt `z_mm`
     .hint = die Spalte `z_mm` hinzufügen
 
-uncertainties-twice = die Tabelle gibt Standardunsicherheiten und Kovarianzen von Koordinaten an
+uncertainties-twice = die Tabelle gibt sowohl Standardunsicherheiten als auch Kovarianzen von Koordinaten an
     .hint = `ux_mm`, `uy_mm`, `uz_mm` entfernen
 
 coordinate-uncertainty-missing = die Zeile gibt eine Unsicherheit an, aber `{ $column }` ist leer
-    .expected = von 0,00002 bis 100 mm, oder alle leer
+    .expected = von 0,00002 mm bis 100 mm, oder alle leer
 
 coordinate-uncertainty-unusable = `{ $column }` = { $value } ist nicht die Unsicherheit einer Koordinate
-    .expected = von 0,00002 bis 100 mm, oder alle leer
+    .expected = von 0,00002 mm bis 100 mm, oder alle leer
 
 position-covariance-invalid = die Kovarianz der Zeile ist nicht positiv definit
     .hint = Reihenfolge und Einheit der Spalten `cxx_mm2` .. prüfen
@@ -488,58 +487,58 @@ unplaced = { $kind ->
            *[other] { $count } Zielmarken
         }
         [fixtures] { $count ->
-            [one] 1 feste Größe
-           *[other] { $count } feste Größen
+            [one] 1 festes Element
+           *[other] { $count } feste Elemente
         }
-       *[both] { $count } Zielmarken und feste Größen
-    } nur an Validierungsposen gemessen: { $names }; durch diese Ablesungen platziert, bei festgehaltenem identifiziertem Roboter
+       *[both] { $count } Zielmarken und feste Elemente
+    } nur an Validierungsposen gemessen: { $names }; Lage aus diesen Messwerten bestimmt, bei festgehaltenen identifizierten Roboterparametern
 
-validation-leaves-nothing = { $unplaced }: zum Validieren bleibt nichts
-    .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen sind, nach `calibration` verschieben
+validation-leaves-nothing = { $unplaced }: für die Validierung bleibt nichts übrig
+    .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen wurden, in `calibration` aufnehmen
 
 placed-by-validation = { $unplaced }; die Statistik berücksichtigt das
-    .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen sind, nach `calibration` verschieben
+    .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen wurden, in `calibration` aufnehmen
 
-placed-by-validation-unjudged = { $unplaced }; Ablesungen ohne Redundanz werden nicht beurteilt: { $names }
-    .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen sind, nach `calibration` verschieben
+placed-by-validation-unjudged = { $unplaced }; Messwerte ohne Redundanz werden nicht beurteilt: { $names }
+    .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen wurden, in `calibration` aufnehmen
 
-candidate-positions-unreachable = keine Kandidatenposition wird vom `{ $model }` erreicht, oder das Modell hat keine Inverse
+candidate-positions-unreachable = das Modell `{ $model }` erreicht keine Kandidatenposition oder hat keine inverse Kinematik
     .hint = Gelenkwerte angeben, eine Spalte je Gelenk mit ihrer Einheit
 
-check-readings = dort nach vertauschten Bezeichnungen und falschen Ablesungen suchen; neu messen oder mit `exclude` in [identify] auslassen
+check-readings = dort nach vertauschten Bezeichnungen und falschen Messwerten suchen; neu messen oder mit `exclude` in [identify] ausschließen
 
-robust-fit-disagrees = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); keine Pose widerspricht allen anderen: die Residuen sind nicht normalverteilt
+robust-fit-disagrees = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenzwert { FIXED($limit, 1) }); keine Pose widerspricht allen anderen: die Residuen sind nicht normalverteilt
     .hint = der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
 
-robust-fit-disagrees-at-poses = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); Posen, die den anderen widersprechen: { $poses }
+robust-fit-disagrees-at-poses = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenzwert { FIXED($limit, 1) }); Posen, die den anderen widersprechen: { $poses }
 
 target-positions = `{ $target }` ({ $count ->
         [one] 1 Position
        *[other] { $count } Positionen
     })
 
-coordinates-commanded = der Nennroboter ergibt die Koordinaten von { $targets } aus den Gelenkwerten auf { SCIENTIFIC($largest_mm, 2) } mm, die Rundung der Datei: sie sind Sollwerte, nicht gemessen
+coordinates-commanded = der nominale Roboter reproduziert die Koordinaten von { $targets } aus den Gelenkwerten bis auf { SCIENTIFIC($largest_mm, 2) } mm, die Rundung der Datei: sie sind Sollwerte, keine Messwerte
     .hint = in `columns` die gemessenen Koordinaten nennen; bei simulierten Daten in der Kampagne `synthetic` angeben
 
-frame-points-mirrored = die Punkte des Weltsystems sind { FIXED($off_mm, 3) } mm von ihren Nennorten entfernt und passen zu deren Spiegelbild auf { FIXED($limit_mm, 3) } mm
-    .hint = zwei Achsen des Exports sind vertauscht, oder eine hat das andere Vorzeichen: seine Spalten prüfen
+frame-points-mirrored = die Punkte des Weltkoordinatensystems sind { FIXED($off_mm, 3) } mm von ihren Nennpositionen entfernt, passen aber bis auf { FIXED($limit_mm, 3) } mm zu deren Spiegelbild
+    .hint = zwei Achsen des Exports sind vertauscht, oder eine hat das falsche Vorzeichen: seine Spalten prüfen
 
-frame-point-off = `{ $point }` ist { FIXED($off_mm, 3) } mm von seinem Nennort relativ zu den anderen Punkten entfernt (Toleranz { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
-    .hint = den Punkt, seine Bezeichnung und `nominal_mm` prüfen oder die Toleranz der Zeichnung angeben
+frame-point-off = `{ $point }` ist relativ zu den anderen Punkten { FIXED($off_mm, 3) } mm von seiner Nennposition entfernt (Toleranz { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+    .hint = den Punkt, seine Bezeichnung und `nominal_mm` prüfen oder die Toleranz nach der Zeichnung angeben
 
-frame-points-off = von `{ $first }` bis `{ $second }` sind es gemessen { FIXED($measured_mm, 3) } mm, nominal { FIXED($nominal_mm, 3) } mm (Toleranz { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
-    .hint = den Punkt, seine Bezeichnung und `nominal_mm` prüfen oder die Toleranz der Zeichnung angeben
+frame-points-off = Abstand von `{ $first }` zu `{ $second }`: gemessen { FIXED($measured_mm, 3) } mm, nominal { FIXED($nominal_mm, 3) } mm (Toleranz { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+    .hint = den Punkt, seine Bezeichnung und `nominal_mm` prüfen oder die Toleranz nach der Zeichnung angeben
 
-nominal-point-unmeasured = `nominal_mm` nennt `{ $point }`, das nicht gemessen ist
+nominal-point-unmeasured = `nominal_mm` nennt `{ $point }`, das nicht gemessen wurde
 
-nominal-few-points = `nominal_mm` braucht drei Punkte oder mehr
-    .hint = Punkte des Systems ergänzen oder es entfernen
+nominal-few-points = `nominal_mm` braucht mindestens drei Punkte
+    .hint = Punkte des Koordinatensystems ergänzen oder `nominal_mm` entfernen
 
-world-axes-exchanged = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg, 1) } deg von dem Ort entfernt, den robot.toml angibt: x, y, z von robot.toml sind { $axes } des Weltsystems
-    .hint = Achsen, Einheit und Punkte des Weltsystems und [nominal] in robot.toml prüfen
+world-axes-exchanged = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg, 1) } deg von der Lage entfernt, die robot.toml angibt: x, y, z von robot.toml entsprechen { $axes } des Weltkoordinatensystems
+    .hint = Achsen, Einheit und Punkte des Weltkoordinatensystems und [nominal] in robot.toml prüfen
 
-base-off-nominal = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg, 1) } deg von dem Ort entfernt, den robot.toml angibt; Grenze { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
-    .hint = Achsen, Einheit und Punkte des Weltsystems und [nominal] in robot.toml prüfen
+base-off-nominal = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg, 1) } deg von der Lage entfernt, die robot.toml angibt; Grenzwert { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
+    .hint = Achsen, Einheit und Punkte des Weltkoordinatensystems und [nominal] in robot.toml prüfen
 
 orientation-slip = { $slip ->
         [joint] `{ $name }` umgekehrt
@@ -547,23 +546,23 @@ orientation-slip = { $slip ->
         [scalar-first] dem Skalar der Quaternionen am Anfang
         [scalar-last-inverse] dem Skalar der Quaternionen am Ende und den inversen Drehungen
         [order] Winkeln in der Reihenfolge `{ $name }`
-        [vectors] Drehvektoren statt Winkeln
-        [order-of-vectors] Winkeln in der Reihenfolge `{ $name }` statt Drehvektoren
+        [vectors] Rotationsvektoren statt Winkeln
+        [order-of-vectors] Winkeln in der Reihenfolge `{ $name }` statt Rotationsvektoren
         [radians] Winkeln in Radiant statt Grad
         [degrees] Winkeln in Grad statt Radiant
         [inverse] den inversen Drehungen
-       *[left-handed] einem linkshändigen System ({ $name } umgekehrt)
+       *[left-handed] einem linkshändigen Koordinatensystem ({ $name } umgekehrt)
     }
 
-slip-leaves = mit { $slip } um { FIXED($left_deg, 2) } deg
+slip-leaves = um { FIXED($left_deg, 2) } deg mit { $slip }
 
-check-slips = sie unterscheiden sich { $slips }: das zuerst prüfen
+check-slips = sie unterscheiden sich nur { $slips }: das zuerst prüfen
 
-orientations-off = beobachtete Orientierungen unterscheiden sich von denen des { $robot ->
-        [nominal] Nennroboters
+orientations-off = die beobachteten Orientierungen unterscheiden sich von denen des { $robot ->
+        [nominal] nominalen Roboters
        *[identified] identifizierten Roboters
-    } um { FIXED($median_deg, 1) } deg (Median)
-    .hint = prüfen, dass qw, qx, qy, qz Vektoren des Körpers in die Welt drehen, der Skalar zuerst; oder die Reihenfolge der Winkel: ohne `orientation` werden die passenden genannt
+    } um { FIXED($median_deg, 1) } deg (Median)
+    .hint = prüfen, ob qw, qx, qy, qz (Skalar zuerst) Vektoren vom Körper in das Weltkoordinatensystem drehen; oder die Reihenfolge der Winkel prüfen: ohne `orientation` werden die passenden Reihenfolgen genannt
 
 few-poses-to-leave-out = { $count ->
         [one] 1 Kalibrierpose ist
@@ -572,112 +571,106 @@ few-poses-to-leave-out = { $count ->
     .expected = mindestens { $least }
     .hint = mehr messen oder mehr in `calibration` nennen
 
-nothing-to-judge = nichts Beobachtetes ist eine Position, ein Abstand oder ein Kontakt
-    .hint = Parameter werden nach Positionsabweichungen beurteilt: einige messen
+nothing-to-judge = keine Beobachtung ist eine Position, ein Abstand oder ein Kontakt
+    .hint = Parameter werden nach Positionsabweichungen beurteilt: Positionen messen
 
-validation-repeats-calibration = die Validierung wiederholt die Kalibrierung: die Hälfte der Validierungsposen liegt näher als das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen an einer von diesen; Grenze { $limit }
-    .hint = die Abweichung des Roboters kann anderswo größer sein: an Posen zwischen denen der Kalibrierung validieren
+validation-repeats-calibration = die Validierung wiederholt die Kalibrierung: die Hälfte der Validierungsposen liegt näher an einer Kalibrierpose als das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen untereinander; Grenzwert { $limit }
+    .hint = die Abweichung des Roboters kann anderswo größer sein: an Posen zwischen den Kalibrierposen validieren
 
-validation-far = die Validierung ist weit von der Kalibrierung entfernt: die Hälfte der Validierungsposen liegt weiter als das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen von der nächsten; Grenze { $limit }
+validation-far = die Validierung ist weit von der Kalibrierung entfernt: die Hälfte der Validierungsposen liegt von der nächsten Kalibrierpose weiter entfernt als das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen untereinander; Grenzwert { $limit }
     .hint = an Posen kalibrieren, die über den benutzten Arbeitsraum verteilt sind
 
-error-quantity-unknown = `{ $name }` ist keine Größe von Abweichungen
-    .hint = die Kampagne neu rechnen: `etalon run CAMPAIGN`
+error-quantity-unknown = `{ $name }` ist keine Größe einer Abweichung
+    .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
 
-pose-set-unknown = `{ $name }` ist keine Menge von Posen
+pose-set-unknown = `{ $name }` ist keine Gruppe von Posen
     .expected = calibration oder validation
 
-joint-does-not-move = `{ $joint }` bewegt sich nicht: die Daten überlassen { $count ->
-        [one] 1 Parameter seiner Toleranz
-       *[other] { $count } Parameter ihren Toleranzen
+joint-does-not-move = `{ $joint }` bewegt sich nicht: mangels Daten { $count ->
+        [one] bleibt 1 Parameter nur bis auf seine Toleranz bekannt
+       *[other] bleiben { $count } Parameter nur bis auf ihre Toleranz bekannt
     }: { $parameters }
-    .hint = `{ $joint }` zwischen den Kalibrierposen bewegen oder im Gebrauch bei seinem Wert bleiben; sonst bleiben Abweichungen bis zur Toleranz von `{ $first }`
+    .hint = `{ $joint }` zwischen den Kalibrierposen bewegen oder den Roboter nur bei diesem Wert verwenden; sonst bleiben Abweichungen bis zur Toleranz von `{ $first }`
 
-direction-undetermined = die Punkte lassen seine Richtung um { FIXED($direction_deg, 0) } deg unsicher (k = 1); Grenze { $limit_deg } deg
-    .hint = Punkte weiter auseinander messen, nicht alle auf einer Geraden
+direction-undetermined = aus den Punkten ist seine Richtung nur auf { FIXED($direction_deg, 0) } deg bekannt (k = 1); Grenzwert { $limit_deg } deg
+    .hint = Punkte mit größerem Abstand messen, nicht alle auf einer Geraden
 
-direction-uncertain = seine Richtung hat eine Standardunsicherheit von { FIXED($direction_deg, 2) } deg; Grenze { $limit_deg } deg
-    .hint = Punkte weiter auseinander messen
+direction-uncertain = seine Richtung hat eine Standardunsicherheit von { FIXED($direction_deg, 2) } deg; Grenzwert { $limit_deg } deg
+    .hint = Punkte mit größerem Abstand messen
 
-world-frame-incomplete = das Weltsystem { $fault ->
+world-frame-incomplete = das Weltkoordinatensystem { $fault ->
         [plane] hat keine Ebene
         [feature] hat eine Ebene, die kein Element ist
         [origin] hat keinen Ursprung
         [towards] hat kein `towards`
-       *[axis] braucht eines von `x_axis` und `y_axis`
+       *[axis] braucht entweder `x_axis` oder `y_axis`
     }
     .hint = `plane`, `origin`, `x_axis` oder `y_axis` und `towards` in [frame.world] angeben
 
-frame-name-unknown = keine Bezeichnung und kein Element heißt `{ $name }`
-    .hint = den Namen berichtigen oder das Element hinzufügen
+world-side-undetermined = `towards` liegt auf der Achse: die Seite der anderen Achse ist damit nicht festgelegt
+    .hint = einen Punkt neben der Achse angeben
 
-world-axis-without-direction = die Achse des Weltsystems hat keine Richtung
-    .expected = zwei Bezeichnungen, von und nach, oder ein Element mit einer Richtung
-
-world-side-undetermined = `towards` liegt auf der Achse: es legt die Seite der anderen Achse nicht fest
-    .hint = einen Punkt neben der Achse nennen
-
-frame-few-targets = das Weltsystem hat { $count ->
+frame-few-targets = das Weltkoordinatensystem hat { $count ->
         [one] 1 Zielmarke
        *[other] { $count } Zielmarken
     }
-    .expected = drei Zielmarken oder mehr
+    .expected = mindestens drei Zielmarken
 
-frame-never-complete = keine Pose hat alle Zielmarken { $targets } des Weltsystems getrennt voneinander
+frame-never-complete = an keiner Pose sind alle Zielmarken { $targets } des Weltkoordinatensystems gemessen und voneinander verschieden
     .hint = alle messen und ihre Bezeichnungen prüfen
 
-orientations-twice = die Tabelle hat Orientierungen zweimal: { $first } und { $second }
+orientations-twice = die Tabelle gibt die Orientierung zweimal an: { $first } und { $second }
     .hint = eine davon weglassen
 
 orientation-columns-missing = der Orientierung fehlt { $missing }
-    .expected = { $columns }: Körper im Weltsystem
+    .expected = { $columns }: Orientierung des Körpers im Weltkoordinatensystem
 
 orientation-missing = die Orientierung fehlt oder ist keine Zahl
-    .expected = qw, qx, qy, qz: Körper im Weltsystem; oder ein Drehvektor, oder drei Winkel
+    .expected = qw, qx, qy, qz: Orientierung des Körpers im Weltkoordinatensystem; oder ein Rotationsvektor, oder drei Winkel
 
 angle-order-missing = die Reihenfolge der Winkel ist nicht angegeben
     .hint = `orientation = "zyx"` in [observations] oder --orientation angeben
 
-angle-orders-unfit = keine Reihenfolge der Winkel passt zum Nennroboter: `{ $order }` lässt { FIXED($left_deg, 1) } deg (quadratisches Mittel); prüfen, dass sie den Körper in die Welt drehen, und die Gelenke
+angle-orders-unfit = keine Reihenfolge der Winkel passt zum nominalen Roboter: mit `{ $order }` ist die Abweichung { FIXED($left_deg, 1) } deg (quadratischer Mittelwert); prüfen, ob die Winkel die Drehung vom Körper in das Weltkoordinatensystem beschreiben, und die Gelenkwerte prüfen
 
-angle-order-leaves = `{ $order }` lässt { FIXED($left_deg, 3) } deg
+angle-order-leaves = { FIXED($left_deg, 3) } deg mit `{ $order }`
 
-angle-orders-fit = `orientation = "zyx"` in [observations] oder --orientation angeben; vom Nennroboter { $orders } (quadratisches Mittel)
+angle-orders-fit = `orientation = "{ $order }"` in [observations] oder --orientation angeben; Abweichung vom nominalen Roboter (quadratischer Mittelwert): { $orders }
 
 ball-missing = Kugel `{ $target }` fehlt (Pose { $pose }, Zyklus { $cycle })
     .hint = sie messen oder den Rest dieser Pose und dieses Zyklus entfernen
 
-actuator-unknown = es gibt keinen Antrieb { $actuator }
+actuator-unknown = Antrieb { $actuator } existiert nicht
     .expected = 1, 2 oder 3
 
 lead-position-unknown = Position { $position } von Antrieb { $actuator } ist nicht in `positions_mm`
     .hint = die Bezeichnung berichtigen oder `positions_mm` ergänzen
 
-geometric-frame = die geometrische Kalibrierung braucht ein Weltsystem aus den Schienen und Kugel R
-    .expected = `plane`, `origin`, `y_axis = [Ursprung, anderes Ende]` und `towards`, wie in 3.4.1 der Arbeit
+geometric-frame = die geometrische Kalibrierung braucht ein durch die Schienen und Kugel R definiertes Weltkoordinatensystem
+    .expected = `plane`, `origin`, `y_axis = [Ursprung, anderes Ende]` und `towards`, wie in 3.4.1 der Dissertation
 
 geometric-other-robot = [geometric] ist die geometrische Kalibrierung eines PreXYT
     .expected = ein Roboter mit Modell `prexyt`
 
-scale-bar-error = Maßstab `{ $name }`: eine Abweichung von { FIXED($error_mm, 4) } mm überschreitet die zulässige von { FIXED($limit_mm, 4) } mm
-    .hint = Taster, Temperatur und Aufstellung des Messgeräts prüfen und den Maßstab neu messen
+scale-bar-error = Kalibrierstab `{ $name }`: die Abweichung von { FIXED($error_mm, 4) } mm überschreitet die Fehlergrenze von { FIXED($limit_mm, 4) } mm
+    .hint = Taster, Temperatur und Aufstellung des Messgeräts prüfen und den Kalibrierstab neu messen
 
-scale-bar-uncertain = Maßstab `{ $name }`: die zulässige Abweichung ist das { FIXED($ratio, 1) }-Fache der erweiterten Messunsicherheit seines Zertifikats, gefordert ist das { $least }-Fache
-    .hint = einen Maßstab mit besserem Zertifikat verwenden: dieser verifiziert nichts
+scale-bar-uncertain = Kalibrierstab `{ $name }`: die Fehlergrenze ist das { FIXED($ratio, 1) }-Fache der erweiterten Messunsicherheit seines Kalibrierscheins, gefordert ist mindestens das { $least }-Fache
+    .hint = einen Stab verwenden, dessen Kalibrierschein eine kleinere Messunsicherheit angibt: mit diesem ist keine Prüfung möglich
 
-step-scatters = { $step }: Residuen streuen um { FIXED($found_mm, 4) } mm, das Messgerät gibt { FIXED($stated_mm, 4) } mm an: die Unsicherheiten folgen den Residuen
-    .hint = nach Spiel, einer schmutzigen Kugel oder einem losen Sitz suchen; den Schritt neu messen
+step-scatters = { $step }: die Residuen streuen um { FIXED($found_mm, 4) } mm, die Unsicherheit des Messgeräts ist { FIXED($stated_mm, 4) } mm: die Unsicherheiten folgen aus den Residuen
+    .hint = nach Spiel, einer schmutzigen Kugel oder einer losen Halterung suchen; den Schritt neu messen
 
-table-without-poses = an keiner Pose der Tabelle `{ $title }` sind K und L zusammen gemessen
+table-without-poses = an keiner Pose der Tabelle `{ $title }` wurden K und L zusammen gemessen
     .hint = beide Kugeln im selben Zyklus messen oder andere Posen wählen
 
 given-without-covariance = die Parameter haben keine Kovarianz
-    .hint = aus Daten neu identifizieren, die Freiheitsgrade lassen
+    .hint = aus mehr Daten neu identifizieren, die Freiheitsgrade übrig lassen
 
-calibrated-targets-missing = den Parametern fehlen { $names }: andere Basis oder andere Zielmarken
-    .hint = die Zielmarken der Kalibrierung beobachten, wo sie am bewegten Teil waren
+calibrated-targets-missing = den Parametern fehlen { $names }: die Basis oder die Zielmarken sind andere
+    .hint = die Zielmarken der Kalibrierung an derselben Stelle des bewegten Teils beobachten
 
-parameters-of-other-robot = die Parameter gehören zu einem `{ $identified }`; robot.toml beschreibt einen anderen Roboter (`{ $stated }`)
+parameters-of-other-robot = die Parameter gehören zu einem Roboter `{ $identified }`; robot.toml beschreibt einen anderen (`{ $stated }`)
     .hint = die robot.toml angeben, mit der sie identifiziert wurden
 
 parameters-lacking = den Parametern fehlen { $names }; die robot.toml angeben, mit der sie identifiziert wurden
@@ -696,35 +689,35 @@ nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $state
         [deg] {" "}deg
        *[other] {""}
     }
-    .hint = prüfen, dass die Parameter die dieses Roboters sind
+    .hint = prüfen, ob die Parameter zu diesem Roboter gehören
 
-calibration-without-residuals = die Kalibrierung zeigt keine Standardabweichung einer Koordinate
+calibration-without-residuals = aus der Kalibrierung ergibt sich keine Standardabweichung einer Koordinate
     .hint = mit angegebener Standardunsicherheit identifizieren
 
 effect-would-prove = { $effect }{ $count ->
         [0] {""}
        *[other] {" "}der Gelenke { $joints }
-    } würde sich nachweisen lassen: die Abweichung an ausgelassenen Kalibrierposen fällt von { FIXED($without_mm, 3) } auf { FIXED($with_mm, 3) } mm (Position, quadratisches Mittel)
+    } würde bestätigt: die Abweichung an ausgelassenen Kalibrierposen sinkt von { FIXED($without_mm, 3) } auf { FIXED($with_mm, 3) } mm (Position, quadratischer Mittelwert)
     .hint = "{ $effect }" in `effects` von [identify] ergänzen oder `effects = "proven"` angeben
 
-outliers-too-many = `outliers = "exclude"` würde mehr als { $share_percent } % aller Ablesungen auslassen
-    .hint = das Modell oder der Aufbau ist falsch: sehen, was `outliers = "keep"` meldet
+outliers-too-many = `outliers = "exclude"` würde mehr als { $share_percent } % aller Messwerte ausschließen
+    .hint = das Modell oder der Aufbau ist falsch: nachsehen, was `outliers = "keep"` meldet
 
-log-correlates = mit Protokoll `{ $log }` korrelieren die Residuen mit dem Unterschied beider Protokolle (r = { FIXED($correlation, 2) }): ihr quadratisches Mittel ist { FIXED($rms_mm, 3) } mm, mit Protokoll `{ $other }` { FIXED($other_rms_mm, 3) } mm
+log-correlates = mit Protokoll `{ $log }` korrelieren die Residuen mit der Differenz beider Protokolle (r = { FIXED($correlation, 2) }); ihr quadratischer Mittelwert ist { FIXED($rms_mm, 3) } mm, mit Protokoll `{ $other }` dagegen { FIXED($other_rms_mm, 3) } mm
 
 use-log = { $hint ->
-        [name-first] mit Protokoll `{ $log }` identifizieren: es zuerst nennen
-       *[is-used] Protokoll `{ $log }` ist das richtige, wie in dieser Kampagne
+        [name-first] mit Protokoll `{ $log }` identifizieren: dieses zuerst nennen
+       *[is-used] Protokoll `{ $log }` verwenden, wie in dieser Kampagne
     }
 
 selected-pose-unmeasured = `{ $pose }` nennt keine gemessene Pose
 
-selection-without-pose = `{ $set }` wählt keine gemessene Pose
+selection-without-pose = `{ $set }` wählt keine gemessene Pose aus
 
-sets-overlap = Posen sowohl in der Kalibrierung als auch in der Validierung: { $poses }
-    .hint = `validation = "rest"` nimmt alle, die die Kalibrierung nicht nimmt
+sets-overlap = diese Posen gehören zur Kalibrierung und zur Validierung: { $poses }
+    .hint = `validation = "rest"` nimmt alle Posen, die nicht zur Kalibrierung gehören
 
-table-selection-empty = die Tabelle `{ $title }` hat keine gemessene Pose
+table-selection-empty = die Tabelle `{ $title }` enthält keine gemessene Pose
     .hint = eine Tabelle zeigt Posen von `calibration` und `validation`
 
 poses-measured = { $count ->
@@ -736,26 +729,26 @@ poses-unmeasured = keine Pose ist gemessen und verknüpft
 
 at-pose = Pose { $pose }: { $message }
 
-values-of-column = { $message } ({ $count } von { $total } Werten sind es)
+values-of-column = { $message } (betrifft { $count } von { $total } Werten)
 
 check-column-unit = die Einheit seiner Spalte prüfen: alle Werte liegen im Bereich, wenn sie { $units ->
         [degrees] Grad statt Radiant
        *[millimetres] Millimeter statt Meter
     } sind
 
-joint-out-of-range = Gelenk `{ $joint }` = { $value } { $unit } ist außerhalb des Bereichs
-    .expected = von { $lower } bis { $upper } { $unit }: { $reason ->
-            [limits] die Grenzen, die die Roboterdatei angibt, und 0,1 darüber hinaus
+joint-out-of-range = Gelenk `{ $joint }` = { $value } { $unit } ist außerhalb des Bereichs
+    .expected = von { $lower } bis { $upper } { $unit }: { $reason ->
+            [limits] die Grenzen der Roboterdatei mit einer Reserve von 0,1
             [turns] zwei Umdrehungen, da die Roboterdatei keine Grenzen angibt
-           *[others] da die Hälfte seiner Werte beieinander liegt
+           *[others] nach dem Bereich, in dem die Hälfte seiner Werte liegt
         }
-    .hint = Dezimalzeichen und Einheit prüfen; kann das Gelenk dort sein, { $reason ->
+    .hint = Dezimalzeichen und Einheit des Werts prüfen; kann das Gelenk diesen Wert annehmen, { $reason ->
             [limits] seine Grenzen in der Roboterdatei berichtigen
            *[others] seine Grenzen in der Roboterdatei angeben
         }
 
-common-errors-of-conditions = gemeinsame Abweichungen aller Ablesungen (Maßstab, Temperatur, Referenzfahrt) werden nur für Positionen von Zielmarken gezogen
-    .hint = `etalon run` gibt die Unsicherheiten dieser Kampagne durch lineare Fortpflanzung an
+common-errors-of-conditions = die Ziehungen erfassen gemeinsame Abweichungen aller Messwerte (Maßstab, Temperatur, Referenzfahrt) nur bei Positionen von Zielmarken
+    .hint = `etalon run` gibt die Unsicherheiten dieser Kampagne mit linearer Fortpflanzung an
 
 probe-of-feature-unknown = `{ $feature }` wird nicht angepasst: seine Punkte sind Tastermittelpunkte, und die Datei gibt nicht an, { $missing ->
         [side] auf welcher Seite der Taster war
@@ -766,19 +759,15 @@ probe-of-feature-unknown = `{ $feature }` wird nicht angepasst: seine Punkte sin
            *[radius] angeben: --probe-radius-mm
         }
 
-unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, Grenze { FIXED($limit, 1) })
+unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, Grenzwert { FIXED($limit, 1) })
 
-parameters-unstable = nicht stabil und festgehalten: Werte aus einem Teil der Posen weichen von denen aus allen ab, in Standardabweichungen der Differenz: { $parameters }
-    .hint = nach Änderungen während der Messung suchen (Temperatur, eine bewegte Zielmarke, ein neu referenziertes Gelenk) und die Residuen ansehen
-
-hold-unknown = `hold` nennt `{ $pattern }`, das kein Parameter dieses Roboters ist
-
-residuals-pose-not-planar = `residuals = "pose"` ist für ebene Roboter, nicht für `{ $model }`
-    .hint = `residuals = "targets"` verwenden
+parameters-unstable = instabile und daher festgehaltene Parameter; die Werte aus einem Teil der Posen weichen von den Werten aus allen Posen ab (in Standardabweichungen der Differenz): { $parameters }
+    .hint = nach Änderungen während der Messung suchen (Temperatur, eine bewegte Zielmarke, ein neu referenziertes Gelenk) und die Residuen prüfen
 
 remedy = { $remedy ->
         [pose-uncertainty] sie angeben (--standard-uncertainty-um) oder Zielmarken vergleichen
-        [contact-uncertainty] auch die Wiederholbarkeit des Kontakts angeben (--standard-uncertainty-um) und Zielmarken vergleichen
+        [contact-uncertainty] auch die Wiederholgenauigkeit der Antastung angeben (--standard-uncertainty-um) und Zielmarken vergleichen
+        [compare-targets] `residuals = "targets"` verwenden
         [targets] Positionen seiner Zielmarken angeben: Zeilen der Art `point`
         [uncertainty] sie angeben (--standard-uncertainty-um)
         [own-uncertainties] Zielmarken vergleichen oder die Spalten der Unsicherheiten entfernen
@@ -791,19 +780,19 @@ remedy = { $remedy ->
         [hold] Parameter in [identify] festhalten oder mehr Posen messen
         [unreachable] Einheit (Grad oder Radiant), Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
         [extent] `unit` der Exporte, die Einheiten der Gelenke im Protokoll und die Längen des Roboters prüfen
-        [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann der Messung entnommen
+        [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann aus der Messung abgeleitet
        *[joints] Einheiten, Reihenfolge und Vorzeichen der Gelenke und die Nennparameter prüfen; `hold` in [identify] hält Parameter fest
     }
 
-reading-off = { FIXED($off_mm, 4) } mm ({ $target }, Pose { $pose }, Zyklus { $cycle })
+reading-off = { FIXED($off_mm, 4) } mm ({ $target }, Pose { $pose }, Zyklus { $cycle })
 
 largest-residuals = größte Residuen einer robusten Anpassung: { $readings }
-    .hint = dort zuerst nach vertauschten Bezeichnungen und falschen Ablesungen suchen; Abweichungen des Roboters verteilen sich auf alle Posen
+    .hint = dort zuerst nach vertauschten Bezeichnungen und falschen Messwerten suchen; Abweichungen des Roboters verteilen sich auf alle Posen
 
 outlier-readings = { $count ->
-        [one] 1 von { $total } Ablesungen ist ein Ausreißer
-       *[other] { $count } von { $total } Ablesungen sind Ausreißer
-    }, mehr als das { $times }-Fache von { FIXED($scale_mm, 4) } mm, der Standardabweichung der anderen in einer robusten Anpassung: { $readings }
+        [one] 1 von { $total } Messwerten ist ein Ausreißer
+       *[other] { $count } von { $total } Messwerten sind Ausreißer
+    } mit einem Residuum über dem { $times }-Fachen von { FIXED($scale_mm, 4) } mm, der Standardabweichung der anderen in einer robusten Anpassung: { $readings }
 
 outliers = { $outliers }
 
@@ -811,34 +800,34 @@ outliers-excluded = durch `outliers = "exclude"` ausgeschlossen: { $outliers }
 
 repeated-position = { $target } an den Posen { $first } und { $second }
 
-positions-repeat = gemessene Positionen wiederholen sich bis zur letzten Ziffer, während sich die Gelenke bewegen, { $count }-mal: { $pairs }
-    .hint = der Export hat eine Ablesung einer anderen Pose: diese neu messen oder auslassen
+positions-repeat = gemessene Positionen stimmen bis zur letzten Ziffer überein, obwohl sich die Gelenke bewegen, { $count }-mal: { $pairs }
+    .hint = der Export enthält einen Messwert einer anderen Pose: diese Posen neu messen oder ausschließen
 
-repeated-joints = Posen { $first } und { $second }, { FIXED($apart_mm, 3) } mm auseinander
+repeated-joints = Posen { $first } und { $second }, { FIXED($apart_mm, 3) } mm auseinander
 
-joint-values-repeat = Gelenkwerte wiederholen sich bis zur letzten Ziffer, während sich die Zielmarken bewegen, { $count }-mal: { $pairs }
-    .hint = das Protokoll hat eine Ablesung einer anderen Pose: diese neu aufzeichnen oder auslassen
+joint-values-repeat = Gelenkwerte stimmen bis zur letzten Ziffer überein, obwohl sich die Zielmarken bewegen, { $count }-mal: { $pairs }
+    .hint = das Protokoll enthält Werte einer anderen Pose: diese Posen neu aufzeichnen oder ausschließen
 
-repeats-scatter = Wiederholungen von `{ $label }` liegen bis zu { FIXED($off_mm, 4) } mm neben ihrem Median; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
-    .hint = `unit` des Exports und die Unsicherheit des Messgeräts prüfen, und dass sich der Punkt nicht bewegt hat
+repeats-scatter = die Wiederholungen von `{ $label }` weichen bis zu { FIXED($off_mm, 4) } mm von ihrem Median ab; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
+    .hint = `unit` des Exports und die Unsicherheit des Messgeräts prüfen, und ob sich der Punkt bewegt hat
 
 repeat-off = { $away } von { $count } Wiederholungen von `{ $label }` { $away ->
-        [one] liegt
-       *[other] liegen bis zu
-    } { FIXED($off_mm, 4) } mm neben ihrem Median; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
-    .hint = die falsche Ablesung aus dem Export entfernen oder den Punkt neu messen: jedes Ergebnis hängt davon ab
+        [one] weicht um
+       *[other] weichen um bis zu
+    } { FIXED($off_mm, 4) } mm von ihrem Median ab; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
+    .hint = den falschen Messwert aus dem Export entfernen oder den Punkt neu messen: alle Ergebnisse hängen davon ab
 
 uncertainty-zero-rounded = `{ $column }` ist in { $count ->
         [one] 1 Zeile
        *[other] { $count } Zeilen
-    } 0: gerundet, und als Auflösung der Spalte gelesen, u = { $u } { $unit } (Hälfte der letzten Ziffer durch √3)
-    .hint = Unsicherheiten mit mehr Dezimalen exportieren
+    } 0: gerundeter Wert, ersetzt durch die Auflösung der Spalte, u = { $u } { $unit } (halbe letzte Stelle geteilt durch √3)
+    .hint = Unsicherheiten mit mehr Nachkommastellen exportieren
 
 uncertainty-zero = `{ $column }` ist in { $count ->
         [one] 1 Zeile
        *[other] { $count } Zeilen
-    } 0 und zeigt keine Auflösung: dort zählt die Unsicherheit des Messgeräts
-    .hint = Unsicherheiten mit mehr Dezimalen exportieren
+    } 0, und die Spalte zeigt keine Auflösung: für diese Zeilen gilt die Unsicherheit des Messgeräts
+    .hint = Unsicherheiten mit mehr Nachkommastellen exportieren
 
 key-of-text-table = `{ $key }` hat für ein Blatt einer Arbeitsmappe keine Bedeutung
     .hint = `{ $key }` entfernen: Zellen einer Arbeitsmappe werden gelesen, wie sie sind
@@ -846,36 +835,36 @@ key-of-text-table = `{ $key }` hat für ein Blatt einer Arbeitsmappe keine Bedeu
 measurements-undescribed = an den { $set ->
         [validation] Validierungsposen
        *[calibration] Kalibrierposen
-    } lässt das Modell { FIXED($after_mm, 3) } mm (quadratisches Mittel) von Positionen übrig, die über { FIXED($spread_mm, 1) } mm streuen; { $count } von { $total } Ablesungen weichen um mehr als { FIXED($limit_mm, 1) } mm ab: das Modell beschreibt diese Messungen nicht
+    } ist das Residuum des Modells { FIXED($after_mm, 3) } mm (quadratischer Mittelwert) bei Positionen, die sich über { FIXED($spread_mm, 1) } mm erstrecken; { $count } von { $total } Messwerten weichen um mehr als { FIXED($limit_mm, 1) } mm ab: das Modell beschreibt diese Messungen nicht
 
-undescribed-targets = alle Ablesungen von { $targets } weichen ab, und keine anderen: Bezeichnungen prüfen, und ob die Zielmarke bewegt wurde
+undescribed-targets = alle Messwerte von { $targets } weichen ab, und keine anderen: die Bezeichnungen der Zielmarke prüfen, und ob sie bewegt wurde
 
 undescribed-readings = { $readings }: { $remedy }
 
 undescribed-set-up = Einheiten, Reihenfolge und Vorzeichen der Gelenke, die Nennparameter und die Verknüpfung von Protokoll und Punkten prüfen
 
-undescribed-frame-moved = eine Bewegung des Systems um { FIXED($motion_mm, 1) } mm lässt { FIXED($left_mm, 3) } mm: Basis oder Messsystem hat sich zwischen Kalibrier- und Validierungsposen bewegt
+undescribed-frame-moved = mit einer einzigen Verschiebung des Koordinatensystems um { FIXED($motion_mm, 1) } mm ist das Residuum { FIXED($left_mm, 3) } mm: Basis oder Messsystem hat sich zwischen Kalibrier- und Validierungsposen bewegt
 
-undescribed-unchecked = die Kalibrierposen lassen keine Koordinate zur Kontrolle übrig: andere Lagen von Basis und Zielmarken passen ebenso zu ihnen; mehr Kalibrierposen messen, im Arbeitsraum verteilt
+undescribed-unchecked = die Kalibrierposen lassen keine Koordinate zur Kontrolle übrig: andere Lagen von Basis und Zielmarken passen ebenso gut; mehr Kalibrierposen messen, über den Arbeitsraum verteilt
 
-undescribed-other-poses = die Kalibrierposen passen, und keine Bewegung des Systems erklärt die anderen: prüfen, ob Protokoll und Exporte der Validierungsposen dieselben Posen sind (Protokoll einer anderen Kampagne oder anders nummerierte Posen)
+undescribed-other-poses = das Modell passt zu den Kalibrierposen, und keine Verschiebung des Koordinatensystems erklärt die anderen: prüfen, ob Protokoll und Exporte der Validierungsposen zu denselben Posen gehören (Protokoll einer anderen Kampagne oder anders nummerierte Posen)
 
 prior-of-nominal = Nennparameter haben keine Kovarianz für `--frames prior`
-    .hint = identifizierte mit `--parameters` angeben oder `--frames refit` verwenden
+    .hint = identifizierte Parameter mit `--parameters` angeben oder `--frames refit` verwenden
 
-prior-of-conditions = `--frames prior` ist nur für gemessene Positionen
+prior-of-conditions = `--frames prior` gilt nur für gemessene Positionen
     .hint = Zeilen anderer Art weglassen oder Basis und Zielmarken neu anpassen: `--frames refit`
 
-place-without-nominal = `{ $parameter }` hat keinen Nennwert: er wird aus Messungen bestimmt
+place-without-nominal = `{ $parameter }` hat keinen Nennwert: der Wert wird aus Messungen bestimmt
     .hint = Basis und Zielmarken an die Kalibrierposen anpassen: `--frames refit`
 
-given-parameters-worse = die gegebenen Parameter lassen { FIXED($given_mm, 3) } mm, die Nennparameter { FIXED($nominal_mm, 3) } mm (quadratisches Mittel)
-    .hint = prüfen, dass es die dieses Roboters sind, und ob Basis und Zielmarken die dieser Kampagne sind (`--frames`)
+given-parameters-worse = das Residuum ist { FIXED($given_mm, 3) } mm mit den gegebenen Parametern, { FIXED($nominal_mm, 3) } mm mit den Nennparametern (quadratischer Mittelwert)
+    .hint = prüfen, ob die Parameter zu diesem Roboter und ob Basis und Zielmarken zu dieser Kampagne gehören (`--frames`)
 
-candidate-poses-too-few = { $wanted } von { $count } Kandidatenposen können nicht gewählt werden
+candidate-poses-too-few = { $wanted } Posen können nicht aus { $count } Kandidaten ausgewählt werden
     .hint = weniger `--positions` oder mehr Kandidaten angeben
 
-target-names-exchanged = mit vertauschten Namen der Zielmarken `{ $first }` und `{ $second }` fallen die Residuen von { FIXED($before_mm, 3) } auf { FIXED($left_mm, 3) } mm
+target-names-exchanged = werden die Namen der Zielmarken `{ $first }` und `{ $second }` vertauscht, sinken die Residuen von { FIXED($before_mm, 3) } auf { FIXED($left_mm, 3) } mm
     .hint = die beiden Namen im Export vertauschen
 
 one-pose-contradicts = ohne Pose `{ $pose }` widersprechen die Beobachtungen den Parametern nicht
@@ -890,32 +879,32 @@ motions-alike = { $count ->
 no-coordinates-to-check = { $count ->
         [one] 1 Koordinate der Kalibrierposen bestimmt
        *[other] { $count } Koordinaten der Kalibrierposen bestimmen
-    } { $parameters } Parameter: keine bleibt, um sie zu prüfen
+    } { $parameters } Parameter: für die Prüfung bleibt keine Koordinate übrig
     .hint = mehr Posen messen, über den Arbeitsraum verteilt
 
-validation-outliers = { $count } von { $total } Validierungsabweichungen überschreiten { FIXED($limit_mm, 4) } mm, das { $times }-Fache ihres Medians: { $readings }
+validation-outliers = { $count } von { $total } Validierungsabweichungen überschreiten { FIXED($limit_mm, 4) } mm, das { $times }-Fache ihres Medians: { $readings }
 
-common-scale = { $parameters } sind alle etwa das { FIXED($factor, 5) }-Fache des Nennwerts: ein Maßstabsfehler des Messsystems oder der Gelenke erklärt das eher als Abweichungen von { $count } Teilen
-    .hint = Maßstab, Temperaturkompensation und Einheit des Messsystems und der Drehgeber prüfen
+common-scale = { $parameters } sind alle etwa das { FIXED($factor, 5) }-Fache des Nennwerts: eine Maßstabsabweichung des Messsystems oder der Gelenke ist wahrscheinlicher als Abweichungen von { $count } Teilen
+    .hint = Maßstab, Temperaturkompensation und Einheit des Messsystems und der Geber prüfen
 
-compliance-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk biegt sich gegen die Schwerkraft
+compliance-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk biegt sich entgegen der Schwerkraft
     .hint = `gravity` und die Richtung der Gelenkachse in robot.toml prüfen
 
-backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk eilt seinem Antrieb voraus, was kein Umkehrspiel erklärt
-    .hint = das Vorzeichen der Anfahrrichtungen prüfen (+1, wo der Gelenkwert stieg, -1, wo er fiel), und dass die Zeiten des Protokolls zur selben Bewegung gehören
+backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk eilt seinem Antrieb voraus, was kein Umkehrspiel erklärt
+    .hint = das Vorzeichen der Anfahrrichtungen prüfen (+1 bei steigendem Gelenkwert, -1 bei fallendem), und ob die Zeiten des Protokolls zu derselben Bewegung gehören
 
-ball-names-exchanged = `{ $parameter }`, der Abstand von K und L, ist { FIXED($value, 3) } { $unit }: K und L sind vertauscht
+ball-names-exchanged = `{ $parameter }`, der Abstand von K und L, ist { FIXED($value, 3) } { $unit }: K und L sind vertauscht
     .hint = die Namen der beiden Zielmarken in den Bezeichnungen des Exports vertauschen
 
 identified-worse-than-nominal = an den { $set ->
         [validation] Validierungsposen
        *[calibration] Kalibrierposen
-    } ist der identifizierte Roboter schlechter als der Nennroboter: { FIXED($before_mm, 4) } mm vorher, { FIXED($after_mm, 4) } mm nachher (quadratisches Mittel)
-    .hint = mehr Posen messen, über den Arbeitsraum verteilt, oder Parameter festhalten, die sie nicht bestimmen
+    } ist der identifizierte Roboter schlechter als der nominale Roboter: { FIXED($before_mm, 4) } mm vorher, { FIXED($after_mm, 4) } mm nachher (quadratischer Mittelwert)
+    .hint = mehr Posen messen, über den Arbeitsraum verteilt, oder die Parameter festhalten, die diese Posen nicht bestimmen
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [mm] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
-        [deg] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
        *[other] { FIXED($value, 4) } (Nennwert { $nominal }, Toleranz { FIXED($tolerance, 3) })
     }
 
@@ -923,15 +912,166 @@ tolerance-exceeded = { $count ->
         [one] 1 Parameter liegt
        *[other] { $count } Parameter liegen
     } außerhalb der Toleranz des Roboters: { $parameters }
-    .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Systeme prüfen; ist der Roboter anders gezeichnet, `tolerance` in der Roboterdatei angeben
+    .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Koordinatensysteme prüfen; gilt nach der Zeichnung eine andere Toleranz, `tolerance` in der Roboterdatei angeben
 
 format-not-identified = die Parameter des Formats `{ $format }` konnten nicht neu identifiziert werden: { $message }
 
-clock-rate-from-standstills = die Uhr der Messung geht um { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) gegen die Uhr des Protokolls `{ $log }` (möglich: { FIXED($low_ppm, 1) } bis { FIXED($high_ppm, 1) } ppm); Versatz { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls
-    .hint = mit diesem Versatz und Gang fällt jeder Messpunkt in einen Stillstand; mit einem Versatz allein nicht
+clock-rate-from-standstills = die Uhr der Messung geht gegenüber der Uhr des Protokolls `{ $log }` um { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) vor (möglich: { FIXED($low_ppm, 1) } bis { FIXED($high_ppm, 1) } ppm); Versatz { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls
+    .hint = mit diesem Versatz und diesem Gangunterschied fällt jeder Messpunkt in einen Stillstand; der Versatz allein reicht nicht aus
 
-clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen keinen Gangunterschied der Uhren: er liegt zwischen { FIXED($low_ppm, 1) } und { FIXED($high_ppm, 1) } ppm
+clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen keinen Gangunterschied der Uhren: er liegt zwischen { FIXED($low_ppm, 1) } und { FIXED($high_ppm, 1) } ppm
     .hint = `clock_rate` weglassen: der Versatz allein wird verwendet
 
-clock-rate-none = bei keinem Versatz der Uhren und keinem Gangunterschied bis ± { $most_ppm } ppm fällt jeder Messpunkt in einen Stillstand des Protokolls
+clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
+limit-not-assessable = Grenze `{ $limit }` ist nicht beurteilbar: die entscheidenden Posen zeigen ihre Größe nicht
+    .hint = die Größe an diesen Posen messen oder die Grenze aus [limits] entfernen
+sweep-joint-unknown = `{ $joint }` ist kein Gelenk dieser Messreihen
+    .expected = { $known }
+
+sweep-order-missing = die Reihenfolge der Gelenke { $joints } von der Basis aus ist unbekannt
+    .hint = sie angeben: --joints NAME,...
+
+sweep-joint-column-twice = zwei Spalten haben Werte des Gelenks `{ $joint }`
+    .hint = eine davon entfernen
+
+sweep-values-partial = die Gelenkwerte sind unvollständig
+    .expected = Werte aller Gelenke in jeder Zeile oder in keiner Zeile einer Messreihe
+    .hint = eine Zeile ohne bewegtes Gelenk ist eine Prüfpose und braucht die Werte aller Gelenke
+
+sweep-sign-by-values = die Gelenkwerte geben die Richtung jeder Messreihe an
+    .hint = --backwards weglassen
+
+sweep-other-joint = in der Messreihe von `{ $joint }` bewegt sich `{ $moved }`, `{ $joint }` ruht
+    .hint = die Spalte `joint` oder die Überschriften der Gelenkwerte berichtigen
+
+sweep-two-joints = in der Messreihe von `{ $joint }` bewegt sich auch `{ $also }`, um { $by }
+    .hint = die Messreihe wiederholen, während alle anderen Gelenke ruhen
+
+sweep-by-angle = { FIXED($by, 3) } deg
+
+sweep-by-length = { FIXED($by, 3) } mm
+
+sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte von `{ $joint }`
+    .hint = { $unit ->
+            [deg-as-rad] die Werte sind Grad und werden als Radiant gelesen: die Überschrift berichtigen
+            [rad-as-deg] die Werte sind Radiant und werden als Grad gelesen: die Überschrift berichtigen
+            [inch-as-mm] die Werte sind Zoll und werden als Millimeter gelesen
+            [m-as-mm] die Werte sind Meter und werden als Millimeter gelesen: die Überschrift berichtigen
+            [mm-as-m] die Werte sind Millimeter und werden als Meter gelesen: die Überschrift berichtigen
+           *[none] die Einheit der Spalte berichtigen oder den Gelenkwert aus dem des Motors berechnen
+        }
+
+sweep-target-moved = Zielmarke `{ $target }` hat sich in der Messreihe von `{ $joint }` vor Zeile { $row } bewegt: Abweichung von ihrer Bahn { FIXED($before_um, 1) } µm, bei Berücksichtigung der Bewegung { FIXED($after_um, 1) } µm
+    .hint = die Messreihe wiederholen oder die Zielmarke ab dieser Zeile anders nennen
+
+sweep-many-foreign = { $aside } von { $readings } Messwerten der Messreihe von `{ $joint }` liegen nicht auf der Bahn der anderen
+    .hint = nach einem zweiten bewegten Gelenk oder nach Zeilen einer anderen Messreihe suchen
+
+sweep-foreign = { $count ->
+        [one] 1 Messwert der Messreihe von `{ $joint }` ist
+       *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind
+    } weggelassen: Zeile { $lines }
+    .hint = diese Messwerte liegen weit von der Bahn aller anderen
+
+sweep-smooth = in der Messreihe von `{ $joint }` weichen die Zielmarken stetig um { FIXED($rms_um, 1) } µm (RMS) von ihrer Bahn ab; von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } µm; die Unsicherheit der Achse ist zu klein
+    .hint = prüfen, ob alle anderen Gelenke ruhten, und mit dem Schlag des Lagers vergleichen
+
+sweep-weak = die Richtung der Achse von `{ $joint }` hat eine Standardunsicherheit von { FIXED($u_mrad, 2) } mrad
+    .hint = einen längeren Bogen, eine Zielmarke weiter von der Achse oder mehr Zielmarken messen
+
+sweep-unit = alle Zielmarken liegen innerhalb von { FIXED($radius_mm, 3) } mm um die Achsen: stimmt die Einheit der Koordinaten?
+    .hint = wo nicht, die Spalten berechnen: --column "x_mm=x*1000"
+
+sweep-few = die Messreihe von `{ $joint }` hat { $readings } Messwerte und braucht { $needed }
+    .hint = mehr Messwerte aufnehmen; einige mehr als nötig ergeben eine Unsicherheit
+
+sweep-undetermined = die Messwerte der Messreihe von `{ $joint }` bestimmen keine Achse
+    .hint = einen längeren Bogen oder eine Zielmarke weiter von der Achse messen; ein Schubgelenk wird mit --prismatic angegeben
+
+sweep-joint-missing = { $count ->
+        [one] Gelenk { $joints } hat keine Messreihe
+       *[other] Gelenke { $joints } haben keine Messreihe
+    }: robot.toml wird nicht geschrieben
+    .hint = von jedem Gelenk eine Messreihe aufnehmen
+
+sweep-starts-apart = die Messreihen von `{ $first }` und `{ $second }` beginnen an Zielmarke `{ $target }` { FIXED($gap_mm, 3) } mm auseinander: robot.toml wird nicht geschrieben
+    .hint = jede Messreihe in derselben Pose mit der Zielmarke an ihrem Platz beginnen oder Spalten der Gelenkwerte ergänzen
+
+sweep-target-unswept = eine Zielmarke ist in keiner Messreihe: robot.toml wird nicht geschrieben
+    .hint = an Prüfposen Zielmarken der Messreihen verwenden
+
+sweeps-exchanged = `{ $first }` und `{ $second }` sind vertauscht: die Positionen weichen mit den angegebenen Gelenken um { FIXED($stated_mm, 3) } mm (RMS) ab, mit vertauschten Gelenken um { FIXED($left_mm, 3) } mm
+    .hint = ihre Namen in der Spalte `joint` und in den Überschriften vertauschen
+
+sweep-reversed = `{ $joint }` wurde in negativer Richtung bewegt: die Prüfposen weichen mit der angegebenen Richtung um { FIXED($stated_mm, 3) } mm (RMS) ab, mit der umgekehrten um { FIXED($left_mm, 3) } mm
+    .hint = die Richtung angeben: --backwards { $joint }
+
+sweeps-disagree = { $what ->
+        [checks] Prüfposen weichen vom Roboter um bis zu { FIXED($distance_mm, 3) } mm ab
+       *[sweeps] die Messreihen widersprechen einander um bis zu { FIXED($distance_mm, 3) } mm
+    } (Standardunsicherheit { FIXED($u_mm, 4) } mm)
+    .hint = den Sitz der Zielmarken und die Gelenkwerte prüfen; der Roboter kann als Ausgangspunkt dienen für `etalon identify` und `etalon run`
+
+table-base-not-held = die Tabelle hat ihre eigene Basis, gedreht um { FIXED($angle_deg, 4) } deg und verschoben um { FIXED($shift_mm, 4) } mm
+    .hint = die Basis identifizieren oder `poe` verwenden
+
+table-flange-not-held = die Tabelle hat ihren eigenen Flansch, gedreht um { FIXED($angle_deg, 4) } deg und verschoben um { FIXED($shift_mm, 4) } mm
+    .hint = die Zielmarken identifizieren oder `poe` verwenden
+
+table-tilt-not-held = die Tabelle behandelt { $joint ->
+        [none] zwei Achsen
+       *[other] die Achsen am Glied von `{ $joint }`
+    } als parallel: { FIXED($angle_mrad, 4) } mrad zwischen ihnen sind in der Tabelle nicht enthalten
+    .hint = `etalon identify` bestimmt beta; `poe` enthält es
+row-excluded = ausgeschlossen: { $reason }
+row-at-origin = nicht gemessen: 0 0 0
+row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste zählt
+no-rows-around = dem Protokoll `{ $log }` fehlt innerhalb von { $tolerance_s } s eine Zeile vor oder nach diesem Punkt
+no-row-near = keine Zeile des Protokolls `{ $log }` liegt innerhalb von { $tolerance_s } s
+no-point-nearest = für keinen gemessenen Punkt ist diese Zeile die nächste
+no-row-of-key = keine Zeile des Protokolls `{ $log }` hat diesen Schlüssel
+no-point-of-key = kein gemessener Punkt hat diesen Schlüssel
+no-row-touches = keine Zeile des Protokolls `{ $log }` berührt ihn
+row-of-unframed-pose = seine Pose hat kein Weltkoordinatensystem
+
+table-of-observations = Beobachtungen
+table-of-attained-poses = Istposen
+table-of-commanded-poses = Sollposen
+table-of-reference-targets = Referenzmarken
+table-of-commanded-path = Sollbahn
+table-of-compliance = statische Nachgiebigkeit
+recorded-motion-file = aufgezeichnete Bewegung
+read-in-unit = { $format }, Einheit { $unit }
+read-in-frame = { $read }, bezogen auf `{ $frame }`
+
+side-stated = wie vom Benutzer angegeben
+side-from-values = aus { $of ->
+        [normal] der Normalen
+        [location] der Lage
+       *[diameter] dem Durchmesser
+    } ({ $values ->
+        [nominal] Nennwerte
+       *[stated] angegebene Werte
+    })
+side-from-key = aus `InternalExternal`: { $value }
+label-orientations-unused = die Orientierungen des Exports werden nicht verwendet: Protokoll `{ $log }` nennt `{ $label }` in { $count } Zeilen
+    .hint = nach Pose, Zeile oder Zeitpunkt verknüpfen, wenn das Messgerät an jeder Pose den Körper am Roboter gemessen hat
+
+temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C
+    .hint = `temperature_c` berichtigen, oder die Spalte, die in Grad Celsius ist
+
+temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Messunsicherheit der Längen ist zu klein
+    .hint = eine `expanded_temperature_uncertainty_c` angeben, die den Bereich abdeckt
+
+axes-comment-method = Achsen durch Bewegung je eines Gelenks (etalon axes); ohne Nennmodell
+
+axes-comment-base = Basis durch Achsen 1 und 2, Regel `{ $rule }`: z entlang Achse 1
+
+axes-comment-joint = q{ $number } ist { $name }
+
+axes-comment-zero = die Gelenkwerte sind zu Beginn der Bewegungen null
+
+axes-comment-target = Zielmarke { $name } am Flansch (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Roboter nach seinen Achsen

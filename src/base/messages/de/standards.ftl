@@ -14,11 +14,11 @@ characteristic = { $name ->
         [pose-accuracy] Pose-Genauigkeit
         [coplanarity] Koplanarität
         [distance] Abstand
-        [variation] Mehrfachrichtungs-Abweichung
+        [variation] Mehrfachrichtungs-Streuung der Pose-Genauigkeit
         [static-compliance] statische Nachgiebigkeit
         [path-accuracy-interval] Intervall der Bahngenauigkeit
         [path-repeatability-interval] Intervall der Bahnwiederholgenauigkeit
-        [cornering] Eckenfahren
+        [cornering] Eckenabweichungen
         [path-repeatability] Bahnwiederholgenauigkeit
         [path-accuracy] Bahngenauigkeit
         [path-velocity] Bahngeschwindigkeit
@@ -75,26 +75,26 @@ stream-too-short = eine aufgezeichnete Bewegung braucht mindestens zwei Abtastwe
 stream-value-missing = eine Koordinate oder die Zeit fehlt oder ist nicht endlich
     .hint = diesen Abtastwert entfernen
 
-time-not-increasing = die Zeit nimmt nicht zu: { $later_s } s nach { $earlier_s } s
+time-not-increasing = die Zeit nimmt nicht zu: { $later_s } s nach { $earlier_s } s
     .hint = die Abtastwerte sortieren oder mit feineren Zeitstempeln aufzeichnen
 
-weave-direction = Pendeln: die Auslenkung hat keine Richtung quer zur Mittellinie
+weave-direction = Pendeln: die Auslenkung hat keine Komponente quer zur Mittellinie
     .hint = eine Richtung quer zur Mittellinie angeben
 
 weave-command = Pendeln: Sollhub und Sollfrequenz müssen positiv sein
     .hint = Sollhub und Sollfrequenz angeben
 
 weave-without-samples = Pendeln: keine Abtastwerte
-    .hint = prüfen, wo das Pendeln beginnt und endet
+    .hint = prüfen, wo das Pendeln beginnt und wo es endet
 
 weave-too-few-turns = Pendeln: { $turns ->
         [one] 1 Umkehrpunkt
        *[other] { $turns } Umkehrpunkte
     }
     .expected = mindestens fünf, um ein Viertel des Sollhubs voneinander entfernt
-    .hint = ein längeres Pendeln aufzeichnen
+    .hint = eine längere Pendelbewegung aufzeichnen
 
-corner-without-points = Eckenfahren: kein Sollpunkt auf der Hälfte eines Schenkels neben der Ecke
+corner-without-points = Eckenabweichungen: kein Sollpunkt auf der Hälfte eines Schenkels nächst der Ecke
     .hint = mehr Sollpunkte angeben
 
 path-without-reorientation = Bahngenauigkeit bei Umorientierung: kein Sollwinkel ändert sich entlang der Bahn
@@ -114,7 +114,7 @@ velocity-too-few-points = Bahngeschwindigkeit: weniger als drei Sollpunkte im mi
 
 too-few-of = { $of }: { $sets }
     .expected = mindestens { $least }
-    .hint = die fehlenden messen
+    .hint = das Fehlende messen
 
 sets-of-cycles = { $count ->
         [one] 1 Satz von Zyklen
@@ -142,8 +142,8 @@ robots-at-other-poses = Austauschbarkeit: die Roboter haben nicht dieselben Pose
 robot-without-pose = Austauschbarkeit: Roboter `{ $robot }` hat Pose { $pose } nicht angefahren
     .expected = jeder Roboter an jeder Pose
 
-visits-read-once = Wiederholgenauigkeit ohne Rauschen: kein Anfahren hat zwei Messwerte
-    .hint = bei jedem Anfahren mehrere Messwerte aufnehmen: sie zeigen das Rauschen des Messgeräts
+visits-read-once = Wiederholgenauigkeit ohne Rauschen: keine Anfahrt hat zwei Messwerte
+    .hint = bei jeder Anfahrt mehrere Messwerte aufnehmen: sie zeigen das Rauschen des Messgeräts
 
 coplanar-poses-on-line = Koplanarität: drei der vier mittleren Positionen liegen auf einer Geraden
     .hint = vier Posen nennen, die eine Ebene aufspannen
@@ -157,5 +157,7 @@ force-not-positive = statische Nachgiebigkeit: eine Kraft ist nicht positiv
 unloaded-position-missing = Richtung { $direction }, Zyklus { $cycle }: keine Zeile ohne Kraft
     .hint = die unbelastete Position mit Kraft 0 aufzeichnen
 
-force-missing = keine Zeile hat eine Kraft
+force-missing = keine Zeile enthält eine Kraft
     .hint = die Kraft jeder belasteten Zeile angeben
+
+no-working-mode-reaches = kein Arbeitsmodus erreicht sie innerhalb der Grenzen

@@ -42,7 +42,7 @@ pose-name-unprintable = a table cannot hold the name `{ $name }`
 pose-name-two-spellings = `{ $first }` and `{ $second }` differ only in capital letters, blanks, `_`, `-` or zeros
     .hint = write the name of a pose the same in all rows and files
 
-# Means: The product of stated counts is larger than the program computes.
+# Means: The product of the stated counts exceeds the limit of the program.
 # Matters: The computation would take hours or exhaust the memory.
 # Do: Reduce one of the counts.
 # Example: 1000000 cycles of 1000 poses
@@ -55,7 +55,7 @@ counts-too-large = too many { $of }: { $counts }
 # Example: `file = "exports/poses.txt"` where the file is missing
 cannot-read-file = cannot read `{ $file }`: { $reason }
 
-# Means: A file is larger than the program reads.
+# Means: A file exceeds the maximum size.
 # Matters: A larger file is usually not the intended one, and would exhaust the memory.
 # Do: Export the measurements without point clouds, or split the file.
 # Example: a log of 5 GiB
@@ -74,20 +74,20 @@ not-utf8 = `{ $file }` is not UTF-8 (byte { $byte })
 # Example: `--output /no-such-folder/file`
 cannot-write-file = cannot write `{ $file }`: { $reason }
 
-# Means: A file that the command would write exists.
+# Means: The file to be written already exists.
 # Matters: The command never replaces files that it did not write itself.
 # Do: Name a new folder or remove the file.
 # Example: `etalon init` twice with the same folder
-file-exists = `{ $file }` exists already
+file-exists = `{ $file }` already exists
     .hint = name a new folder
 
 # Means: The name of the lock file is taken by a folder, a link or a device.
 # Matters: Without its lock two processes could write the same result.
-# Do: Remove what has the name of the lock.
+# Do: Remove the folder, link or device that has the name of the lock.
 # Example: a symbolic link `out.lock` beside the output folder `out`
 lock-foreign = cannot write `{ $file }`: `{ $lock }` is not a lock of etalon
     .expected = a regular file with one name
-    .hint = remove it: etalon needs this name while it writes
+    .hint = remove it: etalon needs this name for its lock
 
 # Means: Another process is writing the same file.
 # Matters: Two processes would mix their results.
@@ -104,34 +104,43 @@ output-is-input = `{ $output }` would overwrite the input `{ $input }`
     .hint = name another output file
 
 # Means: The operating system refused to write the output folder.
-# Matters: The earlier folder stays as it was; the new result is not stored.
+# Matters: The earlier folder is unchanged; the new result is not stored.
 # Do: Check the permissions and the free space, and close programs that hold files of the folder.
 # Example: an output folder that is read-only
 cannot-write-folder = cannot write the folder `{ $folder }`: { $reason }
 
 # Means: A document cannot be written in its format.
 # Matters: No file is written.
-# Do: Report the error: the input should not be able to cause it.
+# Do: Report the error as a defect of etalon.
 # Example: a value that JSON cannot hold
 cannot-encode = cannot write { $format }: { $reason }
 
-# Means: The text names no order of three angles.
-# Matters: Three angles turn a body differently in each order.
-# Do: State three axes in the order of the turns, with `fixed` for the axes of the world.
-# Example: `rotation = "zxz fixed"`
+# Means: The text is not an order of three angles.
+# Matters: The orientation depends on the order of the three rotations.
+# Do: State three axes in the order of the rotations; `fixed` denotes the axes of the world.
+# Example: `orientation = "zxz fixed"`
 angle-order-unknown = `{ $text }` is not an order of three angles
     .expected = "zyx", "xyz", "zyz" .. about the axes of the body, or "fixed xyz" .. about the axes of the world
 
-# Means: The nine elements of a rotation matrix are not those of a rotation.
+# Means: The nine elements do not form a rotation matrix.
 # Matters: The columns may be exchanged, rounded, or scaled.
 # Do: Check the columns r11 to r33.
 # Example: r11 = 2
-rotation-not-orthonormal = the rotation matrix is not orthonormal: rows times rows differ from 1 and 0 by { $off }
-    .expected = r11 to r33, row by row: body in world
+rotation-not-orthonormal = the rotation matrix is not orthonormal: products of its rows differ from 1 and 0 by { $off }
+    .expected = r11 to r33, row by row: orientation of the body in the world
 
 # Means: The determinant of a rotation matrix is -1.
 # Matters: A body cannot be mirrored: a frame is left-handed or a sign is wrong.
 # Do: Check the signs of the columns.
 # Example: a matrix with one column negated
-rotation-mirrors = the rotation matrix mirrors: its determinant is -1
+rotation-mirrors = the rotation matrix is a reflection: its determinant is -1
     .hint = check the signs of its columns
+
+factor = { $count } { $of ->
+        [poses] poses
+        [cycles] cycles
+        [repeats] repeats
+        [draws] draws
+       *[runs] runs
+    }
+product = { $first } × { $second }

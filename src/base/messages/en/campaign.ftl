@@ -4,8 +4,8 @@
 # Matters: Exports of a format carry no unit; a plain table states units in its header.
 # Do: State both, or neither.
 # Example: `format = "polyworks"` without `unit`
-recording-unit = a recording with a `format` needs its `unit`, and only then one
-    .hint = state both; without both it is a table time_s,x_mm,y_mm,z_mm, whose header states the units
+recording-unit = `format` and `unit` of a recording belong together
+    .hint = state both, or neither for a table time_s,x_mm,y_mm,z_mm, whose header states the units
 
 # Means: The folder has no campaign.toml, or the file does not exist.
 # Matters: A command on a campaign starts from this file.
@@ -14,8 +14,7 @@ recording-unit = a recording with a `format` needs its `unit`, and only then one
 campaign-missing = the campaign file `{ $file }` does not exist
     .hint = `etalon init FOLDER` writes one to start from
 
-# Means: `joints` of an export is stated for a file that is not delimited text with one row of names
-# at most.
+# Means: An export with `joints` is not delimited text with at most one row of names.
 # Matters: Joint columns are found by their names in the header.
 # Do: State the delimiter and the header, or name the joints in a [log].
 # Example: `joints` for `format = "polyworks"`
@@ -30,24 +29,24 @@ joints-differ = two exports of `{ $file }` state different `joints`
     .hint = state the same columns in both
 
 # Means: Joint values are stated in an export and in [log].
-# Matters: It is undefined which values count.
+# Matters: It is undefined which values apply.
 # Do: Leave one of them out.
 # Example: `joints` of an export beside a [log]
 joints-twice = the joints are stated twice: in `joints` of `{ $file }` and in [log]
     .hint = leave one of them out
 
-# Means: An export with `joints` is joined otherwise than by rows.
+# Means: An export with `joints` is joined by another key than the row.
 # Matters: Its points and joints are in the same row.
 # Do: State `by = "row"` in [join], or omit [join].
 # Example: `by = "time"` beside `joints` of an export
 joints-joined-by-row = an export with `joints` is joined by its rows
     .hint = state `by = "row"` in [join], or omit [join]
 
-# Means: A path begins with `$NAME/`, and the environment has no such variable.
+# Means: A path begins with `$NAME/`, and this environment variable is not set.
 # Matters: The file cannot be found.
 # Do: Set the variable to the folder that holds the file.
 # Example: `file = "$DATA/poses.txt"` without `DATA`
-environment-missing = the environment has no `{ $name }`
+environment-missing = the environment variable `{ $name }` is not set
     .hint = set { $name } to the folder that holds `{ $file }`
 
 # Means: A path leaves the folder of the campaign.
@@ -57,18 +56,18 @@ environment-missing = the environment has no `{ $name }`
 path-outside = `{ $file }` leaves the folder of the campaign
     .expected = a path inside the campaign's folder, or one that starts with `$NAME/`
 
-# Means: The campaign names no target, and the robot is one in space.
+# Means: The campaign of a spatial robot names no target.
 # Matters: Measured points are points of targets on the robot.
 # Do: Name the targets in `targets` of [join], as `target` of the exports, or in a column `target`.
 # Example: a serial arm without `targets`
-no-target = a robot in space needs at least one target
-    .hint = name them in `targets` of [join], as `target` of the exports, or in a column `target` of the table
+no-target = a spatial robot needs at least one target
+    .hint = name the targets in `targets` of [join], as `target` of the exports, or in a column `target` of the table
 
 # Means: A target is called `base`.
-# Matters: Its parameters would have the names of those of the robot's base.
+# Matters: Its parameters would have the same names as those of the robot's base.
 # Do: Give the target another name.
 # Example: a label `base_1_1` read as `{target}_{pose}_{cycle}`
-target-called-base = no target can be called `base`: its parameters would be those of the robot's base
+target-called-base = a target must not be called `base`: its parameters would have the same names as parameters of the robot's base
     .hint = give the target another name in label or columns
 
 # Means: A key that needs a positive number has zero, a negative number or NaN.
@@ -87,23 +86,23 @@ joint-key-missing = the key `{ $key }` is missing in `joint`
 direction-in-base = a direction in the base, for example { $example }
 
 # Means: Two keys state the same quantity in different units or forms.
-# Matters: It is undefined which of them counts.
+# Matters: It is undefined which of them applies.
 # Do: Leave one of them out.
 # Example: `a_mm = 300` and `a_m = 0.3`
-keys-state-the-same = { $keys } state the same: leave one of them out
+keys-state-the-same = { $keys } state the same quantity: leave one of them out
 
-# Means: A hexapod has another number of legs than six.
-# Matters: Its kinematics are those of six legs.
+# Means: The file states more or fewer than six legs for a hexapod.
+# Matters: The kinematics of a hexapod need exactly six legs.
 # Do: State one [[leg]] for each leg.
 # Example: five [[leg]]
-leg-count = a hexapod has six legs, the file states { $count }
+leg-count = a hexapod has six legs; the file states { $count }
     .hint = add one [[leg]] with base_mm and platform_mm for each leg
 
 # Means: At its home pose the platform can move while all legs keep their lengths.
 # Matters: Leg lengths do not determine the pose there.
 # Do: Check `base_mm` and `platform_mm`, or state another home pose.
 # Example: six parallel legs
-hexapod-singular = the hexapod is singular at its home pose: six leg lengths do not hold it there
+hexapod-singular = the hexapod is singular at its home pose: six leg lengths do not determine its pose there
     .hint = check `base_mm` and `platform_mm`, or state another home pose
 
 # Means: robot.toml of a serial arm has no joints.
@@ -151,16 +150,16 @@ flange-missing = screw axes need the pose of the flange at zero joints: the key 
 # Matters: The last row of the table gives the flange; the key has no effect.
 # Do: Remove the key.
 # Example: `flange_mm` with `a_mm`
-flange-of-table = `{ $key }` means nothing for Denavit-Hartenberg parameters
+flange-of-table = `{ $key }` has no effect on Denavit-Hartenberg parameters
     .hint = it belongs to `convention = "poe"`
 
-# Means: The range of a joint is stated by the key of the other kind of motion.
+# Means: The range of a joint is stated with the key for the other kind of motion.
 # Matters: Degrees and millimetres would be mixed up.
 # Do: Use the key that the hint names.
-# Example: `limits_deg` of a joint that slides
-range-of-other-motion = `{ $key }` is not a key of a joint that { $motion ->
-        [slides] slides
-       *[turns] turns
+# Example: `limits_deg` of a prismatic joint
+range-of-other-motion = `{ $key }` is not a key of a { $motion ->
+        [slides] prismatic joint
+       *[turns] revolute joint
     }
     .hint = state `{ $own }`
 
@@ -178,19 +177,19 @@ range-exchanged = `{ $key }` is not a range: { $lower } to { $upper }
 joint-reference-wrong = { $fault ->
         [unknown-number] there is no joint { $joint }
         [unknown-name] there is no joint `{ $joint }`
-        [slides] joint { $joint } slides: it has no turn
-        [twice] joint { $joint } is there twice
-        [itself] joint { $joint } is coupled with itself: that is its gain
-       *[pair] the pair { $joint } is there twice
+        [slides] joint { $joint } is prismatic: it does not rotate
+        [twice] joint { $joint } is named twice
+        [itself] joint { $joint } is coupled with itself: state its gain instead
+       *[pair] the pair { $joint } is named twice
     }
     .expected = joints from 1 to { $count }, each once
     .hint = the joints are { $joints }
 
-# Means: A joint on the chain of a URDF has a type that etalon does not compute.
-# Matters: Its kinematics are not those of a chain of single motions.
+# Means: A joint on the chain of a URDF has a type that etalon does not support.
+# Matters: A chain has only joints with a single motion.
 # Do: Use fixed, revolute, continuous or prismatic joints.
 # Example: `<joint type="planar">`
-urdf-joint-kind = joint `{ $joint }` is { $kind }, which is not a joint of a chain
+urdf-joint-kind = joint `{ $joint }` is { $kind }, which is not supported
     .expected = fixed, revolute, continuous or prismatic
 
 # Means: The axis of a joint of a URDF is zero.
@@ -200,12 +199,12 @@ urdf-joint-kind = joint `{ $joint }` is { $kind }, which is not a joint of a cha
 urdf-axis-without-direction = the axis of joint `{ $joint }` has no direction
     .expected = <axis xyz="0 0 1"/> or another direction
 
-# Means: An origin of a URDF is farther from its parent than a robot is large.
-# Matters: Lengths of a URDF are metres; the file is probably in millimetres.
+# Means: The distance of an origin of a URDF from its parent exceeds the size of a robot.
+# Matters: Lengths of a URDF are in metres; the file is probably in millimetres.
 # Do: Divide the lengths of the file by 1000.
 # Example: `<origin xyz="300 0 0"/>`
 urdf-origin-far = the origin of joint `{ $joint }` is { FIXED($away_m, 0) } m from its parent
-    .hint = lengths of a URDF are metres: divide those of this file by 1000
+    .hint = lengths of a URDF are in metres: divide the lengths of this file by 1000
 
 # Means: A link of a URDF is the child of two joints.
 # Matters: A URDF is a tree; loops are closed by `mimic`.
@@ -214,11 +213,11 @@ urdf-origin-far = the origin of joint `{ $joint }` is { FIXED($away_m, 0) } m fr
 urdf-two-parents = link `{ $link }` has two parents: `{ $first }` and `{ $second }`
     .hint = a URDF is a tree: close loops by `mimic`
 
-# Means: Joints of a URDF form a ring.
+# Means: Joints of a URDF form a loop.
 # Matters: A URDF is a tree; loops are closed by `mimic`.
 # Do: Remove one of the joints.
 # Example: a joint whose child is the base link
-urdf-loop = the joints from `{ $link }` on form a loop
+urdf-loop = the joints beyond link `{ $link }` form a loop
     .hint = a URDF is a tree: close loops by `mimic`
 
 # Means: The campaign names a link that the URDF lacks.
@@ -261,18 +260,18 @@ urdf-nothing-moves = no joint moves between `{ $from }` and `{ $to }`
 urdf-no-moving-joint = no joint of the file moves
     .hint = name the URDF of a robot
 
-# Means: `bending` is stated, and joints move the base link.
+# Means: `bending` is stated for a robot whose base link moves with joints.
 # Matters: Bending needs a fixed direction of gravity.
-# Do: Remove `bending`, or let `base_link` be a link that does not move.
+# Do: Remove `bending`, or state a stationary link as `base_link`.
 # Example: an arm on a tilting column
-bending-on-moving-base = `bending` needs a fixed direction of gravity, and joints move `{ $link }`
-    .hint = remove it, or let `base_link` be a link that does not move
+bending-on-moving-base = `bending` needs a fixed direction of gravity, but joints move `{ $link }`
+    .hint = remove `bending`, or state a stationary link as `base_link`
 
-# Means: `bending` of a joint is stated, and no link beyond it has a mass.
-# Matters: Nothing bends the joint.
+# Means: `bending` is stated for a joint, but no link beyond it has a mass.
+# Matters: Without a mass, gravity does not bend the joint.
 # Do: Add <inertial> to its links.
 # Example: a URDF without <inertial>
-bending-without-mass = no mass is stated beyond joint `{ $joint }`: nothing bends it
+bending-without-mass = `bending` of joint `{ $joint }` needs a mass beyond it
     .hint = add <inertial> to its links
 
 # Means: A target has the name of a joint, so that two parameters have the same name.
@@ -280,13 +279,13 @@ bending-without-mass = no mass is stated beyond joint `{ $joint }`: nothing bend
 # Do: Rename the target.
 # Example: a target `q1`
 parameter-name-doubled = two parameters would be called `{ $name }`
-    .hint = rename the target: no target can bear the name of a joint
+    .hint = rename the target: a target must not have the name of a joint
 
 # Means: A key of robot.toml belongs to another robot model.
 # Matters: It has no effect on this model.
 # Do: Remove the key, or state the model to which it belongs.
 # Example: `l11_mm` with `model = "serial"`
-key-of-other-model = `{ $key }` means nothing for this model
+key-of-other-model = `{ $key }` has no effect on this model
     .hint = it belongs to `model = "{ $model }"`
 
 # Means: [nominal] names a parameter that the robot model lacks.
@@ -296,7 +295,7 @@ key-of-other-model = `{ $key }` means nothing for this model
 nominal-unknown = [nominal] names `{ $parameter }`, which is not a parameter of this robot
 
 # Means: A nominal length is zero or negative.
-# Matters: The mirrored robot would explain the measurements as well.
+# Matters: The mirrored robot would explain the measurements equally well.
 # Do: State the length as it is drawn.
 # Example: `l11 = -300`
 nominal-length-not-positive = the length `{ $parameter }` must be positive
@@ -318,19 +317,19 @@ tolerance-not-positive = the tolerance `{ $parameter }` must be positive
 
 # Means: `tolerance` names a parameter that the robot model lacks.
 # Matters: The tolerance has no effect.
-# Do: Use a parameter of the model, or a kind of parameters.
+# Do: Use a parameter of the model, or a kind of parameters (`length_mm`, `angle_deg`, `ratio`).
 # Example: `tolerance = { a_99 = 1 }`
 tolerance-unknown = `tolerance` names `{ $parameter }`, which is not a parameter of this robot
 
 # Means: A selection of poses cannot be read.
 # Matters: It is unknown which poses calibrate and which validate.
 # Do: State names and ranges.
-# Example: `calibration = "1-"`
+# Example: `calibration = "1-8, , 12"`
 selection-empty = `{ $stated }` names no poses
     .expected = names and ranges like "1-8, 12, home", a list of them, "all", "rest" or "index mod 10 < 7"
 
 # Means: A number of the file is infinite or not a number.
-# Matters: No result can follow from it.
+# Matters: Every result computed from it would be undefined.
 # Do: State a finite number.
 # Example: `expanded_uncertainty_um = nan`
 not-a-measured-value = `{ $value }` is not a measured value
@@ -353,10 +352,10 @@ kind-of-value = { $kind ->
     }
 
 # Means: A text is not one of the known choices.
-# Matters: The statement cannot be followed.
+# Matters: The value has no meaning for this key.
 # Do: Use one of the expected texts.
 # Example: `unit = "milimetre"`
-unknown-variant = unknown variant `{ $text }`
+unknown-variant = unknown value `{ $text }`
 
 # Means: A required key is missing.
 # Matters: The statement is incomplete, and its value is never guessed.
@@ -367,7 +366,7 @@ key-missing = the key `{ $key }` is missing{ $has_section ->
        *[no] {""}
     }
 
-state-unit = state the length unit of the file: "mm", "m", "um" or "inch"; it is never guessed
+state-unit = state `unit = "mm"`, or "m", "um" or "inch" as the file was written; it is never guessed
 
 state-instrument = [instrument] states name, expanded_uncertainty_um and coverage_factor: take them from its calibration certificate
 
@@ -382,15 +381,15 @@ copy-keys = `etalon init FOLDER` writes a campaign with all keys to copy from
 toml-invalid = { $reason }
 
 # Means: A table has the same key twice.
-# Matters: Mostly the head of a table is missing before the second one.
-# Do: Begin each table among several with its head in double brackets.
+# Matters: Usually the header of a table is missing before the second key.
+# Do: Begin each table of a list with its header in double brackets.
 # Example: two joints under one [[joint]]
-table-key-twice = this table has the key twice{ $more ->
+table-key-twice = this table has this key twice{ $more ->
         [0] {""}
-        [one] , and 1 key after it
-       *[other] , and { $more } keys after it
+        [one] , and repeats 1 further key
+       *[other] , and repeats { $more } further keys
     }
-    .hint = a table among several begins with its head in double brackets, like `[[joint]]`: is one missing before it?
+    .hint = begin each table of a list with its header in double brackets, like `[[joint]]`: is a header missing before this key?
 
 # Means: A section has a key that etalon does not know.
 # Matters: A misspelled key would have no effect.
@@ -403,7 +402,7 @@ unknown-key = { $count ->
 
 key-belongs-at-top = `{ $key }` belongs at the top, before the first section
 
-table-head-missing = is the head of their table missing, like `[section]` or `[[joint]]`?
+table-head-missing = is the header of their table missing, like `[section]` or `[[joint]]`?
 
 key-remedy = { $key ->
         [station] stations of an instrument are a column `station` of a table of observations: state
@@ -446,11 +445,11 @@ urdf-limits-exchanged = the limits of joint `{ $joint }` are exchanged: { $lower
     .hint = exchange them
 
 # Means: An angle of `rpy` exceeds a full turn.
-# Matters: Angles of a URDF are radians; the file is probably in degrees.
+# Matters: Angles of a URDF are in radians; the file is probably in degrees.
 # Do: Convert the angles to radians.
 # Example: `rpy="0 0 90"`
 urdf-angles-beyond-turn = angles of `rpy` exceed a full turn
-    .hint = angles of a URDF are radians: 90 deg are 1.5707963267948966
+    .hint = angles of a URDF are in radians: 90 deg are 1.5707963267948966
 
 # Means: An element of the URDF lacks an attribute.
 # Matters: The robot is incompletely described.
@@ -466,7 +465,7 @@ urdf-attribute-missing = <{ $element }> has no `{ $attribute }`
 urdf-not-number = `{ $attribute }`: `{ $word }` is not a number
     .hint = correct the value
 
-# Means: An attribute of the URDF holds another count of numbers.
+# Means: An attribute of the URDF has too many or too few numbers.
 # Matters: The value cannot be read.
 # Do: State as many numbers as expected.
 # Example: `xyz="0 0"`
@@ -479,11 +478,11 @@ urdf-number-count = `{ $attribute }` has { $count ->
            *[other] { $expected_count } numbers
         }
 
-# Means: A campaign that `etalon init --from` proposed has a line that the files do not answer.
+# Means: A campaign that `etalon init --from` proposed has a line that the files cannot complete.
 # Matters: A unit or a target is never guessed.
 # Do: Complete the line as its remark says; `check` then asks for the next one.
 # Example: `target = "?"`
-key-open = `{ $key }` is open{ $more ->
+key-open = `{ $key }` is incomplete{ $more ->
         [0] {""}
        *[other] ; { $more } more to complete
     }
@@ -493,14 +492,14 @@ key-open = `{ $key }` is open{ $more ->
     }
 
 # Means: A campaign that `etalon init --from` proposed does not state the unit of the joints.
-# Matters: Degrees read as radians are another pose.
+# Matters: Joint values read in a wrong unit give wrong poses.
 # Do: Replace UNIT by deg, rad, mm or m.
 # Example: `q1_UNIT = "J1"`
-joint-unit-open = the unit of the joints is open{ $more ->
+joint-unit-open = the unit of the joints is not stated{ $more ->
         [0] {""}
        *[other] ; { $more } more to complete
     }
-    .hint = write deg, rad, mm or m for UNIT
+    .hint = replace UNIT by deg, rad, mm or m
 
 kind-expected = { $kind ->
         [text] a text

@@ -14,24 +14,35 @@ option-not-positive = { $option } must be positive
     .hint = state a positive number
 
 # Means: The value of an option cannot be read.
-# Matters: The command would guess.
+# Matters: The command never guesses a value.
 # Do: Use one of the values that `--help` lists.
 # Example: `--delimiter comma2`
 option-refused = { $option }: { $reason }
     .hint = `etalon COMMAND --help` lists the values
 
-# Means: `--column` names no heading.
-# Matters: It is unknown which column is meant.
-# Do: State NAME=HEADING.
+# Means: An option that names a column has no `=`.
+# Matters: It is unknown what is stated about the column.
+# Do: State NAME=HEADING, NAME=VALUE or COLUMN=CELL.
 # Example: `--column q1_deg`
-column-option-malformed = --column: `{ $text }` has no `=`
-    .expected = q1_deg=J1
+column-option-malformed = --{ $option }: `{ $text }` has no `=`
+    .expected = { $option ->
+        [column] q1_deg=J1
+        [constant] kind=distance
+       *[other] deleted=1
+    }
 
-# Means: The files do not state their length unit.
+# Means: The columns are stated from the left (`--columns`) and by name (`--column`).
+# Matters: The two statements may differ.
+# Do: Omit one of the two options.
+# Example: `--columns x,y,z --column x=X`
+option-columns-twice = --columns and --column both state the columns
+    .hint = omit one of the two options
+
+# Means: The length unit of the files is not stated.
 # Matters: Exports carry no unit; a wrong guess falsifies every result.
 # Do: State the unit.
 # Example: `etalon fit plane points.txt`
-option-unit-missing = the files do not say their length unit
+option-unit-missing = the length unit of the files is not stated
     .hint = state it: --unit mm, m, um or inch; it is never guessed
 
 # Means: parameters.json is named without the robot to which it belongs.
@@ -49,19 +60,18 @@ axis-unknown = the robot has no axis `{ $axis }`
     .hint = use a joint of the robot, or x_mm, y_mm, z_mm
 
 # Means: Cartesian axes and joints are mixed in one table.
-# Matters: A table is over positions of the tool or over joints.
+# Matters: The positions of a table are those of the tool or of joints.
 # Do: Use one kind.
 # Example: `--axis x_mm=0:100:10 --axis q1_deg=0:90:10`
-axes-mixed = the axes of a table are all of x_mm, y_mm, z_mm, or all joints
+axes-mixed = the axes of a table are either Cartesian (x_mm, y_mm, z_mm) or joints
     .expected = joints { $joints }
 
-# Means: A table of more than one joint names a joint that turns.
-# Matters: Only for joints that slide one above the other is the correction of one by another
-# defined.
-# Do: Use x_mm and y_mm: poses of the nominal robot.
+# Means: A table of several joints names a revolute joint.
+# Matters: The correction of one joint by another is defined only for prismatic joints in series.
+# Do: Use x_mm and y_mm, positions of the nominal robot.
 # Example: `--axis q1_deg=0:90:10 --corrected q2_deg`
-table-of-turning-joints = a table of more than one joint needs joints that slide, one behind the other
-    .hint = use x_mm and y_mm: poses of the nominal robot
+table-of-turning-joints = a table of several joints needs prismatic joints in series
+    .hint = use x_mm and y_mm, positions of the nominal robot
 
 # Means: geometric.json has no lead of the named axis.
 # Matters: Its deviations are unknown.
@@ -71,24 +81,24 @@ lead-not-measured = no lead of `{ $axis }` was measured
     .expected = { $measured }
 
 # Means: A lead is used for more than one axis, or to correct another one.
-# Matters: A lead is the deviation of an actuator by its own position.
+# Matters: A lead is the deviation of an actuator as a function of its own position.
 # Do: Name the actuator alone.
 # Example: `--axis rho1_mm=0:100:10 --corrected rho2_mm`
-lead-of-one-axis = a lead is of one axis, which it corrects
+lead-of-one-axis = a lead corrects a single axis by its own position
     .hint = name this axis alone
 
 # Means: A cell of the table is empty or not a number.
-# Matters: The row cannot be used, and leaving it out in silence would change the result.
+# Matters: The row cannot be used, and leaving it out without a message would change the result.
 # Do: Correct or remove the row.
 # Example: an empty cell in the column `x_mm`
 table-value-missing = a value is missing or not a number
     .hint = correct or remove the row
 
-# Means: The positions of the table are not those of a grid.
+# Means: The positions of the table do not form a grid.
 # Matters: A plane is interpolated between nodes of a grid.
 # Do: State one row for each position of each base axis.
 # Example: a table without the row of one corner
-not-a-grid = the positions are not those of a grid
+not-a-grid = the positions do not form a grid
     .expected = one row for each position of each base axis
 
 # Means: The positions of a base axis are not stated.
@@ -102,22 +112,23 @@ axis-without-positions = `{ $axis }` has no positions
 # Matters: A singularity lies between the target with and without compensation.
 # Do: Check working mode, `confdata`, Status and Turn of the target.
 # Example: a target at a wrist singularity
-configuration-changed = target { $target }: the command is in another configuration
-    .hint = its configuration data (working mode, confdata, Status and Turn) stay as they are: check them
+configuration-changed = target { $target }: the compensated command needs another configuration
+    .hint = check its configuration data (working mode, confdata, Status and Turn), which are not changed
 
 # Means: The program computes poses while it runs.
-# Matters: They are left as they are.
-# Do: Check them: what is computed from compensated targets has their compensation, not its own.
+# Matters: Computed poses are not compensated.
+# Do: Check these poses: a pose computed from a compensated target has the compensation of that
+# target, not its own.
 # Example: `Offs(p1, 0, 0, 100)` in RAPID
-poses-computed-by-program = poses of { $names } are left as they are
-    .hint = check them: what a program computes from compensated targets has their compensation, not its own
+poses-computed-by-program = poses computed by { $names } are not compensated
+    .hint = check them: a pose computed from a compensated target has the compensation of that target, not its own
 
-# Means: The program does not state the working mode in which the robot starts.
+# Means: The program does not state the working mode at its start.
 # Matters: A five-bar robot reaches a point in several working modes.
 # Do: State the joint values at the start.
 # Example: a Mecaprol program without `--start`
-working-mode-missing = the program does not state which working mode the robot starts in
-    .hint = state the joint values where it starts: --start N,N,+1
+working-mode-missing = the program does not state the working mode at its start
+    .hint = state the joint values at the start: --start N,N,+1
 
 # Means: The program uses a tool or a work object whose pose is not stated.
 # Matters: Targets are poses of this tool in this frame.
@@ -133,35 +144,35 @@ state-pose-option = state its pose: --{ $option } x,y,z,qw,qx,qy,qz
 # Matters: Targets of a program are in the frame of its work object.
 # Do: State `--object`.
 # Example: `etalon compensate a.mod --frame world`
-program-in-world = targets of a program are not in the world
+program-in-world = targets of a program cannot be in the world frame
     .hint = use --object
 
-# Means: Counts of the axes for a mm or deg are missing.
+# Means: The encoder counts per mm or deg of the axes are missing.
 # Matters: Positions of a Galil controller are encoder counts.
-# Do: State them for each axis.
+# Do: State the counts of each axis.
 # Example: `--format galil` without `--counts-per-unit`
-counts-missing = `galil` needs the counts of { $axes } axes for a mm or deg
-    .hint = --counts-per-unit N,N
+counts-missing = `galil` needs the encoder counts per mm or deg of { $axes } axes
+    .hint = state --counts-per-unit N,N
 
 # Means: `--frame world` is stated for targets by joint values.
 # Matters: Joint values have no frame.
 # Do: Omit `--frame`.
 # Example: a table of joints and `--frame world`
-joints-in-world = joint values are not in the world
+joints-in-world = joint values have no frame
     .hint = omit --frame
 
-# Means: The nominal robot cannot be where the joint values put it.
-# Matters: A target by these joint values has no nominal pose.
+# Means: The nominal robot has no pose at these joint values.
+# Matters: The target has no nominal pose.
 # Do: Check the joint values and the assembly mode.
 # Example: joint values of another assembly mode
-nominal-pose-unreachable = the nominal robot cannot be where the joints put it
+nominal-pose-unreachable = the nominal robot has no pose at these joint values
     .hint = check joint values and assembly mode
 
 # Means: The robot model has no base in the world frame.
 # Matters: Targets in the world cannot be moved into the base.
 # Do: Omit `--frame world`.
 # Example: `--frame world` for a model without base parameters
-base-not-in-world = `{ $model }` has no base in the world
+base-not-in-world = `{ $model }` has no base in the world frame
     .hint = omit --frame
 
 # Means: Mecaprol is the language of five-bar robots.
@@ -199,17 +210,17 @@ hash-of-other-format = `--controller-hash` is for the formats that contain it: {
     .hint = name one of them with --format
 
 # Means: A run wrote the output folder while files for a controller were made from it.
-# Matters: The files may be made of parameters of two runs.
+# Matters: The files may contain parameters of two runs.
 # Do: Repeat the command.
 # Example: `etalon run` and `etalon export` at the same time
 run-while-exporting = a run wrote `{ $folder }` while files for a controller were made
-    .hint = repeat the command: they may be of earlier parameters
+    .hint = repeat the command: the files may contain earlier parameters
 
 # Means: An element is named without a file.
 # Matters: There are no points.
 # Do: Name the file.
 # Example: `etalon fit plane`
-fit-file-missing = `{ $element }` has no file to be fitted to
+fit-file-missing = no file of points is stated for `{ $element }`
     .hint = name the file: etalon fit { $element } FILE
 
 # Means: No element is named, and the file is not QIF.
@@ -242,19 +253,19 @@ probe-side-unknown = --probe-side: `{ $text }` is not a side
     .expected = inside, outside, or three numbers x,y,z towards the probe
     .hint = inside for a bore, outside for a shaft, 0,0,1 for a probe above a plane
 
-# Means: The radius of the probe is stated, and not its side.
-# Matters: It is unknown whether the radius of the element grows or shrinks by it.
+# Means: The radius of the probe is stated without its side.
+# Matters: It is unknown whether the probe radius is added or subtracted.
 # Do: State the side.
 # Example: `--probe-radius-mm 2.5` alone
 probe-side-missing = the side of the probe is not stated
     .expected = --probe-side inside, outside or x,y,z
     .hint = inside for a bore, outside for a shaft, the direction to the probe for a plane or line
 
-# Means: The side of the probe is stated, and not its radius.
+# Means: The side of the probe is stated without its radius.
 # Matters: Without the radius nothing is compensated.
 # Do: State the qualified radius, or omit both for contact points.
 # Example: `--probe-side inside` alone
-probe-radius-missing = --probe-side without a probe
+probe-radius-missing = --probe-side is stated without the probe radius
     .expected = --probe-radius-mm
     .hint = state the qualified radius of the probe, or omit both for contact points
 
@@ -269,15 +280,15 @@ enclosing-with-probe = { $element } is not compensated for a probe
 # Matters: An enclosing element has no zone.
 # Do: Omit `--minimum-zone`, or fit a circle2d or sphere.
 # Example: `etalon fit enclosing-circle p.txt --minimum-zone`
-enclosing-minimum-zone = there is no minimum zone of an { $element }
+enclosing-minimum-zone = an { $element } has no minimum zone
     .hint = omit --minimum-zone, or fit a circle2d or sphere
 
-# Means: A stated uncertainty is not one of a coordinate in micrometres.
-# Matters: Uncertainties of all results follow from it.
+# Means: A stated uncertainty cannot be that of a coordinate in micrometres.
+# Matters: The uncertainties of all results depend on it.
 # Do: State expanded uncertainty over coverage factor, per coordinate, in µm.
-# Example: `--uncertainty-um 0.0027` for 2.7 µm
-uncertainty-implausible = { $option } is not an uncertainty of a coordinate in micrometres
-    .hint = expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um
+# Example: `--standard-uncertainty-um 0.0027` for 2.7 µm
+uncertainty-implausible = { $option } cannot be the uncertainty of a coordinate in micrometres
+    .hint = state the expanded uncertainty over the coverage factor, per coordinate: 0.0027 mm is 2.7 um
 
 # Means: The named robot is not in the table of `etalon init`.
 # Matters: Geometry is taken from published sources only.
@@ -302,18 +313,11 @@ iso230-no-rows = the table has no rows
     .hint = check the file
 
 # Means: A position has fewer than two runs in a direction.
-# Matters: A standard deviation needs two values; ISO 230-2 has five.
+# Matters: A standard deviation needs two values; ISO 230-2 requires five.
 # Do: Measure more runs.
 # Example: one run from the negative side
 iso230-few-runs = position { $position } mm has fewer than two runs in direction { $direction }
-    .expected = runs from either side, five by ISO 230-2
-
-# Means: `etalon iso9283` has no input.
-# Matters: There is nothing to evaluate.
-# Do: Name a table of poses, a recording or a table of loads.
-# Example: `etalon iso9283`
-nothing-to-evaluate = nothing to evaluate is stated
-    .hint = name poses, a recording or loads: `etalon iso9283 --help`
+    .expected = at least two runs in each direction, five by ISO 230-2
 
 # Means: `--drift-set` is smaller than two cycles.
 # Matters: Drift compares means and scatter of sets of cycles.
@@ -326,10 +330,10 @@ drift-set-too-small = { $option } must be at least 2
 # Matters: AP, distances and drift are relative to commanded poses; RP needs none.
 # Do: State them with `--commanded`.
 # Example: `etalon iso9283 --poses attained.csv`
-commanded-missing = no commanded poses are stated: AP is not determined, and null; RP needs none
+commanded-missing = no commanded poses are stated: AP is not evaluated (null); RP needs none
     .hint = state them with --commanded for AP, distances and drift
 
-# Means: The arm has more joints than a pose has freedoms.
+# Means: The arm has more joints than a pose has degrees of freedom.
 # Matters: It reaches a pose in infinitely many ways.
 # Do: Ask for one solution.
 # Example: `etalon kinematics inverse` for a seven-axis arm
@@ -358,25 +362,18 @@ table-quaternion-length = the quaternion has the length { FIXED($length, 4) }
 not-a-report = `{ $file }` does not end like a report
     .expected = a file that ends in { $endings }
 
-# Means: `etalon report` has no folder.
-# Matters: Reports are written from an output folder.
-# Do: Name the output folder of a run.
-# Example: `etalon report`
-report-folder-missing = no folder is stated
-    .hint = name the output folder of a run
-
 # Means: A run failed, and the output folder holds the results of an earlier one.
 # Matters: Its report and controller files are not those of this run.
-# Do: Do not load its controller files as if they were of this run.
+# Do: Do not load controller files from this folder: they belong to the earlier run.
 # Example: a run that stops at an error in campaign.toml
-earlier-run-left = nothing is written: `{ $report }` and the files beside it are of an earlier run
-    .hint = do not load its controller files as if they were of this one
+earlier-run-left = nothing is written: `{ $report }` and the files beside it are from an earlier run
+    .hint = do not load controller files from this folder: they belong to the earlier run
 
 # Means: There is no schema of this name.
 # Matters: Schemas exist for input files and JSON documents.
 # Do: Use a name that `etalon schema --help` lists.
 # Example: `etalon schema parameter`
-schema-unknown = there is no schema `{ $name }`
+schema-unknown = unknown schema `{ $name }`
 
 # Means: The table of `etalon verify` has columns of other kinds of observations.
 # Matters: Only positions are compared.
@@ -385,26 +382,26 @@ schema-unknown = there is no schema `{ $name }`
 verify-other-column = the observations have a column `{ $column }`: only positions are compared
     .hint = leave rows of other kinds and their columns out
 
-# Means: The workspace has another count of numbers.
+# Means: The workspace does not have six or four numbers.
 # Matters: A box has six coordinates, a rectangle four.
 # Do: State the smallest coordinates, then the largest.
 # Example: `--workspace-mm 1,2,3`
 workspace-numbers = --workspace-mm has { $count } numbers
     .expected = six, or four for planar robots
 
-# Means: A reorientation is stated without an orientation to begin with.
-# Matters: The poses of a test on reorientation begin at an orientation.
+# Means: A reorientation is stated without an initial orientation.
+# Matters: A test on reorientation starts at a stated orientation.
 # Do: State `--orientation-deg` as well.
 # Example: `--reorientation-deg 0,0,30` alone
-reorientation-alone = a reorientation without an orientation to begin with
+reorientation-alone = a reorientation is stated without an initial orientation
     .hint = state --orientation-deg as well
 
-# Means: The robot file does not state what the robot reaches.
+# Means: The robot file does not state the reach of the robot.
 # Matters: The plan cannot be checked against limits.
-# Do: Omit `--robot`, and try the places on the robot at low speed.
+# Do: Omit `--robot`, and try the positions on the robot at low speed.
 # Example: a URDF model without limits
 reach-unknown = the robot file of model `{ $model }` does not state its reach
-    .hint = omit --robot, and try the places on the robot at low speed
+    .hint = omit --robot, and try the positions on the robot at low speed
 
 # Means: Rows were excluded as stated.
 # Matters: Excluded rows do not take part in the result; the report repeats them.
@@ -417,11 +414,11 @@ excluded-rows = excluded: { $count ->
 
 # Means: The format leaves identified parameters out, and the run did not identify again without
 # them.
-# Matters: The file holds the estimate conditioned on nominal values of these parameters; how
-# accurate the robot is with it is unknown.
+# Matters: The file holds the estimate conditioned on nominal values of these parameters; the
+# accuracy of the robot with this file is unknown.
 # Do: Run the campaign with the format among its `controllers`, and export from its output folder.
 # Example: `etalon export --format linuxcnc parameters.json` for an arm with bending
-controller-error-not-measured = format `{ $format }` does not hold { $parameters }: its file is conditioned on their nominal values, and its error was not measured
+controller-error-not-measured = format `{ $format }` does not hold { $parameters }: the file is conditioned on nominal values of these, and its error was not measured
     .hint = run the campaign with "{ $format }" among its `controllers`, and export from its output folder
 
 # Means: `--from` is stated without a robot.
@@ -442,13 +439,13 @@ two-files-of-one-name = two files are called `{ $name }`
 # Matters: A campaign cannot be written from them.
 # Do: Report the file as a defect; state the format by hand in campaign.toml.
 # Example: none is known
-proposal-not-toml = the proposal for `{ $name }` does not read: { $error }
+proposal-not-toml = the proposal for `{ $name }` cannot be read: { $error }
 
 # Means: No column of a file is recognised as coordinates or joints.
 # Matters: The campaign would not read the file.
 # Do: Look at the columns with `etalon formats`, and state the format in campaign.toml.
 # Example: a file of comments alone
-nothing-recognised = nothing of `{ $name }` is recognised
+nothing-recognised = no column of `{ $name }` is recognised
     .hint = `etalon formats { $path }` states what its columns could be
 
 # Means: A command in memory was called without the table that it evaluates.
@@ -487,11 +484,60 @@ table-options-refused = { $fault ->
 # Matters: A table of corrections needs a value at each position.
 # Do: Use positions that the robot reaches, or that were measured.
 # Example: `--axis rho1_mm=0:500:10` where the lead was measured to 400 mm
-deviation-unknown = no deviation at { $position }: { $reason ->
-        [not-measured] the lead was not measured there
-        [no-error] `{ $axis }` has no errors of its own in this model
-       *[other] { $reason }
-    }
+deviation-unknown = no deviation at { $position }: { $reason }
     .hint = use positions that the robot reaches, or that were measured
 
-robot-file-of-run = run the campaign again, or name the robot.toml that it was run with
+robot-file-of-run = run the campaign again, or name the robot.toml of that run
+# Means: The robot model is no chain of joints.
+# Matters: Only chains have screw axes, Denavit-Hartenberg parameters or a URDF.
+# Do: Convert arms alone.
+# Example: `etalon robot convert` for a five-bar
+convert-no-chain = `{ $model }` is no chain of joints, and has no other convention
+
+# Means: Joint values move several axes of the chain.
+# Matters: robot.toml of a serial arm has one joint value for each axis.
+# Do: Keep the URDF, where `mimic` states it.
+# Example: a gripper or a parallelogram with `mimic`
+convert-shared-joints = { $axes } axes share { $joints } joint values
+    .hint = keep the URDF, where `mimic` states it
+
+# Means: The robot has bending, harmonics, backlash or coupling.
+# Matters: A description of axes alone has no place for them; the converted robot lacks them.
+# Do: State them in the new robot.toml, and identify them again.
+# Example: an arm with `bending = [2, 3]`
+convert-left-out = { $count ->
+        [one] 1 parameter is
+       *[other] { $count } parameters are
+    } no geometry and left out: { $names }
+    .hint = state `bending`, `harmonics`, `backlash` and `coupling` in the new file, and identify them again
+
+# Means: Joint values are multiplied by a gain.
+# Matters: A URDF has no gains: its joint values are those of the axes.
+# Do: Multiply the joint values, or convert to `poe`.
+# Example: a joint logged in motor angles
+convert-gains-not-held = a URDF has no gain of { $joints }: its joint values are those of the axes
+    .hint = multiply the joint values, or convert to `poe`
+
+# Means: The travel of a sliding joint is not stated, and a URDF demands one.
+# Matters: The file states one metre to either side.
+# Do: Correct `limit` in the file.
+# Example: a linear axis without `travel_mm`
+convert-travel-unknown = the travel of { $joints } is not stated: the URDF has 1 m to either side
+    .hint = correct `limit` in the file, or state `travel_mm` in robot.toml
+
+# Means: A smallest enclosing element is asked for together with setting points aside.
+# Matters: An enclosing element is held by its extreme points, which a robust fit would set aside.
+# Do: Fit a circle or sphere by least squares with `--robust`.
+# Example: `etalon fit enclosing-circle points.txt --robust`
+enclosing-robust = `{ $element }` is held by its extreme points: none can be set aside
+    .hint = fit circle2d or sphere with --robust
+
+# Means: A robust fit is asked for the features of a QIF file.
+# Matters: A feature of the file is compared with the fit of all its points.
+# Do: Leave `--robust` out, or fit the points from a table.
+# Example: `etalon fit results.qif --robust`
+qif-robust = features of a QIF file are fitted to all their points
+    .hint = leave --robust out, or fit the points from a table
+axis-without-errors = the axis has no errors of its own in this model
+lead-not-measured-there = the lead was not measured at this position
+table-without-row = the table has no row for this position

@@ -14,9 +14,9 @@ stream-not-in-all = stream `{ $stream }` is not in every campaign
 stream-commands-differ = the commanded points of stream `{ $stream }` differ: AT and RT are not compared
     .hint = use the same path, frame, `path_points` and `near_mm` in all campaigns
 
-# Means: A path was driven fewer times than the test of a change was validated with.
-# Matters: The intervals of AT and RT may be too narrow, so that a change is reported where there is
-# none.
+# Means: A path has fewer passes than the test of a change was validated with.
+# Matters: The intervals of AT and RT may be too narrow, so that a change may be reported without
+# cause.
 # Do: Drive the path ten times, as ISO 9283 requires.
 # Example: four passes of a path
 stream-few-passes = AT and RT of stream `{ $stream }` rest on { $passes ->
@@ -26,11 +26,11 @@ stream-few-passes = AT and RT of stream `{ $stream }` rest on { $passes ->
     .hint = drive the path ten times (ISO 9283)
 
 # Means: A change of path accuracy or repeatability is called significant.
-# Matters: In simulated tests the intervals of AT hold the truth in 93 % to 95 %, those of RT in 90
-# % to 98 %. A single change is no proof.
+# Matters: In simulated tests, intervals of AT contain the true value in 93 % to 95 %, those of RT
+# in 90 % to 98 %. A single change is no proof.
 # Do: Repeat the test before you act on it.
 # Example: AT of a square changes from 0.10 mm to 0.15 mm
-path-change-uncertain = called changed: { $names }; in simulated tests intervals of AT hold the truth in 93 % to 95 %, those of RT in 90 % to 98 %
+path-change-uncertain = significant change: { $names }; in simulated tests, intervals of AT contain the true value in 93 % to 95 %, those of RT in 90 % to 98 %
     .hint = repeat the test before you act on it
 
 # Means: The campaigns have no document in common.
@@ -56,7 +56,7 @@ campaign-twice = `{ $folder }` is named twice
     .hint = name each folder once
 
 # Means: The campaigns measured robots of different names.
-# Matters: Differences between two robots are no changes of one robot.
+# Matters: Differences between two robots are not changes of one robot.
 # Do: Compare campaigns of one robot. If it is the same robot, give it one `name` in robot.toml and
 # run again.
 # Example: `name = "R1"` and `name = "R2"`
@@ -77,12 +77,11 @@ models-differ = different robot models: `{ $first }` identified `{ $first_model 
 parameters-differ = `{ $first }` and `{ $second }` have different parameters: { $parameters }
     .hint = use the same robot file, targets and model
 
-# Means: A campaign is named before another one that is older.
-# Matters: Changes run from the campaign named first to the one named after it; their signs are
-# reversed.
+# Means: A campaign is named before an older one.
+# Matters: A change is the later-named campaign minus the earlier-named one; the signs are reversed.
 # Do: Name the earliest campaign first.
 # Example: `etalon compare 2026/out 2025/out`
-campaigns-out-of-order = `{ $first }` is named before `{ $second }` and has the later date
+campaigns-out-of-order = `{ $first }` is named before `{ $second }`, but has the later date
     .hint = name the earliest campaign first
 
 # Means: A document is missing in some of the campaigns.
@@ -102,23 +101,23 @@ poses-not-in-all = not in every campaign: pose { $poses }
 homing = homing
 
 # Means: Parameters were identified in some of the campaigns only.
-# Matters: Where they were held, other parameters with a similar effect took up their error.
+# Matters: In campaigns that held them, similar parameters absorbed their error.
 # Do: Identify the same parameters in all campaigns.
 # Example: `hold = ["d_3"]` in one campaign
 parameters-not-in-all = not every campaign identified { $parameters }
-    .hint = identify the same parameters: similar ones may have taken up the error of those held
+    .hint = identify the same parameters: similar parameters may have absorbed the error of held ones
 
 # Means: The robot files of the campaigns have different nominal values.
-# Matters: Parameters that are held at nominal values act on the identified ones.
+# Matters: Held parameters affect the identified ones.
 # Do: Use the same robot file in all campaigns.
 # Example: `a_2 = 300.0` and `a_2 = 300.5`
 nominal-values-differ = nominal values differ between the robot files: { $parameters }
-    .hint = use the same robot file: parameters held at nominal values act on the others
+    .hint = use the same robot file: held parameters affect the identified ones
 
 # Means: Residuals exceed the uncertainty of the instrument.
-# Matters: The model lacks an effect of the robot. Its parameters depend on where the poses lie, so
+# Matters: The model lacks an effect of the robot. Its parameters depend on the measured poses, so
 # that differences are no evidence of a change.
 # Do: Identify with a model that describes the robot, and measure the same poses each time.
 # Example: an arm with bending links, identified without bending
-model-misfits = residuals of { $campaigns } exceed the uncertainty of the instrument: differences of parameters and mean errors are no evidence of a change and have no p value; intervals of parameters contain the between-series component (Birge ratio up to { $birge })
+model-misfits = residuals of { $campaigns } exceed the uncertainty of the instrument, so differences of parameters and mean errors are no evidence of a change and have no p value; intervals of parameters contain the between-series component (Birge ratio up to { $birge })
     .hint = identify with a model that describes the robot, and measure the same poses each time

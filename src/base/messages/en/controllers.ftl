@@ -29,7 +29,7 @@ format-for-other-robots = format `{ $format }` cannot describe a robot of `model
 format-too-many-joints = the robot has { $joints } joints, format `{ $format }` has { $most }
 
 # Means: The URDF file is not well-formed XML.
-# Matters: The identified errors cannot be written into its origins.
+# Matters: The identified errors cannot be written into the origins of its joints.
 # Do: Correct the file with an XML editor.
 # Example: a `<joint>` element without its end tag
 urdf-malformed = `{ $file }` is not well-formed XML
@@ -56,7 +56,7 @@ error-above-nominal = position error at { $set } poses{ $left_out_count ->
 
 # Means: The format leaves out identified parameters, and without them the robot is less accurate
 # than with nominal parameters.
-# Matters: The file would make the robot worse.
+# Matters: The robot would be less accurate with this file.
 # Do: Use a format that holds these parameters.
 # Example: `linuxcnc` for an arm whose bending was identified together with its geometry
 file-worse-than-nominal = format `{ $format }` is not written: { $reason }
@@ -68,24 +68,24 @@ error-near-nominal = { $case ->
        *[both] position error not clearly smaller than with nominal parameters, its maximum larger
     }: { $set } poses { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm and { FIXED($nominal_max_mm, $decimals) } mm
 
-# Means: The file is written, but at these poses it improves the robot by less than a tenth (RMS), or
-# the largest error is larger than with nominal parameters.
+# Means: The file is written, but at these poses it improves the robot by less than a tenth (RMS),
+# or the largest error is larger than with nominal parameters.
 # Matters: The robot gains little by the file, or is less accurate at some poses.
-# Do: Use a format that holds all identified parameters. If the format holds them, measure more poses
-# or identify other effects.
+# Do: Use a format that holds all identified parameters. If the format holds them, measure more
+# poses or identify other effects.
 # Example: `universal-robots` for an arm whose transmission ratios cause most of its error
 file-near-nominal = { $formats_count ->
         [1] format
        *[other] formats
     } `{ $formats }`: { $reason }
-    .hint = compare the errors in controllers.json; use a format that holds the parameters left out, if any
+    .hint = compare the errors in controllers.json; if the format omits parameters, use a format that holds them
 
 # Means: The format leaves out identified parameters, and parameters.json has no covariance of them.
-# Matters: Only the covariance tells how the other parameters change without them.
+# Matters: Only the covariance determines how the other parameters change without them.
 # Do: Let the run identify again without these parameters.
 # Example: `etalon export --format linuxcnc` with a covariance that lacks the bending of joint 2
 covariance-missing = format `{ $format }` does not hold { $parameters }, and parameters.json has no covariance of them
-    .hint = run the campaign with `controllers = ["{ $format }"]`: it identifies again without them
+    .hint = run the campaign with `controllers = ["{ $format }"]`: the run identifies again without these parameters
 
 # Means: The solver did not converge.
 # Matters: The parameters are not the solution; a robot that uses them may be less accurate than
@@ -127,8 +127,8 @@ parameter-names-collide = parameters `{ $first }` and `{ $second }` are both `{ 
 # Matters: Its value is unknown; the nominal value would be a guess.
 # Do: Name the robot.toml with which the parameters were identified.
 # Example: parameters of a five-bar robot with the robot.toml of a PreXYT
-parameter-missing = the parameters have no `{ $parameter }`
-    .hint = name the robot.toml with which they were identified
+parameter-missing = parameter `{ $parameter }` is missing
+    .hint = name the robot.toml with which the parameters were identified
 
 # Means: The format needs the robot model, and no robot is named.
 # Matters: Names and values of parameters alone do not describe the kinematics.
@@ -146,8 +146,7 @@ robot-parameter-missing = the robot has no parameter `{ $parameter }`
 
 # Means: The deviation of an axis changes by more than 5 % of the distance between two neighbouring
 # positions.
-# Matters: The worst transmissions change less. Such deviations are in another unit than the
-# positions.
+# Matters: The worst transmissions change less. Positions and deviations are in different units.
 # Do: State positions and deviations in the same unit, mm or deg.
 # Example: positions in mm, deviations in µm
 deviation-steep = the deviation changes by { $change } from { $from } to { $to }
@@ -162,7 +161,7 @@ axis-table-too-long = { $positions } positions are too many for { $controller }
     .expected = at most { $most }
 
 # Means: The compensation table has fewer than two positions.
-# Matters: Between one position and nothing no deviation can be interpolated.
+# Matters: An interpolation needs two positions.
 # Do: Measure at two positions at least.
 # Example: one position for a SINUMERIK
 axis-table-too-short = a SINUMERIK table has { $positions ->
@@ -175,17 +174,17 @@ axis-table-too-short = a SINUMERIK table has { $positions ->
 # Matters: A SINUMERIK table states one constant distance.
 # Do: Measure at equal distances, or use another table.
 # Example: positions 0, 100 and 250 mm
-axis-positions-uneven = the positions have no constant distance
+axis-positions-uneven = the positions are not equidistant
     .hint = measure at equal distances, or use another table
 
-# Means: The grid of a plane has another distance along its second axis.
+# Means: The grid of a plane has different distances along its two axes.
 # Matters: A Beckhoff CNC has one interval for both axes.
 # Do: Measure a grid of squares.
 # Example: 50 mm along x, 100 mm along y
 plane-steps-differ = the grid has different distances along its axes
     .expected = { $step_mm } mm along both
 
-# Means: A parameter is larger than a variable of a Galil controller.
+# Means: A parameter exceeds the range of a variable of a Galil controller.
 # Matters: The controller would store another value.
 # Do: Use a format of floating-point numbers, for example `twincat`.
 # Example: a length of 3000 m
@@ -235,13 +234,13 @@ certificate-date-missing = a calibration certificate needs the date of the measu
 # Do: Check the joint ranges and conditions of the plan.
 # Example: a pose that the inverse kinematics cannot reach
 targets-not-finite = a value of the plan is non-finite
-    .hint = check the plan: no target is written
+    .hint = check the joint ranges and conditions of the plan; no target is written
 
-# Means: The ending of a file name is no format of targets.
+# Means: The ending of the file name is not a format of targets.
 # Matters: The format follows from the ending.
 # Do: End the name in `.json` or `.h`; write CSV with `--poses`.
 # Example: `etalon plan --targets targets.txt`
-targets-format-unknown = `{ $file }` names no format of targets
+targets-format-unknown = the ending of `{ $file }` is not a format of targets
     .expected = a name that ends in `.json` or `.h`
     .hint = for CSV use `--poses`
 
@@ -274,8 +273,8 @@ program-not-readable = programs of this language cannot be read
     .hint = give the targets as a table
 
 # Means: A movement does not state all its coordinates.
-# Matters: The missing coordinates are those of the position before, which depends on the course of
-# the program.
+# Matters: The missing coordinates are those of the previous position, which depends on the course
+# of the program.
 # Do: State all coordinates of the movement.
 # Example: `MoveC X10` in Mecaprol, `PA 100` for two axes on a Galil controller
 move-incomplete = `{ $command }` does not state { $coordinates }
@@ -316,7 +315,7 @@ coordinate-not-number = `{ $letter }` is not followed by a number
     .hint = write the coordinate as a number
 
 # Means: The program moves before a coordinate has a value.
-# Matters: The target depends on where the machine stands.
+# Matters: The target depends on the position of the machine at the start.
 # Do: State the coordinate in the first block that moves.
 # Example: `G0 X10` as the first movement of a robot with x and y
 coordinate-unknown = `{ $letter }` has no value yet
@@ -329,9 +328,10 @@ coordinate-unknown = `{ $letter }` has no value yet
 quaternion-length = the quaternion of { $target } has the length { FIXED($length, 4) }
     .expected = length 1
 
-# Means: The URDF of the robot is a xacro file, and elements without kinematics (`visual`, `gazebo`) hold xacro that etalon does not expand.
-# Matters: The calibrated URDF could not be read by other programs.
+# Means: The URDF of the robot is a xacro file, and elements without kinematics (`visual`, `gazebo`)
+# contain xacro that etalon does not expand.
+# Matters: Other programs could not read the calibrated URDF.
 # Do: Expand the file with the command `xacro`, and name the URDF in robot.toml.
 # Example: `<visual><xacro:mesh name="arm"/></visual>`
-urdf-holds-xacro = elements without kinematics of `{ $file }` hold xacro
+urdf-holds-xacro = elements without kinematics in `{ $file }` contain xacro
     .hint = expand the file with the command `xacro`, and name the URDF in robot.toml

@@ -1,11 +1,11 @@
 ### Messages of documents. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
 # Means: Limits are stated, and the table has rows of several robots.
-# Matters: AP and RP limits are those of one robot.
-# Do: Test each robot by itself; all together give the exchangeability.
+# Matters: Limits of AP and RP apply to one robot.
+# Do: Test each robot separately; only exchangeability is evaluated from all robots together.
 # Example: `--rp-limit-mm 0.05` with rows of robots A and B
-limits-for-several-robots = limits are stated for one robot, and the table has { $robots }
-    .hint = test each robot by itself; all together give the exchangeability
+limits-for-several-robots = limits apply to one robot, but the table has { $robots }
+    .hint = test each robot separately; only exchangeability is evaluated from all robots together
 
 # Means: Poses were attained in fewer cycles than ISO 9283 requires.
 # Matters: The intervals of AP and RP are wider.
@@ -23,7 +23,7 @@ few-cycles-of-direction = fewer than { $least } cycles in direction { $direction
 
 # Means: The expanded uncertainty of the instrument exceeds a quarter of the verified value (ISO
 # 9283, 6.6).
-# Matters: The scatter is partly that of the instrument: the values are upper bounds of the robot's.
+# Matters: The scatter is partly that of the instrument: the values are upper bounds for the robot.
 # Do: Measure with a better instrument.
 # Example: RP of 0.02 mm measured with U = 0.01 mm
 instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified value at pose { $poses }
@@ -32,10 +32,10 @@ instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified
 # Means: Poses were approached from several directions.
 # Matters: ISO 9283 defines AP and RP for one approach (7.2). Values of all visits contain vAP as
 # well.
-# Do: Use the values of each approach, which are listed beside.
+# Do: Use the values of each approach, which are listed separately.
 # Example: pose 1 attained from +x and from −x
-several-approaches = several approaches at pose { $poses }: AP, RP and their intervals are those of all visits together
-    .hint = use the values of each approach: those of all visits contain vAP, and their scatter is not Gaussian
+several-approaches = several approaches at pose { $poses }: AP, RP and their intervals include all visits
+    .hint = use the values of each approach: values of all visits contain vAP, and their scatter is not Gaussian
 
 # Means: The recording has no complete pass of the commanded path.
 # Matters: AT, RT and velocities cannot be evaluated.
@@ -46,7 +46,7 @@ path-without-pass = the recording has no pass of the commanded path
     .expected = a motion through { $planes } planes, each within { $near_mm } mm of the path
     .hint = check frame and direction of recording and path; `--near-mm` allows larger deviations
 
-# Means: Samples lie farther from the one before than a robot moves in this time.
+# Means: The distance of a sample from the previous one is larger than any robot moves in this time.
 # Matters: They are errors of the instrument, for example a beam break, and are left out.
 # Do: Check the lines in the recording.
 # Example: a jump of 1 m between two samples at 1 kHz
@@ -72,8 +72,8 @@ arrivals-unsettled = arrivals that do not settle within the limit band: at { $ti
 
 # Means: Passes of the path were begun and not completed.
 # Matters: They are left out of AT and RT.
-# Do: Check whether the recording is cut off. Where the robot rounds off a corner widely, a larger
-# `near_mm` leaves out more of it.
+# Do: Check whether the recording is cut off. If the robot rounds off a corner widely, a larger
+# `near_mm` excludes more of the corner.
 # Example: a recording that ends in the middle of the path
 passes-incomplete = { $count ->
         [one] 1 pass
@@ -88,21 +88,21 @@ passes-incomplete = { $count ->
 corner-in-central-part = the central part of the path holds a corner at { FIXED($at_mm, 3) } mm
     .hint = state a path without the corner, or a smaller central part: slowing down there affects AV, RV and FV
 
-# Means: The minimum zone is proved to be the narrowest among neighbouring elements only.
+# Means: The minimum zone is proved to be the narrowest only among neighbouring elements.
 # Matters: Another element farther away may have a narrower zone.
 # Do: Compare the form deviation with that of the least-squares fit.
 # Example: a short arc with large form deviation
-zone-proved-locally = the minimum zone is proved the narrowest among neighbouring elements ({ $element }) only
+zone-proved-locally = the minimum zone is proved to be the narrowest only among neighbouring elements ({ $element })
     .hint = compare its form deviation with that of the least-squares fit
 
-# Means: It was not proved that the found zone is the narrowest.
+# Means: The zone found was not proved to be the narrowest.
 # Matters: The true form deviation may be smaller.
 # Do: Measure more of the surface.
 # Example: points that hardly show the element
 zone-unproved = it was not proved that no other { $element } has a narrower zone
-    .hint = measure more of the surface: points this scattered hardly show the element
+    .hint = measure more of the surface: the element is hardly visible in the scatter of the points
 
-hold-another = to hold another parameter of such a group, name it under `hold` in [identify]; by default the last one of the model is held
+hold-another = to hold another parameter of such a group, name it under `hold` in [identify]; by default the last of the group in the model is held
 
 set-up-origin = { $origin ->
         [unit] `unit` of the export
@@ -110,3 +110,95 @@ set-up-origin = { $origin ->
     }
 
 check-rigid-part = check unit and names in `places_mm`, and whether the part was changed since they were determined
+
+# Means: Points are farther from the element of all others than noise explains, and are not used.
+# Matters: The element and its uncertainty are those of the other points.
+# Do: Look at these points; remove them where the cause is known.
+# Example: dust under the probe at one of 60 points
+points-set-aside = { $count ->
+        [one] 1 point is set aside
+       *[other] { $count } points are set aside
+    }: { $points }
+    .hint = they are farther from the element of all others than noise explains
+
+# Means: Some points are far from the element of all others, and shift the fit by more than its
+# uncertainty.
+# Matters: Least squares spreads the error of a foreign point over the element; form and uncertainty
+# are those of the foreign points.
+# Do: Look at these points. Fit with `--robust`, which sets them aside and lists them, or remove them.
+# Example: one point of the edge among those of a plane
+foreign-points = { $count ->
+        [one] 1 point is
+       *[other] { $count } points are
+    } far from the element of all others ({ $points }): the fit is shifted by { FIXED($shift, 1) } standard uncertainties
+    .hint = look at them; `--robust` sets them aside
+plan-cube = the largest { $shape } in the stated workspace, edges parallel to the axes; C1 to C4 from the smallest x and y
+plan-poses = P1: centre; P2 to P5: on the diagonals, at 10 % of their length from the corners of the test plane, in the order of the corners
+plan-clauses = P1 to P5, loads, velocities and 30 cycles follow the standard's text; paths, other counts and the order of the corners were not compared with a bought copy
+plan-reach-not-examined = motion of all joints between poses, and reachability of the poses, were not examined
+plan-reach = reach: nominal parameters and the limits of the robot file; one working mode for each list of poses: the one that reaches most of them; { $moves ->
+        [all] all joints move between the poses P1 to P5
+       *[some] not all joints move between the poses P1 to P5; the standard requires it
+    }
+covariance-not-square = its covariance is not a square matrix with one row for each of { $identified } identified parameters
+uncertainty-negative = a standard uncertainty or variance is negative or not a number
+parameter-listed-twice = it lists the parameter `{ $parameter }` twice
+
+method-levenberg-marquardt = Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish
+method-enclosing = smallest enclosing element, defined by { $points } points
+method-minimum-zone = minimum zone (Chebyshev)
+action-add-cycles = visit pose{ $count ->
+        [one] {" "}{ $poses }
+       *[other] s { $poses }
+    } at least { $required } times
+action-add-cycles-reason = one pose has only { $least } visits, so that intervals of AP and RP are wide
+action-add-effect = add `{ $line }` to robot.toml
+action-add-effect-reason = root-mean-square error at left-out poses: { $without } → { $with }
+action-add-validation = measure poses that validate the parameters, and name them in `validation` of [identify]
+action-add-validation-reason = errors at calibration poses are smaller than errors at new poses
+action-finer-instrument = measure with an expanded uncertainty of a position of at most { $uncertainty }
+action-finer-instrument-reason = U = { $uncertainty } is { $percent } % of the characteristic at pose{ $count ->
+        [one] {" "}{ $poses }
+       *[other] s { $poses }
+    }; ISO 9283 allows 25 %
+action-keep-nominal = { $count ->
+        [0] keep the nominal parameters
+       *[other] do not load { $formats }
+    }
+action-keep-nominal-reason = RMS error { $rms }, largest { $max }; nominal parameters: { $nominal_rms } and { $nominal_max }
+action-load = load `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(or { $others })
+    }
+action-load-reason = expected error { $expected }, nominal { $nominal } (root mean square at { $count } { $set ->
+        [validation] validation
+       *[calibration] calibration
+    } poses)
+action-load-synthetic = load `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(or { $others })
+    } into a simulated controller, not into a robot: the data are synthetic
+action-measure-again = measure { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    } again{ $more ->
+        [0] {""}
+        [one] {" "}(1 further pose disagrees)
+       *[other] {" "}({ $more } further poses disagree)
+    }
+action-measure-again-reason = pose { $pose } disagrees with the others: { $error }, { $times } σ
+action-measure-quantity = measure the quantity of `{ $limit }` at the judged poses, or remove the limit
+action-measure-quantity-reason = a limit on a quantity that was not measured cannot be assessed
+action-meet-limit = find the cause of the errors: { $limit }
+action-meet-limit-at-pose = find the cause of the error at pose { $pose }: { $limit }
+action-meet-limit-reason = { $value }, limit { $limit }: exceeded by { $beyond }
+action-prove-effects = state `{ $line }` in [identify]
+action-reduce-uncertainty = reduce the uncertainty of the { $limit }
+action-reduce-uncertainty-by-source = U = { $present }; a decision needs { $required }; largest share: { $source } ({ $percent } %)
+action-reduce-uncertainty-reason = U = { $present }; a decision needs { $required }
+action-resolve = decide how to treat this warning
+action-state-limits = state the tolerance of the application in [limits]
+action-state-limits-reason = a verdict needs limits
+action-warm-up = warm the robot up before the test, and state `warm_up_minutes`
+action-warm-up-cold = the robot was tested cold
+action-warm-up-drift = AP drifts by { $change } in { $cycles } cycles and has not settled

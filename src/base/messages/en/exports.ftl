@@ -15,7 +15,7 @@ input-is-folder = `{ $folder }` is a folder
 # Matters: The campaign is incomplete.
 # Do: Correct the path, or copy the file. Paths begin at the folder of the campaign.
 # Example: `file = "exports/pose.txt"` where the folder has `poses.txt`
-input-missing = there is no file `{ $file }`
+input-missing = the file `{ $file }` does not exist
 
 simulate-the-file = write it from truth.toml: `etalon simulate { $folder }`
 
@@ -28,7 +28,7 @@ name-a-file = the folder has { $files }
 # Do: Export the measurements as text with one row a line.
 # Example: a gigabyte of digits without a line end
 line-too-long = `{ $file }`: line { $line } is longer than { $most_mib } MiB
-    .hint = export the file as text with lines: it may be a binary recording or an archive
+    .hint = export the measurements as text, one row a line: the file may be a binary recording or an archive
 
 # Means: The first bytes of the file are those of a binary format without text.
 # Matters: Measurements are read from text, Excel workbooks (.xlsx), XML and PLY.
@@ -58,12 +58,12 @@ file-not-text = `{ $file }` is { $kind ->
        *[pdf] export the points as text
     }
 
-# Means: The byte-order mark of the file is that of another encoding than `encoding` states.
+# Means: `encoding` contradicts the byte-order mark of the file.
 # Matters: Names would be read wrongly.
 # Do: Remove `encoding`; the byte-order mark states the encoding.
 # Example: `encoding = "utf-8"` for a file that begins with the bytes FF FE
-encoding-differs = the file begins with the mark of { $of_file }; the campaign states { $stated }
-    .hint = remove `encoding`: the mark of the file states it
+encoding-differs = the file begins with the byte-order mark of { $of_file }; the campaign states { $stated }
+    .hint = remove `encoding`: the byte-order mark states it
 
 # Means: A byte of the file does not exist in the encoding.
 # Matters: Names and signs such as ± and µ would be read wrongly.
@@ -75,7 +75,8 @@ encoding-invalid = byte { $byte } (line { $line }, { $hex }) is not { $encoding 
 encoding-windows = state how the file was written, for example `encoding = "windows-1252"`: this byte is then `{ $character }`
 
 # Means: The text contains a zero byte.
-# Matters: Text contains none: the file is damaged, binary, or UTF-16 without a byte-order mark.
+# Matters: Text contains no zero byte: the file is damaged, binary, or UTF-16 without a byte-order
+# mark.
 # Do: State `encoding = "utf-16le"` if the file is UTF-16; otherwise export the file again.
 # Example: UTF-16 text saved without its byte-order mark
 nul-byte = the file contains a NUL byte (line { $line })
@@ -112,8 +113,8 @@ workbook-unreadable = the workbook cannot be read: { $reason }
 
 cells-unordered = the cells of sheet `{ $sheet }` are not in ascending order (row { $row })
 
-# Means: The XML of the file breaks a rule of XML.
-# Matters: What follows cannot be assigned to elements.
+# Means: The file is not well-formed XML.
+# Matters: The rest of the file cannot be assigned to elements.
 # Do: Export the file again.
 # Example: `<Point>` closed by `</Points>`
 xml-malformed = the XML is not well-formed: { $reason }
@@ -160,7 +161,7 @@ item-of-count = `{ $name }` { $number } of { $count }
 export-again-or-add = export or copy the file again; if it is complete, add the line `{ $line }`
 
 # Means: The file does not begin like a file of the stated format.
-# Matters: Read in this format, its numbers would have another meaning or none.
+# Matters: In this format, its numbers would have a wrong meaning or none.
 # Do: State the format of the file; `etalon formats FILE` proposes it.
 # Example: `format = "ply"` for a PolyWorks text
 format-differs = the file is not in format `{ $format }`
@@ -185,7 +186,7 @@ version-unsupported = { $format } version `{ $version }` is not supported
     .expected = { $versions }
     .hint = export the file in a supported version
 
-# Means: A record, value or word is not one that the format defines.
+# Means: The format does not define this record, value or word.
 # Matters: Its meaning is unknown.
 # Do: Correct the record, or export the file again.
 # Example: `#04:XZ(Y)` in a scan of GEOPAK-Win
@@ -263,7 +264,7 @@ state-columns = export the axes as comments, or state the columns: format = {"{"
 
 commas-in-commas = export the report with semicolons: decimal commas and separating commas cannot be told apart
 
-# Means: A record has another number of numbers than its kind defines.
+# Means: A record has too many or too few numbers for its kind.
 # Matters: Its numbers cannot be assigned to coordinates, direction and diameter.
 # Do: Export the file again: it was edited or cut off.
 # Example: `#03: 1.0 2.0` in a scan of GEOPAK-Win
@@ -289,7 +290,7 @@ stated-count-differs = `{ $name }` has { $found ->
     .expected = { $stated }, by the count that the file states
     .hint = export the file again: it was edited or cut off
 
-# Means: A cell is empty that assigns the row to a pose, a cycle or a feature.
+# Means: The cell that assigns the row to a pose, a cycle or a feature is empty.
 # Matters: The row cannot be matched with others.
 # Do: Complete the cell, or export the file again.
 # Example: a row of a Calypso table without `featureid`
@@ -315,7 +316,7 @@ format-with-decimal-comma = if the file has decimal commas, state `format = "{ $
 
 # Means: A cell is empty where the format needs a number.
 # Matters: The value is unknown; zero would be a guess.
-# Do: Complete the cell, or state with `missing` that empty cells were not measured.
+# Do: Complete the cell, or state with `missing` that empty cells mean "not measured".
 # Example: `K_1;10.5;;30` in a file separated by semicolons
 number-empty = a number is missing
     .expected = a number with the decimal mark `{ $decimal }`{ $thousands ->
@@ -325,8 +326,8 @@ number-empty = a number is missing
 
 save-computed-workbook = if the cell is a formula, save the workbook in the program that computes it
 
-# Means: A number has more characters than any number that a program writes.
-# Matters: The file is damaged, or its delimiter is another one.
+# Means: A number has more characters than any program writes.
+# Matters: The file is damaged, or the stated delimiter is wrong.
 # Do: Export the file again, or state its delimiter.
 # Example: a field of 50000 digits
 number-too-long = `{ $start }...` has { $characters } characters
@@ -354,7 +355,7 @@ quote-unmatched = { $fault ->
     }
     .hint = close the quote; a quote inside a quoted field is written twice
 
-# Means: A row that is written begins like a comment.
+# Means: A row to be written begins like a comment.
 # Matters: A reader of the file would skip the row.
 # Do: State another `comment`, or rename the point.
 # Example: a label `#1` with `comment = "#"`
@@ -367,7 +368,7 @@ state-column-number = state the number of the column instead of its name
 # Matters: It is unknown whether they are measurements.
 # Do: Remove the rows, or the line that ends the data.
 # Example: points after the line `END` of a Calypso table
-rows-after-end = rows follow `{ $end }`, which ends the data
+rows-after-end = rows follow the end of the data, `{ $end }`
     .hint = remove these rows, or `{ $end }`
 
 # Means: A row states a coordinate type that `types` does not explain.
@@ -406,7 +407,7 @@ coordinates-look-spherical = x, y and z look like azimuth (rad), zenith (rad) an
     .expected = Cartesian coordinates: all rows have two small angles and one length
     .hint = state the columns "azimuth", "zenith", "distance" with `angle_unit = "rad"`, or `coordinates = "cartesian"`
 
-# Means: A row has some numbers of an orientation, and other cells of it are empty.
+# Means: A row has some numbers of an orientation, and its other cells of the orientation are empty.
 # Matters: The orientation is undefined.
 # Do: Complete the orientation, or leave all its cells empty.
 # Example: a quaternion with `qw`, `qx`, `qy` and an empty `qz`
@@ -431,8 +432,8 @@ skip-direction-angles = skip the columns with "-": they are the angles of the di
 direction-zero = the direction `{ $direction }` has no length
     .expected = three numbers, not all zero
 
-# Means: The file writes directions otherwise than its stated format.
-# Matters: Angles (deg) read as unit vectors, or the reverse, turn the direction.
+# Means: The notation of directions in the file differs from that of the stated format.
+# Matters: Angles (deg) read as unit vectors, or the reverse, give wrong directions.
 # Do: State the format that the hint names.
 # Example: `90, 90, 0` as direction with `format = "dmis"`
 direction-notation-differs = the direction is written as { $found ->
@@ -445,7 +446,7 @@ direction-notation-differs = the direction is written as { $found ->
         }
     .hint = state `format = "{ $format }"`
 
-# Means: The file states another length unit than the campaign or the command.
+# Means: The unit of length in the file differs from that of the campaign or the command.
 # Matters: All coordinates would be wrong by a constant factor.
 # Do: State the unit of the file.
 # Example: `unit = "inch"` for a DMIS file with `UNITS/MM`
@@ -456,7 +457,7 @@ default-of-format = no `{ $record }`: default of the format
 
 # Means: The unit that the file states is not a unit of this quantity.
 # Matters: The scale of its values is unknown.
-# Do: Export the file in one of the units that are expected.
+# Do: Export the file in one of the expected units.
 # Example: `UNITS/FEET` in a DMIS file
 unit-unknown = `{ $unit }` is not a known unit
     .expected = { $units }
@@ -483,7 +484,7 @@ file-unit-missing = the file does not state its unit of { $quantity ->
 unit-factor-invalid = the unit has the factor { $factor } and the offset { $offset }
     .expected = a positive factor, no offset
 
-# Means: Files of this format never have the stated unit.
+# Means: Files of this format cannot have the stated unit.
 # Matters: A simulated file in this unit would be read wrongly by other programs.
 # Do: State a unit of the format.
 # Example: `etalon simulate` with `format = "pcdmis_xyz"` and `unit = "m"`
@@ -530,11 +531,11 @@ several-data-sets = a second `{ $record }`: the file has several data sets
     .hint = divide it into one file for each data set, each with an [[export]]
 
 # Means: A field of a Q-DAS file has a larger index than K0100 announces.
-# Matters: The file was cut off, or put together from several files.
+# Matters: The file was cut off, or combined from several files.
 # Do: Export the file again.
 # Example: `K2002/7` after `K0100 6`
-characteristic-beyond-count = there is no characteristic { $index }: K0100 states { $count }
-    .hint = export the file again: it was edited or put together from several files
+characteristic-beyond-count = characteristic { $index } does not exist: the number of characteristics in K0100 is { $count }
+    .hint = export the file again: it was edited or combined from several files
 
 # Means: Values of a characteristic are missing before this one.
 # Matters: Coordinates of different parts would be combined into one point.
@@ -554,7 +555,8 @@ coordinate-counts-differ = `{ $name }` has { $found ->
     .hint = export values that were not measured with the attribute 255 (K0002)
 
 # Means: `METRIC` is in the first line, outside of columns 11 to 16.
-# Matters: By the rule of PC-DMIS the file is in inches, by its word in millimetres.
+# Matters: PC-DMIS reads the unit from the columns of the word, which mean inches here; the word
+# means millimetres.
 # Do: Find out the unit from the author of the file, then correct line 1.
 # Example: `XYZIJK METRIC` with one blank
 metric-misplaced = `METRIC` is outside of columns 11 to 16: the unit is ambiguous (inch or mm)
@@ -570,7 +572,7 @@ vertex-not-finite = vertex { $number } is { $coordinates }
     .hint = export the measured points alone
 
 # Means: Columns 73 to 80 hold eight digits that are not the number of the line.
-# Matters: They may be a part of a coordinate.
+# Matters: They may be part of a coordinate.
 # Do: Export the file without line numbers.
 # Example: `00000041` in line 42 of a VDA-FS file
 line-number-differs = columns 73 to 80 hold `{ $digits }`: a line number or a value
@@ -587,7 +589,7 @@ feature-without-points = `{ $feature }` has no usable points: { $message }
 compensation-mixed = the points have different probe compensation
     .hint = fit these points separately
 
-# Means: A reference leads to an element that the file lacks.
+# Means: An element refers to another element that the file lacks.
 # Matters: Points or names of the feature are missing.
 # Do: Export the file again: it was edited or cut off.
 # Example: `<WholePointSetId>7</WholePointSetId>` without a point set 7
@@ -600,7 +602,7 @@ reference-broken = `{ $name }` refers to { $id }, which is not a `{ $kind }` of 
 reference-external = point set { $id } is in another document
     .hint = export feature and points in one document
 
-# Means: The range of points is not a part of the point set.
+# Means: The range of points is not within the point set.
 # Matters: The points of the feature are unknown.
 # Do: Export the file again: it was edited.
 # Example: `range="90 110"` of a set of 100 points
@@ -614,15 +616,15 @@ point-range-invalid = `{ $range }` is not a range of point set { $id } (line { $
 point-set-unused = no feature refers to point set { $id }
 
 # Means: Two elements of the file have the same id.
-# Matters: References go to the first element, which may be the wrong one.
-# Do: Export the file again: it was put together from several files.
+# Matters: References use the first element, which may be the wrong one.
+# Do: Export the file again: it was combined from several files.
 # Example: two elements with `id="5"`
-id-repeated = id { $id } is used twice, first in line { $line }: references go to the first
-    .hint = export the file again: it was put together from several files
+id-repeated = id { $id } is used twice, first in line { $line }: references use the first
+    .hint = export the file again: it was combined from several files
 
 # Means: The file has more messages than are shown.
-# Matters: They may have other causes than the messages that are shown.
-# Do: Correct the causes of the messages before, and read the file again.
+# Matters: Their causes may differ from those of the messages that are shown.
+# Do: Correct the causes of the messages that are shown, and read the file again.
 # Example: a QIF file with 80 broken references
 further-messages = { $count ->
         [one] 1 further message
@@ -630,27 +632,28 @@ further-messages = { $count ->
     } about this file
 
 # Means: The recording (MCAP) is damaged or not finished.
-# Matters: Messages behind the damage are missing.
+# Matters: Messages after the damage are missing.
 # Do: Repair it with `mcap recover`, or record again.
-# Example: a recorder that was stopped by a power failure leaves no end of the file
+# Example: a recording without its end, because the power of the recorder failed
 recording-unreadable = the recording cannot be read: { $fault ->
         [checksum] the checksum of a chunk differs
         [compression] a chunk has another compression than LZ4 and Zstandard
         [size] a chunk is larger than 256 MiB
         [unpack] a chunk cannot be unpacked
         [channel] a message has no channel
-       *[end] it ends within a record
+       *[end] the file ends within a record
     }
     .hint = repair it with `mcap recover FILE -o REPAIRED`, or copy it again
 
 # Means: `topic` is stated for a file that is not an MCAP recording.
-# Matters: Only recordings have topics; the file is another one, or of an older kind.
-# Do: Name the `.mcap` file inside the folder of the recording, or leave `topic` out.
+# Matters: Only MCAP recordings have topics; this file has another format, or an older format of
+# recordings.
+# Do: Name the `.mcap` file inside the folder of the recording, or omit `topic`.
 # Example: `topic = "/joint_states"` for a CSV file
-recording-missing = the file is not an MCAP recording, so that it has no topic `{ $topic }`
-    .hint = name the .mcap file in the folder of the recording, or leave `topic` out
+recording-missing = the file is not an MCAP recording: it has no topic `{ $topic }`
+    .hint = name the .mcap file in the folder of the recording, or omit `topic`
 
-# Means: A recording (MCAP) holds several topics, and the statement names none.
+# Means: The file is a recording (MCAP) with several topics, and `topic` is missing.
 # Matters: It is unknown which messages hold the measurements or joint values.
 # Do: State `topic`; `etalon formats FILE` lists the topics.
 # Example: a log with `file = "run_0.mcap"` without `topic`
@@ -662,14 +665,14 @@ topic-not-stated = the file is a recording (MCAP), and `topic` is missing
 # Example: `topic = "/joint_state"` for the topic `/joint_states`
 topic-missing = the recording has no message of topic `{ $topic }`
 
-# Means: The messages of the topic are larger than etalon reads into memory.
+# Means: The messages of the topic exceed the maximum size in memory.
 # Matters: The recording cannot be read as one table.
 # Do: Cut the recording to the time of the measurements with `ros2 bag convert` or `mcap filter`.
 # Example: a day of joint values at 1 kHz
 topic-too-large = the messages of topic `{ $topic }` are larger than { $most_mib } MiB
     .hint = cut the recording to the time of the measurements: `mcap filter FILE -o SHORTER --start SECONDS --end SECONDS`
 
-# Means: Messages of this type hold no joint values or coordinates that etalon reads.
+# Means: etalon reads no joint values or coordinates from messages of this type.
 # Matters: The topic cannot be a log or an export.
 # Do: State a topic with one of the expected types.
 # Example: `topic = "/tf"`
@@ -692,7 +695,7 @@ topic-encoding-unknown = the messages of topic `{ $topic }` have the encoding `{
 ros-message-malformed = message { $number } of topic `{ $topic }` does not have the layout of its type
     .hint = record without `--compression-mode message`; `ros2 bag convert` writes such a recording again
 
-# Means: A JointState message has another number of positions than of names.
+# Means: A JointState message has different numbers of positions and of names.
 # Matters: It is unknown which joint a position belongs to.
 # Do: Correct the node that publishes the topic.
 # Example: seven names, and six positions because the gripper has none
@@ -701,7 +704,7 @@ joint-state-lengths-differ = message { $number } of topic `{ $topic }` has { $na
     .hint = correct the node that publishes the topic
 
 # Means: A JointState message names a joint twice.
-# Matters: It is unknown which of the two positions is the joint's.
+# Matters: It is unknown which of the two positions is that of the joint.
 # Do: Correct the node that publishes the topic.
 # Example: the driver merges the arm with itself
 joint-state-name-twice = message { $number } of topic `{ $topic }` names the joint `{ $joint }` twice
@@ -723,21 +726,22 @@ ros-messages-of-other-joints = { $count ->
     } without any of the joints in `columns`: published by another node
 
 # Means: The recording (MCAP) has no topic with joint values, poses or points that etalon reads.
-# Matters: The recording holds no measurements, or in messages of another type.
+# Matters: The recording has no measurements, or has them in messages of another type.
 # Do: Record JointState, PoseStamped or PointStamped messages.
 # Example: a recording of camera images
 recording-without-known-topics = the recording has no topic with joint values, poses or points: { $found }
     .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped or geometry_msgs/PointStamped
     .hint = record a topic with one of these types
 
-# Means: The file has no array of numbers of this name, or the part is not written as in its language.
+# Means: The file has no numeric array of this name, or the part is not in the notation of its
+# language.
 # Matters: The column cannot be read.
 # Do: Use an array of the file; `etalon formats FILE` lists them.
 # Example: `q1_rad = "Q(:,1)"` for the variable `q`
-array-missing = the file has no array of numbers `{ $column }`
+array-missing = the file has no numeric array `{ $column }`
 
-# Means: The stated part of an array is not one column or row of it.
-# Matters: It is unknown which numbers are the column.
+# Means: The stated part of an array is not a single column or row.
+# Matters: It is unknown which numbers form the column.
 # Do: Write the part as in Python or MATLAB.
 # Example: `q1_rad = "q"` for a matrix of six columns
 array-part-unknown = `{ $column }` is not one column: `{ $name }` is { $shape }
@@ -745,25 +749,52 @@ array-part-unknown = `{ $column }` is not one column: `{ $name }` is { $shape }
 
 # Means: Two columns of a log have different lengths.
 # Matters: It is unknown which values belong together.
-# Do: State arrays of one recording, and of equal length.
+# Do: State arrays of one recording and of equal length.
 # Example: times at 1 kHz beside joints at 100 Hz
 array-lengths-differ = `{ $first }` has { $count } numbers and `{ $second }` has { $other }
     .expected = columns of equal length
-    .hint = state arrays of one recording; a matrix whose columns are times has its joints in rows
+    .hint = state arrays of one recording; if the columns of a matrix are times, its rows are joints
 
-# Means: The file is damaged, or is not of the stated format.
+# Means: The file is damaged, or has another format than stated.
 # Matters: Its numbers cannot be read.
 # Do: Save the file again.
-# Example: a copy that ended early
+# Example: a copy that was interrupted
 arrays-unreadable = the file cannot be read as arrays of { $format ->
         [numpy] NumPy (.npz, .npy)
        *[matlab] MATLAB (.mat of -v6 or -v7)
     }
     .hint = save it again, or correct `format`
 
-# Means: The arrays are larger than etalon reads into memory.
+# Means: The arrays exceed the maximum size in memory.
 # Matters: The file cannot be read as one table.
 # Do: Save the arrays of the measurement alone.
 # Example: a day of joint values at 10 kHz
 arrays-too-large = the arrays of the file are larger than { $most_mib } MiB
     .hint = save the arrays of the measurement alone
+# Means: The file is a workbook, and no sheet is stated.
+# Matters: A workbook may have several sheets.
+# Do: State the sheet: in `format` of an [[export]], otherwise in the section of the table.
+# Example: `file = "joints.xlsx"` without `sheet`
+sheet-not-stated = the sheet of the workbook is not stated; the workbook has { $sheets }
+    .hint = state the `sheet`
+
+state-sheet = state `sheet = "{ $sheet }"` (option --sheet)
+
+state-column = if it is the column `{ $heading }`, state `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
+row-marked-deleted = left out: it is marked as deleted (`{ $cell }`)
+row-left-out-by-cell = left out: `{ $column }` is `{ $cell }`
+row-without-coordinates = not measured: no coordinates
+row-not-measured = not measured: { $column } is `{ $cell }`
+characteristic-of-no-axis = no coordinate: the name of the characteristic does not end in X, Y or Z
+feature-of-no-point = a feature `{ $kind }`: its point may be anywhere on the feature
+feature-not-read = a feature `{ $kind }`: this kind is not read
+point-incomplete = no point: { $found } without { $missing }
+probe-centre-no-point = a probe centre, not a point of the feature
+
+log-delimited = delimited by `{ $delimiter }`, decimal `{ $decimal }`
+log-of-format = { $format }, { $read }
+log-with-start = { $read }, start { $start }
+read-with-decimal-comma = { $format }, decimal `,`
+
+value-without-label = a value without a label
+primitive-no-point = a primitive of type `{ $kind }`, not a point

@@ -21,21 +21,21 @@ probe-radius-not-positive = the probe radius is { $radius } mm
     .expected = a positive number
     .hint = state the qualified radius of the probe, not its diameter; omit it for contact points
 
-# Means: The side of the probe is stated as inside or outside, and the element has neither.
-# Matters: The fitted plane or line is moved by the probe radius to the wrong side.
+# Means: The side of the probe is stated as inside or outside for an element without an inside.
+# Matters: The plane or line would be moved by the probe radius to an unknown side.
 # Do: State the direction from the element to the probe.
 # Example: `side = "inside"` for a plane
 probe-side-needs-direction = inside and outside are undefined for element { $element }
     .expected = the direction from the element to the probe
     .hint = state three numbers, for example 0,0,1 for a probe above
 
-# Means: The side of the probe is stated by a direction, and the element has an inside.
-# Matters: A direction does not say whether the radius grows or shrinks by the probe radius.
+# Means: The side of the probe is stated by a direction for an element that has an inside.
+# Matters: A direction does not determine whether the probe radius is added or subtracted.
 # Do: State `inside` (a bore) or `outside` (a shaft).
 # Example: `side = [0, 0, 1]` for a cylinder
-probe-side-needs-inside = a direction does not give the side of the probe for element { $element }
+probe-side-needs-inside = a direction does not define the side of the probe for element { $element }
     .expected = inside (a bore) or outside (a shaft)
-    .hint = state where the ball was: inside or outside
+    .hint = state the side of the probe: inside or outside
 
 # Means: The direction to the probe is zero or not finite.
 # Matters: The side of the probe remains unknown.
@@ -45,16 +45,16 @@ probe-direction-zero = the direction { $direction } to the probe has no length
     .expected = three finite numbers, not all zero
     .hint = state the direction from the surface to the probe
 
-# Means: The direction to the probe runs along the element.
-# Matters: It does not tell on which side of the element the probe was.
-# Do: State a direction away from the element.
+# Means: The direction to the probe is parallel to the element.
+# Matters: It does not define the side of the probe.
+# Do: State a direction that points away from the element.
 # Example: `side = [1, 0, 0]` for the plane z = 0
-probe-direction-along-element = the direction { $direction } to the probe runs along element { $element }
+probe-direction-along-element = the direction { $direction } to the probe is parallel to element { $element }
     .expected = a direction away from the element
     .hint = state the direction from the surface to the probe
 
-# Means: The centres of the probe lie on a smaller radius than the probe has.
-# Matters: A probe outside the element would have its centres farther out.
+# Means: The centres of the probe lie on a radius smaller than that of the probe.
+# Matters: Centres of a probe outside the element lie on a larger radius.
 # Do: State the other side: the probe was inside.
 # Example: centres on a radius of 1 mm, `probe_radius_mm = 1.5`, `side = "outside"`
 probe-larger-than-element = a probe of radius { $probe_mm } mm cannot touch element { $element } from outside
@@ -69,7 +69,7 @@ compensated-twice = the fit is already compensated for the probe
     .expected = a fit to probe centres
     .hint = compensate once
 
-# Means: A radius is held, and the element has none.
+# Means: A radius is held for an element without a radius.
 # Matters: The statement has no effect; the element is probably wrong.
 # Do: Omit the radius.
 # Example: `radius_mm = 10` for a plane
@@ -91,9 +91,9 @@ held-radius-not-positive = the held radius is { $radius } mm
 # Example: `radius_mm = 1`, `probe_radius_mm = 1.5`, `side = "inside"`
 held-radius-below-probe = a probe inside element { $element } of radius { $radius } mm has its centres at { $centres } mm
     .expected = a probe smaller than the held radius
-    .hint = state the other side, or the radius
+    .hint = state the other side of the probe, or correct the radius
 
-# Means: An axis is held, and the element has none.
+# Means: An axis is held for an element without an axis.
 # Matters: The statement has no effect; the element is probably wrong.
 # Do: Omit the axis.
 # Example: `axis = [0, 0, 1]` for a sphere
@@ -102,7 +102,7 @@ held-axis-unsupported = element { $element } has no axis
     .hint = omit the axis
 
 # Means: The held axis is zero or not finite.
-# Matters: It gives no direction.
+# Matters: Such an axis has no direction.
 # Do: State the axis as three numbers, not all zero.
 # Example: `axis = [0, 0, 0]`
 held-axis-zero = the held axis { $axis } has no direction
@@ -110,50 +110,50 @@ held-axis-zero = the held axis { $axis } has no direction
     .hint = state the axis
 
 # Means: The search found no element near the points.
-# Matters: Without a start the fit cannot converge.
+# Matters: Without a starting value the fit cannot converge.
 # Do: Check that the points belong to this feature; otherwise hold its axis.
 # Example: a cylinder through points of a plane
-element-not-found = no { $element } could be found through the points
+element-not-found = no { $element } was found near the points
     .expected = points on a { $element }
     .hint = check that the points belong to this feature; otherwise hold the axis
 
-# Means: Another element of the same kind fits the points about as well.
+# Means: Another element of the same type fits the points about equally well.
 # Matters: Radius and axis may be those of the other element.
 # Do: Measure more points where the element is not covered, or hold its axis.
 # Example: six points of a cylinder in two groups
-element-ambiguous = another { $element } fits the points about as well
+element-ambiguous = another { $element } fits the points about equally well
     .hint = measure more points where the element is not covered, or hold the axis
 
 # Means: The fit did not converge, or the points do not determine the element.
 # Matters: Its parameters have no finite uncertainty.
-# Do: Look at the points: too short an arc, too straight, or another element; otherwise hold the
-# radius or the axis.
+# Do: Check the points: the arc may be too short or too straight, or the element may be wrong;
+# otherwise hold the radius or the axis.
 # Example: a circle through points of a straight edge
 element-not-determined = no { $element } could be fitted: { $termination }
     .expected = points that determine a { $element }
-    .hint = check the points: too short an arc, too straight, or another element; otherwise hold the radius or the axis
+    .hint = check the points (short arc, straight line, wrong element), or hold the radius or the axis
 
 # Means: The points lie as close to a plane as to the element.
-# Matters: The minimum zone is then bounded by a plane; the element has no largest radius.
+# Matters: A plane then bounds the minimum zone, and the radius of the element has no upper limit.
 # Do: Measure more of the surface, or evaluate the minimum zone of a plane.
 # Example: points of a sphere of 1 m radius within 5 mm
-zone-flat = no minimum zone of a { $element }: the points lie as close to a plane
-    .expected = points on a part of the surface that is higher than its form deviation
+zone-flat = no minimum zone of a { $element }: the points fit a plane equally well
+    .expected = a measured part of the surface whose height exceeds the form deviation
     .hint = measure more of the surface, or evaluate the minimum zone of a plane
 
 # Means: The points lie as close to a line as to a circle.
-# Matters: The minimum zone is then bounded by lines; the circle has no largest radius.
+# Matters: Lines then bound the minimum zone, and the radius of the circle has no upper limit.
 # Do: Measure a longer arc, or evaluate the minimum zone of a line.
 # Example: points of a circle of 1 m radius within 5 mm
-zone-straight = no minimum zone of a circle: the points lie as close to a line
-    .expected = points on an arc that is higher than its form deviation
+zone-straight = no minimum zone of a circle: the points fit a line equally well
+    .expected = a measured arc whose height exceeds the form deviation
     .hint = measure a longer arc, or evaluate the minimum zone of a line
 
 # Means: etalon has no minimum zone for this element.
-# Matters: Form deviation by minimum zone (ISO 1101) is computed for other elements only.
+# Matters: The form deviation by minimum zone (ISO 1101) is available for other elements only.
 # Do: Use the least-squares fit of this element.
 # Example: `etalon fit --minimum-zone torus points.txt`
-zone-unsupported = minimum zone of a { $element } is not available
+zone-unsupported = the minimum zone of a { $element } is not available
     .expected = line2d, plane, circle2d, circle3d, sphere, cylinder or cone
     .hint = use the least-squares fit
 
@@ -168,13 +168,13 @@ point-counts-differ = { $from } points cannot be paired with { $to }
 # Means: More than one rotation brings one set of points equally close to the other.
 # Matters: The transform is not determined.
 # Do: Check the order of the targets; a mirror image or symmetric targets have no single rotation.
-# Example: targets of a square named in a mirrored order
+# Example: the corners of a tetrahedron and their mirror images
 rotation-ambiguous = no rigid transform can be fitted: more than one rotation fits equally well
     .expected = two sets of points of the same shape
     .hint = check that both lists name the targets in the same order and that neither is a mirror image
 
 # Means: Residuals leave the rotation uncertain by more than about a degree.
-# Matters: Frames that follow from it are uncertain by as much.
+# Matters: Frames computed from the rotation have the same uncertainty.
 # Do: Use targets farther apart, and check their names.
 # Example: two targets exchanged in one list
 rotation-uncertain = the rotation has an expanded uncertainty of { FIXED($expanded_deg, 1) } deg (k = 2)
@@ -193,7 +193,7 @@ too-few-points = { $count ->
 
 # Means: A coordinate is infinite, not a number or absurdly large.
 # Matters: The fit would be undefined.
-# Do: Look at this point in the export.
+# Do: Check this point in the export.
 # Example: a point with x = 1e300
 point-not-finite = point { $number } of the { $element } is { $coordinates }
     .expected = finite coordinates in millimetres
@@ -209,7 +209,7 @@ points-degenerate = no { $element } can be fitted: { $spanned ->
        *[other] all points lie in one plane
     }
     .expected = points that are { $spanned ->
-            [0] apart from each other
+            [0] at different positions
             [1] not on one line
            *[other] not in one plane
         }
@@ -217,11 +217,11 @@ points-degenerate = no { $element } can be fitted: { $spanned ->
 
 # Means: The weights of points are missing, not positive or too different.
 # Matters: Weighted least squares need one positive weight for each point.
-# Do: Use 1/u² of each point; leave a point out instead of giving it no weight.
+# Do: Use 1/u² of each point; omit a point instead of giving it the weight zero.
 # Example: a weight of 0
 weights-unusable = the { $weights } weights of the { $element } do not fit its { $points } points
     .expected = one positive finite weight for each point, within a factor 1e12 of each other
-    .hint = use 1/u² of each point; leave a point out instead of giving it no weight
+    .hint = use 1/u² of each point; omit a point instead of giving it the weight zero
 
 # Means: The element has as many points as parameters.
 # Matters: Residuals are zero, and no uncertainty can be stated.
@@ -230,8 +230,8 @@ weights-unusable = the { $weights } weights of the { $element } do not fit its {
 element-without-redundancy = the { $element } has no redundant point: residuals are zero and its uncertainty is unknown
     .hint = measure more points than the minimum
 
-# Means: The expanded uncertainty of the radius exceeds a tenth of it.
-# Matters: Size and centre of the element are hardly determined.
+# Means: The expanded uncertainty of the radius exceeds a tenth of the radius.
+# Matters: Size and centre of the element are poorly determined.
 # Do: Measure a longer arc, or hold the radius at its nominal value.
 # Example: a circle of 100 mm radius measured over 10 deg
 radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } has an expanded uncertainty of { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
@@ -246,3 +246,13 @@ radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } ha
 # Example: a cone through points of a cylinder
 cone-is-cylinder = the apex angle of the cone is not distinguishable from zero (k = 2)
     .hint = fit a cylinder
+
+# Means: A robust fit has fewer points than three times the minimum of the element.
+# Matters: Which points are foreign cannot be told from so few.
+# Do: Measure more points, or fit without `--robust`.
+# Example: a sphere through eight points with `--robust`
+robust-few-points = a robust fit of the { $element } needs { $needed } points, not { $points }
+    .hint = measure more points, or fit all of them without setting any aside
+method-principal-directions = principal directions of the centred points
+method-orthogonal-distance = orthogonal distance, Gauss-Newton in a trust region
+method-circle-in-plane = least-squares plane, projection, circle in the plane by orthogonal distance

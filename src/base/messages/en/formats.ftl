@@ -2,17 +2,17 @@
 
 # Means: `columns` of a format names an orientation, or uncertainties, in two forms.
 # Matters: Only one form can be read; the other may differ from it.
-# Do: Leave the columns of one form out of `columns`.
+# Do: Remove the columns of one form from `columns`.
 # Example: `columns = ["x", "y", "z", "qw", "qx", "qy", "qz", "rx_deg", "ry_deg", "rz_deg"]`
 columns-in-two-forms = `columns` names { $quantity ->
         [orientation] two forms of the orientation
        *[uncertainty] standard and expanded uncertainties
     }
-    .hint = leave the columns of one form out
+    .hint = remove the columns of one form
 
-# Means: Columns that belong together are named in part.
+# Means: `columns` names only some of the columns that belong together.
 # Matters: A quaternion, a rotation matrix or a direction is undefined without all its numbers.
-# Do: Name the missing columns, or none of the group.
+# Do: Name all columns of the group, or none.
 # Example: `columns = ["x", "y", "z", "i", "j"]`: the column `k` is missing
 column-group-incomplete = `columns` names only some of { $names }
     .hint = name all of them, or none
@@ -26,7 +26,8 @@ key-needs-columns = `{ $key }` needs the columns { $columns }
 
 # Means: The columns u95x, u95y, u95z hold expanded uncertainties, and their coverage factor is
 # unknown.
-# Matters: The standard uncertainty is the expanded one divided by the coverage factor (GUM 6.2).
+# Matters: The standard uncertainty is the expanded uncertainty divided by the coverage factor (GUM
+# 6.2).
 # Do: State the factor from the certificate or the manual of the instrument.
 # Example: a column `u95x` in `format` without `coverage_factor`
 coverage-factor-missing = expanded uncertainties need their `coverage_factor`
@@ -45,8 +46,8 @@ uncertainty-column-count = `columns` names { $stated ->
     }
     .expected = one for each coordinate ({ $names }), or none
 
-# Means: The format of delimited text states no separation of the columns, or several.
-# Matters: Without it a row cannot be split; the separation is never guessed.
+# Means: The format of delimited text states no separation of columns, or more than one.
+# Matters: The separation of columns is never guessed.
 # Do: State one of the three keys.
 # Example: `format = { columns = ["x", "y", "z"] }`
 column-separation-unclear = the format states { $stated ->
@@ -64,7 +65,7 @@ column-width-zero = a column of `widths` is 0 characters wide
     .hint = state the number of characters of each column
 
 # Means: `columns` names more columns than `widths` describes.
-# Matters: The last columns have no place in the row.
+# Matters: The last columns have no position in the row.
 # Do: State a width for each column.
 # Example: `widths = [8, 10]` with `columns = ["x", "y", "z"]`
 more-columns-than-widths = `columns` names { $columns } columns, `widths` has { $widths }
@@ -92,7 +93,7 @@ thousands-mark-ambiguous = the thousands mark `{ $mark }` is also the { $other -
 # Do: Correct the role, or give the unused column the role `-`.
 # Example: `columns = ["label", "x", "y", "y"]`
 column-role-twice = `columns` names `{ $role }` twice
-    .hint = correct one of them; a column that is not read is `-`
+    .hint = correct one of them; the role `-` marks a column that is not read
 
 # Means: `columns` names coordinates of a fixed kind and coordinates whose kind each row states.
 # Matters: A row would have two positions.
@@ -102,17 +103,18 @@ coordinates-of-two-kinds = `columns` names both coordinates of a fixed kind and 
     .expected = either x, y, z or angles and distances, or c1, c2, c3
 
 # Means: The meaning of the columns c1, c2, c3 is not stated.
-# Matters: Each row states its coordinate type; without the table of types the numbers mean nothing.
+# Matters: Each row states its coordinate type; the meaning of its numbers depends on the table of
+# types.
 # Do: Name a column `type`, and state the coordinates of each type in `types`.
 # Example: `columns = ["label", "c1", "c2", "c3"]` without `types`
 row-types-missing = columns c1, c2, c3 need a column `type` and the key `types`
     .hint = for example `types = {"{"} 0 = ["x", "y", "z"], 7 = ["azimuth", "zenith", "distance"] {"}"}`
 
-# Means: A coordinate type of a file has another number of coordinates than three.
+# Means: A coordinate type does not have three coordinates.
 # Matters: c1, c2 and c3 each need a meaning.
 # Do: State three coordinates for each type, and name c1, c2 and c3 in `columns`.
 # Example: `types = { 0 = ["x", "y"] }`
-row-type-incomplete = `{ $key }` does not state what c1, c2 and c3 are
+row-type-incomplete = `{ $key }` does not state the meaning of c1, c2 and c3
     .expected = three coordinates, and c1, c2, c3 in `columns`
 
 # Means: The named columns do not form the coordinates of one point.
@@ -147,22 +149,22 @@ coordinate-type-differs = `coordinates` states { $stated ->
     } coordinates
     .hint = correct one of them
 
-# Means: A column is given by its heading, and the file is stated to have no header row.
+# Means: A column is given by its heading, and the format states no header row.
 # Matters: The column cannot be found.
 # Do: State `header = 1`, or give the number of the column.
 # Example: `columns = { x = "X" }` without `header`
 header-not-stated = `columns` names the heading `{ $column }`, and no header row is stated
     .hint = state `header = 1`, or give the number of the column
 
-# Means: The expression of a computed column is incomplete or uses an unknown sign.
+# Means: The expression of a computed column is incomplete or has an unknown sign.
 # Matters: The values of the column cannot be computed.
 # Do: Write headings, numbers of columns and numbers with + - * / and brackets between them.
 # Example: `x_mm = "x_t -"`
 expression-malformed = cannot read the expression `{ $expression }`: { $fault ->
         [too-long] it is longer than 1000 characters
-        [left-over] `{ $rest }` is left over
+        [left-over] `{ $rest }` at the end is superfluous
         [brackets-too-deep] its brackets are nested too deeply
-        [too-many-signs] it has too many signs
+        [too-many-signs] it has too many operators
         [bracket-open] a bracket is not closed
         [column-number] `$` is not followed by the number of a column, from 1
        *[incomplete] a column or a number is missing
@@ -171,24 +173,24 @@ expression-malformed = cannot read the expression `{ $expression }`: { $fault ->
 
 # Means: The file has no column of this name.
 # Matters: The values of the column are needed.
-# Do: Write the name as the header of the file does.
+# Do: Write the name as in the header of the file.
 # Example: `columns = { rho3_mm = "RP33" }` for a header with RP1, RP2 and RP3
-column-unknown = there is no column `{ $column }`
+column-unknown = unknown column `{ $column }`
 
 # Means: A table could not be built or written.
-# Matters: The command cannot go on.
-# Do: Report the error: the input should not be able to cause it.
+# Matters: The command cannot continue.
+# Do: Report the error as a defect of etalon.
 # Example: two columns of different lengths
 table-failed = cannot build the table: { $reason }
 
 # Means: A column of whole numbers holds another value.
-# Matters: Rows are matched by these numbers; 1.5 matches nothing.
+# Matters: Rows are matched by these whole numbers.
 # Do: Correct the cell, or read another column.
 # Example: `1.5` in the column `cycle`
 not-whole-number = `{ $value }` in the column `{ $column }` is not a whole number
 
-# Means: A table in the output folder is not as the run wrote it.
-# Matters: Results that are computed from it would be wrong.
+# Means: A table in the output folder was changed or damaged after the run.
+# Matters: Results computed from it would be wrong.
 # Do: Run the campaign again.
 # Example: `observations.parquet` of another run, copied into the output folder
 stored-table-damaged = the stored table is damaged: { $reason }
@@ -224,10 +226,10 @@ count-value-missing = `{ $key }` does not state the value of one count: Galil ar
     .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count in the unit of the key
 
 # Means: An array of a Galil controller has an empty cell before its end.
-# Matters: An array ends early when it is short, but has no holes: the upload is damaged.
+# Matters: A short array ends early, but has no empty cells in between: the upload is damaged.
 # Do: Upload the array again.
 # Example: an empty cell in row 3 of 10
-galil-array-hole = the array of `{ $column }` has a hole
+galil-array-hole = the array of `{ $column }` has an empty cell before its end
     .hint = upload the array again
 
 galil-array-ended = no count: the array of { $columns } has ended
@@ -240,12 +242,13 @@ galil-array-empty = one of the arrays is empty
     .hint = upload the arrays again after the recording has ended
 
 # Means: A value of an array is not a whole number of 32 bits.
-# Matters: A Galil controller records encoder counts; this file was scaled or comes from elsewhere.
-# Do: Read a scaled file as delimited text: leave `format = "galil"` out.
+# Matters: A Galil controller records encoder counts; this file was scaled, or another program wrote
+# it.
+# Do: Read a scaled file as delimited text: omit `format = "galil"`.
 # Example: `3.5` in an array
 not-a-count = { $value } is not an encoder count
     .expected = a whole number of 32 bits
-    .hint = if the values are scaled, leave `format = "galil"` out
+    .hint = if the values are scaled, omit `format = "galil"`
 
 # Means: A counter jumped by more than half of its range.
 # Matters: The counter wrapped: joint values before and after the jump do not belong together.
@@ -256,22 +259,22 @@ counter-wrapped = the counter wrapped: { $to } follows { $from }
 
 # Means: The cycle counter IPOC of a KUKA RSI recording skips cycles.
 # Matters: Samples are missing: telegrams were lost.
-# Do: Record again on a computer that answers in time, if the gaps lie in a motion that is used.
+# Do: If the gaps lie in a motion that is evaluated, record again with a faster computer.
 # Example: IPOC 12, 16, 24 for a cycle of 4 ms
 rsi-cycles-missing = { $count ->
         [one] 1 row
        *[other] { $count } rows
     } where `IPOC` does not advance by { $step_ms } ms
-    .hint = telegrams were lost: the recording computer was late
+    .hint = telegrams were lost, because the recording computer was too slow; record again if the gaps matter
 
 # Means: The rows of a ROS recording name joints in different orders.
-# Matters: Two publishers share the topic, so that a column holds two joints.
+# Matters: Two publishers share the topic, so a column mixes two joints.
 # Do: Record each publisher into a file of its own.
 # Example: `field.name0` is `shoulder` in one row and `elbow` in another
 ros-joints-change = joint { $number } is `{ $found }` in this row and `{ $first }` in the first row
     .hint = two publishers share the topic: record each into its own file
 
-# Means: A key of `columns` is neither a common column of logs nor a joint with a unit.
+# Means: A key of `columns` is neither a standard column of logs nor a joint with a unit.
 # Matters: The unit of the values is unknown.
 # Do: Write the joint with its unit.
 # Example: `columns = { q1 = "RP1" }`
@@ -305,11 +308,11 @@ log-key-inapplicable = `{ $key }` does not apply to { $column ->
        *[other] channels of a TwinCAT export have their own times: remove `{ $key }`
     }
 
-# Means: The key of a column states another unit than the controller writes.
+# Means: The unit in the key of a column differs from the unit that the controller writes.
 # Matters: Joint values would be wrong by the factor between the units.
 # Do: Write the key with the unit of the column.
 # Example: `q1_deg = "actual_q_0"` for UR RTDE, which records rad
-column-unit-differs = `{ $key }` states { $stated }, `{ $column }` is in { $known ->
+column-unit-differs = `{ $key }` states { $stated }, but `{ $column }` is in { $known ->
         [wall-clock] whole seconds of a wall clock; the clock of this log is `IPOC`
        *[other] { $known }
     }
@@ -332,9 +335,9 @@ header-words-missing = no line holds the words of the header: { $words }
 data-rows-missing = the file has no data rows
     .hint = export it again; if its only row holds values, state `header = false`
 
-# Means: A row has another number of fields than the others, than its columns or than its format.
+# Means: The number of fields in a row differs from the other rows, the columns or the format.
 # Matters: Its values would be read from the wrong columns.
-# Do: Correct the row: a delimiter is missing or surplus. A decimal comma in a file separated by
+# Do: Correct the row: a delimiter is missing or superfluous. A decimal comma in a file separated by
 # commas adds fields. A file that was cut off lacks fields.
 # Example: `1;2;3` below the header `a;b`
 row-field-count = the row has { $fields ->
@@ -361,18 +364,18 @@ state-delimiter = state `delimiter = "{ $delimiter }"` and `decimal = "{ $decima
 state-delimiter-of-rows = state `delimiter` and `decimal` of the rows
 
 # Means: The row that should name the columns holds numbers.
-# Matters: The file has no header: every row would be read one too late.
+# Matters: The file has no header: its first row of values would be lost.
 # Do: State `header = false`, and give columns by number.
 # Example: a log whose first line is `1,0.5,0.7`
-header-holds-numbers = the header row holds only numbers
+header-holds-numbers = the header row contains numbers instead of names
     .hint = if the file has no header, state `header = false` and give columns by number
 
 # Means: A column is given by its number, and its number changes between files of this format.
-# Matters: Another joint would be read without notice.
+# Matters: Another joint would be read without a message.
 # Do: Give the name of the column.
 # Example: `q1_mm = { number = 1, per_count = 0.001 }` for `format = "galil"`
 column-by-number = a column of this format cannot be given by its number: { $format ->
-        [galil] arrays are in alphabetical order, whatever joints they belong to
+        [galil] arrays are in alphabetical order, not in the order of joints
         [ros] the order of joints is arbitrary
        *[twincat] the order of channels differs between exports
     }
@@ -382,11 +385,11 @@ column-by-number = a column of this format cannot be given by its number: { $for
 # Matters: The column does not exist.
 # Do: Count the columns from 1.
 # Example: `q5_deg = 9` for a file with five columns
-column-number-unknown = there is no column { $number }
+column-number-unknown = column { $number } does not exist
     .expected = a number from 1 to { $columns }
 
-# Means: The header names a column several times, and it is not stated which one is meant, or a
-# number is stated that does not exist.
+# Means: The header names a column several times, and the campaign does not state which one is
+# meant, or states a number that does not exist.
 # Matters: The columns hold different values.
 # Do: State `occurrence`, counted from 1.
 # Example: `target_current_0` in a UR RTDE recording, which has it twice
@@ -395,17 +398,17 @@ heading-repeated = the header has { $times ->
        *[other] { $times } columns
     } `{ $column }`
     .expected = an `occurrence` from 1 to { $times }
-    .hint = state which: `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
+    .hint = state its number: `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
 
 log-row-needs-values = read the log from the controller again, or remove the row: every row needs its values
 
 # Means: The assembly mode of a row is neither 1 nor -1.
 # Matters: The mode selects one of the solutions of the direct kinematics.
-# Do: Correct the cell. If the mode is unknown, leave the column out: the nearer solution is taken.
+# Do: Correct the cell. If the mode is unknown, omit the column: the nearer solution is then used.
 # Example: 0 in the column `assembly`
 assembly-mode-invalid = the assembly mode is { $value }
     .expected = 1 or -1
-    .hint = correct it; if the mode is unknown, leave the column `assembly` out
+    .hint = correct it; if the mode is unknown, omit the column `assembly`
 
 # Means: The log has no time span in which all joints stay within the stated limits for long enough.
 # Matters: Without standstills no joint values can be assigned to measured points.
@@ -414,15 +417,15 @@ assembly-mode-invalid = the assembly mode is { $value }
 standstill-missing = the robot of log `{ $log }` is never at a standstill for { $at_least_s } s
     .hint = its longest standstill within the limits lasts { FIXED($longest_s, 3) } s: check `at_least_s` and the limits
 
-# Means: Standstills are to be found in a log without times.
+# Means: The search for standstills needs times, and the log has none.
 # Matters: The duration of a standstill is unknown.
 # Do: State the column of the time, or the period of the log.
 # Example: [log.standstill] without `time_s` in `columns`
 standstill-time-missing = [log.standstill] needs the times of the rows
     .hint = state `time_s`, `time_ms` or `time_ns` in `columns`, or `period_s`
 
-# Means: [log.standstill] has no limit for a kind of joint that the log holds.
-# Matters: It is unknown when this joint stands still.
+# Means: [log.standstill] has no limit for a kind of joint in the log.
+# Matters: The limit defines when this joint stands still.
 # Do: State the largest difference that the encoder shows at a standstill.
 # Example: a log with `q1_deg`, and [log.standstill] without `within_deg`
 standstill-limit-missing = [log.standstill] has no limit for `{ $column }`
@@ -437,10 +440,10 @@ changes-at-standstill = `{ $column }` changes from { $from } to { $to } within a
 
 # Means: Two keys of `columns` have the same column in a log to simulate.
 # Matters: A column holds one quantity.
-# Do: Give each key a column of its own.
+# Do: Give each key its own column.
 # Example: `columns = { q1_deg = 1, q2_deg = 1 }`
 simulated-column-clash = the column of `{ $key }` cannot be simulated
-    .expected = a column of its own for each key, at most { $most } columns
+    .expected = one column for each key, at most { $most } columns
 
 # Means: `columns` names a quantity that the simulation does not produce.
 # Matters: The log cannot be written.
@@ -464,10 +467,10 @@ twincat-two-scales = channel `{ $channel }` has a scale, and so has its unit
 
 # Means: A channel has a scale factor or offset, and the file does not state whether it is applied.
 # Matters: Joint values would be wrong by this factor.
-# Do: State `values` as the option of the export was set.
+# Do: State `values` according to the option of the export.
 # Example: `ScaleFactor` 0.001 in the head of the export, and no `values` in [log]
-twincat-scale-undecided = channel `{ $channel }` has a scale (factor and offset { $scale }, of its unit { $unit_scale }): it is unknown whether it is applied
-    .hint = state `values = "raw"` or `values = "scaled"`, as the export was set
+twincat-scale-undecided = channel `{ $channel }` has a scale (factor and offset { $scale }; its unit { $unit_scale }): it is unknown whether the values are scaled
+    .hint = state `values = "raw"` or `values = "scaled"`, according to the option of the export
 
 # Means: A channel has values again after empty cells.
 # Matters: Each channel of a TwinCAT export ends once: the file was edited or damaged.
@@ -476,16 +479,17 @@ twincat-scale-undecided = channel `{ $channel }` has a scale (factor and offset 
 channel-resumes = channel `{ $channel }` continues after its end
     .hint = export the recording again
 
-# Means: The wanted channels have no time in common.
+# Means: The selected channels have no time in common.
 # Matters: A row of the log needs the values of all joints at one time; nothing is interpolated.
 # Do: Export channels of one task with one sample time.
 # Example: channels sampled at 0, 2, 4 ms and at 1, 3, 5 ms
 channels-without-common-time = these channels have no time in common
     .hint = export channels of one task with one sample time
 
-# Means: A channel has samples at times at which another wanted channel has none.
+# Means: A channel has samples at times at which another selected channel has none.
 # Matters: These samples are left out; nothing is interpolated.
-# Do: Nothing, if the rest is dense enough; otherwise export channels of one sample time.
+# Do: Nothing, if the remaining samples are dense enough; otherwise export channels of one sample
+# time.
 # Example: a channel of 1 ms beside a channel of 2 ms
 channel-samples-unused = channel `{ $channel }`: { $count ->
         [one] 1 sample
@@ -503,18 +507,18 @@ twincat-head-malformed = this is not a TwinCAT 3 Scope export: { $part ->
     }
     .hint = export the recording as CSV again, or state another `format`
 
-# Means: A row of the head has another number of fields than the row of names.
-# Matters: The separator is also the decimal mark of the operating system, or part of a name.
+# Means: A row of the head and the row of names have different numbers of fields.
+# Matters: The separator also occurs as the decimal mark, or in a name.
 # Do: Export again, separated by tabs or semicolons.
 # Example: an export separated by commas on a computer with decimal comma
 twincat-head-ragged = row `{ $row }` of the head has { $fields } fields, the row of names { $width }: the separator also occurs in values or names
     .hint = export again, separated by tabs or semicolons
 
 # Means: The fields of a TwinCAT export are separated by blanks.
-# Matters: A blank is also a missing value and part of names.
+# Matters: Blanks also stand for missing values and occur in names.
 # Do: Export again, separated by tabs or semicolons.
 # Example: a first line `Name scope`
-twincat-separated-by-blanks = the export is separated by blanks, and a blank is also a missing value and part of names
+twincat-separated-by-blanks = the export is separated by blanks, which also stand for missing values and occur in names
     .hint = export again, separated by tabs or semicolons
 
 # Means: A scale factor or offset in the head of a TwinCAT export is not a number.
@@ -524,7 +528,7 @@ twincat-separated-by-blanks = the export is separated by blanks, and a blank is 
 channel-scale-not-number = `{ $key }` of channel `{ $channel }` is `{ $value }`, not a number
     .hint = export the recording again
 
-# Means: The campaign states another delimiter than the export itself.
+# Means: The delimiter of the campaign differs from that of the export.
 # Matters: Rows would not be split.
 # Do: Remove `delimiter` from this log.
 # Example: `delimiter = ";"` for an export separated by tabs
@@ -532,12 +536,12 @@ delimiter-differs = the export is separated by { $separator }
     .hint = remove `delimiter` from this log: the export states it
 
 # Means: Two tables have different coordinates: one has z or an angle that the other lacks.
-# Matters: Errors are differences of the same coordinates.
-# Do: Give both tables the same coordinates; planar robots leave z out in both.
+# Matters: An error is the difference of two positions in the same coordinates.
+# Do: Give both tables the same coordinates; planar robots omit z in both.
 # Example: attained poses with x, y, z and commanded poses with x, y
 coordinates-differ = attained and commanded positions have different coordinates
     .expected = the coordinates of `{ $file }`
-    .hint = planar robots leave `z_mm` out in both tables
+    .hint = planar robots omit `z_mm` in both tables
 
 # Means: A coordinate or an angle of a row is empty, infinite or not a number.
 # Matters: The row has no position.
@@ -547,7 +551,7 @@ coordinate-missing = a coordinate is missing or non-finite
     .hint = complete the cell, or remove the row
 
 # Means: The table has columns that this command does not know.
-# Matters: They have no influence; a misspelled name would be ignored too.
+# Matters: They have no influence; a misspelled name would also be ignored.
 # Do: Check the names.
 # Example: a column `aproach`
 columns-not-read = not read: { $count ->
@@ -555,16 +559,15 @@ columns-not-read = not read: { $count ->
        *[other] columns
     } { $columns }
 
-# Means: robot.toml states backlash of a joint, and the table lacks the direction from which the
-# joint came.
+# Means: robot.toml states backlash of a joint, and the table lacks its direction of approach.
 # Matters: The sign of the backlash depends on this direction.
-# Do: Add the column. A campaign takes it from a log with times.
+# Do: Add the column. A campaign derives the direction from a log with times.
 # Example: `backlash = ["q2"]` and a table without `q2_direction`
-joint-direction-missing = `backlash` of joint `{ $joint }` needs the direction from which it came
-    .expected = a column `{ $column }`: +1 where it came from below, -1 from above
-    .hint = a campaign takes it from a log with times; or remove the joint from `backlash` of the robot file
+joint-direction-missing = `backlash` of joint `{ $joint }` needs the direction of approach of the joint
+    .expected = a column `{ $column }`: +1 from below, -1 from above
+    .hint = use a log with times, or remove the joint from `backlash` of the robot file
 
-# Means: The direction from which a joint came is neither +1 nor -1.
+# Means: The direction of approach of a joint is neither +1 nor -1.
 # Matters: The sign of the backlash depends on this direction.
 # Do: Correct the cell.
 # Example: 0 in the column `q2_direction`
@@ -572,7 +575,7 @@ joint-direction-invalid = `{ $column }` is { $value ->
         [missing] missing
        *[other] { $value }
     }
-    .expected = +1 where `{ $joint }` came from below, -1 from above
+    .expected = +1 if `{ $joint }` came from below, -1 from above
 
 # Means: The table has two columns of one joint, in different units.
 # Matters: The two may differ.
@@ -598,7 +601,7 @@ pose-not-commanded = pose { $pose } is not among the commanded poses
     .hint = add it to `{ $file }`, or correct its name
 
 # Means: A pose was attained twice in one cycle.
-# Matters: Repeated visits would count as one, or readings of one visit as several.
+# Matters: Repeated visits would be counted as one visit, or readings of one visit as several.
 # Do: Number the cycles; name approaches in `approach`; number readings of one visit in `reading`.
 # Example: two rows with pose 1 and cycle 1
 pose-attained-twice = pose { $pose } was attained twice in cycle { $cycle }
@@ -625,46 +628,45 @@ recording-time-missing = the recording has no time column
     .expected = a column `time_s`, or the sampling rate
     .hint = state the rate of the instrument: `--rate-hz 1000`, in a campaign `rate_hz = 1000`
 
-state-sampling-rate = state the sampling rate (`--rate-hz`): time stamps coarser than the sampling give no times
+state-sampling-rate = state the sampling rate (`--rate-hz`): the time stamps are coarser than the sampling
 
-# Means: More than 1 % of the samples are more than 20 m/s from the sample before.
-# Matters: No industrial robot moves as fast: the sampling rate, the unit or the order is wrong.
+# Means: The velocity of more than 1 % of the samples exceeds 20 m/s.
+# Matters: No industrial robot moves so fast: the sampling rate, the unit or the order is wrong.
 # Do: Check the sampling rate, the unit, and the order of the samples.
 # Example: a recording in m that is stated to be in inch
-recording-implausible = { $count } of { $samples } samples are faster than 20 m/s: no robot moves as fast
+recording-implausible = { $count } of { $samples } samples are faster than 20 m/s: no robot moves so fast
     .hint = check the sampling rate, the unit and the order of the samples
 
-# Means: Positions are compensated for the drift of the set-up by reference targets, and angles are
-# not.
+# Means: Reference targets compensate the drift of positions, but not that of angles.
 # Matters: Orientation errors contain the rotation of the set-up.
 # Do: State all three angles and the order of their rotations.
-# Example: a table with `c_deg` alone for a robot in space
+# Example: a table with `c_deg` alone for a spatial robot
 angles-not-compensated = angles are not compensated for drift by the reference targets
     .expected = all of a_deg, b_deg, c_deg (for a planar robot c_deg) and the order of their rotations
     .hint = state the order: `--rotation-order "Rz(c) Ry(b) Rx(a)"`, in a campaign `rotation_order`
 
-# Means: Near an orientation the order of rotations does not separate two of the angles.
-# Matters: The angles after compensation for drift are undefined.
+# Means: At this orientation, two of the three rotations have the same axis.
+# Matters: The angles after compensation of the drift are undefined.
 # Do: State another order of rotations.
 # Example: b = 90 deg with the order Rz(c) Ry(b) Rx(a)
 angles-not-separable = angles of pose { $pose }, cycle { $cycle } are undefined: two rotations have the same axis
     .hint = state another order of rotations
 
-# Means: A cycle was measured before the reference targets were measured for the first time.
+# Means: A cycle was measured before the first measurement of the reference targets.
 # Matters: Its drift is unknown.
 # Do: Measure the reference targets before the test.
 # Example: cycles from 1 and reference targets from cycle 2
 cycle-before-reference-targets = cycle { $cycle } was measured before any reference target
-    .hint = measure the reference targets before the test; the first are of cycle { $first }
+    .hint = measure the reference targets before the test; their first measurement is in cycle { $first }
 
 # Means: A reference target has two positions in one cycle.
-# Matters: It is unknown which of them holds.
+# Matters: It is unknown which of them is valid.
 # Do: Remove one of the rows, or correct the name.
 # Example: two rows with target `a` and cycle 1
 reference-target-twice = the reference target `{ $target }` was measured twice in cycle { $cycle }
     .hint = remove one of the rows, or correct its name
 
-# Means: The reference targets of a cycle are not those of the first cycle.
+# Means: The reference targets of a cycle differ from those of the first cycle.
 # Matters: Drift is the change of the same targets.
 # Do: Measure the same targets each time.
 # Example: targets a, b, c in cycle 1, and a, b in cycle 3
@@ -678,11 +680,11 @@ reference-targets-differ = the reference targets of cycle { $cycle } differ from
 observation-column-unknown = `{ $column }` is not a column of observations
     .hint = coordinates and joints end with their unit: x_mm, q1_deg; docs/observations.md lists all columns
 
-# Means: A column of the file is stated to be two quantities.
+# Means: The same column of the file is stated for two quantities.
 # Matters: One of the statements is wrong.
 # Do: Correct one of them.
 # Example: `columns = { q1_deg = "J1", q2_deg = "J1" }`
-column-stated-twice = the column `{ $column }` is stated as `{ $first }` and as `{ $second }`
+column-stated-twice = the column `{ $column }` is stated for both `{ $first }` and `{ $second }`
     .hint = correct one of them
 
 # Means: Several columns have the same heading.
@@ -692,7 +694,7 @@ column-stated-twice = the column `{ $column }` is stated as `{ $first }` and as 
 heading-twice = the header names `{ $column }` more than once
     .hint = rename or remove one of the columns
 
-# Means: A quantity is stated for all rows, and the table has a column of it.
+# Means: A quantity is stated for all rows, and the table also has a column for it.
 # Matters: The two may differ.
 # Do: State one of them.
 # Example: `target = "ball"` for a table with a column `target`
@@ -717,7 +719,7 @@ computed-not-finite = the computed value of `{ $column }` is { $value }
 # Matters: The name is written to tables again, and a spreadsheet would execute it.
 # Do: Rename it.
 # Example: `=1+1` in the column `target`
-name-is-formula = the name `{ $name }` in the column `{ $column }` would be a formula in a spreadsheet
+name-is-formula = a spreadsheet would take the name `{ $name }` in the column `{ $column }` for a formula
     .hint = use a name that does not begin with = + - or @
 
 # Means: The file has no bytes.
@@ -727,10 +729,10 @@ name-is-formula = the name `{ $name }` in the column `{ $column }` would be a fo
 file-empty = the file is empty
     .hint = export it again
 
-# Means: The file is recognised as a document that holds no measured points and no joint values.
+# Means: The file is a known kind of document without measured points or joint values.
 # Matters: No reading is proposed for it.
-# Do: Export the points, or write the numbers as CSV: one row for each point or pose, the names of
-# the columns above.
+# Do: Export the points, or write the numbers as CSV: one row for each point or pose, below a row
+# with the names of the columns.
 # Example: `etalon formats robot.yaml`
 file-without-points = this is { $kind ->
         [json] a JSON document
@@ -744,10 +746,10 @@ file-without-points = this is { $kind ->
     .hint = { $kind ->
         [certificate] name the file of the measured points
         [roughness] name the file of the measured points
-       *[other] write the numbers as CSV: one row for each point or pose, the names of the columns above
+       *[other] write the numbers as CSV: one row for each point or pose, below a row with the names of the columns
     }
 
-# Means: No delimiter and decimal mark split the file into rows with at least two numbers.
+# Means: With every delimiter and decimal mark, the rows of the file have fewer than two numbers.
 # Matters: The file holds neither points nor joint values in a form that can be read.
 # Do: Export the points as text, one row each.
 # Example: `etalon formats letter.txt`
@@ -757,30 +759,30 @@ no-rows-of-numbers = { $file ->
     } rows with two or more numbers
     .hint = export the points as text, one row each
 
-robot-does-not-test = a robot of the model `{ $model }` does not test the proposal: its flange has no free pose in space
+robot-does-not-test = the proposal cannot be tested with a robot of the model `{ $model }`: its flange has no free pose in space
 
-robot-not-tested = the nominal robot does not test the proposal: { $fewest } rows with joints and coordinates that span space are needed
+robot-not-tested = the proposal cannot be tested with the nominal robot: at least { $fewest } rows with joints are needed, with coordinates that span space
 
 robot-contradicts = the nominal robot does not reproduce { $points } with any order, direction and unit of the joints that was tried{ $known ->
-        [yes] ; the best leaves { FIXED($rms_mm, 2) } mm (root mean square)
+        [yes] ; the smallest residual is { FIXED($rms_mm, 2) } mm (root mean square)
        *[no] {""}
     }
 
-robot-ambiguous = the data do not determine order and direction of { $joints }: another reading leaves { FIXED($rms_mm, 3) } mm (root mean square)
+robot-ambiguous = the data do not determine order and direction of { $joints }: another choice leaves { FIXED($rms_mm, 3) } mm (root mean square)
 
 robot-units-ambiguous = the data do not determine the units of the joints: another unit leaves { FIXED($rms_mm, 3) } mm (root mean square)
 
-robot-finds-targets = with a target for each value of { $column } the nominal robot reproduces the coordinates
+robot-finds-targets = the nominal robot reproduces the coordinates if each value of { $column } is a target of its own
 
-robot-contradicts-unit = the heading of { $column } states { $stated }, and the kinematics of the nominal robot fit with { $unit }
+robot-contradicts-unit = the heading of { $column } states { $stated }, but the kinematics of the nominal robot fit with { $unit }
 
 robot-reverses = { $column } counts against the direction of `{ $joint }`: the nominal robot fits with the opposite sign
 
 robot-orders = the nominal robot fits with the joints in the order { $columns }
 
-robot-reproduces = the nominal robot reproduces { $points } in { $unit } with a residual of { FIXED($rms_mm, 4) } mm (root mean square of { $rows } rows, base and target free)
+robot-reproduces = the nominal robot reproduces { $points } in { $unit } with a residual of { FIXED($rms_mm, 4) } mm (root mean square of { $rows } rows, base and target fitted)
 
-points-commanded = { $points } are commanded or computed, not measured: the nominal robot computes them to their rounding (residual { FIXED($rms_mm, 6) } mm)
+points-commanded = { $points } are commanded or computed, not measured: the nominal robot reproduces them to their rounding (residual { FIXED($rms_mm, 6) } mm)
 
 points-perhaps-commanded = { $points } may be commanded, not measured: the residual of { FIXED($rms_mm, 4) } mm is within the rounding of coordinates and joints
 
@@ -809,20 +811,21 @@ expand-xacro = expand the file, and name the URDF instead: { $command }
 
 attribute-malformed = an attribute that cannot be read
 
-# Means: The file holds xacro other than properties, arguments and includes: a call of a macro, a condition, YAML.
-# Matters: etalon does not run xacro. It expands only what has one possible meaning without ROS.
-# Do: Run the command of the hint. robot.toml then names the URDF.
+# Means: The file holds xacro other than properties, arguments and includes: a call of a macro, a
+# condition, YAML.
+# Matters: etalon does not run xacro. It expands only constructs that are unambiguous without ROS.
+# Do: Run the command of the hint, and name the resulting URDF in robot.toml.
 # Example: `<xacro:arm prefix="left_"/>`
 xacro-construct = `{ $construct }` of xacro is not expanded here
 
 # Means: An expression uses a name that no property of the file has.
 # Matters: The value of the expression is unknown.
-# Do: Correct the name, or include the file that defines it before.
+# Do: Correct the name, or include the file that defines it earlier.
 # Example: `${forearm_length}`
 xacro-undefined = no property `{ $name }` is defined before this line
 
 # Means: The file uses an argument that has no default, and no value is stated.
-# Matters: The value decides on names or dimensions of the robot.
+# Matters: Names or dimensions of the robot depend on the value.
 # Do: State the value in robot.toml, or as an option of `etalon init`.
 # Example: `$(arg prefix)`
 xacro-argument-missing = the argument `{ $argument }` of the xacro file has no value
@@ -834,7 +837,7 @@ xacro-argument-missing = the argument `{ $argument }` of the xacro file has no v
 # Example: `arguments = ["prefx:=left_"]`
 xacro-argument-unknown = { $file } has no argument `{ $argument }`
 
-# Means: An argument of a xacro file is not stated as xacro takes it.
+# Means: An argument of a xacro file is not in the form NAME:=VALUE.
 # Matters: Its name or value is unknown.
 # Do: Write name, `:=` and value without blanks.
 # Example: `arguments = ["prefix=left_"]`
@@ -853,32 +856,38 @@ xacro-package = the package `{ $package }` is neither above nor beside the file
 # Example: `<xacro:include filename="common.xacro"/>`
 xacro-include-unreadable = the included file cannot be read: { $reason }
 
-# Means: A file includes itself, directly or by another file.
-# Matters: The expansion never ends.
+# Means: A file includes itself, directly or through another file.
+# Matters: The expansion would never end.
 # Do: Remove one of the includes.
 # Example: arm.xacro includes common.xacro, and common.xacro includes arm.xacro
 xacro-include-loop = `{ $file }` includes itself
 
-# Means: A property is defined by itself.
-# Matters: It has no value.
+# Means: The definition of a property refers to the property itself.
+# Matters: The property has no value.
 # Do: Correct one of the definitions.
 # Example: `<xacro:property name="a" value="${a + 1}"/>`
-xacro-recursion = the property `{ $name }` is defined by itself
+xacro-recursion = the definition of the property `{ $name }` refers to itself
 
-# Means: Includes are nested too deeply, or are too many.
-# Matters: A robot needs fewer; the expansion might never end.
+# Means: The file has too many includes, or includes are nested too deeply.
+# Matters: No robot needs so many includes; the expansion might never end.
 # Do: Expand the file with xacro.
 # Example: 1000 includes
-xacro-too-many-files = more than { $most_files } included files, or more than { $most_depth } within each other
+xacro-too-many-files = more than { $most_files } included files, or more than { $most_depth } nested includes
 
-# Means: The value of an expression is very long, or uses too many others.
+# Means: The value of an expression is very long, or refers to too many other properties.
 # Matters: Properties that repeat each other could fill the memory.
 # Do: Simplify the properties.
 # Example: sixteen properties, each of them twice the one before
-xacro-value-too-long = the value is longer than { $most_bytes } bytes, or needs more than { $most_depth } properties within each other
+xacro-value-too-long = the value is longer than { $most_bytes } bytes, or refers to more than { $most_depth } nested properties
 
 # Means: The expanded text is very large.
 # Matters: It would fill the memory.
-# Do: Expand the file with xacro, and check what it includes.
+# Do: Expand the file with xacro, and check its includes.
 # Example: a file that is included many times
 xacro-too-large = the expanded text is larger than { $most_mib } MiB
+
+joints-named-as-robots = the joints have the names of the robot's joints
+
+doubt-numbers-and-text = column { $column } holds numbers in { $count } of { $rows } rows, and `{ $text }`: leave out such rows (`header`, `comment`)
+
+doubt-array-columns = `{ $array }` has { $count } columns: joints, coordinates, or both beside each other; arrays are read as logs only

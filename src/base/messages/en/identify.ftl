@@ -4,11 +4,11 @@
 # Matters: No parameter can be identified.
 # Do: Check which poses are selected and which are excluded.
 # Example: a selection of calibration poses that were all excluded
-no-observations = there are no observations to identify parameters from
+no-observations = there are no observations from which parameters can be identified
     .hint = check which poses are selected and which are excluded
 
-# Means: Residuals of the pose are compared, and no standard uncertainty of a coordinate is stated.
-# Matters: Lengths and angles have no common scale without it.
+# Means: Residuals of the pose are used without a standard uncertainty of a coordinate.
+# Matters: Lengths and angles then have no common scale.
 # Do: State the standard uncertainty, or compare targets.
 # Example: residuals of the pose of a planar platform without an instrument uncertainty
 pose-residuals-without-uncertainty = residuals of the pose mix mm and rad: they need the standard uncertainty of a coordinate
@@ -20,10 +20,10 @@ pose-residuals-without-uncertainty = residuals of the pose mix mm and rad: they 
 # Example: the uncertainty of a reference point without the repeatability of its contacts
 common-uncertainty-alone = an uncertainty common to several observations needs residuals of targets and the uncertainty of single observations
 
-# Means: A parameter is to be held that the robot model lacks.
-# Matters: Another parameter was probably meant, and would be identified.
+# Means: A parameter to be held does not exist in the robot model.
+# Matters: Probably another parameter was meant; it would be identified.
 # Do: Use the name of a parameter of the model; `*` stands for any text.
-# Example: the name `d7` for an arm of six joints
+# Example: `hold = ["d_9"]` of a six-axis arm
 parameter-unknown = `{ $pattern }` is not a parameter of this robot
 
 # Means: Orientations, distances, contacts, surfaces or joint values are observed for a robot that
@@ -35,36 +35,35 @@ observations-need-arm = orientations, distances, contacts, surfaces and joint va
 
 # Means: Orientations, distances, contacts, surfaces or joint values are observed together with
 # residuals of the pose or a common uncertainty.
-# Matters: Their weights are undefined there.
+# Matters: Their weights are then undefined.
 # Do: Compare targets, without a common uncertainty.
 # Example: an observed distance and residuals of the pose
 kinds-need-target-residuals = orientations, distances, contacts, surfaces and joint values need residuals of targets without a common uncertainty
     .hint = compare targets, and omit the common uncertainty
 
-# Means: Several kinds of observations are used, and no standard uncertainty of a coordinate is
-# stated.
-# Matters: Observations in mm and rad have no common scale without it.
+# Means: Several kinds of observations are used without a standard uncertainty of a coordinate.
+# Matters: Observations in mm and rad then have no common scale.
 # Do: State the standard uncertainty of a coordinate.
 # Example: positions and orientations without an instrument uncertainty
 kinds-without-uncertainty = observations of several kinds need the standard uncertainty of a coordinate
 
-# Means: Readings have their own uncertainties, and residuals of the pose or a common uncertainty
-# are used.
-# Matters: Own uncertainties are weights of residuals of targets.
+# Means: Readings have their own uncertainties, but the residuals are those of the pose, or a common
+# uncertainty is stated.
+# Matters: Uncertainties of readings can weight only residuals of targets.
 # Do: Compare targets, or omit the uncertainties of the readings.
 # Example: readings with covariances and residuals of the pose
-own-uncertainties-unusable = own uncertainties of readings need residuals of targets without a common uncertainty
+own-uncertainties-unusable = readings with their own uncertainties need residuals of targets without a common uncertainty
 
-# Means: Some readings state an uncertainty and others do not, and no common value is stated.
+# Means: Some readings state an uncertainty, others do not, and no common value is stated.
 # Matters: Readings without an uncertainty have no weight.
-# Do: State the uncertainty of every reading, or one for those without.
+# Do: State the uncertainty of every reading, or one value for the others.
 # Example: 3 of 40 readings without an uncertainty
 readings-without-uncertainty = { $without } of { $readings } readings have no uncertainty
 
-# Means: Residuals of the pose are requested for a robot that is not planar.
+# Means: Residuals of the pose are requested for a spatial robot.
 # Matters: They are defined for planar platforms only.
 # Do: Compare targets.
-# Example: residuals of the pose for a serial arm
+# Example: `residuals = "pose"` in [identify] of a six-axis arm
 pose-residuals-not-planar = residuals of the pose are for planar robots, not for `{ $model }`
 
 # Means: A tool point is stated in the frame of a part that the robot lacks.
@@ -97,7 +96,7 @@ nothing-to-identify = no parameter is left to identify{ $cause ->
 
 hold-fewer-parameters = hold fewer parameters
 
-# Means: The observations determine fewer parameters than are to be identified.
+# Means: The observations determine fewer parameters than are free.
 # Matters: The solution is not unique.
 # Do: Measure more poses, or hold the parameters that the following lines name.
 # Example: 6 residuals from one pose for 12 parameters
@@ -114,18 +113,18 @@ parameters-undetermined = { $residuals ->
 
 # Means: No observation depends on a parameter.
 # Matters: Its value cannot be identified.
-# Do: Hold the parameter, or measure where it acts.
+# Do: Hold the parameter, or measure poses that depend on it.
 # Example: the last joint of an arm whose only target is on its axis
 parameter-without-effect = the data do not depend on `{ $parameter }`
 
-# Means: Changes of a parameter and of others have the same effect on all observations.
+# Means: Changes of this parameter and of the others have the same effect on all observations.
 # Matters: Only their combination can be identified.
-# Do: Hold one of them, or measure poses in which they act differently.
+# Do: Hold one of them, or measure poses in which their effects differ.
 # Example: the rotation of the base and the zero of the first joint
 parameters-inseparable = `{ $parameter }` is not separately identifiable from { $others }
 
 # Means: The set of separately identifiable parameters changes between steps of the solver.
-# Matters: No set of parameters can be stated as identified.
+# Matters: The set of identified parameters is undefined.
 # Do: Hold parameters, or measure more poses.
 # Example: poses near a singularity
 identifiability-unsteady = the set of separately identifiable parameters changes between steps of the solver
@@ -149,14 +148,15 @@ named-poses = { $count ->
        *[other] { $count } poses ({ $poses })
     }
 
-poses-unreachable = the nominal robot cannot take the joint values of { $poses }
+poses-unreachable = the nominal robot has no pose at the joint values of { $poses }
 
-extents-differ = measured points extend over { FIXED($measured_mm, 0) } mm, those of the model over { FIXED($model_mm, 0) } mm
+extents-differ = the extent of the measured points is { FIXED($measured_mm, 0) } mm, that of the predicted points { FIXED($model_mm, 0) } mm
 
-assembly-mode-contradicted = the measured position contradicts the assembly mode in { $poses }: for pose { $worst } mode { $stated } is stated, which leaves { FIXED($stated_mm, 1) } mm; mode { $other } leaves { FIXED($other_mm, 1) } mm
+assembly-mode-contradicted = the measured position contradicts the assembly mode in { $poses }: for pose { $worst } the stated mode { $stated } leaves { FIXED($stated_mm, 1) } mm, mode { $other } leaves { FIXED($other_mm, 1) } mm
 
 # Means: No observation contains a length.
-# Matters: A robot of twice the size would fit as well: the scale is that of the nominal lengths.
+# Matters: A robot of twice the size would fit equally well: the scale is that of the nominal
+# lengths.
 # Do: Measure a distance, or the position of a target.
 # Example: a campaign of orientations only
 scale-unobserved = no observation contains a length: the scale of the robot is that of its nominal lengths{ $lengths ->
@@ -173,19 +173,18 @@ readings-weighted = { $own } of { $readings } readings are weighted by their own
 
 # Means: The measured distance of two targets contradicts their stated positions on a rigid part by
 # more than the uncertainty.
-# Matters: The stated positions hold for another state of the part, or two targets are exchanged.
+# Matters: The part has changed since its positions were determined, or two targets are exchanged.
 # Do: Check unit and names of the stated positions, and whether the part was changed.
 # Example: stated positions in inches
-rigid-part-contradicted = { $places } of { $targets } contradict the measurements beyond their uncertainty: `{ $first }` to `{ $second }` is { FIXED($found_mm, 4) } mm { $by ->
+rigid-part-contradicted = { $places } of { $targets } contradict the measurements beyond their uncertainty: the distance from `{ $first }` to `{ $second }` is { FIXED($found_mm, 4) } mm { $by ->
         [identification] identified without them
        *[measurement] measured
     }, { FIXED($stated_mm, 4) } mm stated
 
 stated-positions = stated positions
 
-# Means: Parameters are compared with given ones, and no standard uncertainty of a coordinate is
-# stated.
-# Matters: It cannot be judged which differences are significant.
+# Means: Parameters are compared with given ones without a standard uncertainty of a coordinate.
+# Matters: The significance of differences is unknown.
 # Do: State the standard uncertainty of the instrument.
 # Example: a verification without an instrument uncertainty
 comparison-without-uncertainty = a comparison with given parameters needs the standard uncertainty of a coordinate
@@ -196,7 +195,7 @@ comparison-without-uncertainty = a comparison with given parameters needs the st
 # Do: Check unit, sign and offset of the joint values, and whether the parameters belong to this
 # robot.
 # Example: joint values in radians read as degrees
-robot-not-at-joints = the robot cannot take these joint values with { $parameters ->
+robot-not-at-joints = the robot has no pose at these joint values with { $parameters ->
         [nominal] nominal
        *[given] the given
     } parameters
@@ -204,10 +203,10 @@ robot-not-at-joints = the robot cannot take these joint values with { $parameter
 
 # Means: The given covariance of the parameters is not positive definite.
 # Matters: It cannot be the covariance of measured parameters.
-# Do: Use the covariance as the identification stated it.
+# Do: Use the covariance that the identification stated.
 # Example: a correlation edited by hand to 1.2
 covariance-not-positive-definite = the covariance of the parameters is not positive definite
-    .hint = use the covariance as the identification stated it
+    .hint = use the covariance that the identification stated
 
 # Means: There are as many equations as parameters.
 # Matters: Residuals are zero, and the uncertainty of the parameters is unknown.
@@ -217,8 +216,8 @@ no-redundant-observations = there are as many equations as parameters: the uncer
     .hint = measure more poses, or state the uncertainty of the instrument
 
 # Means: Residuals of one pose are more alike than independent errors would be.
-# Matters: Standard uncertainties from independent readings would be too small; those from the
-# scatter of the poses are used.
+# Matters: Standard uncertainties from independent readings would be too small; the scatter of the
+# poses is used instead.
 # Do: Measure more poses, or describe the common error.
 # Example: three targets of one pose that are all 0.02 mm off in the same direction
 pose-residuals-correlated = residuals of one pose are correlated: standard uncertainties are estimated from the scatter of the poses, { FIXED($ratio, 1) } times those from the instrument
@@ -242,7 +241,7 @@ instrument-uncertainty-too-large = residuals are { FIXED($ratio, 2) } times the 
 residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the instrument's uncertainty (chi-square { FIXED($chi_square, 0) }, { $degrees } degrees of freedom): standard uncertainties { $from ->
         [poses] are estimated from the scatter of the poses
         [regions] are estimated from the scatter of regions of the workspace
-       *[residuals] are enlarged, as if residuals of one pose were independent
+       *[residuals] are enlarged, with the residuals of a pose taken as independent
     } ({ FIXED($inflation, 1) } times the instrument's, median)
     .hint = check outliers and the model: the robot has errors that the model does not describe, or the stated uncertainty is too small
 
@@ -250,65 +249,67 @@ residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the inst
 # targets.
 # Matters: They are held at their nominal values; base and targets contain their deviations.
 # Predicted positions are unaffected.
-# Do: Nothing; another parameter of each group can be held instead.
+# Do: Nothing. To hold another parameter of a group, name it under `hold`.
 # Example: the zero of the first joint and the rotation of the base
 parameters-fixed-by-frames = { $count } parameters are not separately identifiable from base and targets, and are held at their nominal values: { $parameters }
 
 # Means: No observation depends on a parameter.
-# Matters: It stays at its nominal value.
-# Do: Measure where the parameter acts, if its value is needed.
+# Matters: It is held at its nominal value.
+# Do: If its value is needed, measure poses that depend on it.
 # Example: the last joint of an arm whose only target is on its axis
 parameter-held-without-effect = the data do not depend on `{ $parameter }`: it is held at its nominal value
 
-# Means: Changes of a parameter and of others have the same effect on all observations.
+# Means: Changes of this parameter and of the others have the same effect on all observations.
 # Matters: One of them is held at its nominal value; the others contain its deviation. Predicted
 # positions are unaffected.
-# Do: Measure poses in which they act differently, if single values are needed.
-# Example: the offset of a joint and the next link of an arm that never turns it
+# Do: Measure poses in which their effects differ, if single values are needed.
+# Example: the offset of a joint that never moves and the next link of an arm
 parameter-held-inseparable = `{ $parameter }` and { $others } are not separately identifiable: `{ $parameter }` is held at its nominal value
 
 # Means: A parameter can be separated from others only with a large uncertainty.
-# Matters: Its nominal value is better known than the data would tell, so the parameter is held.
-# Do: Measure poses in which these parameters act differently.
+# Matters: Its nominal value is more accurate than its identified value would be, so the parameter
+# is held.
+# Do: Measure poses in which the effects of these parameters differ.
 # Example: poses in which a joint moves by 2 degrees only
 parameter-separable-poorly = `{ $parameter }` is separable from { $others } only with a standard uncertainty of { FIXED($uncertainty, 2) }{ $unit ->
         [mm] {" "}{ $unit }
         [deg] {" "}{ $unit }
        *[other] {""}
     }: { $held ->
-        [placed] it stays at its first estimate
-       *[nominal] it is held at its nominal value, which is better known
+        [placed] it keeps its starting value
+       *[nominal] it is held at its nominal value, which is more accurate
     }
-    .hint = measure poses in which these parameters act differently
+    .hint = measure poses in which their effects differ
 
-# Means: A tool point is stated in the frame of the targets, and the targets do not define a frame.
+# Means: A tool point is stated in the frame of the targets, but the targets do not define a frame.
 # Matters: The point has no defined position.
 # Do: State the point in the frame of the flange, or name the first target as the point.
 # Example: two targets of an arm
-tool-targets-collinear = the targets define no frame for the tool point: three are needed in space, not on one line; two in the plane
+tool-targets-collinear = the targets define no frame for the tool point: a spatial robot needs three targets that are not on one line, a planar robot two
     .hint = state the point in the frame of the flange, or use the first target itself ([0, 0, 0])
 
 # Means: The nominal robot misses the measurements by more than the tolerances of its parameters
 # allow.
-# Matters: The set-up is wrong, not the robot: identified parameters would absorb the slip.
-# Do: Check signs, units and order of the joints, nominal values, and how joint values and points
-# are joined.
+# Matters: The set-up is wrong rather than the robot: identified parameters would absorb the
+# mistake.
+# Do: Check signs, units and order of the joints, nominal values, and the join of joint values and
+# points.
 # Example: one joint with the wrong sign
 nominal-robot-far = the nominal robot misses the measurements by { FIXED($left_mm, 3) } mm (root mean square, base and targets fitted); the tolerances allow { FIXED($allowed_mm, 3) } mm
-    .hint = check signs, units and order of the joints, the nominal values, and how joint values and points are joined
+    .hint = check signs, units and order of the joints, the nominal values, and the join of joint values and points
 
 # Means: The nominal robot has no pose for some of the joint values.
 # Matters: Measured and predicted positions cannot be compared.
 # Do: Check signs, units and order of the joints, and nominal values.
 # Example: joint values in radians read as degrees
-nominal-robot-not-at-joints = the nominal robot cannot take these joint values
-    .hint = check signs, units and order of the joints, the nominal values, and how joint values and points are joined
+nominal-robot-not-at-joints = the nominal robot has no pose at these joint values
+    .hint = check signs, units and order of the joints, the nominal values, and the join of joint values and points
 
 # Means: No position of base and targets brings the nominal robot near the measurements.
-# Matters: The set-up is wrong: identified parameters would absorb the slip.
+# Matters: The set-up is wrong: identified parameters would absorb the mistake.
 # Do: Check units, order, signs and offsets of the joints, and nominal parameters.
 # Example: joint values in degrees read as radians
-placement-unexplained = no position of base and targets explains the measurements: residuals are { FIXED($left_mm, 1) } mm, the measured points extend over { FIXED($spread_mm, 1) } mm
+placement-unexplained = no position of base and targets explains the measurements: residuals are { FIXED($left_mm, 1) } mm, the extent of the measured points is { FIXED($spread_mm, 1) } mm
     .hint = check units, order, signs and offsets of the joints, and the nominal parameters of the robot
 
 # Means: From one pose on, all measured positions are shifted by one constant vector.
@@ -316,47 +317,48 @@ placement-unexplained = no position of base and targets explains the measurement
 # the shift.
 # Do: Identify the two parts separately, or measure again.
 # Example: a tripod that was touched after pose 21
-reference-moved = from pose { $pose } on, measured positions are shifted by { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) against those up to pose { $previous }: the shift explains { FIXED($share_percent, 0) } % of the residuals
+reference-moved = from pose { $pose } on, measured positions are shifted by { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) relative to those up to pose { $previous }: the shift explains { FIXED($share_percent, 0) } % of the residuals
     .hint = base or measuring system moved: identify the two parts separately, or measure again
 
 # Means: The poses hardly separate a group of parameters.
 # Matters: Standard uncertainties of single parameters are large. Near the measured poses their
 # errors cancel.
-# Do: Measure poses in which these parameters act differently, or hold one of them.
+# Do: Measure poses in which the effects of these parameters differ, or hold one of them.
 # Example: base and first link measured in a small region
 parameters-weakly-identifiable = { $groups } are weakly identifiable from these poses: standard uncertainties { $uncertainties } (correlation { FIXED($correlation, 6) })
 
 # Means: The poses hardly separate several groups of parameters.
 # Matters: Standard uncertainties of single parameters are large. Near the measured poses their
 # errors cancel.
-# Do: Measure poses in which the parameters of a group act differently, or hold one of each group.
+# Do: Measure poses in which the effects of the parameters of a group differ, or hold one of each
+# group.
 # Example: all poses measured in a small region
 parameter-groups-weakly-identifiable = { $count } groups of parameters are weakly identifiable from these poses: { $groups }; their standard uncertainties are large, and their errors cancel near these poses
 
 parameter-group = { $first } and { $second }
 
-separate-parameters = measure poses in which these parameters act differently, or hold one of them
+separate-parameters = measure poses in which the effects of these parameters differ, or hold one of them
 
-# Means: More positions are to be chosen than there are candidates, or none.
-# Matters: There is no plan of this size.
+# Means: The number of positions to choose is zero, or exceeds the number of candidates.
+# Matters: No plan of this size exists.
 # Do: State a smaller number, or more candidates.
 # Example: 40 positions of 30 candidates
 too-many-positions = { $positions } positions cannot be chosen from { $candidates } candidates
     .expected = a number from 1 to { $candidates }
 
-# Means: The search is to start from a pose that is no candidate.
+# Means: The stated start of the search is not a candidate.
 # Matters: The start is undefined.
 # Do: Use poses of the table of candidates.
 # Example: a start from pose 99 of 30 candidates
 start-pose-unknown = pose { $pose } of the start is not a candidate
     .hint = use poses of the table of candidates
 
-# Means: The search is to start from more poses than are to be chosen.
-# Matters: The start would not fit into the plan.
-# Do: Start from fewer poses, or choose more.
+# Means: The stated start has more poses than the plan.
+# Matters: The start does not fit into the plan.
+# Do: State fewer poses as the start, or choose more positions.
 # Example: a start from 5 poses for a plan of 4
 start-too-large = the start has { $start } candidates, more than the { $positions } positions to choose
-    .hint = start from fewer poses, or choose more
+    .hint = state fewer poses as the start, or choose more positions
 
 # Means: The positions of a study do not determine all parameters.
 # Matters: Errors of the identified robot cannot be simulated.
@@ -400,21 +402,21 @@ at-geometric-step = { $step ->
        *[offsets] offsets
     }: { $message }
 
-# Means: A step of the geometric method was measured without the steps on which it builds.
+# Means: A step of the geometric method was measured without the steps that it requires.
 # Matters: Its dimensions cannot be determined.
 # Do: Measure the missing steps, or omit this one.
 # Example: the shaft without the arc of ball N
 geometric-step-alone = { $step ->
         [shaft] the shaft needs the arc of ball N
-       *[offsets] the displacement of actuator 1 needs the arc of ball N, the turned platform and the shaft
+       *[offsets] the displacement of actuator 1 needs the arc of ball N, the rotated platform and the shaft
     }
     .hint = measure the missing steps, or omit this one
 
 # Means: Not all steps of the geometric method were measured.
 # Matters: The complete geometry cannot be determined.
 # Do: Measure each step at least once.
-# Example: a calibration without the turned platform
-geometry-incomplete = the complete geometry needs the arc of ball N, the turned platform, the shaft in two positions and a displacement of actuator 1
+# Example: a calibration without the rotated platform
+geometry-incomplete = the complete geometry needs the arc of ball N, the rotated platform, the shaft in two positions and a displacement of actuator 1
     .expected = at least one repeat of each
 
 # Means: A ball is at the same position before and after the displacement of an actuator.
@@ -435,7 +437,7 @@ lead-undetermined = these positions do not determine the lead of the actuator
     .expected = at least three readings, at two or more commanded displacements
 
 # Means: The axes of the shaft in its two positions are parallel.
-# Matters: They have no intersection, from which the distance s follows.
+# Matters: The distance s follows from their intersection, which does not exist.
 # Do: Move actuator 2 farther between the two positions.
 # Example: one position of the shaft, measured twice
 shaft-positions-parallel = the two positions of the shaft are parallel: their axes do not intersect
@@ -454,8 +456,8 @@ slip-exchanged = { $first } and { $second } exchanged
 
 slip-joint-order = the joints { $order ->
         [reversed] in reverse order
-        [left] shifted by one place
-       *[right] shifted by one place to the other side
+        [left] shifted by one position
+       *[right] shifted by one position in the other direction
     }
 
 slip-offset = { $degrees } deg added to { $joint }
@@ -483,14 +485,14 @@ slip-points = { $change ->
 
 slip-targets = the targets { $first } and { $second } exchanged
 
-slip-neighbour = the joints of each pose taken from the { $neighbour ->
+slip-neighbour = the joint values of each pose taken from the { $neighbour ->
         [previous] previous
        *[next] next
-    } one
+    } pose
 
 slip-convention = { $convention }
 
-slip-world-frame = the world frame turned by { FIXED($angle_deg, 1) } deg and shifted by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }) mm
+slip-world-frame = the world frame rotated by { FIXED($angle_deg, 1) } deg and shifted by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }) mm
 
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } instead of { FIXED($nominal, 2) } { $unit }
 
@@ -507,3 +509,13 @@ set-up-slip = { $first }{ $others ->
         [tolerances] {" "}and keeps parameters within their tolerances
        *[residuals] {" "}instead of { FIXED($stated_mm, 3) } mm
     }: check that first
+
+index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m parameters, n configurations; Jacobian in mm per mm, rad and 1
+index-o2 = O2 = smin / smax; Jacobian in mm per mm, rad and 1
+index-o3 = O3 = smin; Jacobian in mm per mm, rad and 1
+index-o4 = O4 = smin^2 / smax; Jacobian in mm per mm, rad and 1
+index-o5 = O5 = 1 / (1/s1 + ... + 1/sm); Jacobian in mm per mm, rad and 1
+index-d = D = (s1...sm)^(1/m); Jacobian in mm per mm, rad and 1
+index-a = A = 1 / sqrt(tr((J'J)^-1)); columns of J divided by their norms over all candidates
+index-e = E = smin; columns of J divided by their norms over all candidates
+index-i = I = 1 / root mean square standard uncertainty of position over all candidates, per mm of noise

@@ -1,12 +1,12 @@
 ### Messages of report. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
-# Means: A template of the laboratory exceeds a limit of time or memory, or ends without a result.
+# Means: A template of the laboratory exceeds the limit of time or memory, or ends without a result.
 # Matters: The report is not written. The usual cause is a loop that does not end.
 # Do: Correct the template.
 # Example: `{% for i in range(10000000) %}` in report.html
 template-failed = the template `{ $template }` { $fault ->
         [time] takes more than a minute
-        [memory] takes more than 2 GiB of memory
+        [memory] needs more than 2 GiB of memory
         [ended] ends without a result
        *[other] cannot be run: { $fault }
     }
@@ -19,7 +19,7 @@ template-failed = the template `{ $template }` { $fault ->
 template-invalid = the template of the report has an error: { $reason }
 
 # Means: The file of the logo is too large, or neither SVG nor PNG.
-# Matters: Reports contain the logo themselves and cannot show other pictures.
+# Matters: A report embeds the logo, and can show only SVG and PNG.
 # Do: Save the logo as SVG or PNG of at most 1 MiB.
 # Example: `logo = "logo.pdf"`
 logo-unusable = `{ $file }` { $fault ->
@@ -39,12 +39,13 @@ cannot-read-folder = cannot read the folder `{ $folder }`: { $reason }
 # Matters: The report would not change.
 # Do: Write the built-in templates into the folder, then change them.
 # Example: an empty folder `templates`
-no-templates = there is no template in `{ $folder }`
+no-templates = the folder `{ $folder }` has no template
     .hint = `etalon report --write-templates FOLDER` writes the built-in templates
 
 # Means: The PDF report cannot be typeset.
 # Matters: report.pdf is not written.
-# Do: Correct the marked line if it is in a template of the laboratory; otherwise report the error.
+# Do: Correct the marked line if it is in a template of the laboratory; otherwise report the error
+# as a defect of etalon.
 # Example: a function that Typst lacks, in report.typ
 typesetting-failed = report.pdf cannot be typeset: { $reason }
 

@@ -75,3 +75,20 @@ sketch-table = Table from above, with exaggerated tilts: rails, carriages, platf
 measure-all-working-modes = measure every position in all working modes that reach it, and distribute the positions over the whole workspace
 
 measure-different-angles = measure poses with different |theta|, for example 0 and the largest value of the table
+
+out-of-reach = out of reach
+out-of-nominal-reach = out of reach of the nominal robot
+joint-beyond-limits = { $joint } = { $q } { $unit }, its limits are { $lower } and { $upper } { $unit }
+angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, its limits are { $least } and { $greatest } deg
+actuator-beyond-travel = { $actuator } = { $rho } mm, its travel is 0 to { $end } mm
+legs-apart = the legs do not meet the platform
+arms-do-not-meet = the arms do not meet
+singularity-near = { FIXED($found, 3) } deg from the singularity of type { $kind } { $kind ->
+        [1] (an arm stretched or folded)
+       *[2] (the distal links in line)
+    }, at least { $margin } deg are required
+links-near = links { FIXED($found, 3) } mm apart; more than { $least } mm are required
+command-refused = the controller rejects its command: { $reason }
+joints-admit-no-pose = the robot has no pose at these joint values
+no-command-leads-there = no command brings the robot to the target: the smallest error is { SCIENTIFIC($left_mm, 2) } mm
+table-read-as = the table of joints read as { $convention } Denavit-Hartenberg parameters

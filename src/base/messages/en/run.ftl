@@ -1,8 +1,8 @@
 ### Messages of run. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
 # Means: [contact] is stated beside `residuals = "pose"`.
-# Matters: The repeatability of the contact weighs positions of targets. Residuals of the pose do
-# not use it.
+# Matters: The repeatability of the contact is a weight for positions of targets. Residuals of the
+# pose do not use it.
 # Do: Compare targets, or remove [contact].
 # Example: [contact] and `residuals = "pose"` in [identify]
 contact-without-targets = [contact] has no effect on residuals of the pose
@@ -14,12 +14,12 @@ uncertainty-source = { $section ->
        *[contact] touch one point repeatedly and use the scatter of the encoder readings
     }
 
-# Means: An uncertainty of a coordinate is smaller than that of an interferometer or larger than
+# Means: The uncertainty of a coordinate is smaller than that of an interferometer or larger than
 # that of a camera.
 # Matters: It is usually stated in another unit. All results would be weighted wrongly.
 # Do: State the expanded uncertainty of one coordinate in micrometres.
 # Example: `expanded_uncertainty_um = 0.0027` for 2.7 µm
-key-uncertainty-implausible = `{ $key }` = { $value } is not an uncertainty of a measured coordinate in micrometres
+key-uncertainty-implausible = `{ $key }` = { $value } cannot be the uncertainty of a measured coordinate in micrometres
     .expected = a value from { $least } to { $most }
     .hint = check the unit: 0.0027 mm is 2.7 µm
 
@@ -39,11 +39,11 @@ limit-without-result = the limit `{ $limit }` needs { $needs ->
         [commanded] {"["}repeatability] with `commanded`, or [poses]
        *[repeatability] {"["}repeatability] or [poses]
     }
-    .hint = remove the limit, or add the section that it judges
+    .hint = remove the limit, or add the section that determines the quantity
 
 # Means: Exports, logs or a join are stated together with a table of observations.
 # Matters: A table of observations already holds measured values and joint values. It is undefined
-# which values count.
+# which values apply.
 # Do: State either [observations], or [[export]], [[log]] and [join].
 # Example: [observations] and [[log]] in one campaign.toml
 section-beside-observations = `{ $section }` is stated beside [observations]
@@ -57,8 +57,8 @@ section-beside-observations = `{ $section }` is stated beside [observations]
 join-clock-missing = a join by time needs { $keys }
     .hint = add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]
 
-# Means: `clock_offset_s = "standstills"` is stated, and a log states no standstills.
-# Matters: The clock offset is estimated from the times at which the robot stands.
+# Means: `clock_offset_s = "standstills"` is stated, but a log has no [log.standstill].
+# Matters: The clock offset is estimated from the times of the standstills.
 # Do: Describe the standstills, or state the clock offset as a number.
 # Example: `clock_offset_s = "standstills"` and a [[log]] without [log.standstill]
 standstills-missing = the clock offset cannot be estimated: log `{ $log }` has no [log.standstill]
@@ -98,10 +98,10 @@ key-above-maximum = `{ $key }` exceeds { $most }
 # Do: Name the column of the log that holds the label.
 # Example: `by = "label"` and a [[log]] whose `columns` lack `label`
 join-label-missing = a join by label needs the label of the point in log `{ $log }`
-    .hint = add `label = "name or number of the column"` to its `columns`
+    .hint = add `label` to its `columns`, with the name or the number of the column
 
 # Means: Pose or target of an export is stated by a key and by a column of the same export.
-# Matters: It is undefined which of the two counts.
+# Matters: It is undefined which of the two applies.
 # Do: Remove one of them.
 # Example: `pose = 3` in an [[export]] whose `columns` have `pose`
 key-and-column = `{ $key }` is stated twice: as a key of the export and as one of its columns
@@ -112,7 +112,7 @@ key-and-column = `{ $key }` is stated twice: as a key of the export and as one o
 # Do: Name another output folder.
 # Example: `output = "exports"` with the measurements in `exports`
 input-in-output-folder = the output folder contains the input `{ $input }`
-    .expected = a folder without inputs: it is replaced as a whole
+    .expected = a folder without inputs: a run replaces the folder as a whole
     .hint = name another folder, or remove `output`: the default is `out`
 
 # Means: A feature states no element, or more than one.
@@ -150,8 +150,9 @@ world-frame-definition = the world frame must be defined in exactly one way
 key-of-other-frame = `{ $key }` has no effect in this world frame
     .hint = remove it, or define the frame by `{ $definition }`
 
-# Means: `x_axis` or `y_axis` of the world frame names one point, or more than two labels.
-# Matters: The axis has no direction.
+# Means: `x_axis` or `y_axis` of the world frame names one point, more than two labels, two points
+# in one place, or a direction perpendicular to the plane.
+# Matters: The axis has no direction in the plane.
 # Do: Name two labels (from, to), or one feature with a direction.
 # Example: `x_axis = ["P1"]`
 frame-axis-without-direction = the axis of the world frame has no direction
@@ -159,11 +160,11 @@ frame-axis-without-direction = the axis of the world frame has no direction
 
 # Means: A world frame from a plane lacks its origin, its axis or the side of its normal, or states
 # two axes.
-# Matters: A plane alone leaves origin, rotation and the sign of z open.
+# Matters: A plane alone does not determine origin, rotation and the sign of z.
 # Do: State `origin`, one of `x_axis` and `y_axis`, and `towards`.
 # Example: `plane = "table"` without `towards`
 plane-frame-incomplete = a world frame from a plane needs `origin`, one of `x_axis` and `y_axis`, and `towards`
-    .hint = name in `towards` a label on the positive side of the other axis: it determines the direction of z
+    .hint = state as `towards` a label on the positive side of the other axis; it determines the direction of z
 
 # Means: A key that names a file has an empty text.
 # Matters: No file can be read.
@@ -219,10 +220,10 @@ plausible-value = { $quantity ->
 
 # Means: [homing] states no uncertainty for joints of one kind.
 # Matters: The uncertainty of these joints at their switches would be missing from the results.
-# Do: State it; state 0 where homing adds no error.
-# Example: `expanded_uncertainty_um` alone for a robot with joints that turn
+# Do: State it, or state 0 if homing adds no error.
+# Example: `expanded_uncertainty_um` alone for a robot with revolute joints
 homing-incomplete = [homing] lacks `{ $key }` for joint `{ $joint }` (values in { $unit })
-    .hint = state it; state 0 where homing adds no error
+    .hint = state it, or state 0 if homing adds no error
 
 # Means: `polar` of the instrument is stated for a table of observations.
 # Matters: Uncertainties of range and angle need the position of the instrument, which the table
@@ -249,13 +250,13 @@ label-unknown = no point has the label `{ $label }`
 # Matters: The world frame cannot be determined.
 # Do: Define [feature.NAME], or use the name of a defined feature.
 # Example: `plane = "tabel"` beside [feature.table]
-feature-unknown = there is no feature `{ $feature }`
+feature-unknown = unknown feature `{ $feature }`
 
 # Means: The world frame names a point or feature that does not exist.
 # Matters: The world frame cannot be determined.
 # Do: Use a label of the exports or the name of a feature.
 # Example: `origin = "P9"` where the exports have P1 to P4
-point-or-feature-unknown = there is no point or feature `{ $name }`
+point-or-feature-unknown = unknown point or feature `{ $name }`
 
 # Means: No export contains measurements of a target.
 # Matters: The target cannot be used: its positions are unknown.
@@ -263,7 +264,7 @@ point-or-feature-unknown = there is no point or feature `{ $name }`
 # Example: `targets = ["balls"]` where the labels name the target `ball`
 target-not-exported = no export contains the target `{ $target }`
 
-# Means: Labels or targets of the campaign are in none of the exports that could be read.
+# Means: Labels or targets of the campaign are not in the exports that could be read.
 # Matters: They may be in the exports that could not be read.
 # Do: Correct the other errors first, then check these names.
 # Example: a label of an export whose file is missing
@@ -288,14 +289,14 @@ targets-incomplete = `targets` omits `{ $target }`
 # Do: State [reach] in robot.toml.
 # Example: [geometric.workspace] without `travel_mm`
 travel-missing = the workspace needs the travel of the actuators
-    .hint = state [reach] with `travel_mm = [..., ..., ...]` in robot.toml
+    .hint = state `travel_mm` of the three actuators in [reach] of robot.toml
 
 # Means: The export of a spatial robot has no z coordinate.
 # Matters: Positions in space have three coordinates.
 # Do: Name the column of z.
 # Example: `columns = { x = "X", y = "Y" }` for a serial arm
 z-column-missing = `columns` has no z, which a spatial robot needs
-    .hint = add `z = "name or number of the column"`
+    .hint = add `z`, with the name or the number of the column
 
 # Means: The name of a log is empty, is used twice or has other characters than letters, digits, `_`
 # and `-`.
@@ -310,14 +311,14 @@ log-name-invalid = `{ $name }` cannot be the name of this log
 # Do: Use the joints of the robot.
 # Example: `q9_deg = "J9"` for a robot of six joints
 log-joint-unknown = `{ $key }` is not a joint of this robot
-    .hint = use one of { $joints }, or the same with another unit
+    .hint = use one of { $joints }, or one of them with another unit
 
 # Means: `columns` of a log has no column for a joint of the robot.
 # Matters: The pose of the robot is unknown without all joint values.
 # Do: Name the column of the joint.
 # Example: `q1_deg` to `q5_deg` for a robot of six joints
 log-joint-missing = log `{ $log }` has no column for joint `{ $joint }`
-    .hint = add `{ $column } = "name or number of the column"` to its `columns`
+    .hint = add `{ $column }` to its `columns`, with the name or the number of the column
 
 # Means: No label of an export has the form that `label` states.
 # Matters: Target, pose and cycle of its points are unknown.
@@ -343,13 +344,13 @@ threads-failed = the campaigns cannot be run in parallel: { $reason ->
     }
     .hint = run again with fewer threads: `RAYON_NUM_THREADS=1`
 
-data-elsewhere = its data are below ${ $name }, which is not set
+data-elsewhere = its data are in the folder ${ $name }, and this environment variable is not set
 
 # Means: A folder has no manifest, so it is not the output folder of a run.
 # Matters: Results are read only from folders that `etalon run` wrote.
 # Do: Name the output folder, or the campaign after it was run.
 # Example: `etalon report exports`
-not-an-output-folder = there is no file `{ $file }`
+not-an-output-folder = `{ $folder }` is not the output folder of a run: its manifest.json is missing
     .hint = name a folder that `etalon run` wrote, or a campaign that was run
 
 # Means: The manifest of an output folder does not list a file.
@@ -359,7 +360,7 @@ not-an-output-folder = there is no file `{ $file }`
 file-not-of-run = the run did not write `{ $file }`
     .hint = run the campaign again: `etalon run CAMPAIGN`
 
-# Means: A file of an output folder has another content than the run wrote.
+# Means: The content of a file in the output folder changed after the run.
 # Matters: Results of one run belong together; a changed file would mix them with others.
 # Do: Run the campaign again.
 # Example: a value edited by hand in parameters.json
@@ -381,8 +382,8 @@ folder-replaced = another process replaced `{ $folder }` while it was read
 document-unreadable = `{ $file }` is not a document of this version: { $reason }
     .hint = run the campaign again with this version: `etalon run CAMPAIGN`
 
-# Means: A JSON document states another schema than the command reads.
-# Matters: It is another document, or that of another version.
+# Means: The schema of a JSON document is not the one that the command reads.
+# Matters: It is another document, or the document of another version.
 # Do: Name the right document, or run the campaign again with this version.
 # Example: accuracy.json where parameters.json is read
 document-schema-other = `{ $file }` has { $schema ->
@@ -392,16 +393,15 @@ document-schema-other = `{ $file }` has { $schema ->
     .expected = the schema `{ $wanted }`
     .hint = run the campaign again with this version: `etalon run CAMPAIGN`
 
-# Means: The output folder has a file that no run wrote, and the run would write a file of the same
-# name.
-# Matters: etalon never replaces files of others.
+# Means: The run would overwrite a file in the output folder that no run wrote.
+# Matters: etalon never replaces foreign files.
 # Do: Move the file, or state another output folder.
 # Example: a `report.html` copied into `out` by hand
-foreign-file = `{ $file }` would be overwritten, and no run wrote it
+foreign-file = `{ $file }` would be overwritten, but no run wrote it
     .hint = move it to another folder, or state another `output` in campaign.toml
 
 # Means: An input file changed while the campaign was run.
-# Matters: Results would be those of two different states of the file. Nothing is written.
+# Matters: Results would combine two states of the file. Nothing is written.
 # Do: Run the campaign again when the file is complete.
 # Example: an export that the measuring program writes during the run
 input-changed = `{ $file }` changed while the campaign was run
@@ -411,12 +411,34 @@ input-changed = `{ $file }` changed while the campaign was run
 # Matters: [identify] names the poses on which parameters are judged.
 # Do: State `calibration` and `validation` in [identify].
 # Example: `etalon validate` on a campaign that tests repeatability only
-identify-missing = the campaign has no [identify], which names the poses to judge parameters on
+identify-missing = the campaign has no [identify], which names the poses for judging parameters
     .hint = state `calibration` and `validation` in [identify]
 
-# Means: `clock_rate` is stated, and `clock_offset_s` is a number.
+# Means: `clock_rate` is stated although `clock_offset_s` is a number.
 # Matters: Offset and rate are determined from the same standstills.
-# Do: State `clock_offset_s = "standstills"`, or leave `clock_rate` out.
+# Do: State `clock_offset_s = "standstills"`, or omit `clock_rate`.
 # Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
 clock-rate-without-offset = `clock_rate = "standstills"` needs `clock_offset_s = "standstills"`
-    .hint = state `clock_offset_s = "standstills"`, or leave `clock_rate` out
+    .hint = state `clock_offset_s = "standstills"`, or omit `clock_rate`
+# Means: The labels of an export name targets of the robot, and the campaign states no form of
+# labels.
+# Matters: Without targets and poses the points are not joined.
+# Do: State the form of the labels.
+# Example: labels `K_12_3` and no key `label`
+label-form-missing = the labels of `{ $file }` name targets, and no form of labels is stated
+    .hint = state `label = "{ $form }"` in this [[export]]: all its labels have this form
+
+state-targets = state `targets = { $targets }` in [join]: the labels name these targets
+# Means: `valid_until` is not a date of the form year-month-day.
+# Matters: Reports and batches compare this day with other dates.
+# Do: State the last day of validity as 2027-03-02.
+# Example: `valid_until = "next year"`
+valid-until-no-date = `valid_until` is not a date: "{ $date }"
+    .expected = the last day of validity in quotation marks, as "2027-03-02"
+
+# Means: The last day of validity is before the date of the measurements.
+# Matters: The calibration would never have been valid.
+# Do: Correct `valid_until` or `date`.
+# Example: `date = "2026-03-02"` with `valid_until = "2025-03-02"`
+valid-until-before-measurements = `valid_until` ({ $date }) is before the measurements ({ $measured })
+    .hint = correct `valid_until` or `date`

@@ -1,10 +1,10 @@
 ### Messages of simulate. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
-# Means: A pose of the truth has another number of joint values than the robot has joints.
-# Matters: The robot cannot be placed.
+# Means: A pose of the truth has more or fewer joint values than the robot has joints.
+# Matters: The pose of the robot is undefined.
 # Do: State one value for each joint, and the assembly mode of a platform.
 # Example: `joints = [[0, 10]]` for a robot of three joints
-truth-joint-count = a pose has { $values } joint values, the robot { $joints } joints
+truth-joint-count = a pose has { $values } joint values, but the robot has { $joints } joints
     .hint = state one value for each joint, and the assembly mode of a platform
 
 # Means: `label` in [[poses]] is stated together with `circles`.
@@ -14,14 +14,14 @@ truth-joint-count = a pose has { $values } joint values, the robot { $joints } j
 truth-label-with-circles = `label` in [[poses]] is for `joints`, not for `circles`
     .hint = omit `label`, or state `joints`
 
-# Means: [[poses]] names a point that is no [[point]].
-# Matters: The pose has no place.
+# Means: [[poses]] names a point for which no [[point]] exists.
+# Matters: The position of the pose is unknown.
 # Do: Use the label of a [[point]].
 # Example: `label = "P3"` without a [[point]] of this label
-truth-point-unknown = [[poses]] names the point `{ $label }`, which is no [[point]]
+truth-point-unknown = [[poses]] names the point `{ $label }`, but no [[point]] has this label
 
-# Means: `circles` are stated for a robot in space.
-# Matters: Circles are poses of a platform in the plane.
+# Means: `circles` are stated for a spatial robot.
+# Matters: Circles are poses of a planar platform.
 # Do: State `joints`.
 # Example: `circles` for a serial arm
 truth-circles-not-planar = `circles` are for planar robots
@@ -46,49 +46,49 @@ truth-target-unknown = [repeatability] of the truth: the robot has no target `{ 
 truth-pose-missing = pose { $pose } of the trajectory is not in the truth
     .hint = add it to `joints` of [[poses]] and to [[repeatability.pose]]
 
-# Means: The truth has [repeatability], and the campaign has not.
-# Matters: Labels and trajectory are those of the campaign.
+# Means: The truth has [repeatability], but the campaign does not.
+# Matters: The campaign states labels and trajectory.
 # Do: State [repeatability] in campaign.toml.
 # Example: truth.toml of a test with a campaign.toml of a calibration
-truth-repeatability-without-campaign = the truth has [repeatability], the campaign has not
-    .hint = state [repeatability] in campaign.toml: it names labels and trajectory
+truth-repeatability-without-campaign = the truth has [repeatability], but the campaign does not
+    .hint = state [repeatability] in campaign.toml: it states labels and trajectory
 
-# Means: `home` has another number of joint values than the robot has joints.
-# Matters: The robot cannot be placed at its home position.
+# Means: `home` has more or fewer joint values than the robot has joints.
+# Matters: The home position of the robot is undefined.
 # Do: State one value for each joint.
 # Example: `home = [0, 0]` for three joints
-truth-home-count = `home` has { $values } joint values, the robot { $joints } joints
+truth-home-count = `home` has { $values } joint values, but the robot has { $joints } joints
     .hint = state one value for each joint
 
 # Means: `etalon simulate` cannot write this kind of file.
-# Matters: The campaign cannot be tried on simulated data as it is.
-# Do: State another file to simulate, then the real one.
+# Matters: The campaign cannot be tried on simulated data without a change.
+# Do: State a file that can be simulated, and replace it by the real file afterwards.
 # Example: a log with `standstill`
-simulate-not-written = simulate cannot write { $what }
-    .hint = state another file to simulate, then the real one
+simulate-not-written = `etalon simulate` cannot write { $what }
+    .hint = state a file that can be simulated, and replace it by the real file afterwards
 
 # Means: The campaign reads several tables of observations.
 # Matters: `etalon simulate` writes one table.
 # Do: Simulate a campaign with one of them.
 # Example: two [[observations]] beside a truth.toml
-several-tables = several tables of observations are not simulated
+several-tables = `etalon simulate` writes one table of observations, not several
     .hint = simulate a campaign with one of them
 
 simulated-kind = { $kind ->
         [twincat] a TwinCAT export
         [moving-log] a log that is recorded while the robot moves
-        [period-log] a log whose times follow from its period, for a join by time
+        [period-log] a log with `period_s` for a join by time
         [repeated-columns] a log that names columns twice
         [workbook-sheet] a sheet of a workbook
         [encoding] a table in another encoding than UTF-8
-        [blank-columns] a table of observations with blanks between columns: its empty cells would vanish
-        [computed-columns] a table of observations with computed, numbered or constant columns, filters, or another header than one row
+        [blank-columns] a table of observations with blanks between columns: its empty cells would be lost
+        [computed-columns] a table of observations with computed, numbered or constant columns, filters, or a header of more or fewer rows than one
         [unmodelled] a table of observations with errors of {"["}unmodelled]
        *[backlash] a table of observations of a robot with backlash
     }
 
 # Means: `coordinates` is stated for an observation that is not a point in the world.
-# Matters: Only points may give some of their coordinates.
+# Matters: Only points may state some of their coordinates.
 # Do: Omit `coordinates`.
 # Example: `kind = "distance"` and `coordinates = "xy"`
 coordinates-of-other-kind = `coordinates` is for kind `point` without a station
@@ -98,38 +98,38 @@ in-numbered-table = [[{ $table }]] { $number }: { $message }
 
 in-set = set `{ $set }`: { $message }
 
-# Means: Nothing of the truth goes to this export.
+# Means: The truth has no points for this export.
 # Matters: An export without points cannot be read.
 # Do: Add a [[point]] with this `export`, or `label` or `target` to the export in the campaign.
 # Example: an export `world.txt` and no [[point]] with `export = "world.txt"`
-export-without-points = nothing in the truth goes to the export `{ $file }`
+export-without-points = the truth has no points for the export `{ $file }`
     .hint = add a [[point]] with this `export`, or `label` or `target` to the export in the campaign
 
 # Means: The export states an encoding.
 # Matters: `etalon simulate` writes UTF-8.
 # Do: Omit `encoding` of this export.
 # Example: `encoding = "windows-1252"`
-simulate-utf8 = simulate writes UTF-8
+simulate-utf8 = `etalon simulate` writes UTF-8
     .hint = omit `encoding` of this export
 
-# Means: The written export would be read with another number of rows.
+# Means: A reader of the written export would find another number of rows.
 # Matters: The simulation would not test the campaign as stated.
 # Do: Name target, pose and cycle in `label` or `columns`.
 # Example: two repeats without a cycle
-simulated-rows-lost = `{ $file }` would be read with { $read } of { $rows } rows
+simulated-rows-lost = `{ $file }` would be read with { $read } instead of { $rows } rows
     .hint = name target, pose and cycle in `label` or `columns`; `pose = "row"` is for one target a file; without a cycle, state `cycles = 1` in the truth
 
 # Means: A row of the written export would be read as another measurement.
 # Matters: The simulation would not test the campaign as stated.
 # Do: Name target, pose and cycle in `label` or `columns`.
 # Example: labels without the number of the cycle
-simulated-row-misread = line { $line } of `{ $file }` is { $meant }, and would be read as { $read }
+simulated-row-misread = line { $line } of `{ $file }` is { $meant }, but would be read as { $read }
     .hint = name target, pose and cycle in `label` or `columns`; `pose = "row"` is for one target a file; without a cycle, state `cycles = 1` in the truth
 
 measurement-name = target `{ $target }`, pose { $pose }, cycle { $cycle }
 
 # Means: A pose of the truth violates a limit of the robot.
-# Matters: A real robot cannot go there.
+# Matters: A real robot cannot attain this pose.
 # Do: Correct the pose in the truth, or [reach] in robot.toml.
 # Example: a joint value of 200 deg with a limit of 170 deg
 truth-pose-out-of-reach = pose { $pose } is out of reach: { $reason }
@@ -142,54 +142,54 @@ truth-pose-out-of-reach = pose { $pose } is out of reach: { $reason }
 truth-point-out-of-reach = pose { $pose }: the true robot does not reach its point { $point } mm
     .hint = correct the point or the pose in the truth
 
-# Means: The truth has [[observe]], and the campaign no [observations].
+# Means: The truth has [[observe]], but the campaign has no [observations].
 # Matters: The file and its columns are unknown.
 # Do: State `[observations]` with `file` in campaign.toml.
 # Example: [[observe]] of a distance without [observations]
-observe-without-table = the truth has [[observe]], and the campaign no [observations]
+observe-without-table = the truth has [[observe]], but the campaign has no [observations]
     .hint = state the table in campaign.toml: `[observations]` with `file`
 
-# Means: The campaign has [observations], and the truth no [[observe]].
+# Means: The campaign has [observations], but the truth has no [[observe]].
 # Matters: The table would be empty.
-# Do: State what is observed in the truth.
+# Do: State the observations in the truth.
 # Example: [observations] with `file` and a truth without [[observe]]
 table-without-observe = the truth has no [[observe]] for the table of [observations]
-    .hint = state what is observed: kind = "point", target = "ball" ...; docs/observations.md lists the kinds
+    .hint = state the observations: kind = "point", target = "ball" ...; docs/observations.md lists the kinds
 
 # Means: The campaign does not state that its data are synthetic.
-# Matters: Its files may be measured ones, which are never overwritten by simulated ones.
+# Matters: Its files may be measured data, which simulated data must never overwrite.
 # Do: State `synthetic` in campaign.toml: every report repeats it.
 # Example: `etalon simulate` in the folder of a real campaign
-campaign-not-synthetic = the campaign does not state that it is synthetic: its files may be measured ones
+campaign-not-synthetic = the campaign does not state that it is synthetic: its files may be measured data
     .hint = state `synthetic = "how the data are made"` in campaign.toml; `etalon init --synthetic FOLDER` writes such a campaign with a truth
 
-# Means: More decimals are stated than a number has.
+# Means: More decimals are stated than a floating-point number has.
 # Matters: Further digits are rounding errors.
 # Do: State fewer decimals.
 # Example: `decimals = 30`
-truth-decimals = { $decimals } decimals are more than a number has
+truth-decimals = { $decimals } decimals exceed the precision of a number
     .expected = 0 to { $most }
 
 # Means: One file of the campaign has joints and points.
-# Matters: `etalon simulate` writes exports and logs as files of their own.
-# Do: State an export and a [log] of their own to simulate.
+# Matters: `etalon simulate` writes exports and logs as separate files.
+# Do: State a separate export and [log] for the simulation.
 # Example: an export with `joints`
 joints-and-points-together = a file with joints and points together cannot be simulated
-    .hint = state an export and a [log] of their own
+    .hint = state a separate export and [log]
 
 # Means: The label of a [[point]] begins like a formula of a spreadsheet.
 # Matters: A spreadsheet would execute it.
 # Do: Give the point another label.
 # Example: `label = "=A1"`
-point-label-formula = the label `{ $label }` of a [[point]] is a formula in a spreadsheet
+point-label-formula = a spreadsheet would take the label `{ $label }` of a [[point]] for a formula
     .hint = use a label that does not begin with = + - or @
 
-# Means: [parameters] lacks coordinates of fixed things that are observed.
-# Matters: Their true places are unknown.
+# Means: [parameters] lacks coordinates of observed fixed points or surfaces.
+# Matters: Their true positions are unknown.
 # Do: State them in [parameters].
-# Example: a plane that is touched, without its place
+# Example: a plane that is touched, without its position
 truth-parameters-missing = [parameters] does not state { $parameters }
-    .hint = state where the observed fixed things are
+    .hint = state the true positions of the observed fixed points and surfaces
 
 # Means: [unmodelled] names a joint that the robot lacks.
 # Matters: The stated error has no effect.
@@ -205,20 +205,20 @@ unmodelled-period = [unmodelled] `period` of `{ $joint }` must be positive
     .hint = state a positive period
 
 # Means: A set of poses does not determine all parameters.
-# Matters: Its calibrations would not differ from nominal values there.
+# Matters: The undetermined parameters would remain at nominal values in all calibrations.
 # Do: Add poses to the set.
 # Example: three poses for 13 parameters
 study-too-few-poses = too few poses to identify all parameters
     .hint = add poses to the set
 
-# Means: A set has no poses, or none that the robot reaches.
+# Means: A set has no poses, or no poses within the reach of the robot.
 # Matters: There is nothing to simulate.
 # Do: State poses within reach.
 # Example: a circle outside of the workspace
 study-set-empty = a set has no pose that the robot reaches
     .hint = state poses within reach
 
-# Means: Poses are stated by positions, and the robot needs joint values.
+# Means: Poses are stated by positions, but the robot needs joint values.
 # Matters: A position does not determine the joints of this robot.
 # Do: State `joints`, or a table in `file`.
 # Example: `circles` for a serial arm
@@ -232,30 +232,39 @@ study-not-by-position = `{ $model }` cannot be placed by positions
 study-without-tool = `{ $model }` has no pose of a tool
     .hint = use a model with kinematics
 
-# Means: No joint values near those of the truth bring the targets to what they touch.
+# Means: No joint values near those of the truth bring the targets into contact.
 # Matters: The observation cannot be simulated.
-# Do: State joint values nearer to the contact, or a wider range of drawn ones.
+# Do: State joint values nearer to the contact, or a wider range of drawn joint values.
 # Example: a plane 2 m away from the robot
 truth-not-touching = pose { $pose }: no joint values near those of the truth make the contact
-    .hint = state joint values nearer to the contact, or a wider range of drawn ones
+    .hint = state joint values nearer to the contact, or a wider range of drawn joint values
 
 # Means: No uncertainty of angles is stated.
-# Matters: Simulated orientations would have no noise, and identified ones no weight.
+# Matters: Simulated orientations would have no noise, and identified orientations no weight.
 # Do: State `expanded_rotation_uncertainty_deg` in [instrument], or `urot_deg` in the [[observe]].
 # Example: `kind = "orientation"` without an uncertainty
 angle-uncertainty-missing = the uncertainty of an angle is missing
     .hint = state `expanded_rotation_uncertainty_deg` in [instrument], or `urot_deg` in the [[observe]]
 
-# Means: The written table would be read as other observations.
+# Means: A reader of the written table would find other observations.
 # Matters: The simulation would not test the campaign as stated.
 # Do: Check `pose` and `target` of [observations].
 # Example: `pose = "row"` with two rows a pose
 simulated-table-misread = `{ $file }` would be misread: an observation of pose { $pose } is off by { FIXED($off, 3) } mm or rad
-    .hint = `pose = "row"` and `target` of [observations] are for one target and one row a pose
+    .hint = `pose = "row"` and `target` of [observations] need one target and one row for each pose
 
-# Means: The truth has [geometric], and the campaign has not, or its robot is no PreXYT.
-# Matters: Labels of the geometric method are those of the campaign.
+# Means: The truth has [geometric], but the campaign has no [geometric], or its robot is not a
+# PreXYT.
+# Matters: The campaign states the labels of the geometric method.
 # Do: State [geometric] in campaign.toml.
 # Example: [geometric] in truth.toml alone
-truth-geometric-without-campaign = the truth has [geometric], the campaign has not or its robot is no PreXYT
-    .hint = state [geometric] in campaign.toml: it names the labels
+truth-geometric-without-campaign = the truth has [geometric], but the campaign has no [geometric] or its robot is not a PreXYT
+    .hint = state [geometric] in campaign.toml: it states the labels
+study-error-in-base = true pose of the tool in the base frame minus the commanded one
+study-error-in-world = true pose of the tool in the world minus the commanded one
+poses-in-set = poses in the set `{ $set }`
+positions-in-workspace = positions in `workspace`
+counted-calibrations = calibrations
+errors-to-evaluate = errors to evaluate
+poses-to-simulate = poses to simulate
+points-to-simulate = points to simulate

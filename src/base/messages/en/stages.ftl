@@ -5,17 +5,17 @@ rigid-distance-off = the distance { $first }-{ $second } is { FIXED($off_mm, 3) 
        *[longer] longer
     } than its median (tolerance { $limit_mm } mm)
 
-rigid-point-coincides = { $message }; the point lies where `{ $other }` is
+rigid-point-coincides = { $message }; the point coincides with `{ $other }`
 
 # Means: A distance between targets of a rigid part differs from its median by more than
 # `tolerance_mm` of [[rigid]].
-# Matters: The row is left out and listed in import.json: a target was mistaken, moved or measured
-# badly.
-# Do: Look at the row; correct its label, or keep it refused.
+# Matters: The row is left out and listed in import.json: a target was confused with another, moved,
+# or measured badly.
+# Do: Check the row; correct its label, or leave it refused.
 # Example: a reflector measured under the name of its neighbour
 rigid-row-refused = row { $row }: `{ $target }` is refused: { $reason }
 
-# Means: `targets` of [[rigid]] names one target, or one of them twice.
+# Means: `targets` of [[rigid]] names a single target, or one target twice.
 # Matters: The rule compares distances between targets.
 # Do: Name each target of the part once.
 # Example: `targets = ["SMR_1"]`
@@ -23,38 +23,38 @@ rigid-targets = a rigid part needs two or more targets, each named once
     .hint = name each target of the part once in `targets`
 
 # Means: `tolerance_mm` of [[rigid]] or `drift_mm` of [[fixed]] is zero, negative or not finite.
-# Matters: Every row would violate the limit, or none.
-# Do: State how far a distance may differ from its median, or a target may move.
+# Matters: With such a limit, either all rows or none would be refused.
+# Do: State the largest permitted deviation of a distance, or motion of a target.
 # Example: `tolerance_mm = 0`
 limit-not-positive = `{ $key }` must be a positive number
     .expected = { $key ->
             [drift_mm] the largest motion of a fixed target during the campaign, for example 0.02
-           *[tolerance_mm] the largest deviation of a distance from its median: some times its scatter, for example 0.1
+           *[tolerance_mm] the largest deviation of a distance from its median, a multiple of the scatter, for example 0.1
         }
 
-# Means: [[rigid]] states an uncertainty or coverage factor of `places_mm` and no `places_mm`.
+# Means: [[rigid]] states an uncertainty or coverage factor of `places_mm` without `places_mm`.
 # Matters: The statement has no effect.
-# Do: State the places, or remove the key.
+# Do: State `places_mm`, or remove the key.
 # Example: `coverage_factor = 2` in a [[rigid]] without `places_mm`
 rigid-uncertainty-without-places = `{ $key }` belongs to `places_mm`, which is missing
     .hint = state `places_mm`, or remove `{ $key }`
 
-# Means: `places_mm` of [[rigid]] names a target that `targets` of the same part does not name.
-# Matters: The place would not be used.
+# Means: `places_mm` of [[rigid]] names a target that is missing in `targets` of the same part.
+# Matters: The position would not be used.
 # Do: Correct the name, or add the target to `targets`.
 # Example: `places_mm = { SMR_9 = [0, 0, 0] }` with targets SMR_1 to SMR_3
 rigid-place-unknown = `places_mm` names `{ $target }`, which is not a target of this rigid part
 
-# Means: `places_mm` of [[rigid]] states the places of some targets of the part only.
+# Means: `places_mm` of [[rigid]] states the positions of only some targets of the part.
 # Matters: The shape of the part is used as a whole.
-# Do: Add the place of the target.
+# Do: Add the position of the target.
 # Example: `places_mm` of two of three targets
-rigid-place-missing = `places_mm` lacks the place of `{ $target }`
+rigid-place-missing = `places_mm` lacks the position of `{ $target }`
     .hint = add its coordinates, or remove it from `targets`
 
 # Means: `places_mm` of [[rigid]] is stated without its uncertainty.
-# Matters: The places count as a measurement; its weight needs the uncertainty.
-# Do: State `expanded_uncertainty_um` and `coverage_factor` of the places.
+# Matters: The positions count as a measurement; its weight needs the uncertainty.
+# Do: State `expanded_uncertainty_um` and `coverage_factor` of the positions.
 # Example: `places_mm` alone
 rigid-places-need-uncertainty = `places_mm` needs `{ $key }`, a positive number
     .expected = the expanded uncertainty of one coordinate, and its coverage factor
@@ -63,14 +63,14 @@ rigid-places-need-uncertainty = `places_mm` needs `{ $key }`, a positive number
 # Matters: It is unknown with which rows of the other targets it was measured.
 # Do: Name the pose in `label` or `columns`, or remove the target from [[rigid]].
 # Example: the label `SMR_1` read as `{target}`
-rigid-row-without-pose = [[rigid]] names `{ $target }`, and this row has neither pose nor time
+rigid-row-without-pose = [[rigid]] names `{ $target }`, but this row has neither pose nor time
     .hint = name the pose in `label` or `columns`, or remove the target from [[rigid]]
 
-# Means: Two rows of a target of [[rigid]] have the same time, and no pose.
+# Means: Two rows of a target of [[rigid]] have the same time and do not state a pose.
 # Matters: It is unknown which of them belongs to the rows of the other targets.
 # Do: Name the pose in `label` or `columns`.
-# Example: a target measured twice within one time stamp
-rigid-time-twice = [[rigid]] names `{ $target }`, and two of its rows have the same time
+# Example: a target measured twice with the same time stamp
+rigid-time-twice = [[rigid]] names `{ $target }`, but two of its rows have the same time
     .hint = the first is line { $first }; name the pose in `label` or `columns`
 
 # Means: No two targets of [[rigid]] have rows of the same pose and cycle, or of the same time.
@@ -84,7 +84,7 @@ rigid-never-together = { $targets } of [[rigid]] are never measured together
 
 # Means: Two targets of [[rigid]] are measured together too few times for a median of their
 # distance.
-# Matters: No row is refused by this distance; errors of these targets are not found.
+# Matters: No row is refused by this distance, so errors of these targets are not detected.
 # Do: Measure the targets together at more poses, or remove one from [[rigid]].
 # Example: two poses
 rigid-few-distances = the distance `{ $first }`-`{ $second }` of [[rigid]] refuses no row: it was measured { $count ->
@@ -94,34 +94,35 @@ rigid-few-distances = the distance `{ $first }`-`{ $second }` of [[rigid]] refus
     .expected = { $least } times or more
 
 # Means: [[identify.exclude]] names neither poses nor rows, or both.
-# Matters: It is undefined what is left out.
-# Do: State `poses`, perhaps with `cycle` and `target`; or `file` and `rows`.
+# Matters: It is undefined which readings are left out.
+# Do: State `poses`, optionally with `cycle` and `target`; or `file` and `rows`.
 # Example: `rows = "3"` without `file`
 exclusion-mixed = an exclusion names either poses or the rows of a file
-    .expected = `poses`, perhaps with `cycle` and `target`; or `file` and `rows`
+    .expected = `poses`, optionally with `cycle` and `target`; or `file` and `rows`
 
-# Means: `file` of [[identify.exclude]] is no export of the campaign, or an export without rows.
+# Means: `file` of [[identify.exclude]] is not an export of the campaign, or is an export without
+# rows.
 # Matters: Nothing would be left out.
-# Do: Name the file as the [[export]] does.
+# Do: Write the name of the file as in the [[export]].
 # Example: `file = "pose.txt"` for the export `poses.txt`
 exclusion-file-unknown = `{ $file }` is not an export with rows to exclude
 
 of-name = `{ $name }`: { $message }
 
-# Means: A row lies where another point was measured: in the same pose, or far from the other rows
-# of its own name.
-# Matters: The row is used as stated. With a wrong label it falsifies whatever uses this point.
-# Do: Correct the label, or leave the row out. [[rigid]] refuses rows whose distances to the other
+# Means: The coordinates of a row are those of another point: of the same pose, or far from the
+# other rows of its name.
+# Matters: The row is used as stated. A wrong label falsifies every result that uses this point.
+# Do: Correct the label, or exclude the row. [[rigid]] refuses rows whose distances to the other
 # targets are wrong.
 # Example: the reflector `base_3` measured while the instrument pointed at `SMR_3`
-point-lies-at-another = row { $row }: `{ $point }` lies where `{ $other }` is{ $rows ->
+point-lies-at-another = row { $row }: `{ $point }` has the position of `{ $other }`{ $rows ->
         [one] {""}
        *[other] {""}; { $rows } such rows in all
     }
-    .hint = if the instrument pointed at the other target or the label is wrong, correct the label or leave the row out; [[rigid]] refuses rows by their distances
+    .hint = if the instrument pointed at the other target or the label is wrong, correct the label or exclude the row; [[rigid]] refuses rows by their distances
 
 # Means: A target of [[fixed]] has too few rows to compare parts of the recording.
-# Matters: A motion of the target or the instrument stays unnoticed.
+# Matters: A motion of the target or the instrument is not detected.
 # Do: Measure the target more often.
 # Example: a fixed target measured before and after only
 drift-few-readings = `{ $target }` is measured { $count ->
@@ -133,8 +134,8 @@ drift-few-readings = `{ $target }` is measured { $count ->
 # Means: The medians of two parts of the rows of a fixed target lie farther apart than `drift_mm` of
 # [[fixed]].
 # Matters: Target or instrument moved: points of different times are not in one frame.
-# Do: Look for temperature and a moved instrument. With `targets` and `each = "pose"` in
-# [frame.world] the frame follows the targets.
+# Do: Check the temperature and the mounting of the instrument. With `targets` and `each = "pose"`
+# in [frame.world] the frame follows the targets.
 # Example: an instrument that warms up
 reference-drifts = `{ $target }` drifts: from rows { $first } to rows { $second } it moves { FIXED($moved_mm, 4) } mm; limit { $limit_mm } mm
     .hint = check temperature and mounting of the instrument; with `targets` and `each = "pose"` in [frame.world] the frame follows the targets
@@ -147,20 +148,20 @@ frames-differ = the points are relative to the frame `{ $second }`; the points o
     .hint = export them in one working frame, or do not use them together
 
 # Means: No row of an export is a point.
-# Matters: The export adds nothing; the file or its description is probably wrong.
+# Matters: The export contributes no measurements; the file or its description is probably wrong.
 # Do: Export the points again, or remove this [[export]].
 # Example: a file that holds a header alone
 export-empty = `{ $file }` holds no points
-    .hint = export the points again, or remove this [[export]]; `etalon formats FILE` shows how a text reads
+    .hint = export the points again, or remove this [[export]]; `etalon formats FILE` shows how a text is read
 
 # Means: A target has a name that a spreadsheet would execute.
-# Matters: Tables of results hold names of targets.
+# Matters: Tables of results contain the names of targets.
 # Do: Rename the target, or state a `label` without its first character.
 # Example: `=ball`
-target-formula = the target `{ $target }` is a formula in a spreadsheet
+target-formula = a spreadsheet would take the name `{ $target }` for a formula
     .hint = rename it, or state a `label` without its first character
 
-# Means: A row names a target of the robot, and no pose.
+# Means: A row names a target of the robot without a pose.
 # Matters: A measured target needs the pose of the robot, that is, its joint values.
 # Do: Name the pose in the label, or state `pose = "row"` for this export.
 # Example: the label `SMR_1` read as `{target}`
@@ -168,17 +169,18 @@ target-without-pose = the row names a target but no pose
     .hint = name the pose in the label, or state `pose = "row"` for this export
 
 # Means: Two rows have the same target, pose and cycle.
-# Matters: It is unknown which of them counts.
+# Matters: It is unknown which of them is valid.
 # Do: Number repeats as cycles, or remove one row. Files whose rows are poses need different
 # numbers.
 # Example: two files with `pose = "row"`
-target-twice = target `{ $target }` is there twice at pose { $pose }, cycle { $cycle }
+target-twice = target `{ $target }` occurs twice at pose { $pose }, cycle { $cycle }
     .hint = the first is { $file }:{ $line }; { $numbered ->
             [by-row] state `pose = "row + 100"` for one of the files
            *[by-label] number repeats as cycles, or remove one
         }
 
-# Means: Labels name no target of the robot, and no feature, frame or step of a procedure uses them.
+# Means: Labels name no target of the robot and are not used by a feature, frame or step of a
+# procedure.
 # Matters: These points are not used. A misspelt label loses its point in this way.
 # Do: Correct the label, or `label` of this export.
 # Example: `SMR1_3` where `label = "{target}_{pose}"` has the target `SMR_1`
@@ -189,20 +191,20 @@ labels-unused = { $count ->
         [one] is
        *[other] are
     } not used by a feature or frame; the first is `{ $label }`
-    .hint = correct the label, or `label` of this export
+    .hint = correct the label, or the pattern `label` of this export
 
 column-step = { $column } to { $step } { $unit }
 
 # Means: All values of a coordinate are multiples of a step whose rounding error is larger than the
 # uncertainty of the instrument. A step has the standard uncertainty step/√12 (JCGM 100:2008,
 # 4.3.7).
-# Matters: The results are less certain than the stated uncertainty of the instrument says.
+# Matters: The results are less accurate than the stated uncertainty of the instrument suggests.
 # Do: Export the coordinates with more decimals.
 # Example: coordinates with one decimal from a tracker with 15 µm
-coordinates-rounded = coordinates of `{ $file }` are rounded ({ $columns }): a standard uncertainty of { FIXED($rounding_um, 1) } µm, instrument { FIXED($instrument_um, 1) } µm
+coordinates-rounded = coordinates of `{ $file }` are rounded ({ $columns }): standard uncertainty of the rounding { FIXED($rounding_um, 1) } µm, of the instrument { FIXED($instrument_um, 1) } µm
     .hint = export them with more decimals
 
-# Means: A step of a procedure names the form of its labels, and no point has such a label.
+# Means: No point has a label of the form that a step of a procedure states.
 # Matters: The step cannot be evaluated.
 # Do: Correct the pattern, or add the export.
 # Example: `label = "visit_{pose}_{cycle}"` where the labels begin with `pose`
@@ -210,11 +212,11 @@ labels-missing = no point has a label of the form `{ $pattern }`
     .hint = correct the pattern, or add the export
 
 # Means: An exclusion on the command line states no reason.
-# Matters: Whoever reads the report must be able to judge why measurements are left out.
+# Matters: Readers of the report must be able to judge why measurements are excluded.
 # Do: Add the reason after a colon.
 # Example: `--exclude 13`
 exclusion-option-without-reason = { $option } { $text } states no reason
-    .expected = what is left out, and why: "13, 20-22: ball loose"
+    .expected = excluded poses or rows, and the reason: "13, 20-22: ball loose"
 
 exclusion-poses = { $count ->
         [one] pose
@@ -234,15 +236,15 @@ excluded-readings = excluded: { $count ->
        *[other] { $count } readings
     }, { $of }: { $reason }
 
-# Means: The exclusions leave out everything that was measured.
-# Matters: There is nothing to identify from.
+# Means: The exclusions exclude all readings.
+# Matters: Parameters cannot be identified without readings.
 # Do: Remove an exclusion.
 # Example: `poses = "1-1000"` of 100 poses
-exclusions-leave-nothing = the exclusions leave no reading
+exclusions-leave-nothing = all readings are excluded
     .hint = remove an exclusion
 
-# Means: An exclusion states poses or rows in a form that names none.
-# Matters: Nothing would be left out.
+# Means: The text of an exclusion is not a list of poses or rows.
+# Matters: No reading would be excluded.
 # Do: State names, numbers and ranges.
 # Example: `poses = "rest"`
 exclusion-names-nothing = `{ $stated }` names no { $of ->
@@ -255,7 +257,7 @@ exclusion-names-nothing = `{ $stated }` names no { $of ->
         }
 
 # Means: A row or statement names a joint or target that the robot lacks.
-# Matters: It is unknown what the row belongs to.
+# Matters: It is unknown to which joint or target the row refers.
 # Do: Correct the name.
 # Example: `SMR_4` of a robot with the targets SMR_1 to SMR_3
 not-of-this-robot = `{ $name }` is not a { $kind ->
@@ -264,14 +266,14 @@ not-of-this-robot = `{ $name }` is not a { $kind ->
     } of this robot
 
 # Means: `reason` of an exclusion is empty.
-# Matters: Whoever reads the report must be able to judge why measurements are left out.
+# Matters: Readers of the report must be able to judge why measurements are excluded.
 # Do: State the reason.
 # Example: `reason = ""`
-exclusion-without-reason = an exclusion needs its reason
-    .hint = state in `reason` why the measurements are left out
+exclusion-without-reason = an exclusion needs a reason
+    .hint = state in `reason` why the measurements are excluded
 
 # Means: An exclusion names a pose or row that was not measured.
-# Matters: The exclusion has no effect; what it means is still in the result.
+# Matters: The exclusion has no effect; the intended readings are still used.
 # Do: Correct the pose, cycle, target or row.
 # Example: `poses = "130"` of 100 poses
 exclusion-matches-nothing = { $of ->
@@ -280,32 +282,27 @@ exclusion-matches-nothing = { $of ->
     }
     .hint = correct the exclusion, or remove it
 
-# Means: Exports and logs are stated without [join].
-# Matters: It is unknown which rows of the log belong to which points.
-# Do: State `by` in [join].
-# Example: [[export]] and [log] alone
-join-missing = exports and logs need [join]
-    .hint = state `by` in [join]: "pose", "pose_and_cycle", "row", "time" or "label"
-
 # Means: No measured point has a row of the log within `tolerance_s`.
-# Matters: There are no observations. Usually the clock offset is wrong.
+# Matters: No observations remain. Usually the clock offset is wrong.
 # Do: Check value and sign of `clock_offset_s`: time of the measurement minus time of the log.
 # Example: `clock_offset_s = 3600` where the log is one hour ahead
 join-by-time-empty = no measured point has a partner in log `{ $log }`: the two nearest times are { FIXED($apart_s, 3) } s apart
     .hint = check value and sign of `clock_offset_s`: time of the measurement minus time of the log
 
+both-rows-near = a point between two rows needs both within `tolerance_s`: state at least the time from row to row
+
 # Means: No measured point and no row of the log have the same pose, cycle or row.
-# Matters: There are no observations.
+# Matters: No observations remain.
 # Do: Compare the names in exports and log, or choose another key with `by` in [join].
 # Example: poses 1 to 50 in the export, 0 to 49 in the log
 join-empty = no measured point has a partner in log `{ $log }`: the first pose of the points is `{ $measured }`, of the log `{ $logged }`
     .hint = compare poses and cycles of exports and log, or choose another key with `by` in [join]
 
-# Means: The offset of the clocks was taken from the standstills of the log: with it every measured
-# point falls into one.
-# Matters: Joint values are from the standstill of each point. The offset itself is uncertain by the
+# Means: The offset of the clocks was determined from the standstills of the log: with this offset,
+# every measured point falls into a standstill.
+# Matters: Each point has the joint values of its standstill. The uncertainty of the offset is the
 # stated half width.
-# Do: Nothing, if points were measured during standstills only.
+# Do: Nothing, if all points were measured during standstills.
 # Example: `clock_offset_s = "standstills"`
 clock-from-standstills = the clock of log `{ $log }` is set by { $count ->
         [one] 1 standstill
@@ -313,9 +310,9 @@ clock-from-standstills = the clock of log `{ $log }` is set by { $count ->
     }: offset { FIXED($offset_s, 3) } s ± { FIXED($half_width_s, 3) } s
     .hint = with this offset every measured point falls into a standstill
 
-# Means: The world frame is measured at each pose, and at some poses it could not be made.
+# Means: The world frame is measured at each pose, and could not be determined at some poses.
 # Matters: Points of these poses cannot be expressed in the world; they are left out.
-# Do: Look in import.json which frame targets were refused, or measure them.
+# Do: Find the refused frame targets in import.json, or measure them again.
 # Example: a frame target hidden at pose 12
 pose-without-frame = { $count ->
         [one] 1 pose
@@ -323,30 +320,30 @@ pose-without-frame = { $count ->
     } without a world frame, left out: { $poses }
     .hint = the frame targets were refused or not measured: see import.json
 
-# Means: Points and the rows of the log that they are joined with state different poses or cycles.
+# Means: Measured points and their rows of the log state different poses or cycles.
 # Matters: Joint values would be assigned to the wrong points.
-# Do: Join by pose. If the column counts something else in the log, leave it out of `columns`.
+# Do: Join by pose. If the column counts something else in the log, remove it from `columns`.
 # Example: a join by row where the export lacks the row of pose 7
 join-contradicts = { $count ->
         [one] 1 measured point has
        *[other] { $count } measured points have
-    } another { $column } than the row of log `{ $log }` they are joined with: { $measured } and { $logged } (line { $line } of the log)
-    .hint = join by pose; or leave `{ $column }` out of `columns` of the log, if it counts something else there
+    } a different { $column } in the joined row of log `{ $log }`: { $measured } and { $logged } (line { $line } of the log)
+    .hint = join by pose; or remove `{ $column }` from `columns` of the log, if this column has another meaning in the log
 
 # Means: A join by row needs one row of the log for each row of the export, and the counts differ.
 # Matters: From the first missing row on, joint values would belong to other points.
 # Do: Complete the file, or name pose and cycle in both and join by them.
 # Example: 100 rows of the export, 99 of the log
-row-counts-differ = `{ $file }` has { $rows } rows, log `{ $log }` has { $log_rows }
+row-counts-differ = `{ $file }` has { $rows } rows, but log `{ $log }` has { $log_rows }
     .expected = equal counts for a join by row
     .hint = complete the file that lacks rows; or name pose and cycle in both, and join by them
 
-# Means: The robot has `backlash`, and the log has neither times nor a column of directions.
+# Means: The robot has `backlash`, but the log has neither times nor a column of directions.
 # Matters: The error of a joint with backlash depends on the direction of its last motion.
 # Do: State the times of the rows (`time_s` in `columns`, or `period_s`), or the column of
 # directions: +1 from below, -1 from above.
 # Example: `backlash = [2]` with a log without times
-approach-direction-unknown = log `{ $log }` does not show from which direction joint `{ $joint }` moved
+approach-direction-unknown = log `{ $log }` does not show the direction of approach of joint `{ $joint }`
     .hint = `backlash` needs it: state the times of the rows (`time_s` in `columns`, or `period_s`), or `{ $column }` in `columns`: +1 from below, -1 from above
 
 # Means: The log has no motion of a joint with backlash before the first poses.
@@ -357,8 +354,8 @@ backlash-direction-unknown = log `{ $log }` has no motion of a joint with backla
     .hint = begin the log before the first pose, or state the direction
 
 # Means: The targets of a planar robot differ in height in the world frame by more than 0.5 mm.
-# Matters: The plane of the world is tilted against the plane of motion; projected lengths are too
-# short.
+# Matters: The plane of the world is tilted relative to the plane of motion; projected lengths are
+# too short.
 # Do: Check z of the exports (unit, sign, column) and the points that define the plane of the world
 # frame.
 # Example: two columns of the export exchanged
@@ -372,35 +369,35 @@ targets-out-of-plane = the targets of the planar robot have heights from { FIXED
 log-column-missing = log `{ $log }` has no column `{ $column }`
 
 # Means: A column that each row needs is missing, or has an empty cell.
-# Matters: It is unknown what the row refers to.
+# Matters: It is unknown to which item the row refers.
 # Do: Add the column, or complete the cell.
 # Example: a row of kind `distance` without `other`
 column-empty = the column `{ $column }` is empty or missing
     .hint = add the column, or complete the cell
 
 # Means: Some targets were not measured at some poses.
-# Matters: The targets that were measured still count. A pose or orientation needs all of them.
+# Matters: The measured targets are used. A pose or orientation needs all targets.
 # Do: Measure the poses again if their orientations matter.
 # Example: a hidden reflector at pose 12
 targets-missing = targets are missing at pose { $poses }
-    .hint = their other targets still count; a pose or an orientation needs all of them
+    .hint = the other targets of these poses are used; a pose or an orientation needs all targets
 
 key-in-lines = { $key } (lines { $lines })
 
 # Means: Several rows of the log have the same pose, or pose and cycle.
 # Matters: It is unknown which joint values belong to the measured points.
-# Do: Join by pose and cycle, or remove the rows that do not count.
+# Do: Join by pose and cycle, or remove the invalid rows.
 # Example: pose 3 logged twice with `by = "pose"`
 log-key-twice = log `{ $log }` has { $count ->
         [one] 1 key
        *[other] { $count } keys
     } more than once: { $keys }
-    .hint = add `cycle` to the key, or remove the rows that do not count
+    .hint = add `cycle` to the key, or remove the invalid rows
 
-# Means: Measured points without a row of the log, or rows of the log without a measured point.
+# Means: Some measured points have no row of the log, or some rows of the log have no measured
+# point.
 # Matters: They do not take part in the result; import.json lists all of them.
-# Do: Nothing, if they were not meant to be joined. Otherwise compare poses and cycles of both
-# files.
+# Do: Nothing, if these rows need no partner. Otherwise compare poses and cycles of both files.
 # Example: a log of 100 poses, of which 90 were measured
 keys-unmatched = { $count ->
         [one] 1 key
@@ -410,9 +407,10 @@ keys-unmatched = { $count ->
        *[points] measured points without a row of log `{ $log }`
     } ({ $columns }): { $keys }; see import.json
 
-# Means: A named pose is in the export or in the log only, and the other has poses without a
-# partner.
-# Matters: The pose is probably spelt differently in the two files; its measurements would be lost.
+# Means: A named pose is only in the export or only in the log, and the other file also has poses
+# without a partner.
+# Matters: The spelling of the pose probably differs between the two files; its measurements would
+# be lost.
 # Do: Write the name of the pose the same in both files.
 # Example: `home` in the log, `hom` in the export
 pose-misspelt = pose `{ $pose }` { $of ->
@@ -420,52 +418,53 @@ pose-misspelt = pose `{ $pose }` { $of ->
        *[points] is not in log `{ $log }`, and poses of the log were not measured
     }
 
-# Means: Rows of an export or of the log lack the pose, cycle or row that the join compares.
+# Means: Rows of an export or of the log lack the pose, cycle or row number that the join compares.
 # Matters: These rows cannot be joined.
-# Do: Name it in `label` of the exports and in `columns` of the log, or change `by` in [join].
+# Do: State this key in `label` of the exports and in `columns` of the log, or change `by` in
+# [join].
 # Example: `by = "pose_and_cycle"` with labels without a cycle
-join-key-missing = the join needs `{ $key }`, which some rows do not have
-    .hint = name it in `label` of the exports and in `columns` of the log, or change `by` in [join]
+join-key-missing = the join needs `{ $key }`, which is missing in some rows
+    .hint = state it in `label` of the exports and in `columns` of the log, or change `by` in [join]
 
-# Means: A join by label is for one target on the robot, which touches points of a plate.
+# Means: A join by label needs a robot with one target that touches points of a plate.
 # Matters: A label does not state which of several targets touched the point.
 # Do: Name one target, or join by pose.
 # Example: `by = "label"` with three targets
-join-by-label-targets = a join by label is for a robot with one target; this robot has { $count }
+join-by-label-targets = a join by label needs a robot with one target; this robot has { $count }
     .hint = name one target, or choose another key with `by` in [join]
 
-# Means: The plate is measured once, and the world frame is made at each pose.
-# Matters: The points of the plate have no place in the world.
-# Do: Make the world frame of points that do not move.
+# Means: The plate is measured once, but the world frame is measured at each pose.
+# Matters: The points of the plate have no position in the world.
+# Do: Define the world frame by stationary points.
 # Example: `each = "pose"` in [frame.world] with `by = "label"`
 join-by-label-frame = a join by label needs one world frame for all poses
-    .hint = make the frame of points that do not move
+    .hint = define the frame by stationary points
 
 # Means: A row of the log names a point that no export has.
-# Matters: Its place is unknown.
+# Matters: The position of the point is unknown.
 # Do: Correct the label in the log, or add the export of the point.
 # Example: `ball_7` of a plate with balls 1 to 6
 label-not-measured = no measured point has the label `{ $label }`
 
-# Means: Points of the plate are not named by any row of the log.
+# Means: No row of the log names these points of the plate.
 # Matters: They are not used.
 # Do: Nothing, if the robot did not touch them. Otherwise correct their labels.
 # Example: a plate of 30 balls, of which 20 were touched
 points-untouched = { $count ->
         [one] 1 point is
        *[other] { $count } points are
-    } touched by no row of log `{ $log }`; the first is `{ $label }`
+    } not touched in log `{ $log }`; the first is `{ $label }`
 
-# Means: A row of the log has a time that is not later than the time of the row before.
-# Matters: The row of a point is found by the order of times.
+# Means: The time of a row of the log is not later than that of the previous row.
+# Matters: The search for the row of a point needs increasing times.
 # Do: Sort the log by time, and remove rows with equal times.
 # Example: a log written by two recorders into one file
 log-times-not-increasing = times of log `{ $log }` do not increase at its row { $row }
     .hint = sort the log by time, and remove rows with equal times
 
-# Means: A join by time, and rows of an export or of the log have no time.
+# Means: The join is by time, but rows of an export or of the log have no time.
 # Matters: These rows cannot be joined.
-# Do: Name the column of times as `time_s` in `columns` of exports and log.
+# Do: State the column of times as `time_s` in `columns` of exports and log.
 # Example: `by = "time"` with an export without a column of times
 times-missing = { $of ->
         [log] the log has rows without a time
@@ -475,63 +474,62 @@ times-missing = { $of ->
     .hint = a join by time needs `time_s` in the columns of exports and log
 
 # Means: Several rows of the log are within `tolerance_s` of a measured point.
-# Matters: The nearest row counts; if the robot moved, the choice matters.
+# Matters: The nearest row is used; if the robot moved, the choice affects the result.
 # Do: Lower `tolerance_s` to less than half the period of the log.
 # Example: `tolerance_s = 5` with a row each second
 several-rows-near = { $count ->
         [one] 1 measured point has
        *[other] { $count } measured points have
-    } several rows of log `{ $log }` within { $tolerance_s } s: the nearest counts
+    } several rows of log `{ $log }` within { $tolerance_s } s: the nearest row is used
     .hint = lower `tolerance_s` to less than half the period of the log
 
 # Means: Measured points have no row of the log within `tolerance_s`.
 # Matters: They do not take part in the result; import.json lists them.
-# Do: Check `clock_offset_s` and `tolerance_s` if they should have been joined.
+# Do: If these points have partners, check `clock_offset_s` and `tolerance_s`.
 # Example: points measured after the log ended
 points-without-row = { $count ->
         [one] 1 measured point has
        *[other] { $count } measured points have
     } no row of log `{ $log }` within { $tolerance_s } s
 
-# Means: Rows of the log are nearest to no measured point.
+# Means: Some rows of the log are not the nearest row of any measured point.
 # Matters: They do not take part in the result; import.json lists them.
-# Do: Nothing, if nothing was measured then.
-# Example: standstills of the robot in which nothing was measured
+# Do: Nothing, if no point was measured at these times.
+# Example: standstills at which no point was measured
 rows-without-point = { $count ->
         [one] 1 row
        *[other] { $count } rows
     } of log `{ $log }` without a measured point
 
 # Means: Several points of one target have the same time.
-# Matters: A target is at one place at a time.
+# Matters: A target has one position at a time.
 # Do: Correct the times, or name the target of each point.
 # Example: two reflectors read under one name
 target-time-twice = { $count } points of target `{ $target }` have the same time (lines { $lines })
     .hint = correct the times, or name the target of each point
 
-# Means: One row of the log is nearest to several points of one target.
-# Matters: The target was at one place at that time: one of the points belongs to another row.
+# Means: One row of the log is the nearest row of several points of one target.
+# Matters: The target had one position at that time, so one of the points belongs to another row.
 # Do: Lower `tolerance_s`, or check `clock_offset_s`.
 # Example: `tolerance_s` longer than the time between two poses
-log-row-met-twice = row { $row } of log `{ $log }` is nearest to { $count } points of target `{ $target }` (lines { $lines })
+log-row-met-twice = row { $row } of log `{ $log }` is the nearest row of { $count } points of target `{ $target }` (lines { $lines })
     .hint = lower `tolerance_s`, or check `clock_offset_s`
 
-# Means: There is no offset of the clocks at which every measured point falls into a standstill of
-# the log.
-# Matters: The clocks cannot be set by the standstills: a point was measured in motion, or the log
+# Means: No offset of the clocks puts every measured point into a standstill of the log.
+# Matters: The standstills do not determine the offset: a point was measured in motion, or the log
 # lacks a standstill.
 # Do: State `clock_offset_s` as a number; rows without a partner are then listed.
 # Example: a point taken while the robot moved
-clock-offset-none = at no offset of the clocks does every measured point fall into a standstill of the log: { $count ->
-        [one] 1 time does
-       *[other] { $count } times do
-    }, up to { $last_s } s; the time { $first_s } s does not fit
-    .hint = remove points measured in motion; or state `clock_offset_s` as a number: rows without a partner are then listed
+clock-offset-none = no offset of the clocks puts every measured point into a standstill of the log: { $count ->
+        [one] 1 time fits
+       *[other] { $count } times fit
+    }, up to { $last_s } s; the time { $first_s } s does not
+    .hint = remove points measured in motion, or state `clock_offset_s` as a number; rows without a partner are then listed
 
 range-of-seconds = { FIXED($low_s, 3) } to { FIXED($high_s, 3) } s
 
-# Means: At several offsets of the clocks every measured point falls into a standstill.
-# Matters: Points would be joined with the wrong pose at all but one of them.
+# Means: Several offsets of the clocks put every measured point into a standstill.
+# Matters: Only one of these offsets is right; with any other, points are joined with a wrong pose.
 # Do: Compare the clocks once and state `clock_offset_s` as a number.
 # Example: standstills at equal intervals
 clock-offsets-several = the standstills allow { $count } ranges of the clock offset, the first: { $ranges }
@@ -539,7 +537,7 @@ clock-offsets-several = the standstills allow { $count } ranges of the clock off
 
 axis-of-world = "x", "y" or "z"
 
-# Means: An [[observe]] or [[known]] of a truth lacks a key that its kind needs.
+# Means: An [[observe]] or [[known]] of a truth lacks a required key of its kind.
 # Matters: The row cannot be simulated.
 # Do: State the key.
 # Example: `kind = "distance"` without `other`
@@ -547,7 +545,7 @@ observe-key-missing = kind `{ $kind }` needs `{ $column }`
     .hint = state `{ $column }`
 
 # Means: A distance is missing, zero, negative or not a number.
-# Matters: The row states nothing.
+# Matters: The row has no observation.
 # Do: Correct or remove the row.
 # Example: an empty `distance_mm`
 distance-not-positive = `distance_mm` is missing or not a length
@@ -555,20 +553,20 @@ distance-not-positive = `distance_mm` is missing or not a length
 
 # Means: A fixed point, socket or station has the name of a target on the robot, or `base`.
 # Matters: Its coordinates would be those of the target on the moving part.
-# Do: Give fixed points names of their own.
+# Do: Give fixed points their own names.
 # Example: `other = "SMR_1"` where SMR_1 is on the robot
 fixed-point-on-robot = `{ $name }` is a target on the robot, not a fixed point
-    .hint = give fixed points names of their own; rows about them alone have no pose
+    .hint = give fixed points their own names; rows that state only fixed points have no pose
 
 # Means: A distance is stated from a point to the same point.
-# Matters: The row states nothing.
+# Matters: The row has no observation.
 # Do: Correct `other`.
 # Example: `target = "A"`, `other = "A"`
 distance-to-itself = the distance is from `{ $name }` to itself
     .hint = correct `other`
 
-# Means: A number that the kind of the row needs is missing or does not read.
-# Matters: The row states nothing.
+# Means: A required number of the row is missing or cannot be read.
+# Matters: The row has no observation.
 # Do: Complete or remove the row.
 # Example: a row of kind `joints` without `value_deg`
 number-missing = `{ $column }` is missing or not a number
@@ -577,81 +575,80 @@ number-missing = `{ $column }` is missing or not a number
            *[value_deg] the value of the joint by the switch or second encoder
         }
 
-# Means: A row without a pose has a kind that needs one.
+# Means: A row without a pose is of a kind that needs a pose.
 # Matters: Without a pose the joint values of the row are unknown.
-# Do: State the pose, or use a kind that states fixed things.
+# Do: State the pose, or use a kind for fixed points and surfaces.
 # Example: a row of kind `contact` with an empty `pose`
 row-without-pose = a row of kind `{ $kind }` has no pose
-    .hint = rows without a pose state places (`point`) and distances (`distance`) of fixed points, and places on a `plane`, `line` or `sphere`
+    .hint = rows without a pose state positions (`point`) and distances (`distance`) of fixed points, and points on a `plane`, `line` or `sphere`
 
-# Means: A [[known]] of a truth has a kind that always needs a pose.
+# Means: A [[known]] of a truth is of a kind that always needs a pose.
 # Matters: The row cannot be simulated.
 # Do: Use `point`, `distance`, `plane`, `line` or `sphere`, or state it as [[observe]].
 # Example: `kind = "contact"` in [[known]]
-known-unsupported = a row of kind `{ $kind }` has no [[known]]
+known-unsupported = [[known]] cannot have the kind `{ $kind }`
     .expected = `point`, `distance`, `plane`, `line` or `sphere`
 
 # Means: `near_mm` of a [[known]] is stated for a point or distance.
-# Matters: It tells where on a surface a place is; here it has no effect.
+# Matters: `near_mm` states the position of a point on a surface; here it has no effect.
 # Do: Remove `near_mm`.
 # Example: `near_mm` with `kind = "point"`
-near-without-surface = `near_mm` is for places on surfaces
+near-without-surface = `near_mm` is for points on surfaces
     .hint = remove `near_mm`
 
-# Means: Values of joints and poses of bodies are observed on arms in space only.
+# Means: Joint values and poses of bodies can be observed on spatial arms only.
 # Matters: The model of this robot has no such observation.
 # Do: Observe positions or distances.
 # Example: a row of kind `joints` for a planar robot
 kind-of-arms = { $kind ->
-        [joints] values of joints
+        [joints] joint values
        *[poses] poses
-    } are for arms in space, not for `{ $model }`
+    } are for spatial arms, not for `{ $model }`
     .hint = observe positions or distances of targets
 
 # Means: The column `kind` names a kind of observation that does not exist.
-# Matters: It is unknown what the row states.
+# Matters: The meaning of the row is unknown.
 # Do: Use one of the kinds in docs/observations.md.
 # Example: `kind = "points"`
 kind-unknown = `{ $name }` is not a kind of observation
 
-# Means: A name stands on one or two rows and is spelt almost like the name on many rows.
-# Matters: Whatever it names would be identified from these rows alone, which then say nothing of
-# the robot.
-# Do: Correct the name, or leave the rows out.
+# Means: A name occurs in one or two rows and is spelt almost like a name in many rows.
+# Matters: The named item would be identified from these rows alone, which then contribute nothing
+# to the robot.
+# Do: Correct the name, or exclude the rows.
 # Example: `SMR_l` in one row, `SMR_1` in 99 rows
-name-on-few-rows = `{ $name }` is named in { $count ->
+name-on-few-rows = `{ $name }` occurs in { $count ->
         [one] 1 row
        *[other] { $count } rows
-    } only, and `{ $meant }` in { $meant_count }
-    .hint = did you mean `{ $meant }`? otherwise leave the rows of `{ $name }` out: they do not determine where it is
+    } only, but `{ $meant }` in { $meant_count }
+    .hint = did you mean `{ $meant }`? otherwise exclude the rows of `{ $name }`: they do not determine its position
 
-# Means: `base_link` of the robot is moved by joints of the URDF, and positions were measured by an
-# instrument.
-# Matters: Positions are taken as measured in a frame that moves with the base. An instrument
-# usually stands in the room.
-# Do: If the instrument is fixed in the room, let `base_link` be the root of the URDF.
+# Means: Joints of the URDF move `base_link`, and an instrument measured positions.
+# Matters: Positions are taken as relative to the moving base. An instrument usually stands in the
+# room.
+# Do: If the instrument is fixed in the room, state the root of the URDF as `base_link`.
 # Example: `base_link = "link_1"` of an arm on a rail
-base-moves = the joints { $joints } move `base_link`: positions are taken as measured in a frame that moves with it
-    .hint = if the instrument is fixed in the room, let `base_link` be the root of the URDF
+base-moves = the joints { $joints } move `base_link`: positions are taken as relative to this moving link
+    .hint = if the instrument is fixed in the room, state the root of the URDF as `base_link`
 
-names-of-fixed-things = give targets, points and planes names of their own
+names-of-fixed-things = give targets, points and planes different names
 
 # Means: Rows give one or two coordinates of a target.
-# Matters: Each coordinate counts as an observation of its own.
+# Matters: Each coordinate counts as a separate observation.
 # Do: Nothing, if the other coordinates were not measured.
 # Example: heights measured with a dial gauge: `z_mm` alone
 partial-coordinates = { $count ->
         [one] 1 row gives
        *[other] { $count } rows give
-    } one or two coordinates of a target: each counts by itself
+    } one or two coordinates of a target: each coordinate counts as a separate observation
 
-# Means: A few rows have an empty column `station`, and many rows have a station.
-# Matters: Rows without a station are taken as those of the world, whose station must see the robot
+# Means: A few rows have an empty column `station`, but many rows have a station.
+# Matters: Rows without a station belong to the station of the world, which must observe the robot
 # at three poses or more.
 # Do: Complete the column.
 # Example: one row of 100 without its station
-station-missing = the column `station` is empty here, and other points have one
-    .hint = name the station: rows without one belong to the station of the world, which has to see the robot at { $least } poses or more
+station-missing = the column `station` is empty here, but other points have a station
+    .hint = state the station: rows without one belong to the station of the world, which must observe the robot at { $least } poses or more
 
 # Means: `coordinates` of a truth has letters other than x, y and z.
 # Matters: It is unknown which coordinates are simulated.
@@ -660,11 +657,11 @@ station-missing = the column `station` is empty here, and other points have one
 coordinates-unknown = `{ $text }` does not name coordinates
     .expected = letters of x, y and z: "z", "xy"
 
-# Means: A row without a pose states the place of a fixed point, and a coordinate is missing.
-# Matters: The row states nothing.
+# Means: A row without a pose states the position of a fixed point, and a coordinate is missing.
+# Matters: The row has no observation.
 # Do: Complete or remove the row.
 # Example: an empty `z_mm` of a fixed point
-place-missing = the place of `{ $point }` is missing or not a number
+place-missing = the position of `{ $point }` is missing or not a number
     .hint = complete its coordinates, or remove the row
 
 # Means: A row lacks the value of a joint.
@@ -676,27 +673,28 @@ joint-value-missing = a joint value is missing or not a number
 
 # Means: A row of a station other than the first is not a point with three coordinates and one
 # uncertainty.
-# Matters: Its frame is identified with the robot; this is computed for whole points.
+# Matters: The frame of the station is identified with the robot; this needs points with three
+# coordinates.
 # Do: State x_mm, y_mm, z_mm and `u_mm`.
 # Example: a height alone, measured from a second station
 station-row-unsupported = { $fault ->
         [kind] a row of kind `{ $kind }` states the station `{ $station }`
         [coordinate] a coordinate measured by station `{ $station }` is missing or not a number
         [covariance] a point measured by station `{ $station }` states a covariance
-       *[uncertainties] coordinates measured by station `{ $station }` have uncertainties of their own
+       *[uncertainties] coordinates measured by station `{ $station }` have separate uncertainties
     }
     .expected = rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first
 
 # Means: The standard uncertainty of a row is zero or negative.
-# Matters: It is the weight of the row.
+# Matters: The weight of the row depends on its uncertainty.
 # Do: Correct the value, or leave the cell empty.
 # Example: `u_mm = 0`
 uncertainty-not-positive = `{ $column }` = { $value } is not a standard uncertainty
     .expected = a positive number
 
-# Means: A row has no standard uncertainty, and none is stated for all rows.
-# Matters: It is the weight of the row.
-# Do: State it for all rows, or in a column.
+# Means: A row has no standard uncertainty, and no uncertainty is stated for all rows.
+# Matters: The weight of the row depends on its uncertainty.
+# Do: State an uncertainty for all rows, or in a column.
 # Example: a distance in a table without `u_mm`
 uncertainty-missing = the row has no standard uncertainty
     .hint = { $column ->
@@ -704,9 +702,9 @@ uncertainty-missing = the row has no standard uncertainty
            *[u_mm] state --standard-uncertainty-um, or a column `u_mm`
         }
 
-# Means: A plane or line is identified, and the column `axis` does not state which axis of the world
-# it is nearest to.
-# Matters: The parameters of the plane or line are defined about this axis.
+# Means: A plane or line is identified, and the column `axis` does not state the nearest axis of the
+# world.
+# Matters: The parameters of the plane or line refer to this axis.
 # Do: State `x`, `y` or `z`.
 # Example: a row of kind `plane` without `axis`
 surface-axis-missing = { $kind ->
@@ -719,35 +717,35 @@ surface-axis-missing = { $kind ->
         }
 
 # Means: `offset_mm` is stated for a target on a line.
-# Matters: A distance from a line has no sign or direction: it is not computed.
+# Matters: The offset from a line has no defined direction.
 # Do: Leave the cell empty.
 # Example: `offset_mm = 5` in a row of kind `line`
 offset-of-line = `offset_mm` is for planes and spheres, not for a line
     .hint = leave the cell empty
 
-# Means: A [[known]] of a truth is a place on a plane or line, and does not state where.
-# Matters: The place cannot be simulated.
+# Means: A [[known]] of a truth is a point on a plane or line without its position.
+# Matters: The point cannot be simulated.
 # Do: State `near_mm`.
 # Example: `kind = "plane"` in [[known]] without `near_mm`
-near-missing = a place on a { $kind } needs `near_mm`
-    .hint = state about where it is, in the world
+near-missing = a point on a { $kind } needs `near_mm`
+    .hint = state its approximate position in the world
 
-# Means: The column `direction` of a table of loads has another text than an axis with its sign.
+# Means: The text in the column `direction` of a table of loads is not a signed axis.
 # Matters: The compliance is evaluated for each direction.
 # Do: Correct the cell.
 # Example: `x` instead of `+x`
 load-direction-unknown = `{ $direction }` is not a direction
     .expected = +x, -x, +y, -y, +z or -z
 
-# Means: A load along z is in a table without `z_mm`.
+# Means: The table has a load along z, but no `z_mm`.
 # Matters: The displacement along the force was not measured.
 # Do: Add the column `z_mm`, or remove the row.
 # Example: `direction = "+z"` in a table of x and y
-load-direction-unmeasured = direction `{ $direction }` needs `z_mm`: no displacement is measured there
+load-direction-unmeasured = direction `{ $direction }` needs `z_mm`: the displacement in this direction was not measured
     .hint = add the column `z_mm`, or remove the row
 
 # Means: A force is missing, negative or not a number.
-# Matters: The row states nothing.
+# Matters: The row has no load.
 # Do: State the magnitude in newtons; the direction gives the sign.
 # Example: `force_n = -50`
 force-not-a-number = `{ $text }` is not a force
@@ -761,21 +759,20 @@ drift-without-commanded = `drift_set` needs commanded poses
     .hint = state them: `commanded = "commanded.csv"`
 
 # Means: The campaign has [poses] and [repeatability].
-# Matters: Both state the attained poses of one test: it is undefined which count.
-# Do: Keep the one that the measurements are in: labels, or a table.
+# Matters: Both state the attained poses of one test: it is undefined which apply.
+# Do: Keep [repeatability] for labelled points, or [poses] for a table.
 # Example: [poses] with `attained` beside [repeatability] with `label`
 attained-poses-twice = [poses] and [repeatability] both state attained poses
-    .hint = keep the one that the measurements are in: labels, or a table
+    .hint = keep [repeatability] for labelled points, or [poses] for a table
 
-# Means: A limit is stated for a characteristic that some pose does not have.
-# Matters: Whether the limit is met is unknown there.
-# Do: Visit every pose twice or more, and command it; or remove the limit.
+# Means: A limit is stated for a characteristic that some poses do not have.
+# Matters: The limit cannot be judged at these poses.
+# Do: Visit every pose at least twice, and state its commanded position; or remove the limit.
 # Example: `repeatability_max_mm` where pose 4 was visited once
-limit-without-value = the limit `{ $limit }` cannot be judged: pose { $pose } has no such value
-    .hint = visit every pose twice or more, and command it
+limit-without-value = the limit `{ $limit }` cannot be judged: it has no value at pose { $pose }
+    .hint = visit every pose at least twice, and state its commanded position
 
-# Means: Compensation of the drift of the set-up by reference targets makes the positions of a pose
-# scatter more.
+# Means: Compensation by reference targets increases the scatter of the positions.
 # Matters: The reference targets did not move with the measuring system; compensated values are
 # worse than measured ones.
 # Do: Look for a wrong reading among the reference targets, or leave them out.
@@ -787,25 +784,24 @@ compensation-scatters = attained positions scatter by { FIXED($after_mm, 4) } mm
 # of the instrument.
 # Matters: A target moved or was measured wrongly; the compensation of the set-up contains this
 # error.
-# Do: Measure the reference targets again, or leave one out.
+# Do: Measure the reference targets again, or exclude the wrong one.
 # Example: one of four reference targets bumped in cycle 12
-reference-targets-misshapen = reference targets of cycle { $cycle } lie { FIXED($rms_mm, 4) } mm (root mean square) from a rigid motion of the first cycle; expanded uncertainty { FIXED($expanded_mm, 4) } mm
-    .hint = one of them moved, or was measured wrongly: measure them again, or leave it out
+reference-targets-misshapen = reference targets of cycle { $cycle } deviate by { FIXED($rms_mm, 4) } mm (root mean square) from a rigid motion since the first cycle; expanded uncertainty { FIXED($expanded_mm, 4) } mm
+    .hint = a target moved or was measured wrongly: measure the targets again, or exclude the wrong one
 
-# Means: [repeatability] is evaluated in a world frame that is measured once, and the campaign
-# measures it at each pose.
-# Matters: A frame at each pose adds its own scatter to the repeatability.
-# Do: Make the world frame of points that are measured once.
+# Means: [repeatability] needs a world frame that is measured once, but the campaign measures it at
+# each pose.
+# Matters: A frame that is measured at each pose adds its scatter to the repeatability.
+# Do: Define the world frame by points that are measured once.
 # Example: `each = "pose"` in [frame.world] with [repeatability]
 repeatability-frame = [repeatability] needs a world frame that is measured once
-    .hint = make the frame of points that do not move
+    .hint = define the frame by stationary points
 
-# Means: The table of commanded poses has a column of angles, and labelled points are positions
-# only.
+# Means: The table of commanded poses has angles, but labelled points have positions only.
 # Matters: Accuracy of orientation cannot be evaluated.
 # Do: Remove the column, or give attained poses with angles as a table in [poses].
 # Example: `a_deg` in `commanded` of [repeatability]
-commanded-angle-unmeasured = `{ $column }` is commanded, but labels bring positions alone
+commanded-angle-unmeasured = `{ $column }` is commanded, but labelled points have positions only
     .hint = remove the column, or give attained poses with angles as a table: [poses]
 
 # Means: A pose was visited, and the table of commanded poses lacks it.
@@ -817,7 +813,7 @@ commanded-pose-missing = no position is commanded for pose { $poses }
 
 # Means: The table of commanded poses has a pose that was not visited.
 # Matters: The pose has no characteristics.
-# Do: Nothing, if it is not part of the test.
+# Do: Nothing, if the pose is not part of the test.
 # Example: a table of five poses, four visited
 commanded-pose-unmeasured = pose { $pose } is commanded, but nothing was measured there
 
@@ -828,22 +824,22 @@ commanded-pose-unmeasured = pose { $pose } is commanded, but nothing was measure
 trajectory-empty = the trajectory has no pose
     .hint = state the poses of one cycle in their order, for example [1, 2, 1, 3]
 
-# Means: `coplanar` of [repeatability] has a pose twice, or one that `trajectory` lacks.
+# Means: `coplanar` of [repeatability] names a pose twice, or a pose that `trajectory` lacks.
 # Matters: The deviation from the plane is computed from four visited poses.
 # Do: Name four poses of the trajectory, each once.
 # Example: `coplanar = [1, 2, 3, 3]`
-coplanar-not-four = `coplanar` does not name four poses of the trajectory
-    .expected = four of its poses, each once
+coplanar-not-four = `coplanar` must name four different poses of the trajectory
+    .expected = four poses of the trajectory, each once
 
 # Means: A label names a pose that `trajectory` of [repeatability] lacks.
-# Matters: The visit has no place in the order of the cycle.
+# Matters: The visit has no position in the order of the cycle.
 # Do: Correct the label, or add the pose to `trajectory`.
 # Example: the label `visit_9_1` with `trajectory = [1, 2, 3]`
 pose-not-in-trajectory = pose { $pose } (cycle { $cycle }) is not in the trajectory
     .hint = correct the label, or add the pose to `trajectory`
 
 # Means: Labels of [repeatability] match visits of several targets.
-# Matters: Repeatability is that of one point; the targets lie apart.
+# Matters: Repeatability refers to one point; several targets have different positions.
 # Do: Name one target in `label`.
 # Example: `label = "{target}_{pose}_{cycle}"` with three balls
 pose-of-several-targets = pose { $pose } (cycle { $cycle }) has visits of `{ $target }` and of another target
@@ -851,15 +847,16 @@ pose-of-several-targets = pose { $pose } (cycle { $cycle }) has visits of `{ $ta
 
 pose-of-cycle = pose { $pose } of cycle { $cycle }
 
-# Means: A pose was measured in a cycle, and not as many times as the trajectory passes it.
-# Matters: It is unknown which visit is missing, and from where the others were approached.
+# Means: The number of visits of a pose in a cycle differs from that of the trajectory.
+# Matters: It is unknown which visit is missing, and therefore from which poses the others were
+# approached.
 # Do: Add the visit, or remove all visits of this pose and cycle.
 # Example: two visits where the trajectory passes the pose three times
-visit-count-differs = pose { $pose } was measured { $found } times in cycle { $cycle }, the trajectory passes it { $count } times
-    .hint = add the visit, or remove all of this pose and cycle: from where the others were approached is unknown
+visit-count-differs = pose { $pose } was measured { $found } times in cycle { $cycle }, but the trajectory passes it { $count } times
+    .hint = add the visit, or remove all visits of this pose and cycle: their previous poses are unknown
 
 # Means: Poses of the trajectory have no visit in some cycles.
-# Matters: Their characteristics come from fewer cycles.
+# Matters: Their characteristics are based on fewer cycles.
 # Do: Nothing, if the cycles were interrupted. Otherwise look for misspelt labels.
 # Example: cycle 30 ended at pose 3
 visits-missing = not measured: { $poses }{ $count ->
@@ -868,17 +865,17 @@ visits-missing = not measured: { $poses }{ $count ->
     }
 
 # Means: The expanded uncertainty of the instrument exceeds 25 % of the repeatability of homing.
-# Matters: The value is an upper bound of the robot's repeatability.
-# Do: Use it as an upper bound, or measure with a better instrument.
+# Matters: The value is an upper bound for the robot's repeatability.
+# Do: Use the value as an upper bound, or measure with a better instrument.
 # Example: a repeatability of 5 µm measured with U = 3 µm
 homing-instrument-too-coarse = the measurement uncertainty exceeds 25 % of the repeatability of homing, { FIXED($rp_mm, 4) } mm
     .hint = use the value as an upper bound, or measure with a better instrument
 
 # Means: The central part of a path is stated as more than 100 %.
-# Matters: Velocities are compared within the path.
+# Matters: The central part lies within the path.
 # Do: State 100 or less.
 # Example: `central_percent = 150`
-central-part-too-large = { $option } is more than the path
+central-part-too-large = { $option } exceeds 100 %
     .expected = a number above 0 and at most 100
 
 # Means: The number of command points on a path is below 2 or above 100000.
@@ -889,31 +886,31 @@ path-points-out-of-range = { $option } is out of range
     .expected = 2 to 100000
 
 # Means: A velocity or weave is commanded without a commanded path.
-# Matters: It has no effect.
+# Matters: Such a command has no effect.
 # Do: State the file of the commanded path.
 # Example: `velocity_mm_s = 100` without `path`
 path-not-stated = { $option } needs { $path }
     .hint = state the file of the commanded path
 
-# Means: A weave is stated by stroke, frequency and direction, and one of them is missing.
+# Means: A weave needs stroke, frequency and direction, and one of them is missing.
 # Matters: Weaving deviations compare all three.
 # Do: State the missing one.
 # Example: `weave_hz` alone
 weave-incomplete = the weave lacks { $option }
     .hint = state stroke, frequency and direction
 
-# Means: The direction of a weave has not three finite numbers.
+# Means: The direction of a weave does not have three finite numbers.
 # Matters: The swing is measured along this direction.
 # Do: State x, y and z of the direction.
 # Example: `weave_across = [0, 1]`
-weave-direction-count = { $option } has not three numbers
+weave-direction-count = { $option } does not have three numbers
     .expected = x, y and z of the direction of the swing
 
 # Means: Two [[stream]] have the same name.
 # Matters: Results and comparisons of campaigns refer to the name.
 # Do: Give each stream its own name.
 # Example: two [[stream]] with `name = "square"`
-stream-twice = stream `{ $stream }` is there twice
+stream-twice = stream `{ $stream }` occurs twice
     .hint = give each stream its own name
 
 in-observation = pose { $pose } cycle { $cycle } of the observations: { $message }
@@ -926,18 +923,18 @@ in-feature = feature `{ $name }`: { $message }
 # Matters: All targets of a pose are measured at the same joint values.
 # Do: Correct the joint values, or number repeats in the column `cycle`.
 # Example: `q1_deg` 10.0 and 10.5 at pose 3, cycle 1
-joints-of-pose-differ = its rows have different joint values
+joints-of-pose-differ = rows of one pose and cycle have different joint values
     .hint = correct them, or number repeats in the column `cycle`
 
 # Means: A target has two rows at one pose and cycle.
-# Matters: It is unknown which of them counts.
+# Matters: It is unknown which of them is valid.
 # Do: Number repeats in the column `cycle`.
 # Example: two rows `3,1,SMR_1`
 target-repeated = target `{ $target }` occurs twice
     .hint = number repeats in the column `cycle`
 
-# Means: The table has no rows, or none that was measured.
-# Matters: There is nothing to identify from.
+# Means: The table has no rows, or no measured rows.
+# Matters: Parameters cannot be identified without observations.
 # Do: Check the file and its exclusions.
 # Example: a table that holds a header alone
 table-without-observations = there are no observations
@@ -951,62 +948,61 @@ table-without-observations = there are no observations
 arms-apart = with nominal parameters the arms do not meet at these joint values
     .hint = check unit, sign and offset of the joints, and the nominal parameters
 
-# Means: Candidates with joint values of a parallel robot do not state the assembly mode.
+# Means: Candidates are joint values of a parallel robot without the assembly mode.
 # Matters: The robot has two positions at the same joint values.
-# Do: State 1 or -1 in the column `assembly`, or give candidates as positions.
+# Do: State 1 or -1 in the column `assembly`, or state candidates as positions.
 # Example: `pose,q1_deg,q2_deg` of a five-bar robot
 assembly-mode-missing = the assembly mode is not stated
     .expected = 1 or -1 in the column `assembly`
     .hint = candidates may also be positions: `pose,x_mm,y_mm` without joints gives all working modes
 
-# Means: Positions at which the robot would be in either assembly mode are about as far from the
-# measured position.
-# Matters: The mode cannot be taken from the measurement.
-# Do: State the column `assembly`, or the place of the base under [nominal].
+# Means: The positions of both assembly modes have about the same distance from the measured
+# position.
+# Matters: The measurement does not determine the mode.
+# Do: State the column `assembly`, or the position of the base under [nominal].
 # Example: a five-bar robot measured along its line of symmetry
 assembly-mode-ambiguous = both assembly modes fit equally well: { FIXED($near_mm, 2) } mm and { FIXED($far_mm, 2) } mm from the measured position
-    .hint = state a column `assembly` with 1 or -1; or state the place of the base (x_o, y_o, phi) under [nominal]
+    .hint = state a column `assembly` with 1 or -1; or state the position of the base (x_o, y_o, phi) under [nominal]
 
-# Means: The log states no assembly mode; the mode whose position is nearer to the measurement was
-# taken.
-# Matters: A wrong mode would show as an error of millimetres at this pose.
-# Do: State the column `assembly` where the log has it.
+# Means: The log states no assembly mode; the mode nearer to the measurement was used.
+# Matters: A wrong mode would cause an error of millimetres at this pose.
+# Do: State the column `assembly`, if the log has it.
 # Example: a log of a five-bar robot without `assembly`
-assembly-modes-assumed = the assembly mode of { $count } observations was taken from the measurement ({ $positive } in mode +1, { $negative } in mode -1); least clear is pose { $pose }: { FIXED($near_mm, 1) } mm and { FIXED($far_mm, 1) } mm
-    .hint = state a column `assembly` with 1 or -1 where the log has it
+assembly-modes-assumed = the assembly mode of { $count } observations was taken from the measurement ({ $positive } in mode +1, { $negative } in mode -1); the least clear pose is { $pose }: { FIXED($near_mm, 1) } mm and { FIXED($far_mm, 1) } mm
+    .hint = state a column `assembly` with 1 or -1 if the log has it
 
-# Means: Measured positions of a robot in space lack `z_mm`.
-# Matters: A position in space has three coordinates. Rows with single coordinates state them by
-# leaving cells of a present column empty.
+# Means: Measured positions of a spatial robot lack `z_mm`.
+# Matters: A spatial position has three coordinates. For single coordinates, leave cells of the
+# column empty.
 # Do: Add the column `z_mm`.
 # Example: `x_mm,y_mm` of a six-axis arm
-height-missing = observations of a robot in space lack `z_mm`
+height-missing = observations of a spatial robot lack `z_mm`
     .hint = add the column `z_mm`
 
-# Means: The table has columns `ux_mm` .. and columns `cxx_mm2` ..
-# Matters: It is undefined which weigh the rows.
+# Means: The table has both columns `ux_mm` .. and columns `cxx_mm2` ..
+# Matters: It is undefined which columns weight the rows.
 # Do: Remove `ux_mm`, `uy_mm`, `uz_mm`.
 # Example: `ux_mm` beside `cxx_mm2`
 uncertainties-twice = the table states both standard uncertainties and covariances of coordinates
     .hint = remove `ux_mm`, `uy_mm`, `uz_mm`
 
-# Means: A row states the uncertainty of some coordinates and not of all.
+# Means: A row states the uncertainties of only some coordinates.
 # Matters: Its weight is unknown.
-# Do: Complete the row, or leave all its cells of uncertainties empty.
+# Do: Complete the row, or leave all cells of its uncertainties empty.
 # Example: `ux_mm` without `uy_mm` in a row
 coordinate-uncertainty-missing = the row states an uncertainty, but `{ $column }` is empty
-    .expected = from 0.00002 to 100 mm, or all of them empty
+    .expected = from 0.00002 to 100 mm for each coordinate, or empty cells for all
 
 # Means: The uncertainty of a coordinate is zero, negative, below 0.02 µm or above 100 mm.
-# Matters: No instrument has it; the column is probably in another unit.
+# Matters: No instrument has such an uncertainty; the column is probably in another unit.
 # Do: Correct the unit or the value.
 # Example: `ux_mm = 0.000001`
-coordinate-uncertainty-unusable = `{ $column }` = { $value } is not the uncertainty of a coordinate
-    .expected = from 0.00002 to 100 mm, or all of them empty
+coordinate-uncertainty-unusable = `{ $column }` = { $value } cannot be the uncertainty of a coordinate
+    .expected = from 0.00002 to 100 mm for each coordinate, or empty cells for all
 
 # Means: The covariance of a position has an eigenvalue of zero or below.
-# Matters: It is no covariance of measured coordinates: two elements are exchanged, or have another
-# unit.
+# Matters: A covariance of measured coordinates is positive definite: two elements are exchanged, or
+# have a wrong unit.
 # Do: Check the columns `cxx_mm2` ..
 # Example: a correlation above 1
 position-covariance-invalid = the covariance of the row is not positive definite
@@ -1022,45 +1018,44 @@ unplaced = { $kind ->
            *[other] { $count } fixtures
         }
        *[both] { $count } targets and fixtures
-    } measured at validation poses alone: { $names }; placed by these readings, with the identified robot held
+    } measured only at validation poses: { $names }; located by these readings, with the identified robot held
 
-# Means: All targets of the validation poses are measured there alone, and their readings are needed
-# to place them.
+# Means: All targets of the validation poses are measured only there, and all readings are needed to
+# locate them.
 # Matters: No reading is left that could contradict the identified robot.
-# Do: Measure the targets at calibration poses too, or move a pose where they are measured to
+# Do: Also measure the targets at calibration poses, or move a pose where they are measured to
 # `calibration`.
 # Example: a second ball measured at the validation poses, once each
-validation-leaves-nothing = { $unplaced }: nothing is left to validate with
-    .hint = measure them at calibration poses too, or move a pose where they are measured to `calibration`
+validation-leaves-nothing = { $unplaced }: no redundant reading is left for validation
+    .hint = also measure them at calibration poses, or move a pose where they are measured to `calibration`
 
-# Means: A target is measured at validation poses only. Its place was fitted to these readings.
+# Means: A target is measured only at validation poses. Its position was fitted to these readings.
 # Matters: The errors of these readings are smaller than those of an independent validation; the
-# statistics count their redundancy.
-# Do: Measure the target at calibration poses too.
+# statistics account for their redundancy.
+# Do: Also measure the target at calibration poses.
 # Example: a second ball measured at the validation poses
 placed-by-validation = { $unplaced }; the statistics take this into account
-    .hint = measure them at calibration poses too, or move a pose where they are measured to `calibration`
+    .hint = also measure them at calibration poses, or move a pose where they are measured to `calibration`
 
-# Means: Some targets are measured at validation poses only, with too few readings to contradict the
-# place that is fitted to them.
-# Matters: Errors of these readings are not judged: they would be near zero whatever the robot does.
-# Do: Measure the targets at calibration poses too.
+# Means: Some targets are measured only at validation poses, and their positions are fitted to these
+# few readings.
+# Matters: Errors of these readings are not judged: they would be near zero for any robot.
+# Do: Also measure the targets at calibration poses.
 # Example: a ball measured once, at a validation pose
 placed-by-validation-unjudged = { $unplaced }; readings without redundancy are not judged: { $names }
-    .hint = measure them at calibration poses too, or move a pose where they are measured to `calibration`
+    .hint = also measure them at calibration poses, or move a pose where they are measured to `calibration`
 
-# Means: No candidate position is reached by the nominal robot, or its model has no inverse
-# kinematics.
-# Matters: There are no configurations to choose from.
+# Means: The nominal robot reaches no candidate position, or its model has no inverse kinematics.
+# Matters: There are no configurations from which to choose.
 # Do: State joint values instead of positions.
 # Example: candidates in metres
-candidate-positions-unreachable = no candidate position is reached by the `{ $model }`, or the model has no inverse
+candidate-positions-unreachable = the `{ $model }` reaches no candidate position, or the model has no inverse kinematics
     .hint = state joint values, one column per joint with its unit
 
-check-readings = look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]
+check-readings = check these readings for exchanged labels and mistakes; measure them again, or exclude them with `exclude` in [identify]
 
-# Means: A robust fit gives other parameters than least squares, by more than chance, and no single
-# pose is the reason.
+# Means: A robust fit and least squares give different parameters, by more than chance, and no
+# single pose is the cause.
 # Matters: The residuals are not normally distributed; standard uncertainties may be too small.
 # Do: Look for errors of the robot that the model does not describe, and check the stated
 # uncertainty.
@@ -1068,10 +1063,10 @@ check-readings = look there for exchanged labels and wrong readings; measure the
 robust-fit-disagrees = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); no pose disagrees with all others: the residuals are not normal
     .hint = the robot has errors that the model does not describe, or the stated uncertainty is too small
 
-# Means: A robust fit gives other parameters than least squares, by more than chance, and gives some
-# poses little weight.
-# Matters: These poses pull the parameters away from what the other poses show.
-# Do: Look at these poses for exchanged labels and wrong readings.
+# Means: A robust fit and least squares give different parameters, by more than chance, and the
+# robust fit gives some poses a low weight.
+# Matters: These poses contradict the others and distort the parameters.
+# Do: Check these poses for exchanged labels and wrong readings.
 # Example: a pose whose log row belongs to another pose
 robust-fit-disagrees-at-poses = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); poses that disagree with the others: { $poses }
 
@@ -1082,34 +1077,36 @@ target-positions = `{ $target }` ({ $count ->
 
 # Means: The nominal robot reproduces all coordinates of a target from the joint values, to the
 # rounding of the file.
-# Matters: Measured coordinates contain errors of the robot and the instrument. These were computed:
-# nothing can be identified from them.
+# Matters: Measured coordinates contain errors of robot and instrument. These coordinates were
+# computed: parameters cannot be identified from them.
 # Do: Name the measured coordinates in `columns`; state `synthetic` for simulated data.
 # Example: `columns` names the commanded position of an export instead of the measured one
 coordinates-commanded = the nominal robot reproduces the coordinates of { $targets } from the joint values to { SCIENTIFIC($largest_mm, 2) } mm, the rounding of the file: they were commanded, not measured
-    .hint = name the measured coordinates in `columns`; where the data are simulated, state `synthetic` in the campaign
+    .hint = name the measured coordinates in `columns`; if the data are simulated, state `synthetic` in the campaign
 
-# Means: The points of the world frame fit the mirror image of `nominal_mm`, and not `nominal_mm`
+# Means: The points of the world frame fit the mirror image of `nominal_mm` rather than `nominal_mm`
 # itself.
-# Matters: A body cannot be mirrored: two axes of the export are exchanged, or one has the other
-# sign.
+# Matters: A body cannot be mirrored: two axes of the export are exchanged, or one axis has the
+# wrong sign.
 # Do: Check the columns and signs of the export.
 # Example: `columns = ["label", "y", "x", "z"]`
-frame-points-mirrored = the points of the world frame are { FIXED($off_mm, 3) } mm from their nominal places, and fit their mirror image within { FIXED($limit_mm, 3) } mm
-    .hint = two axes of the export are exchanged, or one has the other sign: check its columns
+frame-points-mirrored = the points of the world frame are { FIXED($off_mm, 3) } mm from their nominal positions, but fit the mirror image within { FIXED($limit_mm, 3) } mm
+    .hint = two axes of the export are exchanged, or one axis has the wrong sign: check the columns
 
-# Means: One point of the world frame is off its nominal place, and the others fit without it.
-# Matters: The point shifts or turns the frame, and with it every position.
+# Means: One point of the world frame deviates from its nominal position, and the others fit without
+# it.
+# Matters: The point shifts or rotates the frame, and with it every position.
 # Do: Check the point, its label and `nominal_mm`, or state the tolerance of the drawing.
 # Example: a reflector that does not sit in its nest
-frame-point-off = `{ $point }` is { FIXED($off_mm, 3) } mm from its nominal place relative to the other points (tolerance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+frame-point-off = `{ $point }` is { FIXED($off_mm, 3) } mm from its nominal position relative to the other points (tolerance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
     .hint = check the point, its label and `nominal_mm`, or state the tolerance of the drawing
 
-# Means: Points of the world frame are off their nominal places, and no single point explains it.
+# Means: Points of the world frame deviate from their nominal positions, and no single point is the
+# cause.
 # Matters: The frame, and with it every position, is wrong by about as much.
 # Do: Check the points, their labels and `nominal_mm`, or state the tolerance of the drawing.
 # Example: `nominal_mm` in inches
-frame-points-off = from `{ $first }` to `{ $second }` it is { FIXED($measured_mm, 3) } mm measured, { FIXED($nominal_mm, 3) } mm nominal (tolerance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+frame-points-off = the distance from `{ $first }` to `{ $second }` is { FIXED($measured_mm, 3) } mm measured, { FIXED($nominal_mm, 3) } mm nominal (tolerance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
     .hint = check the point, its label and `nominal_mm`, or state the tolerance of the drawing
 
 # Means: `nominal_mm` of [frame.world] names a point that no export has.
@@ -1123,23 +1120,22 @@ nominal-point-unmeasured = `nominal_mm` names `{ $point }`, which was not measur
 # Do: Add points of the frame, or remove `nominal_mm`.
 # Example: `nominal_mm` of two points
 nominal-few-points = `nominal_mm` needs three points or more
-    .hint = add points of the frame, or remove it
+    .hint = add points of the frame, or remove `nominal_mm`
 
-# Means: The identified base is far from [nominal] of robot.toml, and an exchange of axes of the
-# world frame explains it.
+# Means: The identified base is far from [nominal] of robot.toml, and exchanged axes of the world
+# frame explain the difference.
 # Matters: The robot itself is identified correctly. Base parameters, and positions in the world,
 # refer to other axes than robot.toml states.
 # Do: Check axes and points of the world frame, and [nominal].
 # Example: an export whose z is vertical, robot.toml with y vertical
-world-axes-exchanged = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1) } deg from the place that robot.toml states: x, y, z of robot.toml are { $axes } of the world frame
+world-axes-exchanged = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1) } deg from the position in robot.toml: x, y, z of robot.toml are { $axes } of the world frame
     .hint = check axes, unit and points of the world frame, and [nominal] of robot.toml
 
-# Means: The identified base is far from the place that [nominal] of robot.toml states.
-# Matters: The world frame is made of other points or in another unit than meant, or robot.toml
-# states another place.
+# Means: The identified base is far from its position in [nominal] of robot.toml.
+# Matters: The world frame has wrong points or a wrong unit, or robot.toml states another position.
 # Do: Check axes, unit and points of the world frame, and [nominal].
-# Example: the points of the frame of another fixture
-base-off-nominal = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1) } deg from the place that robot.toml states; limit { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
+# Example: a world frame defined by the points of another fixture
+base-off-nominal = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1) } deg from the position in robot.toml; limit { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
     .hint = check axes, unit and points of the world frame, and [nominal] of robot.toml
 
 orientation-slip = { $slip ->
@@ -1158,91 +1154,91 @@ orientation-slip = { $slip ->
 
 slip-leaves = with { $slip } by { FIXED($left_deg, 2) } deg
 
-check-slips = they differ { $slips }: check that first
+check-slips = the orientations differ { $slips }: check that first
 
-# Means: Observed orientations are turned against those of the robot by more than joints of a robot
-# are wrong.
-# Matters: They follow another convention than the columns say, or a joint is reversed. Parameters
-# identified from them would be meaningless.
-# Do: Check what the hint names. Otherwise check that qw, qx, qy, qz turn vectors of the body to the
-# world, the scalar first; or the order of angles.
+# Means: Observed orientations differ from those of the robot by more than errors of the joints
+# explain.
+# Matters: They follow a convention other than stated by the columns, or a joint is reversed.
+# Parameters identified from them would be meaningless.
+# Do: Check the causes in the hint. Otherwise check that qw, qx, qy, qz rotate vectors from the body
+# to the world, with the scalar first; or check the order of angles.
 # Example: quaternions with the scalar last in columns qw, qx, qy, qz
 orientations-off = observed orientations differ from those of the { $robot ->
         [nominal] nominal
        *[identified] identified
     } robot by { FIXED($median_deg, 1) } deg (median)
-    .hint = check that qw, qx, qy, qz turn vectors of the body to the world, the scalar first; or the order of angles: without `orientation` those that fit are named
+    .hint = check that qw, qx, qy, qz rotate vectors from the body to the world, with the scalar first; or check the order of angles: without `orientation`, the orders that fit are named
 
 # Means: There are too few calibration poses to leave some out and predict them from the others.
-# Matters: Effects cannot be compared by their error at poses that were left out.
-# Do: Measure more poses, or name more in `calibration`.
+# Matters: Effects cannot be compared by their error at left-out poses.
+# Do: Measure more poses, or select more in `calibration`.
 # Example: `etalon recommend` with four poses
 few-poses-to-leave-out = { $count ->
         [one] 1 calibration pose is
        *[other] { $count } calibration poses are
     } too few to leave some out
     .expected = at least { $least }
-    .hint = measure more, or name more in `calibration`
+    .hint = measure more poses, or select more in `calibration`
 
-# Means: The observations hold no length: no position, distance or contact.
+# Means: The observations contain no position, distance or contact.
 # Matters: Effects are compared by position errors.
 # Do: Measure positions, distances or contacts.
 # Example: a table of orientations alone
-nothing-to-judge = nothing that was observed is a position, a distance or a contact
-    .hint = parameters are judged by position errors: measure some
+nothing-to-judge = the observations contain no position, distance or contact
+    .hint = parameters are judged by position errors: measure positions, distances or contacts
 
-# Means: Half of the validation poses lie much nearer to a calibration pose than calibration poses
-# lie to each other, in joint values.
-# Matters: Errors at such poses are those of the calibration again; elsewhere they may be larger.
-# Do: Validate on poses between those of the calibration.
+# Means: In joint space, half of the validation poses are much nearer to a calibration pose than
+# calibration poses are to each other.
+# Matters: Such poses repeat the errors of the calibration; elsewhere errors may be larger.
+# Do: Validate on poses between the calibration poses.
 # Example: the poses of the calibration measured again
-validation-repeats-calibration = validation repeats the calibration: half of the validation poses lie nearer than { FIXED($median, 2) } times the spacing of the calibration poses to one of these; limit { $limit }
-    .hint = the robot’s error elsewhere may be larger: validate on poses between those of the calibration
+validation-repeats-calibration = validation repeats the calibration: the median distance of a validation pose from the nearest calibration pose is { FIXED($median, 2) } times the spacing of the calibration poses; limit { $limit }
+    .hint = the robot’s error elsewhere may be larger: validate on poses between the calibration poses
 
-# Means: Half of the validation poses lie much farther from the calibration poses than these lie
-# from each other, in joint values.
+# Means: In joint space, half of the validation poses are much farther from the calibration poses
+# than these are from each other.
 # Matters: The parameters are extrapolated there; errors are larger than within the calibrated
 # region.
-# Do: Calibrate on poses spread over the workspace that the robot is used in.
+# Do: Calibrate on poses spread over the whole workspace in use.
 # Example: calibration in one corner, validation in the other
-validation-far = validation is far from the calibration: half of the validation poses lie farther than { FIXED($median, 2) } times the spacing of the calibration poses from the nearest of these; limit { $limit }
-    .hint = calibrate on poses spread over the workspace that the robot is used in
+validation-far = validation is far from the calibration: the median distance of a validation pose from the nearest calibration pose is { FIXED($median, 2) } times the spacing of the calibration poses; limit { $limit }
+    .hint = calibrate on poses spread over the whole workspace in use
 
-# Means: The column `quantity` of a table of errors has a name that is no quantity of errors.
+# Means: The column `quantity` of a table of errors has an unknown name.
 # Matters: The report cannot be written from this table.
 # Do: Run the campaign again with this version.
 # Example: `quantity` is `length`
-error-quantity-unknown = `{ $name }` is no quantity of errors
+error-quantity-unknown = `{ $name }` is not a quantity of errors
     .hint = run the campaign again: `etalon run CAMPAIGN`
 
-# Means: The column `set` of a table of errors has another name than calibration or validation.
-# Matters: It is unknown which statistics the row belongs to.
+# Means: The column `set` of a table of errors is neither calibration nor validation.
+# Matters: It is unknown to which statistics the row belongs.
 # Do: Correct the cell.
 # Example: `set = "test"`
 pose-set-unknown = `{ $name }` is not a set of poses
     .expected = calibration or validation
 
-# Means: A joint has the same value at all calibration poses, and parameters that only its motion
-# shows keep their nominal values.
-# Matters: Errors of these parameters, up to their tolerances, remain where the joint has another
-# value.
-# Do: Move the joint between the calibration poses, or keep to its value when the robot is used.
+# Means: A joint has the same value at all calibration poses. Parameters that only its motion would
+# determine keep their nominal values.
+# Matters: Errors of these parameters, up to their tolerances, remain at other values of the joint.
+# Do: Move the joint between the calibration poses, or use the robot only at this value of the
+# joint.
 # Example: joint 6 at 0 in all poses
-joint-does-not-move = `{ $joint }` does not move: the data leave { $count ->
+joint-does-not-move = `{ $joint }` does not move, which leaves { $count ->
         [one] 1 parameter to its tolerance
        *[other] { $count } parameters to their tolerances
     }: { $parameters }
-    .hint = move `{ $joint }` between the calibration poses, or keep to its value when the robot is used; otherwise errors up to the tolerance of `{ $first }` remain
+    .hint = move `{ $joint }` between the calibration poses, or use the robot only at this value; otherwise errors up to the tolerance of `{ $first }` remain
 
-# Means: The standard uncertainty of the direction of a feature is larger than a frame can use.
-# Matters: The frame made with it would point anywhere.
+# Means: The standard uncertainty of the direction of a feature is too large for a frame.
+# Matters: A frame defined by it would have an arbitrary direction.
 # Do: Measure points farther apart, not all on one line.
 # Example: a plane through three points on one line
-direction-undetermined = the points leave its direction uncertain by { FIXED($direction_deg, 0) } deg (k = 1); limit { $limit_deg } deg
+direction-undetermined = its direction has a standard uncertainty of { FIXED($direction_deg, 0) } deg; limit { $limit_deg } deg
     .hint = measure points farther apart, not all on one line
 
 # Means: The direction of a feature has a large standard uncertainty.
-# Matters: A frame made with it turns all positions by as much.
+# Matters: A frame defined by it rotates all positions by as much.
 # Do: Measure points farther apart.
 # Example: a plane through three points 10 mm apart
 direction-uncertain = its direction has a standard uncertainty of { FIXED($direction_deg, 2) } deg; limit { $limit_deg } deg
@@ -1250,7 +1246,7 @@ direction-uncertain = its direction has a standard uncertainty of { FIXED($direc
 
 # Means: [frame.world] lacks a part of its definition.
 # Matters: A frame needs a plane, an origin, one axis and the side of the other axis.
-# Do: State what is missing.
+# Do: State the missing keys.
 # Example: [frame.world] with `plane` alone
 world-frame-incomplete = the world frame { $fault ->
         [plane] has no plane
@@ -1261,29 +1257,15 @@ world-frame-incomplete = the world frame { $fault ->
     }
     .hint = state `plane`, `origin`, `x_axis` or `y_axis`, and `towards` in [frame.world]
 
-# Means: [frame.world] names a label or feature that does not exist.
-# Matters: The frame cannot be made.
-# Do: Correct the name.
-# Example: `origin = "base_9"` with base_1 to base_4
-frame-name-unknown = no label or feature is called `{ $name }`
-    .hint = correct the name, or add the feature
-
-# Means: The axis of the world frame is perpendicular to its plane, or made of one point.
-# Matters: It has no direction in the plane.
-# Do: Name two labels, from and to, or one feature with a direction.
-# Example: `x_axis = ["base_1", "base_1"]`
-world-axis-without-direction = the axis of the world frame has no direction
-    .expected = two labels, from and to, or one feature with a direction
-
 # Means: `towards` of [frame.world] is a point on the axis.
-# Matters: It does not tell on which side the other axis is.
-# Do: Name a point beside the axis.
+# Matters: It does not define the side of the other axis.
+# Do: Name a point away from the axis.
 # Example: `towards` equal to the end of `x_axis`
-world-side-undetermined = `towards` lies on the axis: it does not determine the side of the other axis
-    .hint = name a point beside the axis
+world-side-undetermined = `towards` lies on the axis: it does not define the side of the other axis
+    .hint = name a point away from the axis
 
 # Means: `targets` of [frame.world] names one or two targets.
-# Matters: Two points leave a rotation open.
+# Matters: Two points leave one rotation undetermined.
 # Do: Name three targets or more.
 # Example: `targets = ["base_1", "base_2"]`
 frame-few-targets = the world frame has { $count ->
@@ -1292,89 +1274,87 @@ frame-few-targets = the world frame has { $count ->
     }
     .expected = three targets or more
 
-# Means: The targets of [frame.world] were not all measured at any pose, or lie in one place or on
-# one line.
-# Matters: The frame cannot be made.
+# Means: No pose has all targets of [frame.world], or the targets coincide or lie on one line.
+# Matters: The frame cannot be determined.
 # Do: Measure all targets of the frame; check their labels.
 # Example: a label of a frame target misspelt in the whole export
-frame-never-complete = no pose has all targets { $targets } of the world frame apart from each other
-    .hint = measure all of them, and check their labels
+frame-never-complete = no pose has all targets { $targets } of the world frame at different positions
+    .hint = measure all of these targets, and check their labels
 
 # Means: The table has columns of orientations in two forms.
-# Matters: It is undefined which count.
-# Do: Leave one form out.
+# Matters: It is undefined which columns apply.
+# Do: Remove one form.
 # Example: `qw, qx, qy, qz` beside `a_deg, b_deg, c_deg`
 orientations-twice = the table has orientations twice: { $first } and { $second }
-    .hint = leave one of them out
+    .hint = remove one of them
 
-# Means: The table has some of the columns of an orientation.
+# Means: The table has only some of the columns of an orientation.
 # Matters: The orientation is incomplete.
 # Do: Add the missing columns.
 # Example: `qx, qy, qz` without `qw`
 orientation-columns-missing = the orientation lacks { $missing }
-    .expected = { $columns }: body in world
+    .expected = { $columns }: orientation of the body in the world
 
-# Means: A number of an orientation is missing or does not read.
+# Means: A number of an orientation is missing or cannot be read.
 # Matters: The orientation is incomplete.
-# Do: Complete the row, or leave it out.
+# Do: Complete the row, or remove it.
 # Example: an empty `qz`
 orientation-missing = the orientation is missing or not a number
-    .expected = qw, qx, qy, qz: body in world; or a rotation vector, or three angles
+    .expected = orientation of the body in the world: qw, qx, qy, qz, or a rotation vector, or three angles
 
-# Means: Orientations are three angles, and the order of the turns is not stated.
-# Matters: The same angles give another orientation in each order.
-# Do: State `orientation` as the manual of the measuring system or controller does.
+# Means: Orientations are three angles, and the order of the rotations is not stated.
+# Matters: The orientation depends on the order of the rotations.
+# Do: State `orientation` according to the manual of the measuring system or controller.
 # Example: `a_deg, b_deg, c_deg` without `orientation`
 angle-order-missing = the order of the angles is not stated
     .hint = state `orientation = "zyx"` in [observations], or --orientation
 
-angle-orders-unfit = no order of angles fits the nominal robot: `{ $order }` leaves { FIXED($left_deg, 1) } deg (root mean square); check that they turn the body to the world, and the joints
+angle-orders-unfit = no order of angles fits the nominal robot: the smallest residual is { FIXED($left_deg, 1) } deg (root mean square) with `{ $order }`; check the joints, and that the angles rotate from the body to the world
 
-angle-order-leaves = `{ $order }` leaves { FIXED($left_deg, 3) } deg
+angle-order-leaves = `{ $order }`: residual { FIXED($left_deg, 3) } deg
 
-angle-orders-fit = state `orientation = "zyx"` in [observations], or --orientation; of the nominal robot { $orders } (root mean square)
+angle-orders-fit = state `orientation = "{ $order }"` in [observations], or --orientation; with the nominal robot, { $orders } (root mean square)
 
-# Means: A step of the geometric calibration needs several balls in one cycle, and one of them was
-# not measured.
+# Means: A step of the geometric calibration needs several balls in one cycle, and one ball was not
+# measured.
 # Matters: The step cannot be evaluated for this pose and cycle.
 # Do: Measure the ball, or remove the other readings of the cycle.
 # Example: K measured at the end of the offsets without L
 ball-missing = ball `{ $target }` is missing (pose { $pose }, cycle { $cycle })
-    .hint = measure it, or remove the rest of this pose and cycle
+    .hint = measure the ball, or remove the other readings of this pose and cycle
 
 # Means: `actuator` of [[geometric.lead]] is not 1, 2 or 3.
 # Matters: A PreXYT has three actuators.
 # Do: Correct the number.
 # Example: `actuator = 4`
-actuator-unknown = there is no actuator { $actuator }
+actuator-unknown = actuator { $actuator } does not exist
     .expected = 1, 2 or 3
 
-# Means: A label of a lead measurement has a position that `positions_mm` does not list.
+# Means: The position in a label of a lead measurement is missing in `positions_mm`.
 # Matters: The commanded displacement is unknown.
 # Do: Correct the label, or complete `positions_mm`.
 # Example: position 6 with five `positions_mm`
 lead-position-unknown = position { $position } of actuator { $actuator } is not among `positions_mm`
     .hint = correct the label, or complete `positions_mm`
 
-# Means: The geometric calibration takes the rails and ball R from the world frame, and the frame is
-# made otherwise.
+# Means: The geometric calibration needs a world frame defined by the rails and ball R.
 # Matters: The base of the robot is unknown.
-# Do: State plane, origin, y axis and towards (thesis 3.4.1).
+# Do: State `plane`, `origin`, `y_axis` and `towards` (thesis 3.4.1).
 # Example: [frame.world] with `targets`
 geometric-frame = the geometric calibration needs a world frame from the rails and ball R
     .expected = `plane`, `origin`, `y_axis = [origin, other end]` and `towards`, as in the thesis’ 3.4.1
 
-# Means: [geometric] is stated for another robot than a PreXYT.
+# Means: [geometric] is stated for a robot other than a PreXYT.
 # Matters: Its steps measure the links of a PreXYT.
 # Do: Remove [geometric], or state `model = "prexyt"`.
 # Example: [geometric] with a six-axis arm
-geometric-other-robot = [geometric] is the geometric calibration of a PreXYT
+geometric-other-robot = [geometric] is available only for a PreXYT
     .expected = a robot with model `prexyt`
 
 # Means: The measured length of a scale bar differs from its certificate by more than the
 # permissible error of the instrument.
-# Matters: The instrument does not meet its specification; lengths of this campaign are wrong by
-# about as much.
+# Matters: The instrument does not meet its specification; lengths of this campaign have errors of
+# similar size.
 # Do: Check probe, temperature and mounting of the instrument, and measure the bar again.
 # Example: a bar measured with an unqualified probe
 scale-bar-error = scale bar `{ $name }`: an error of { FIXED($error_mm, 4) } mm exceeds the permissible { FIXED($limit_mm, 4) } mm
@@ -1385,135 +1365,136 @@ scale-bar-error = scale bar `{ $name }`: an error of { FIXED($error_mm, 4) } mm 
 # Matters: The bar cannot verify the instrument.
 # Do: Use a bar with a better certificate.
 # Example: a bar with U = 3 µm for a permissible error of 5 µm
-scale-bar-uncertain = scale bar `{ $name }`: the permissible error is { FIXED($ratio, 1) } times the expanded uncertainty of its certificate, { $least } are required
-    .hint = use a bar with a better certificate: this one verifies nothing
+scale-bar-uncertain = scale bar `{ $name }`: the permissible error is { FIXED($ratio, 1) } times the expanded uncertainty of its certificate, { $least } times are required
+    .hint = use a bar with a better certificate: this bar cannot verify the instrument
 
 # Means: Residuals of a step of the geometric calibration scatter more than the uncertainty of the
 # instrument explains.
 # Matters: The uncertainties of the step are taken from the residuals.
-# Do: Look for play, a dirty ball or a loose nest; measure the step again.
+# Do: Check for play, a dirty ball or a loose nest; measure the step again.
 # Example: a ball that moves in its nest
-step-scatters = { $step }: residuals scatter by { FIXED($found_mm, 4) } mm, the instrument states { FIXED($stated_mm, 4) } mm: uncertainties follow the residuals
-    .hint = look for play, a dirty ball or a loose nest; measure the step again
+step-scatters = { $step }: residuals scatter by { FIXED($found_mm, 4) } mm, the instrument by { FIXED($stated_mm, 4) } mm; uncertainties are computed from the residuals
+    .hint = check for play, a dirty ball or a loose nest; measure the step again
 
-# Means: A table of the geometric report selects poses at which K and L were not measured in one
-# cycle.
+# Means: A table of the geometric report selects poses without a cycle in which both K and L were
+# measured.
 # Matters: The table would be empty.
 # Do: Measure both balls in the same cycle, or select other poses.
-# Example: `poses = "9"` where pose 9 has K alone
-table-without-poses = at no pose of the table `{ $title }` were K and L measured together
+# Example: `poses = "9"`, where only K was measured at pose 9
+table-without-poses = the table `{ $title }` has no pose at which K and L were measured together
     .hint = measure both balls in the same cycle, or select other poses
 
 # Means: parameters.json has no covariance: the identification left no degrees of freedom.
-# Matters: Whether new measurements contradict the parameters cannot be judged.
-# Do: Identify again from data that leave some degrees of freedom.
+# Matters: It cannot be judged whether new measurements contradict the parameters.
+# Do: Identify again from data with more degrees of freedom.
 # Example: parameters identified from as many coordinates as parameters
 given-without-covariance = the parameters have no covariance
-    .hint = identify again from data that leave some degrees of freedom
+    .hint = identify again from more data: the identification had no degrees of freedom
 
-# Means: The observations have a base or targets that the given parameters do not contain.
-# Matters: Their places are unknown.
-# Do: Observe the targets of the calibration, where they were on the moving part.
+# Means: The given parameters lack the base or targets of the observations.
+# Matters: The positions of this base or of these targets are unknown.
+# Do: Observe the targets of the calibration, at the same positions on the moving part.
 # Example: a new reflector on the flange
-calibrated-targets-missing = the parameters lack { $names }: another base or other targets
-    .hint = observe the targets of the calibration, where they were on the moving part
+calibrated-targets-missing = the parameters lack { $names }: the observations have another base or other targets
+    .hint = observe the targets of the calibration, at the same positions on the moving part
 
 # Means: parameters.json and robot.toml describe different robots.
-# Matters: The parameters mean nothing for this robot.
-# Do: Name the robot.toml that the parameters were identified with.
+# Matters: The parameters have no meaning for this robot.
+# Do: Name the robot.toml with which the parameters were identified.
 # Example: parameters of a `serial` arm with a `prexyt`
 parameters-of-other-robot = the parameters are those of a `{ $identified }`; robot.toml describes another robot (`{ $stated }`)
-    .hint = name the robot.toml that they were identified with
+    .hint = name the robot.toml with which they were identified
 
-parameters-lacking = the parameters lack { $names }; name the robot.toml that they were identified with
+parameters-lacking = the parameters lack { $names }; name the robot.toml with which they were identified
 
 # Means: parameters.json has parameters of the robot that robot.toml does not describe.
-# Matters: Their values would be left out: poses would be computed with another robot.
+# Matters: Poses would be computed without these parameters, for another robot.
 # Do: Add the lines that the hint names, or name the robot.toml of the identification.
 # Example: parameters with `bending_2`, robot.toml without `bending`
 parameters-undescribed = the parameters hold { $names }, which robot.toml does not describe
-    .hint = name the robot.toml that they were identified with
+    .hint = name the robot.toml with which they were identified
 
 add-lines = add { $lines } to robot.toml, before its first table
 
-# Means: A nominal value in robot.toml is not the one that the parameters were identified with.
-# Matters: The parameters are probably those of another robot, or robot.toml was edited since.
+# Means: A nominal value in robot.toml differs from the value used in the identification.
+# Matters: The parameters are probably those of another robot, or robot.toml has been edited since.
 # Do: Check that the parameters are those of this robot.
 # Example: `a_2 = 225` in robot.toml, 270 in parameters.json
 nominal-value-changed = `{ $parameter }` is nominally { $stated }{ $unit ->
         [mm] {" "}mm
         [deg] {" "}deg
        *[other] {""}
-    } in robot.toml and was { $identified }{ $unit ->
+    } in robot.toml, but was { $identified }{ $unit ->
         [mm] {" "}mm
         [deg] {" "}deg
        *[other] {""}
     } when the parameters were identified
     .hint = check that the parameters are those of this robot
 
-# Means: parameters.json states no standard uncertainty of a coordinate, and its residuals give
-# none.
+# Means: parameters.json states no standard uncertainty of a coordinate, and its residuals do not
+# determine one.
 # Matters: Expected deviations of new measurements are unknown.
 # Do: Identify with a stated standard uncertainty.
 # Example: an identification without redundancy and without `u_mm`
-calibration-without-residuals = the calibration shows no standard deviation of a coordinate
+calibration-without-residuals = the calibration does not determine the standard uncertainty of a coordinate
     .hint = identify with a stated standard uncertainty
 
-# Means: An effect that is not identified would lower the error at calibration poses that are left
-# out, by more than chance.
-# Matters: The robot has this effect; with it the parameters describe the robot better.
+# Means: An effect that is not identified would reduce the error at left-out calibration poses by
+# more than chance.
+# Matters: The robot has this effect; with it, the parameters describe the robot better.
 # Do: Add the line to robot.toml, or the effect to `effects` in [identify].
 # Example: a geared arm with eccentric gears, identified by geometry alone
 effect-would-prove = { $effect }{ $count ->
         [0] {""}
        *[other] {" "}of joints { $joints }
-    } would prove itself: the error at calibration poses that are left out falls from { FIXED($without_mm, 3) } to { FIXED($with_mm, 3) } mm (position, root mean square)
+    } is significant: with it, the error at left-out calibration poses falls from { FIXED($without_mm, 3) } to { FIXED($with_mm, 3) } mm (position, root mean square)
     .hint = add "{ $effect }" to `effects` in [identify], or state `effects = "proven"`
 
 # Means: `outliers = "exclude"` would leave out more than a tenth of all readings.
 # Matters: So many readings are not outliers: the model or the set-up is wrong.
-# Do: See what `outliers = "keep"` reports.
+# Do: Check the readings that `outliers = "keep"` reports.
 # Example: a model without the bending of the robot
 outliers-too-many = `outliers = "exclude"` would leave out more than { $share_percent } % of all readings
-    .hint = the model or the set-up is wrong: see what `outliers = "keep"` reports
+    .hint = the model or the set-up is wrong: check the readings that `outliers = "keep"` reports
 
-# Means: Residuals with one log correlate with its difference from another log of the same poses.
+# Means: Residuals of identification with one log correlate with the difference between the two
+# logs.
 # Matters: The other log describes the pose of the robot better, for example encoder values instead
 # of commanded ones.
-# Do: Identify with the log that leaves smaller residuals.
+# Do: Identify with the log that gives smaller residuals.
 # Example: commanded joints beside encoder values
-log-correlates = with log `{ $log }`, residuals correlate with the difference of the two logs (r = { FIXED($correlation, 2) }): their root mean square is { FIXED($rms_mm, 3) } mm, with log `{ $other }` { FIXED($other_rms_mm, 3) } mm
+log-correlates = with log `{ $log }`, residuals correlate with the difference of the two logs (r = { FIXED($correlation, 2) }): residuals { FIXED($rms_mm, 3) } mm (root mean square), with log `{ $other }` { FIXED($other_rms_mm, 3) } mm
 
 use-log = { $hint ->
-        [name-first] identify with log `{ $log }`: name it first
-       *[is-used] log `{ $log }` is the one to use, as this campaign does
+        [name-first] identify with log `{ $log }`: state it first
+       *[is-used] log `{ $log }` is the better one, and this campaign uses it
     }
 
-# Means: `calibration` or `validation` names a pose that has no measurement with joint values.
+# Means: `calibration` or `validation` names a pose without measurements and joint values.
 # Matters: The set is smaller than stated.
 # Do: Correct the name, or measure the pose.
 # Example: `calibration = "1-40, hom"` with the pose `home`
-selected-pose-unmeasured = `{ $pose }` names no pose that was measured
+selected-pose-unmeasured = `{ $pose }` does not name a measured pose
 
 # Means: `calibration` or `validation` selects none of the measured poses.
-# Matters: There is nothing to identify from, or to validate with.
+# Matters: Identification or validation has no poses.
 # Do: Select poses that were measured.
 # Example: `calibration = "100-200"` of poses 1 to 50
-selection-without-pose = `{ $set }` selects no pose that was measured
+selection-without-pose = `{ $set }` selects no measured pose
 
-# Means: Poses are in calibration and in validation.
-# Matters: Errors at calibration poses are too small to validate with.
-# Do: Take each pose into one set.
+# Means: Poses are both in calibration and in validation.
+# Matters: Errors at calibration poses are too small for a validation.
+# Do: Put each pose into one set.
 # Example: `calibration = "1-40"`, `validation = "30-50"`
 sets-overlap = poses in both calibration and validation: { $poses }
-    .hint = `validation = "rest"` takes all that calibration does not
+    .hint = `validation = "rest"` selects all poses that calibration does not use
 
 # Means: A table of the geometric report selects no pose of calibration or validation.
 # Matters: The table would be empty.
 # Do: Select poses of these sets.
 # Example: `poses = "100-110"` of poses 1 to 50
-table-selection-empty = the table `{ $title }` has no pose that was measured
-    .hint = a table shows poses of `calibration` and `validation`
+table-selection-empty = the table `{ $title }` has no measured pose
+    .hint = select poses of `calibration` and `validation`
 
 poses-measured = { $count ->
         [one] 1 pose is
@@ -1524,32 +1505,33 @@ poses-unmeasured = no pose is measured and joined
 
 at-pose = pose { $pose }: { $message }
 
-values-of-column = { $message } ({ $count } of { $total } values are)
+values-of-column = { $message } (as are { $count } of { $total } values)
 
 check-column-unit = check the unit of its column: all values are in range in { $units ->
         [degrees] degrees instead of radians
        *[millimetres] millimetres instead of metres
     }
 
-# Means: A joint value is beyond the limits that robot.toml states, beyond two turns, or far from
-# all others of its column.
-# Matters: A lost decimal mark or a wrong unit. A gain would absorb such a value without a trace.
-# Do: Check decimal mark and unit; if the joint can be there, state or correct its limits in
+# Means: A joint value is beyond the limits of robot.toml, beyond two turns, or far from all others
+# of its column.
+# Matters: A decimal mark is missing, or the unit is wrong. A gain would absorb such a value
+# unnoticed.
+# Do: Check decimal mark and unit; if the joint can reach the value, state or correct its limits in
 # robot.toml.
 # Example: `179500` for 179.500 deg
 joint-out-of-range = joint `{ $joint }` = { $value } { $unit } is out of range
     .expected = from { $lower } to { $upper } { $unit }: { $reason ->
-            [limits] the limits that the robot file states, and 0.1 beyond them
-            [turns] two turns, as the robot file states no limits
-           *[others] as half of its values lie together
+            [limits] the limits of the robot file, extended by 0.1
+            [turns] two turns, because the robot file states no limits
+           *[others] range of the other values
         }
-    .hint = check its decimal mark and unit; if the joint can be there, { $reason ->
+    .hint = check its decimal mark and unit; if the joint can reach this value, { $reason ->
             [limits] correct its limits in the robot file
            *[others] state its limits in the robot file
         }
 
-# Means: Errors common to all readings (scale, temperature, homing) are stated, and the observations
-# hold more than positions of targets.
+# Means: Errors common to all readings (scale, temperature, homing) are stated, but the observations
+# contain more than positions of targets.
 # Matters: `etalon uncertainty` draws common errors for positions only.
 # Do: Use the uncertainties of `etalon run`, which propagates them linearly.
 # Example: [systematic] with a table of distances
@@ -1558,11 +1540,11 @@ common-errors-of-conditions = errors common to all readings (scale, temperature,
 
 # Means: The points of a feature are centres of a probe, and the file states neither radius nor side
 # of the probe.
-# Matters: The feature lies a probe radius away from these points, on an unknown side.
-# Do: State what the hint names.
+# Matters: The feature is offset from these points by the probe radius, to an unknown side.
+# Do: State the option that the hint names.
 # Example: a QIF file with centre points and without a sensor
 probe-of-feature-unknown = `{ $feature }` is not fitted: its points are probe centres, and the file does not state { $missing ->
-        [side] on which side the probe was
+        [side] the side of the probe
        *[radius] the radius of the probe
     }
     .hint = { $missing ->
@@ -1572,33 +1554,21 @@ probe-of-feature-unknown = `{ $feature }` is not fitted: its points are probe ce
 
 unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limit { FIXED($limit, 1) })
 
-# Means: Values of parameters from part of the poses differ from those from all poses by more than
-# their scatter explains.
-# Matters: Something changed during the measurement; the parameters are held at their nominal
+# Means: Parameters identified from a part of the poses differ from those of all poses by more than
+# chance.
+# Matters: Something changed during the measurement, so the parameters are held at their nominal
 # values.
-# Do: Look for what changed (temperature, a target that moved, a joint homed again), and at the
-# residuals.
+# Do: Check for changes (temperature, a target that moved, a joint that was homed again), and check
+# the residuals.
 # Example: a reflector that moved after half of the poses
-parameters-unstable = not stable, and held: values by part of the poses differ from values by all poses, in standard deviations of the difference: { $parameters }
-    .hint = look for what changed during the measurement (temperature, a target that moved, a joint homed again), and at the residuals
-
-# Means: `hold` names a parameter that the robot lacks.
-# Matters: Nothing would be held.
-# Do: Correct the name.
-# Example: `hold = ["d_9"]` of a six-axis arm
-hold-unknown = `hold` names `{ $pattern }`, which is not a parameter of this robot
-
-# Means: `residuals = "pose"` is stated for a robot in space.
-# Matters: Pose residuals are defined for the platform of a planar robot.
-# Do: Use `residuals = "targets"`.
-# Example: `residuals = "pose"` with a six-axis arm
-residuals-pose-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
-    .hint = use `residuals = "targets"`
+parameters-unstable = unstable parameters are held; differences between a part of the poses and all poses, in standard deviations of the difference: { $parameters }
+    .hint = check for changes during the measurement (temperature, a target that moved, a joint that was homed again), and check the residuals
 
 remedy = { $remedy ->
         [pose-uncertainty] state it (--standard-uncertainty-um), or compare targets
         [contact-uncertainty] state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets
-        [targets] give positions of its targets: rows of kind `point`
+        [compare-targets] use `residuals = "targets"`
+        [targets] state positions of its targets: rows of kind `point`
         [uncertainty] state it (--standard-uncertainty-um)
         [own-uncertainties] compare targets, or remove the columns of uncertainties
         [row-uncertainty] state it in every row, or with --standard-uncertainty-um
@@ -1616,13 +1586,13 @@ remedy = { $remedy ->
 
 reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
 
-# Means: The instrument does not explain the residuals, and a robust fit has no outliers. These are
-# its largest residuals.
-# Matters: Errors of the robot are spread over all poses; wrong readings stand out.
-# Do: Look there first for exchanged labels and wrong readings.
+# Means: The residuals exceed the instrument's uncertainty, and a robust fit has no outliers. These
+# are its largest residuals.
+# Matters: Errors of the robot affect all poses; wrong readings affect single ones.
+# Do: Check these readings first for exchanged labels and mistakes.
 # Example: a robot with gear errors that are not modelled
 largest-residuals = largest residuals of a robust fit: { $readings }
-    .hint = look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses
+    .hint = check these readings first for exchanged labels and mistakes; errors of the robot affect all poses
 
 outlier-readings = { $count ->
         [one] 1 of { $total } readings is an outlier
@@ -1630,53 +1600,54 @@ outlier-readings = { $count ->
     }, more than { $times } times { FIXED($scale_mm, 4) } mm, the standard deviation of the others in a robust fit: { $readings }
 
 # Means: Residuals of a robust fit exceed a multiple of the standard deviation of the others.
-# Matters: Wrong readings pull all parameters.
-# Do: Look there for exchanged labels and wrong readings; measure them again, or leave them out with
-# `exclude` in [identify].
+# Matters: Wrong readings distort all parameters.
+# Do: Check these readings for exchanged labels and mistakes; measure them again, or exclude them
+# with `exclude` in [identify].
 # Example: a reflector measured under the name of its neighbour
 outliers = { $outliers }
 
-# Means: `outliers = "exclude"` left readings out of the calibration.
+# Means: `outliers = "exclude"` excluded readings from the calibration.
 # Matters: They do not take part in the result.
-# Do: Look at these readings: an outlier can also be an error of the robot at one pose.
+# Do: Check these readings: an outlier can also be an error of the robot at one pose.
 # Example: `outliers = "exclude"` with one wrong reading
 outliers-excluded = excluded by `outliers = "exclude"`: { $outliers }
 
 repeated-position = { $target } at poses { $first } and { $second }
 
-# Means: A target has the same coordinates to the last digit at two poses between which the nominal
-# robot moves it.
+# Means: A target has the same coordinates to the last digit at two poses, although the nominal
+# robot moves it between them.
 # Matters: No instrument repeats to the last digit: one of the readings is that of another pose.
-# Do: Measure the reading again, or leave it out.
+# Do: Measure the pose again, or exclude the reading.
 # Example: a reading that was exported twice
 positions-repeat = measured positions repeat to the last digit while the joints move, { $count ->
         [one] once
        *[other] { $count } times
     }: { $pairs }
-    .hint = the export has a reading of another pose: measure these again, or leave them out
+    .hint = the export has a reading of another pose: measure these poses again, or exclude them
 
 repeated-joints = poses { $first } and { $second }, { FIXED($apart_mm, 3) } mm apart
 
-# Means: Two poses have the same joint values to the last digit, and a target moved between them.
+# Means: Two poses have the same joint values to the last digit, although a target moved between
+# them.
 # Matters: One row of the log is that of another pose.
-# Do: Log the joints of this pose again, or leave it out.
+# Do: Log the joints of this pose again, or exclude the pose.
 # Example: a log whose recorder stopped for one pose
 joint-values-repeat = joint values repeat to the last digit while the targets move, { $count ->
         [one] once
        *[other] { $count } times
     }: { $pairs }
-    .hint = the log has a reading of another pose: log these again, or leave them out
+    .hint = the log has the joint values of another pose: log these poses again, or exclude them
 
-# Means: Repeats of a fixed point lie farther from their median than the instrument explains.
-# Matters: Features and frames made of this point are less certain than stated.
+# Means: The scatter of a fixed point exceeds the uncertainty of the instrument.
+# Matters: Features and frames defined by this point are less accurate than stated.
 # Do: Check `unit` of the export and the uncertainty of the instrument, and that the point did not
 # move.
 # Example: an uncertainty of 15 µm stated for an arm with 60 µm
 repeats-scatter = repeats of `{ $label }` lie up to { FIXED($off_mm, 4) } mm from their median; standard uncertainty of the instrument { FIXED($u_mm, 4) } mm
     .hint = check `unit` of the export and the uncertainty of the instrument, and that the point did not move
 
-# Means: One or a few repeats of a fixed point lie far from the others.
-# Matters: Features and frames made of this point, and every result, depend on it.
+# Means: One or a few repeats of a fixed point are far from the others.
+# Matters: Features and frames defined by this point, and every result, depend on it.
 # Do: Remove the wrong reading from the export, or measure the point again.
 # Example: a reading taken while the reflector was put down
 repeat-off = { $away } of { $count ->
@@ -1688,7 +1659,7 @@ repeat-off = { $away } of { $count ->
     } { FIXED($off_mm, 4) } mm from their median; standard uncertainty of the instrument { FIXED($u_mm, 4) } mm
     .hint = remove the wrong reading from the export, or measure the point again: every result depends on it
 
-# Means: Standard uncertainties of rows are 0: the file rounded them. They are read as the
+# Means: Standard uncertainties of rows are 0, because the file rounds them. They are taken as the
 # resolution of the column, half of the last digit over √3 (GUM 4.3.7).
 # Matters: A reading without uncertainty would outweigh all others.
 # Do: Export uncertainties with more decimals.
@@ -1696,132 +1667,132 @@ repeat-off = { $away } of { $count ->
 uncertainty-zero-rounded = `{ $column }` is 0 in { $count ->
         [one] 1 row
        *[other] { $count } rows
-    }: rounded, and read as the resolution of the column, u = { $u } { $unit } (half of the last digit over √3)
+    }: rounded, and taken as the resolution of the column, u = { $u } { $unit } (half of the last digit over √3)
     .hint = export uncertainties with more decimals
 
-# Means: Standard uncertainties of rows are 0, and the column shows no resolution.
-# Matters: A reading without uncertainty would outweigh all others: the uncertainty of the
-# instrument counts there.
+# Means: Standard uncertainties of rows are 0, and the column does not show its resolution.
+# Matters: A reading without uncertainty would outweigh all others; the uncertainty of the
+# instrument is used instead.
 # Do: Export uncertainties with more decimals.
 # Example: a column that is 0 in all rows
 uncertainty-zero = `{ $column }` is 0 in { $count ->
         [one] 1 row
        *[other] { $count } rows
-    }, and shows no resolution: the uncertainty of the instrument counts there
+    }, and its resolution is unknown: the uncertainty of the instrument is used instead
     .hint = export uncertainties with more decimals
 
-# Means: A key of the layout of a text is stated for a sheet of a workbook.
-# Matters: Cells of a workbook are read as they are; the key has no effect.
+# Means: A key for delimited text is stated for a sheet of a workbook.
+# Matters: Cells of a workbook have a type and no delimiter; the key has no effect.
 # Do: Remove the key.
 # Example: `decimal = "comma"` with `sheet`
-key-of-text-table = `{ $key }` means nothing for a sheet of a workbook
-    .hint = remove `{ $key }`: cells of a workbook are read as they are
+key-of-text-table = `{ $key }` has no effect on a sheet of a workbook
+    .hint = remove `{ $key }`: it applies to delimited text only
 
-# Means: The identified robot leaves errors larger than 2 % of the spread of the measured positions.
-# Matters: A calibrated model leaves thousandths of the workspace: these are not measurements of
-# this robot at these joint values.
-# Do: Follow the hint; it names a cause only where the errors show it.
+# Means: Errors of the identified robot exceed 2 % of the spread of the measured positions.
+# Matters: Errors of a calibrated robot are thousandths of the workspace: these are not measurements
+# of this robot at these joint values.
+# Do: Follow the hint; it names a cause only if the errors show the cause.
 # Example: a log of another campaign
 measurements-undescribed = on the { $set ->
         [validation] validation
        *[calibration] calibration
-    } poses the model leaves { FIXED($after_mm, 3) } mm (root mean square) of positions that spread over { FIXED($spread_mm, 1) } mm; { $count } of { $total } readings are off by more than { FIXED($limit_mm, 1) } mm: the model does not describe these measurements
+    } poses errors are { FIXED($after_mm, 3) } mm (root mean square), and positions spread over { FIXED($spread_mm, 1) } mm; { $count } of { $total } errors exceed { FIXED($limit_mm, 1) } mm: the model does not describe these measurements
 
-undescribed-targets = all readings of { $targets } are off, and no others: check its labels, and whether it was moved
+undescribed-targets = all readings of { $targets } have such errors, and no others: check labels, and whether the target moved
 
 undescribed-readings = { $readings }: { $remedy }
 
-undescribed-set-up = check units, order and signs of the joints, the nominal parameters, and how log and points are joined
+undescribed-set-up = check units, order and signs of the joints, the nominal parameters, and the join of log and points
 
 undescribed-frame-moved = one motion of the frame by { FIXED($motion_mm, 1) } mm leaves { FIXED($left_mm, 3) } mm: base or measuring system has moved between calibration and validation poses
 
-undescribed-unchecked = the calibration poses leave no coordinate to check: other places of base and targets fit them as well; measure more calibration poses, spread over the workspace
+undescribed-unchecked = the calibration poses have no redundant coordinate: other positions of base and targets fit equally well; measure more calibration poses, spread over the workspace
 
-undescribed-other-poses = the calibration poses fit, and no motion of the frame explains the others: check whether log and exports of the validation poses are of the same poses (a log of another campaign, or poses that are numbered otherwise)
+undescribed-other-poses = the calibration poses fit, but no motion of the frame explains the others: check that log and exports of the validation poses belong together (not a log of another campaign, or another numbering of poses)
 
 # Means: `--frames prior` is stated for nominal parameters.
-# Matters: It weighs base and targets by the covariance of identified parameters.
-# Do: Name identified parameters, or fit base and targets again.
+# Matters: This mode weights base and targets by the covariance of identified parameters.
+# Do: State identified parameters, or fit base and targets again.
 # Example: `etalon validate --frames prior` without `--parameters`
 prior-of-nominal = nominal parameters have no covariance for `--frames prior`
-    .hint = name identified ones with `--parameters`, or use `--frames refit`
+    .hint = state identified parameters with `--parameters`, or use `--frames refit`
 
-# Means: `--frames prior` is stated for a table with other rows than positions.
-# Matters: It is computed for measured positions.
-# Do: Leave rows of other kinds out, or fit base and targets again.
+# Means: `--frames prior` is stated for a table that contains more than positions.
+# Matters: This mode is available for measured positions only.
+# Do: Remove rows of other kinds, or fit base and targets again.
 # Example: `--frames prior` with distances
-prior-of-conditions = `--frames prior` is for measured positions alone
-    .hint = leave rows of other kinds out, or refit base and targets: `--frames refit`
+prior-of-conditions = `--frames prior` is for measured positions only
+    .hint = remove rows of other kinds, or fit base and targets again: `--frames refit`
 
-# Means: `--frames given` takes base and targets from nominal values, and one of them has none.
-# Matters: Its place is unknown.
+# Means: `--frames given` needs nominal values of base and targets, and one of them is missing.
+# Matters: The position is unknown.
 # Do: Fit base and targets to the calibration poses.
 # Example: `--frames given` with nominal parameters of an arm
-place-without-nominal = `{ $parameter }` has no nominal value: it is found from measurements
+place-without-nominal = `{ $parameter }` has no nominal value: only measurements determine it
     .hint = fit base and targets to the calibration poses: `--frames refit`
 
-# Means: The given parameters leave larger errors than the nominal ones.
-# Matters: They are probably those of another robot, or base and targets moved since.
+# Means: Errors with the given parameters are larger than with nominal parameters.
+# Matters: The parameters are probably those of another robot, or base and targets have moved since.
 # Do: Check that the parameters are those of this robot, and whether base and targets are those of
 # this campaign (`--frames`).
 # Example: parameters of the neighbouring robot
-given-parameters-worse = the given parameters leave { FIXED($given_mm, 3) } mm, the nominal ones { FIXED($nominal_mm, 3) } mm (root mean square)
-    .hint = check that they are those of this robot, and whether base and targets are those of this campaign (`--frames`)
+given-parameters-worse = errors with the given parameters are { FIXED($given_mm, 3) } mm, with nominal parameters { FIXED($nominal_mm, 3) } mm (root mean square)
+    .hint = check that the parameters are those of this robot, and whether base and targets are those of this campaign (`--frames`)
 
-# Means: More poses are to be chosen than there are candidates, or none.
+# Means: The number of poses to choose is zero, or exceeds the number of candidates.
 # Matters: The plan cannot be made.
 # Do: State fewer `--positions`, or more candidates.
 # Example: `--positions 20` of 12 candidates
 candidate-poses-too-few = { $wanted } of { $count } candidate poses cannot be chosen
     .hint = state fewer `--positions`, or more candidates
 
-# Means: With the names of two targets exchanged the residuals fall to less than a tenth.
-# Matters: The measurements are those of the other target.
+# Means: If the names of two targets are exchanged, the residuals fall to less than a tenth.
+# Matters: Each target was measured under the name of the other.
 # Do: Exchange the two names in the export.
-# Example: SMR_1 and SMR_2 named the other way round
-target-names-exchanged = with the names of targets `{ $first }` and `{ $second }` exchanged the residuals fall from { FIXED($before_mm, 3) } to { FIXED($left_mm, 3) } mm
+# Example: SMR_1 and SMR_2 with exchanged names
+target-names-exchanged = with the names of targets `{ $first }` and `{ $second }` exchanged, the residuals fall from { FIXED($before_mm, 3) } to { FIXED($left_mm, 3) } mm
     .hint = exchange the two names in the export
 
-# Means: The observations contradict the parameters, and without one pose they do not.
+# Means: The observations contradict the parameters, but without one pose they agree.
 # Matters: This pose was probably measured or logged wrongly.
 # Do: Measure the pose again, and log its joints again.
 # Example: a verification pose with the joints of another pose
 one-pose-contradicts = without pose `{ $pose }` the observations do not contradict the parameters
     .hint = measure this pose again, and log its joints again
 
-# Means: Several motions (of the base, of a joint’s zero, of a target) explain the residuals of a
-# verification.
-# Matters: Which of them happened is not proven.
-# Do: Observe poses that differ more in the values of the joints.
+# Means: Several motions (of the base, of the zero of a joint, of a target) explain the residuals of
+# a verification.
+# Matters: The data do not prove which of them occurred.
+# Do: Observe poses with larger differences of the joint values.
 # Example: a verification at three poses beside each other
 motions-alike = { $count ->
         [one] 1 other motion explains
        *[other] { $count } other motions explain
     } these residuals too: { $motions }
-    .hint = observe poses that differ more in the values of the joints
+    .hint = observe poses with larger differences of the joint values
 
-# Means: The calibration poses give as many coordinates as parameters are determined, or fewer.
-# Matters: Residuals are zero whatever was measured: nothing checks the parameters.
+# Means: The calibration poses do not have more coordinates than parameters.
+# Matters: Residuals are zero for any measurement, so the parameters are unchecked.
 # Do: Measure more poses, spread over the workspace.
 # Example: 12 parameters of a planar robot from three poses with two balls
 no-coordinates-to-check = { $count ->
         [one] 1 coordinate
        *[other] { $count } coordinates
-    } of the calibration poses determine { $parameters ->
+    } of the calibration poses for { $parameters ->
         [one] 1 parameter
        *[other] { $parameters } parameters
-    }: none is left to check them
+    }: the parameters are unchecked
     .hint = measure more poses, spread over the workspace
 
 # Means: A few errors at validation poses exceed a multiple of the median error.
-# Matters: They are part of the stated accuracy, and probably wrong readings.
-# Do: Look there for exchanged labels and wrong readings; measure them again, or leave them out with
-# `exclude` in [identify].
+# Matters: They contribute to the stated accuracy, and are probably wrong readings.
+# Do: Check these readings for exchanged labels and mistakes; measure them again, or exclude them
+# with `exclude` in [identify].
 # Example: one validation pose logged wrongly
 validation-outliers = { $count } of { $total } validation errors exceed { FIXED($limit_mm, 4) } mm, { $times } times their median: { $readings }
 
 # Means: All identified lengths differ from their nominal values by one factor, by more than chance.
-# Matters: It is rather a scale error of the measuring system, or of the joints, than an error of so
+# Matters: A scale error of the measuring system or of the joints is more probable than errors of so
 # many parts.
 # Do: Check scale, temperature compensation and unit of the measuring system and of the encoders.
 # Example: an instrument without temperature compensation
@@ -1830,37 +1801,38 @@ common-scale = { $parameters } are all about { FIXED($factor, 5) } times nominal
 
 # Means: The identified compliance of a joint is negative, by more than three standard
 # uncertainties.
-# Matters: No material bends against its load: gravity or the axis of the joint points the other
-# way.
+# Matters: No material bends against its load: gravity or the axis of the joint has the wrong
+# direction.
 # Do: Check `gravity` and the direction of the joint’s axis in robot.toml.
 # Example: `gravity = [0, 0, 1]` of a standing robot
 compliance-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit }): the joint bends against gravity
     .hint = check `gravity` and the direction of the joint’s axis in robot.toml
 
 # Means: The identified backlash of a joint is negative, by more than three standard uncertainties.
-# Matters: A joint cannot be ahead of its drive: the directions of approach have the other sign, or
+# Matters: A joint cannot be ahead of its drive: the directions of approach have the wrong sign, or
 # belong to another motion.
-# Do: Check the sign of the directions, and that the times of the log are those of the same motion.
-# Example: directions written as -1 where the joint value grew
+# Do: Check the sign of the directions, and that the times of the log belong to the same motion.
+# Example: direction -1 stated where the joint value increased
 backlash-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit }): the joint is ahead of its drive, which no backlash explains
-    .hint = check the sign of the directions of approach (+1 where the joint value grew, -1 where it fell), and that the log’s times are those of the same motion
+    .hint = check the sign of the directions of approach (+1 if the joint value increased, -1 if it decreased), and that the times of the log belong to the same motion
 
-# Means: The identified distance of the balls K and L has the other sign than its nominal value.
-# Matters: Each was measured where the other is: their names are exchanged.
+# Means: The identified distance of the balls K and L has the opposite sign of its nominal value.
+# Matters: Each ball was measured under the name of the other.
 # Do: Exchange the names of the two targets in the labels of the export.
-# Example: K and L named the other way round
+# Example: K and L with exchanged names
 ball-names-exchanged = `{ $parameter }`, the distance of K and L, is { FIXED($value, 3) } { $unit }: K and L are exchanged
     .hint = exchange the names of the two targets in the labels of the export
 
 # Means: The identified robot has larger errors than the nominal robot on a set of poses.
 # Matters: The parameters fit the noise of too few poses, and must not reach a controller.
-# Do: Measure more poses, spread over the workspace, or hold parameters that they do not determine.
+# Do: Measure more poses, spread over the workspace, or hold parameters that the poses do not
+# determine.
 # Example: 30 parameters identified from ten poses in one corner
 identified-worse-than-nominal = on the { $set ->
         [validation] validation
        *[calibration] calibration
     } poses the identified robot is worse than the nominal one: { FIXED($before_mm, 4) } mm before, { FIXED($after_mm, 4) } mm after (root mean square)
-    .hint = measure more poses, spread over the workspace, or hold parameters that they do not determine
+    .hint = measure more poses, spread over the workspace, or hold parameters that the poses do not determine
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
         [mm] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolerance { FIXED($tolerance, 3) } { $unit })
@@ -1870,39 +1842,313 @@ value-beyond-tolerance = `{ $parameter }` = { $unit ->
 
 # Means: The data alone put parameters beyond their stated tolerance, by more than twice their
 # standard uncertainty.
-# Matters: No such robot left the factory: a sign, unit, order of joints, nominal value or frame is
+# Matters: No real robot deviates so far: a sign, unit, order of joints, nominal value or frame is
 # wrong. The parameters must not reach a controller.
-# Do: Check signs, units and order of the joints, the nominal values, and the frames; where the
-# robot is drawn otherwise, state `tolerance` in the robot file.
-# Example: joint 2 logged with the other sign
+# Do: Check signs, units and order of the joints, the nominal values, and the frames; if the robot
+# has larger tolerances, state `tolerance` in the robot file.
+# Example: joint 2 logged with the opposite sign
 tolerance-exceeded = { $count ->
         [one] 1 parameter is
        *[other] { $count } parameters are
     } beyond the tolerance of the robot: { $parameters }
-    .hint = check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, state `tolerance` in the robot file
+    .hint = check signs, units and order of the joints, the nominal values, and the frames; if the robot has larger tolerances, state `tolerance` in the robot file
 
 format-not-identified = parameters of the format `{ $format }` could not be identified again: { $message }
 
 # Means: The clocks drift apart: no offset alone puts every measured point into a standstill. Offset
 # and rate were determined together.
-# Matters: Joint values are from the standstill of each point. The rate is within 100 ppm, as crystals
-# are: the log of another run does not fit.
-# Do: Nothing, if points were measured during standstills only. Synchronise the clocks next time.
+# Matters: Each point has the joint values of its standstill. The rate is within 100 ppm, as for
+# crystal clocks: the log of another run does not fit.
+# Do: Nothing, if all points were measured during standstills. Synchronise the clocks next time.
 # Example: `clock_rate = "standstills"` for an instrument and a controller that run for an hour
-clock-rate-from-standstills = the clock of the measurement runs { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) against the clock of log `{ $log }` (possible: { FIXED($low_ppm, 1) } to { FIXED($high_ppm, 1) } ppm); offset { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) at { FIXED($reference_s, 3) } s of the log
+clock-rate-from-standstills = the clock of the measurement runs { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) relative to the clock of log `{ $log }` (possible: { FIXED($low_ppm, 1) } to { FIXED($high_ppm, 1) } ppm); offset { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) at { FIXED($reference_s, 3) } s of the log
     .hint = with this offset and rate every measured point falls into a standstill; no offset alone does so
 
-# Means: An offset alone puts every measured point into a standstill: the clocks may be of equal rate.
+# Means: An offset alone puts every measured point into a standstill: the rates of the clocks may be
+# equal.
 # Matters: The rate is not applied. The true rate is within the stated range.
-# Do: Leave `clock_rate` out.
+# Do: Omit `clock_rate`.
 # Example: clocks that differ by 5 ppm, and a measurement of ten minutes
-clock-rate-insignificant = the standstills of log `{ $log }` show no difference of the rates of the clocks: it is between { FIXED($low_ppm, 1) } and { FIXED($high_ppm, 1) } ppm
-    .hint = leave `clock_rate` out: the offset alone is used
+clock-rate-insignificant = the standstills of log `{ $log }` show no significant difference of the clock rates: the difference is between { FIXED($low_ppm, 1) } and { FIXED($high_ppm, 1) } ppm
+    .hint = omit `clock_rate`: only the offset is used
 
-# Means: At no offset and no rate of the clocks does every measured point fall into a standstill.
-# Matters: A point was measured in motion, the log lacks a standstill, or it is the log of another run.
-# Quartz clocks differ by less than the stated rate.
-# Do: Check that the log belongs to the measurement, and leave points measured in motion out.
+# Means: No offset and rate of the clocks put every measured point into a standstill.
+# Matters: A point was measured in motion, the log lacks a standstill, or it is the log of another
+# run. Quartz clocks differ by less than the stated rate.
+# Do: Check that the log belongs to the measurement, and remove points measured in motion.
 # Example: the log of yesterday's run
-clock-rate-none = at no offset of the clocks and no rate within ± { $most_ppm } ppm does every measured point fall into a standstill of the log
-    .hint = check that the log is of this measurement, and remove points measured in motion; or state `clock_offset_s` as a number
+clock-rate-none = no offset of the clocks and no rate within ± { $most_ppm } ppm put every measured point into a standstill of the log
+    .hint = check that the log belongs to this measurement, and remove points measured in motion; or state `clock_offset_s` as a number
+# Means: A limit is stated, and the poses that decide do not show its quantity.
+# Matters: The limit is undecided, and the exit code is 1.
+# Do: Measure the quantity at the validation poses, or remove the limit.
+# Example: `position_max_mm` for a campaign of draw wires
+limit-not-assessable = limit `{ $limit }` cannot be assessed: the poses that decide do not show its quantity
+    .hint = measure the quantity at these poses, or remove the limit from [limits]
+# Means: An option names a joint that has neither a sweep nor a column of values in the table.
+# Matters: The order of the joints, or a statement about a joint, would be wrong.
+# Do: Write the name as in the column `joint`.
+# Example: `--prismatic Z` for a table with the joints q1 to q4
+sweep-joint-unknown = `{ $joint }` is not a joint of these sweeps
+    .expected = { $known }
+
+# Means: The names of the joints have no numbers, so that their order from the base is unknown.
+# Matters: Axes in another order form another robot.
+# Do: State the order from the base.
+# Example: sweeps of the axes X, Y, Z and C of a gantry
+sweep-order-missing = the order of the joints { $joints } from the base is unknown
+    .hint = state it: --joints NAME,...
+
+# Means: Two columns contain values of the same joint.
+# Matters: It is unknown which column applies.
+# Do: Remove or rename one of the columns.
+# Example: q1_deg and q1_rad in one table
+sweep-joint-column-twice = two columns have values of joint `{ $joint }`
+    .hint = remove one of them
+
+# Means: Joint values are missing in a row, in some sweeps, or at a check pose.
+# Matters: The missing values would have to be guessed.
+# Do: State the values of all joints in every row, or at check poses only.
+# Example: an empty cell in the column q4_deg
+sweep-values-partial = joint values are incomplete
+    .expected = values of all joints in every row, or in no row of a sweep
+    .hint = a row without a swept joint is a check pose and needs the values of all joints
+
+# Means: `--backwards` is stated for a joint, and the table has joint values.
+# Matters: The joint values already determine the sign.
+# Do: Omit the option.
+# Example: `--backwards q2` with a column q2_deg
+sweep-sign-by-values = the joint values already determine the direction of each sweep
+    .hint = omit --backwards
+
+# Means: Rows name one joint as the swept joint, but the values of another joint change.
+# Matters: The axis would belong to another joint.
+# Do: Correct the column `joint`, or the headings of the columns of joint values.
+# Example: the sweep of q3 under the name of q2
+sweep-other-joint = `{ $moved }` moves in the sweep of `{ $joint }`, which is at rest
+    .hint = correct the column `joint`, or the headings of the joint values
+
+# Means: A second joint moves during the sweep of a joint.
+# Matters: The paths are not circles or lines; the axis would belong to neither joint.
+# Do: Measure the sweep again with all other joints at rest.
+# Example: a Cartesian motion in place of a motion of one joint
+sweep-two-joints = `{ $also }` also moves in the sweep of `{ $joint }`, by { $by }
+    .hint = measure the sweep again with all other joints at rest
+
+sweep-by-angle = { FIXED($by, 3) } deg
+
+sweep-by-length = { FIXED($by, 3) } mm
+
+# Means: The motion of the targets about or along the axis differs from the joint value.
+# Matters: The joint value has another unit or is that of a motor, or another joint moves too. The
+# zero of the joint would be wrong.
+# Do: Correct the unit in the heading, or compute the column: `--column "q1_deg=motor1/100"`.
+# Example: radians under the heading q1_deg
+sweep-ratio = the targets move by { FIXED($ratio, 5) } × the values of `{ $joint }`
+    .hint = { $unit ->
+            [deg-as-rad] the values are degrees but are read as radians: correct the heading
+            [rad-as-deg] the values are radians but are read as degrees: correct the heading
+            [inch-as-mm] the values are inches but are read as millimetres
+            [m-as-mm] the values are metres but are read as millimetres: correct the heading
+            [mm-as-m] the values are millimetres but are read as metres: correct the heading
+           *[none] correct the unit of the column, or compute the joint value from the motor value
+        }
+
+# Means: Before and after a row, the readings of a target are on two different paths about one axis.
+# Matters: The target slipped in its seat, or the base or the instrument moved.
+# Do: Measure the sweep again, or give the target another name from this row on.
+# Example: a reflector that was removed and replaced during the sweep
+sweep-target-moved = target `{ $target }` moved in the sweep of `{ $joint }` before row { $row }: deviation from one path { FIXED($before_um, 1) } um, from two paths { FIXED($after_um, 1) } um
+    .hint = measure the sweep again, or give the target another name from this row on
+
+# Means: Many readings are far from the path of the majority.
+# Matters: The path of the majority may be the wrong one.
+# Do: Check for a second joint that moved, a reflector that turned away, or rows of another sweep.
+# Example: two sweeps of different poses under one name
+sweep-many-foreign = { $aside } of { $readings } readings of the sweep of `{ $joint }` are not on the path of the others
+    .hint = check for a second joint that moved, or for rows of another sweep
+
+# Means: Some readings are much farther from the path than noise explains.
+# Matters: They are not used for the axis.
+# Do: Check these rows; remove them if the cause is known.
+# Example: a reading of another reflector
+sweep-foreign = { $count ->
+        [one] 1 reading of the sweep of `{ $joint }` is excluded
+       *[other] { $count } readings of the sweep of `{ $joint }` are excluded
+    }: line { $lines }
+    .hint = check these lines: the readings are far from the path of all others
+
+# Means: Readings deviate from their path by much more than neighbouring readings differ: the
+# deviation is smooth, not noise.
+# Matters: Possible causes are run-out of the bearing, motion of another joint, or bending of a
+# part. The uncertainty of the axis treats the deviations as noise, and is too small.
+# Do: Check that all other joints were at rest; compare the deviations with the run-out of the
+# bearing.
+# Example: a sweep during which a second joint creeps by a tenth of a degree
+sweep-smooth = the targets deviate smoothly from their path in the sweep of `{ $joint }`, by { FIXED($rms_um, 1) } um (root mean square); the noise from reading to reading is { FIXED($noise_um, 1) } um; the uncertainty of the axis is too small
+    .hint = check that all other joints were at rest, and compare with the run-out of the bearing
+
+# Means: The direction of an axis is poorly known.
+# Matters: Predicted positions have an error of this angle times their distance from the axis.
+# Do: Measure a longer arc, or a target farther from the axis.
+# Example: a target 2 mm from the axis
+sweep-weak = the direction of the axis of `{ $joint }` has a standard uncertainty of { FIXED($u_mrad, 2) } mrad
+    .hint = measure a longer arc, a target farther from the axis, or more targets
+
+# Means: All targets are within a few millimetres of all axes.
+# Matters: The coordinates are probably in metres, and are read as millimetres.
+# Do: Check the unit of the coordinates.
+# Example: coordinates in metres under the heading x_mm
+sweep-unit = all targets are within { FIXED($radius_mm, 3) } mm of the axes: the coordinates are probably in metres
+    .hint = check the unit, and convert the columns: --column "x_mm=x*1000"
+
+# Means: A sweep has fewer readings than its axis and paths need.
+# Matters: The axis cannot be determined.
+# Do: Measure more readings.
+# Example: two readings of one target
+sweep-few = the sweep of `{ $joint }` has { $readings } readings, and needs { $needed }
+    .hint = measure more readings; redundant readings determine the uncertainty
+
+# Means: The readings of a sweep do not determine an axis: they coincide, or readings of a revolute
+# joint are on a straight line.
+# Matters: The axis is unknown.
+# Do: Measure a longer arc or a target farther from the axis; state prismatic joints.
+# Example: a target on the axis
+sweep-undetermined = the readings of the sweep of `{ $joint }` do not determine an axis
+    .hint = measure a longer arc or a target farther from the axis; state a prismatic joint with --prismatic
+
+# Means: Joints have columns of values but no sweep.
+# Matters: Their axes are unknown; robot.toml is not written.
+# Do: Measure a sweep of each joint.
+# Example: sweeps of q1 to q5 of a six-axis arm
+sweep-joint-missing = { $count ->
+        [one] joint { $joints } has no sweep
+       *[other] joints { $joints } have no sweep
+    }: robot.toml is not written
+    .hint = measure a sweep of each joint
+
+# Means: The first readings of a target differ between sweeps, although sweeps without joint values
+# must start from the same pose.
+# Matters: The zeros of the joints are undefined; robot.toml is not written. Each axis applies to
+# the pose in which it was measured.
+# Do: Start every sweep from the same pose, or add the joint values.
+# Example: a target that was removed between two sweeps
+sweep-starts-apart = the sweeps of `{ $first }` and `{ $second }` start { FIXED($gap_mm, 3) } mm apart at target `{ $target }`: robot.toml is not written
+    .hint = start every sweep from the same pose with the target in its place, or add columns of joint values
+
+# Means: A target occurs in check poses but in no sweep.
+# Matters: Its position on the flange is unknown; robot.toml is not written.
+# Do: Use targets of the sweeps.
+# Example: a check pose with another reflector
+sweep-target-unswept = a target of check poses is in no sweep: robot.toml is not written
+    .hint = use targets of the sweeps in check poses
+
+# Means: Sweeps or check poses agree only if two joints are exchanged.
+# Matters: The robot would be wrong at every pose.
+# Do: Exchange the names of the joints.
+# Example: axes 4 and 5 of an arm with exchanged names
+sweeps-exchanged = `{ $first }` and `{ $second }` are exchanged: positions differ by { FIXED($stated_mm, 3) } mm (root mean square) as stated, and by { FIXED($left_mm, 3) } mm with the joints exchanged
+    .hint = exchange their names in the column `joint` and in the headings
+
+# Means: The check poses agree only if a joint was swept in negative direction.
+# Matters: The sign of the joint would be wrong.
+# Do: State the joint in `--backwards`.
+# Example: a sweep from +30 to -30 degrees without joint values
+sweep-reversed = `{ $joint }` was swept in negative direction: check poses differ by { FIXED($stated_mm, 3) } mm (root mean square) as stated, and by { FIXED($left_mm, 3) } mm with the other sign
+    .hint = state it: --backwards { $joint }
+
+# Means: Measured positions differ from those of the robot by more than their uncertainty.
+# Matters: Possible causes are a target that moved between sweeps, bending of a joint, or errors of
+# a transmission. The uncertainty of the robot is too small.
+# Do: Check the seats of the targets and the joint values; start a calibration from this robot
+# (`etalon identify`, `etalon run`).
+# Example: an arm whose second joint bends by 0.1 mm under its weight
+sweeps-disagree = { $what ->
+        [checks] check poses differ from the robot by up to { FIXED($distance_mm, 3) } mm
+       *[sweeps] the sweeps contradict each other by up to { FIXED($distance_mm, 3) } mm
+    } (standard uncertainty { FIXED($u_mm, 4) } mm)
+    .hint = check the seats of the targets and the joint values; `etalon identify` and `etalon run` can start from this robot
+
+# Means: A Denavit-Hartenberg table has no parameters for this position of the base.
+# Matters: The base of the table is rotated and shifted relative to the stated base.
+# Do: Identify the base, or use `poe`.
+# Example: a base whose x axis is not the common normal of its z axis and axis 1
+table-base-not-held = the table has its own base, rotated by { FIXED($angle_deg, 4) } deg and shifted by { FIXED($shift_mm, 4) } mm
+    .hint = identify the base, or use `poe`
+
+# Means: A Denavit-Hartenberg table has no parameters for this position of the flange.
+# Matters: The flange of the table, with its targets and tools, is rotated and shifted relative to
+# the stated flange.
+# Do: Identify the targets, or use `poe`.
+# Example: a flange whose z axis is not the last axis
+table-flange-not-held = the table has its own flange, rotated by { FIXED($angle_deg, 4) } deg and shifted by { FIXED($shift_mm, 4) } mm
+    .hint = identify the targets, or use `poe`
+
+# Means: Two axes are near-parallel, and one component of the angle between them has no parameter in
+# the nominal table (Hayati's beta is identified, not stated).
+# Matters: A point beyond the axis is displaced by this angle times its distance.
+# Do: Identify the robot, which determines beta; or use `poe`.
+# Example: axes 2 and 3 of an arm, parallel within 0.2 mrad
+table-tilt-not-held = the table treats { $joint ->
+        [none] two axes
+       *[other] the axes at the link of `{ $joint }`
+    } as parallel: it does not contain the angle of { FIXED($angle_mrad, 4) } mrad between them
+    .hint = `etalon identify` determines beta; `poe` contains the angle
+row-excluded = excluded: { $reason }
+row-at-origin = not measured: 0 0 0
+row-of-several = { $rows } rows of log `{ $log }` are within { $tolerance_s } s: the nearest row is used
+no-rows-around = log `{ $log }` lacks a row before or after the point within { $tolerance_s } s
+no-row-near = no row of log `{ $log }` is within { $tolerance_s } s
+no-point-nearest = another row is nearer to each measured point
+no-row-of-key = no row of log `{ $log }` has this key
+no-point-of-key = no measured point has this key
+no-row-touches = no row of log `{ $log }` touches the point
+row-of-unframed-pose = the pose of the row has no world frame
+
+table-of-observations = observations
+table-of-attained-poses = attained poses
+table-of-commanded-poses = commanded poses
+table-of-reference-targets = reference targets
+table-of-commanded-path = commanded path
+table-of-compliance = static compliance
+recorded-motion-file = recorded motion
+read-in-unit = { $format }, unit { $unit }
+read-in-frame = { $read }, relative to `{ $frame }`
+
+side-stated = as stated by the user
+side-from-values = from the { $values } { $of }
+side-from-key = from `InternalExternal`: { $value }
+# Means: An export joined by label has orientations, and the log names a label in several rows.
+# Matters: The robot then touches a point that was measured once; the measured orientation is not
+# that of the body on the robot. Only positions are used.
+# Do: Nothing, or join by pose, row or time if the instrument measured the body at each pose.
+# Example: nests of a plate measured by a probe of six degrees of freedom
+label-orientations-unused = orientations of the export are not used: log `{ $log }` names `{ $label }` in { $count } rows
+    .hint = join by pose, row or time if the instrument measured the body on the robot at each pose
+
+# Means: Temperatures in the rows of the exports differ from `temperature_c` of the campaign.
+# Matters: Identified lengths apply at the stated temperature; a robot of aluminium expands by 23
+# µm/m for each degree.
+# Do: Correct `temperature_c`, or the unit of the column (degrees Celsius).
+# Example: `temperature_c = 20.0`, and rows with 24.6 to 25.3
+temperature-elsewhere = `temperature_c` = { $stated_c }; the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C
+    .hint = correct `temperature_c`, or the unit of the column (degrees Celsius)
+
+# Means: Temperatures in the rows of the exports vary by more than [expansion] states.
+# Matters: The uncertainty of lengths due to temperature is too small. Rows are not corrected for
+# temperature.
+# Do: State the expanded uncertainty that covers the range.
+# Example: `expanded_temperature_uncertainty_c = 0.5`, and rows with 19.1 to 22.8
+temperature-varies = the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C, more than ±{ $expanded_c } °C; the uncertainty of lengths is too small
+    .hint = state an `expanded_temperature_uncertainty_c` that covers the range
+axes-comment-method = axes by sweeps of one joint at a time (etalon axes); no nominal model
+
+axes-comment-base = base by axes 1 and 2, rule `{ $rule }`: z along axis 1
+
+axes-comment-joint = q{ $number } is { $name }
+
+axes-comment-zero = joint values are zero at the start of the sweeps
+
+axes-comment-target = target { $name } on the flange (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Robot by its axes

@@ -27,7 +27,7 @@ characteristic = { $name ->
 
 # Means: A characteristic has fewer attained positions than its formula needs.
 # Matters: A standard deviation or a fit of so few positions is undefined.
-# Do: Measure more cycles; ISO 9283 has 30.
+# Do: Measure more cycles; ISO 9283 requires 30.
 # Example: one cycle of a pose: repeatability needs two
 too-few-positions = { $of }: { $count ->
         [one] 1 attained position
@@ -45,7 +45,7 @@ position-not-finite = { $of }: position { $number } is non-finite
 
 # Means: The recorded path has fewer complete passes than the characteristic needs.
 # Matters: A mean or standard deviation over so few passes is undefined.
-# Do: Record more passes of the path; ISO 9283 has 10.
+# Do: Record more passes of the path; ISO 9283 requires 10.
 # Example: one pass: path repeatability needs two
 too-few-passes = { $of }: { $count ->
         [0] no complete pass
@@ -55,32 +55,31 @@ too-few-passes = { $of }: { $count ->
     .expected = at least { $least }
     .hint = record more passes of the path
 
-# Means: The passes were found with other command points.
-# Matters: Crossings and command points would be mixed up.
+# Means: The passes were found with other command points than those of the evaluation.
+# Matters: Passes and command points would not match.
 # Do: Find passes and evaluate them with the same command points.
 # Example: passes of a path of 100 points, evaluated with 50 points
 passes-of-other-path = { $of }: the passes belong to another path
     .hint = find and evaluate passes with the same command points
 
-# Means: Passes of a path are searched with fewer than two command points, or without a positive
-# distance.
-# Matters: No plane of the path can be crossed.
-# Do: State two command points at least and a positive distance.
+# Means: The search for passes has fewer than two command points, or no positive distance.
+# Matters: A pass is found by its crossings of planes at the command points.
+# Do: State at least two command points and a positive distance.
 # Example: a search distance of 0 mm
 passes-need-points = passes of a path need two command points and a positive distance
-    .hint = state two command points and a positive distance
+    .hint = state at least two command points and a positive distance
 
 # Means: The stated workspace has no extent along one of its axes, or is not finite.
-# Matters: The cube of the test (ISO 9283, 6.8) cannot be laid into it.
+# Matters: The cube of the test (ISO 9283, 6.8) does not fit into it.
 # Do: State the smallest x, y, z, then the largest.
 # Example: `--workspace 0,0,0,500,0,400`
 workspace-not-box = the workspace is not a box
     .expected = the smallest x, y, z, then the largest
 
-# Means: An orientation has another number of angles than the robot.
+# Means: An orientation has more or fewer angles than the robot has axes of rotation.
 # Matters: The poses of the test cannot be commanded.
 # Do: State one finite angle for each axis of rotation.
-# Example: `--orientation 0,90` for a robot in space
+# Example: `--orientation 0,90` for a spatial robot
 angle-count = { $option } has { $count ->
         [one] 1 angle
        *[other] { $count } angles
@@ -111,7 +110,7 @@ standstill-thresholds = radius and duration of a standstill must be positive
 in-sample = sample { $sample }: { $message }
 
 # Means: A recorded motion has fewer than two samples, or columns of different lengths.
-# Matters: No velocity or path follows from it.
+# Matters: Velocity and path are undefined.
 # Do: Record the motion again with all columns.
 # Example: a recording of one row
 stream-too-short = a recorded motion needs at least two samples with the same columns
@@ -124,14 +123,14 @@ stream-too-short = a recorded motion needs at least two samples with the same co
 stream-value-missing = a coordinate or the time is missing or non-finite
     .hint = remove this sample
 
-# Means: The time stamp of a sample is not later than the one before.
+# Means: The time stamp of a sample is not later than that of the previous sample.
 # Matters: Velocities would be infinite or negative.
 # Do: Sort the samples, or record with a finer time stamp.
 # Example: two samples at 1.5 s
 time-not-increasing = the time does not increase: { $later_s } s after { $earlier_s } s
     .hint = sort the samples, or record with finer time stamps
 
-# Means: The centre line of the weave has no direction, or the swing runs along it.
+# Means: The centre line of the weave has no direction, or the swing is parallel to it.
 # Matters: The stroke is measured across the centre line (ISO 9283, 11).
 # Do: State a swing direction across the centre line.
 # Example: a centre line along x and `weave_across = [1, 0, 0]`
@@ -152,8 +151,8 @@ weave-command = weaving: commanded stroke and frequency must be positive
 weave-without-samples = weaving: no samples
     .hint = check where the weave begins and ends
 
-# Means: The recording has fewer turns of the weave than needed.
-# Matters: The first and the last turn do not count; stroke and frequency need three others.
+# Means: The recording has too few turns of the weave.
+# Matters: The first and the last turn are excluded; stroke and frequency need three others.
 # Do: Record a longer weave.
 # Example: a weave of one period
 weave-too-few-turns = weaving: { $turns ->
@@ -171,7 +170,7 @@ corner-without-points = cornering: no command point on the half of a leg beside 
     .hint = state more command points
 
 # Means: No commanded angle changes along the path.
-# Matters: Path accuracy on reorientation is that of a path with reorientation.
+# Matters: This characteristic needs a path with reorientation.
 # Do: State the commanded angles of the path.
 # Example: a commanded path without angle columns
 path-without-reorientation = path accuracy on reorientation: no commanded angle changes along the path
@@ -184,11 +183,11 @@ path-without-reorientation = path accuracy on reorientation: no commanded angle 
 commanded-angle-missing = commanded path: an angle is missing or non-finite
     .hint = state all angles at every point, or none
 
-# Means: Two consecutive points of the commanded path are the same.
+# Means: Two consecutive points of the commanded path coincide.
 # Matters: The path has no direction there.
-# Do: Remove one of the points; a robot that turns in place follows no path.
+# Do: Remove one of the points; a rotation in place is not a path.
 # Example: the same row twice
-commanded-point-repeated = commanded path: points { $first } and { $second } are the same
+commanded-point-repeated = commanded path: points { $first } and { $second } coincide
     .hint = remove one of the two points
 
 # Means: The commanded velocity is zero, negative or not a number.
@@ -199,19 +198,19 @@ velocity-not-positive = path velocity: the commanded velocity must be positive
     .hint = state the commanded velocity
 
 # Means: The central part of the path has fewer than three command points.
-# Matters: The velocity between them has no mean and no fluctuation.
+# Matters: Mean and fluctuation of the velocity need at least two intervals.
 # Do: State more command points, or a larger central part.
 # Example: four command points and a central part of one half
 velocity-too-few-points = path velocity: fewer than three command points in the central part
     .hint = state more command points, or a larger central part
 
-# Means: A characteristic compares several sets, and too few are there.
-# Matters: Without a second set there is nothing to compare.
-# Do: Measure the missing sets.
+# Means: A characteristic compares several sets, and there are too few.
+# Matters: A comparison needs at least two sets.
+# Do: Complete the measurements.
 # Example: one set of cycles: drift compares sets over time
 too-few-of = { $of }: { $sets }
     .expected = at least { $least }
-    .hint = measure the missing ones
+    .hint = complete the measurements
 
 sets-of-cycles = { $count ->
         [one] 1 set of cycles
@@ -248,14 +247,14 @@ robot-without-pose = exchangeability: robot `{ $robot }` did not attain pose { $
     .expected = every robot at every pose
 
 # Means: Every visit of a pose was read once.
-# Matters: The noise of the instrument follows from several readings of one visit.
+# Matters: The noise of the instrument is determined from several readings of one visit.
 # Do: Take several readings at each visit.
 # Example: one row for each cycle
 visits-read-once = repeatability without noise: no visit has two readings
-    .hint = take several readings at each visit: they show the noise of the instrument
+    .hint = take several readings at each visit: they determine the noise of the instrument
 
 # Means: Three of the four mean positions lie on one line.
-# Matters: They span no plane to which the fourth has a distance.
+# Matters: They do not define a plane for the fourth position.
 # Do: Name four poses that span a plane.
 # Example: poses 1, 2 and 3 on an edge of the cube
 coplanar-poses-on-line = coplanarity: three of the four mean positions lie on one line
@@ -263,13 +262,13 @@ coplanar-poses-on-line = coplanarity: three of the four mean positions lie on on
 
 # Means: The two poses of a distance were not attained in the same cycles.
 # Matters: The distance of a cycle needs both positions.
-# Do: Leave out cycles that lack one of the poses.
+# Do: Exclude cycles that lack one of the poses.
 # Example: 30 cycles at pose 2, 29 at pose 4
-distance-counts-differ = distance: { $first } and { $second } positions
+distance-counts-differ = distance: the two poses have { $first } and { $second } positions
     .expected = both poses in the same cycles
 
 # Means: A force is zero, negative or not a number.
-# Matters: The direction gives the sign of a load.
+# Matters: The sign of a load is stated by its direction.
 # Do: State the magnitude of the force.
 # Example: `force_n = -50`
 force-not-positive = static compliance: a force is not positive
@@ -288,3 +287,5 @@ unloaded-position-missing = direction { $direction }, cycle { $cycle }: no row w
 # Example: a table whose column `force_n` is 0 everywhere
 force-missing = no row has a force
     .hint = state the force of each loaded row
+
+no-working-mode-reaches = no working mode reaches it within the limits

@@ -1,48 +1,48 @@
 ### Messages de base ; explications dans en/base.ftl.
 
-also-in-lines = { $message } ; également aux lignes { $second }, { $third } et { $more ->
+also-in-lines = { $message } ; également aux lignes { $second }, { $third } et { $more ->
         [one] { $more } autre ligne
        *[other] { $more } autres lignes
     }
 
-did-you-mean = vouliez-vous dire `{ $name }` ?
+did-you-mean = vouliez-vous dire `{ $name }` ?
 
-meant-in-unit = convertir en `{ $name }` : 1 { $from } = { $factor } { $to }
+meant-in-unit = convertir en `{ $name }` : 1 { $from } = { $factor } { $to }
 
-known-names = utiliser l’un de ces noms : { $names }
+known-names = utiliser l’un de ces noms : { $names }
 
-known-names-first = utiliser l’un de ces noms : { $names }, ...
+known-names-first = utiliser l’un de ces noms : { $names }, ...
 
 pose-name-empty = le nom de la pose est vide
     .expected = un nombre entier, ou un nom comme `home` ou `A-3`
 
 pose-name-too-long = le nom de la pose a { $characters } caractères
-    .expected = au plus { $most } caractères : un nombre entier, ou un nom comme `home` ou `A-3`
+    .expected = au plus { $most } caractères : un nombre entier, ou un nom comme `home` ou `A-3`
 
 pose-name-unprintable = un tableau ne peut pas contenir le nom `{ $name }`
     .expected = un nombre entier, ou un nom comme `home` ou `A-3`
 
-pose-name-two-spellings = `{ $first }` et `{ $second }` ne diffèrent que par des majuscules, espaces, `_`, `-` ou zéros
+pose-name-two-spellings = `{ $first }` et `{ $second }` ne diffèrent que par des majuscules, des espaces, `_`, `-` ou des zéros
     .hint = écrire le nom d’une pose de la même façon dans toutes les lignes et tous les fichiers
 
-counts-too-large = trop de { $of } : { $counts }
+counts-too-large = trop de { $of } : { $counts }
     .expected = au plus { $most }
 
-cannot-read-file = impossible de lire `{ $file }` : { $reason }
+cannot-read-file = impossible de lire `{ $file }` : { $reason }
 
-file-too-large = impossible de lire `{ $file }` : plus de { $most_mib } Mio
+file-too-large = impossible de lire `{ $file }` : plus de { $most_mib } Mio
 
 not-utf8 = `{ $file }` n’est pas en UTF-8 (octet { $byte })
     .hint = enregistrer le fichier en UTF-8
 
-cannot-write-file = impossible d’écrire `{ $file }` : { $reason }
+cannot-write-file = impossible d’écrire `{ $file }` : { $reason }
 
 file-exists = `{ $file }` existe déjà
     .hint = indiquer un nouveau dossier
 
-lock-foreign = impossible d’écrire `{ $file }` : `{ $lock }` n’est pas un verrou d’etalon
-    .expected = un fichier ordinaire à nom unique
-    .hint = le supprimer : etalon a besoin de ce nom pendant l’écriture
+lock-foreign = impossible d’écrire `{ $file }` : `{ $lock }` n’est pas un verrou d’etalon
+    .expected = un fichier ordinaire qui n’a qu’un nom
+    .hint = le supprimer : etalon a besoin de ce nom pendant l’écriture
 
 locked = le processus { $process } écrit `{ $file }`
     .hint = attendre la fin de ce processus
@@ -50,15 +50,39 @@ locked = le processus { $process } écrit `{ $file }`
 output-is-input = `{ $output }` écraserait l’entrée `{ $input }`
     .hint = indiquer un autre fichier de sortie
 
-cannot-write-folder = impossible d’écrire le dossier `{ $folder }` : { $reason }
+cannot-write-folder = impossible d’écrire le dossier `{ $folder }` : { $reason }
 
-cannot-encode = impossible d’écrire { $format } : { $reason }
+cannot-encode = impossible d’écrire { $format } : { $reason }
 
 angle-order-unknown = `{ $text }` n’est pas un ordre de trois angles
-    .expected = « zyx », « xyz », « zyz » .. autour des axes du corps, ou « fixed xyz » .. autour des axes du monde
+    .expected = "zyx", "xyz", "zyz" .. autour des axes du corps, ou "fixed xyz" .. autour des axes du référentiel atelier
 
-rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : les produits de ses lignes s’écartent de 1 et de 0 de { $off }
-    .expected = r11 à r33, ligne par ligne : corps dans le monde
+rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : les produits scalaires de ses lignes s’écartent de 1 ou de 0 de { $off }
+    .expected = r11 à r33, ligne par ligne : orientation du corps dans le référentiel atelier
 
-rotation-mirrors = la matrice de rotation est une réflexion : son déterminant est -1
+rotation-mirrors = la matrice de rotation contient une réflexion : son déterminant est -1
     .hint = vérifier les signes de ses colonnes
+
+factor = { $of ->
+        [poses] { $count ->
+            [one] { $count } pose
+           *[other] { $count } poses
+        }
+        [cycles] { $count ->
+            [one] { $count } cycle
+           *[other] { $count } cycles
+        }
+        [repeats] { $count ->
+            [one] { $count } répétition
+           *[other] { $count } répétitions
+        }
+        [draws] { $count ->
+            [one] { $count } tirage
+           *[other] { $count } tirages
+        }
+       *[runs] { $count ->
+            [one] { $count } exécution
+           *[other] { $count } exécutions
+        }
+    }
+product = { $first } × { $second }

@@ -1,34 +1,34 @@
 ### Messages de campaign ; explications dans en/campaign.ftl.
 
-recording-unit = un enregistrement avec `format` a besoin de `unit`, et seulement alors
-    .hint = indiquer les deux ; sans les deux, c’est un tableau time_s,x_mm,y_mm,z_mm, dont l’en-tête indique les unités
+recording-unit = un enregistrement exige `unit` s’il a un `format`, et ne l’admet pas sans `format`
+    .hint = indiquer les deux ; sans l’un ni l’autre, c’est un tableau time_s,x_mm,y_mm,z_mm, dont l’en-tête indique les unités
 
 campaign-missing = le fichier de campagne `{ $file }` n’existe pas
-    .hint = `etalon init DOSSIER` en écrit une pour commencer
+    .hint = `etalon init DOSSIER` écrit une campagne de départ
 
-joints-need-delimited-text = `joints` se lit dans un texte délimité avec au plus une ligne de noms
-    .hint = indiquer `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` ; pour d’autres fichiers, nommer les articulations dans un [log]
+joints-need-delimited-text = `joints` ne se lit que dans un texte délimité avec au plus une ligne de noms
+    .hint = indiquer `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` ; pour d’autres fichiers, indiquer les articulations dans un [log]
 
 joints-differ = deux exports de `{ $file }` indiquent des `joints` différents
     .hint = indiquer les mêmes colonnes dans les deux
 
-joints-twice = les articulations sont indiquées deux fois : dans `joints` de `{ $file }` et dans [log]
+joints-twice = les articulations sont indiquées deux fois : dans `joints` de `{ $file }` et dans [log]
     .hint = omettre l’une des deux
 
-joints-joined-by-row = un export avec `joints` se joint par ses lignes
+joints-joined-by-row = un export avec `joints` se joint ligne par ligne
     .hint = indiquer `by = "row"` dans [join], ou omettre [join]
 
-environment-missing = l’environnement n’a pas de `{ $name }`
-    .hint = donner à { $name } le dossier qui contient `{ $file }`
+environment-missing = la variable d’environnement `{ $name }` n’est pas définie
+    .hint = lui donner pour valeur le dossier qui contient `{ $file }`
 
 path-outside = `{ $file }` sort du dossier de la campagne
     .expected = un chemin dans le dossier de la campagne, ou qui commence par `$NAME/`
 
-no-target = un robot spatial a besoin d’au moins une cible
-    .hint = les nommer dans `targets` de [join], par `target` des exports, ou dans une colonne `target` du tableau
+no-target = un robot tridimensionnel a besoin d’au moins une cible
+    .hint = indiquer les cibles dans `targets` de [join], par `target` des exports, ou dans une colonne `target` du tableau
 
-target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres seraient ceux de la base du robot
-    .hint = donner un autre nom à la cible dans l’étiquette ou les colonnes
+target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres seraient ceux de la base du robot
+    .hint = donner un autre nom à la cible dans `label` ou `columns`
 
 key-not-positive = `{ $key }` doit être positif
     .hint = corriger la valeur
@@ -37,12 +37,12 @@ joint-key-missing = la clé `{ $key }` manque dans `joint`
 
 direction-in-base = une direction dans la base, par exemple { $example }
 
-keys-state-the-same = { $keys } indiquent la même chose : en omettre une
+keys-state-the-same = { $keys } indiquent la même chose : en omettre une
 
 leg-count = un hexapode a six jambes, le fichier en indique { $count }
     .hint = ajouter un [[leg]] avec base_mm et platform_mm par jambe
 
-hexapod-singular = l’hexapode est singulier à sa pose d’origine : six longueurs ne l’y maintiennent pas
+hexapod-singular = l’hexapode est singulier à sa pose d’origine : les six longueurs de jambe ne l’y maintiennent pas
     .hint = vérifier `base_mm` et `platform_mm`, ou indiquer une autre pose d’origine
 
 no-joints = un bras série a besoin de ses articulations
@@ -52,18 +52,18 @@ gravity-without-direction = `gravity` n’a pas de direction
     .expected = une direction dans la base, par exemple [0, 0, -1]
 
 not-denavit-hartenberg = `{ $key }` n’est pas un paramètre de Denavit-Hartenberg
-    .hint = elle appartient à `convention = "poe"`
+    .hint = `{ $key }` appartient à `convention = "poe"`
 
-not-screw-axis = un axe de vis n’a ni paramètres de Denavit-Hartenberg ni `parallel`
+not-screw-axis = un axe de vissage n’a ni paramètres de Denavit-Hartenberg ni `parallel`
     .hint = indiquer `direction` et `point_mm`
 
 joint-axis-without-direction = l’axe de l’articulation n’a pas de direction
     .expected = une direction dans la base, par exemple [0, 0, 1]
 
-flange-missing = des axes de vis demandent la pose de la bride aux articulations nulles : la clé `{ $key }` manque
+flange-missing = les axes de vissage exigent la pose de la bride aux valeurs articulaires nulles : la clé `{ $key }` manque
 
-flange-of-table = `{ $key }` n’a pas de sens pour des paramètres de Denavit-Hartenberg
-    .hint = elle appartient à `convention = "poe"`
+flange-of-table = `{ $key }` est sans objet pour des paramètres de Denavit-Hartenberg
+    .hint = `{ $key }` appartient à `convention = "poe"`
 
 range-of-other-motion = `{ $key }` n’est pas une clé d’une articulation { $motion ->
         [slides] prismatique
@@ -71,78 +71,78 @@ range-of-other-motion = `{ $key }` n’est pas une clé d’une articulation { $
     }
     .hint = indiquer `{ $own }`
 
-range-exchanged = `{ $key }` n’est pas une plage : { $lower } à { $upper }
+range-exchanged = `{ $key }` n’est pas une plage : de { $lower } à { $upper }
     .expected = la plus petite limite, puis la plus grande
 
 joint-reference-wrong = { $fault ->
         [unknown-number] il n’y a pas d’articulation { $joint }
         [unknown-name] il n’y a pas d’articulation `{ $joint }`
-        [slides] l’articulation { $joint } est prismatique : elle ne tourne pas
-        [twice] l’articulation { $joint } figure deux fois
-        [itself] l’articulation { $joint } est couplée à elle-même : c’est son gain
-       *[pair] la paire { $joint } figure deux fois
+        [slides] l’articulation { $joint } est prismatique : elle ne tourne pas
+        [twice] l’articulation { $joint } apparaît deux fois
+        [itself] l’articulation { $joint } est couplée à elle-même : ce rapport est son gain
+       *[pair] la paire { $joint } apparaît deux fois
     }
     .expected = articulations de 1 à { $count }, une fois chacune
     .hint = les articulations sont { $joints }
 
-urdf-joint-kind = l’articulation `{ $joint }` est { $kind }, qui n’est pas une articulation de chaîne
+urdf-joint-kind = l’articulation `{ $joint }` est de type { $kind }, que n’admet pas une chaîne
     .expected = fixed, revolute, continuous ou prismatic
 
 urdf-axis-without-direction = l’axe de l’articulation `{ $joint }` n’a pas de direction
     .expected = <axis xyz="0 0 1"/> ou une autre direction
 
-urdf-origin-far = l’origine de l’articulation `{ $joint }` est à { FIXED($away_m, 0) } m de son parent
-    .hint = les longueurs d’un URDF sont en mètres : diviser celles de ce fichier par 1000
+urdf-origin-far = l’origine de l’articulation `{ $joint }` est à { FIXED($away_m, 0) } m de son parent
+    .hint = les longueurs d’un fichier URDF sont en mètres : diviser celles de ce fichier par 1000
 
-urdf-two-parents = le segment `{ $link }` a deux parents : `{ $first }` et `{ $second }`
-    .hint = un URDF est un arbre : fermer les boucles par `mimic`
+urdf-two-parents = le segment `{ $link }` a deux parents : `{ $first }` et `{ $second }`
+    .hint = un fichier URDF décrit un arbre : fermer les boucles par `mimic`
 
 urdf-loop = les articulations à partir de `{ $link }` forment une boucle
-    .hint = un URDF est un arbre : fermer les boucles par `mimic`
+    .hint = un fichier URDF décrit un arbre : fermer les boucles par `mimic`
 
 urdf-link-unknown = `{ $file }` n’a pas de segment `{ $link }`
 
-urdf-no-path = aucune articulation ne mène de `{ $from }` à `{ $to }`
-    .hint = vérifier `base_link` et `tool_link` : aucune articulation ne porte `{ $root }`
+urdf-no-path = aucune chaîne d’articulations ne mène de `{ $from }` à `{ $to }`
+    .hint = vérifier `base_link` et `tool_link` : aucune articulation ne porte `{ $root }`
 
-urdf-mimic-unknown = l’articulation `{ $joint }` imite `{ $mimics }`, que le fichier n’a pas
+urdf-mimic-unknown = l’articulation `{ $joint }` imite `{ $mimics }`, absente du fichier
 
 urdf-mimics-itself = l’articulation `{ $joint }` s’imite elle-même
-    .hint = nommer une autre articulation dans <mimic>
+    .hint = indiquer une autre articulation dans <mimic>
 
 urdf-nothing-moves = aucune articulation ne bouge entre `{ $from }` et `{ $to }`
     .hint = vérifier `base_link` et `tool_link`
 
 urdf-no-moving-joint = aucune articulation du fichier ne bouge
-    .hint = indiquer l’URDF d’un robot
+    .hint = indiquer le fichier URDF d’un robot
 
-bending-on-moving-base = `bending` demande une direction fixe de la pesanteur, et des articulations déplacent `{ $link }`
+bending-on-moving-base = `bending` exige une direction fixe de la pesanteur, or des articulations déplacent `{ $link }`
     .hint = la supprimer, ou prendre pour `base_link` un segment immobile
 
-bending-without-mass = aucune masse n’est indiquée au-delà de l’articulation `{ $joint }` : rien ne la fléchit
+bending-without-mass = aucune masse n’est indiquée au-delà de l’articulation `{ $joint }` : aucune charge ne la fait fléchir
     .hint = ajouter <inertial> à ses segments
 
 parameter-name-doubled = deux paramètres s’appelleraient `{ $name }`
-    .hint = renommer la cible : aucune cible ne peut porter le nom d’une articulation
+    .hint = renommer la cible : aucune cible ne peut porter le nom d’une articulation
 
-key-of-other-model = `{ $key }` n’a pas de sens pour ce modèle
-    .hint = elle appartient à `model = "{ $model }"`
+key-of-other-model = `{ $key }` est sans objet pour ce modèle
+    .hint = `{ $key }` appartient à `model = "{ $model }"`
 
-nominal-unknown = [nominal] nomme `{ $parameter }`, qui n’est pas un paramètre de ce robot
+nominal-unknown = [nominal] mentionne `{ $parameter }`, qui n’est pas un paramètre de ce robot
 
 nominal-length-not-positive = la longueur `{ $parameter }` doit être positive
-    .hint = indiquer la longueur du plan
+    .hint = indiquer la longueur d’après le dessin technique
 
 nominal-missing = [nominal] n’indique pas { $parameters }
-    .hint = indiquer la géométrie de votre machine d’après ses plans, en mm : elle n’est jamais devinée
+    .hint = indiquer la géométrie de votre machine d’après le dessin technique, en mm : elle n’est jamais devinée
 
 tolerance-not-positive = la tolérance `{ $parameter }` doit être positive
-    .hint = indiquer la tolérance du plan
+    .hint = indiquer la tolérance du dessin technique
 
-tolerance-unknown = `tolerance` nomme `{ $parameter }`, qui n’est pas un paramètre de ce robot
+tolerance-unknown = `tolerance` mentionne `{ $parameter }`, qui n’est pas un paramètre de ce robot
 
-selection-empty = `{ $stated }` ne nomme aucune pose
-    .expected = des noms et plages comme "1-8, 12, home", une liste de ceux-ci, "all", "rest" ou "index mod 10 < 7"
+selection-empty = `{ $stated }` ne désigne aucune pose
+    .expected = des noms et des plages comme "1-8, 12, home", une liste de noms et de plages, "all", "rest" ou "index mod 10 < 7"
 
 not-a-measured-value = `{ $value }` n’est pas une valeur mesurée
     .expected = un nombre fini
@@ -166,9 +166,9 @@ key-missing = la clé `{ $key }` manque{ $has_section ->
        *[no] {""}
     }
 
-state-unit = indiquer l’unité de longueur du fichier : "mm", "m", "um" ou "inch" ; elle n’est jamais devinée
+state-unit = indiquer `unit = "mm"`, ou "m", "um" ou "inch", l’unité dans laquelle le fichier a été écrit ; elle n’est jamais devinée
 
-state-instrument = [instrument] indique name, expanded_uncertainty_um et coverage_factor : les prendre dans son certificat d’étalonnage
+state-instrument = [instrument] indique name, expanded_uncertainty_um et coverage_factor : les prendre dans son certificat d’étalonnage
 
 state-file = indiquer le fichier, dans le dossier de la campagne
 
@@ -176,49 +176,48 @@ copy-keys = `etalon init DOSSIER` écrit une campagne avec toutes les clés à c
 
 toml-invalid = { $reason }
 
-table-key-twice = cette table a la clé deux fois{ $more ->
+table-key-twice = cette table contient la clé deux fois{ $more ->
         [0] {""}
         [one] , et { $more } clé ensuite
        *[other] , et { $more } clés ensuite
     }
-    .hint = une table parmi plusieurs commence par sa tête entre doubles crochets, comme `[[joint]]` : en manque-t-il une avant ?
+    .hint = une table parmi plusieurs commence par son en-tête entre doubles crochets, comme `[[joint]]` : manque-t-il avant ?
 
 unknown-key = { $count ->
         [one] clé inconnue { $keys }
        *[other] clés inconnues { $keys }
     }
 
-key-belongs-at-top = `{ $key }` va en haut, avant la première section
+key-belongs-at-top = `{ $key }` doit figurer en tête, avant la première section
 
-table-head-missing = la tête de leur table manque-t-elle, comme `[section]` ou `[[joint]]` ?
+table-head-missing = manque-t-il l’en-tête de leur table, comme `[section]` ou `[[joint]]` ?
 
 key-remedy = { $key ->
-        [station] les stations d’un instrument sont une colonne `station` d’un tableau d’observations : indiquer
-        [observations] au lieu d’exports et de journal
-       *[base_turn_y_deg] la supprimer : base_rx, base_ry et base_rz sont un vecteur de rotation, et aucune orientation de la base n’est singulière
+        [station] les stations d’un instrument sont une colonne `station` d’un tableau d’observations : indiquer {"["}observations] au lieu d’exports et de journal
+       *[base_turn_y_deg] supprimer la clé : base_rx, base_ry et base_rz sont un vecteur rotation, et aucune orientation de la base n’est singulière
     }
 
-urdf-no-robot = le fichier n’est pas un URDF
+urdf-no-robot = le fichier n’est pas un fichier URDF
     .expected = l’élément <robot>
 
 urdf-joint-twice = il y a deux articulations `{ $joint }`
     .hint = renommer l’une des deux
 
-urdf-joint-link-unknown = l’articulation `{ $joint }` nomme le segment `{ $link }`, que le fichier n’a pas
+urdf-joint-link-unknown = l’articulation `{ $joint }` mentionne le segment `{ $link }`, absent du fichier
 
 urdf-joint-without-link = l’articulation `{ $joint }` n’a pas de <{ $child } link="..."/>
     .hint = ajouter l’élément
 
-urdf-limits-exchanged = les limites de l’articulation `{ $joint }` sont inversées : { $lower } à { $upper }
+urdf-limits-exchanged = les limites de l’articulation `{ $joint }` sont inversées : { $lower } à { $upper }
     .hint = les inverser
 
 urdf-angles-beyond-turn = des angles de `rpy` dépassent un tour complet
-    .hint = les angles d’un URDF sont en radians : 90 deg valent 1.5707963267948966
+    .hint = les angles d’un fichier URDF sont en radians : 90 deg valent 1,5707963267948966
 
 urdf-attribute-missing = <{ $element }> n’a pas de `{ $attribute }`
     .hint = ajouter l’attribut
 
-urdf-not-number = `{ $attribute }` : `{ $word }` n’est pas un nombre
+urdf-not-number = `{ $attribute }` : `{ $word }` n’est pas un nombre
     .hint = corriger la valeur
 
 urdf-number-count = `{ $attribute }` a { $count ->
@@ -232,16 +231,16 @@ urdf-number-count = `{ $attribute }` a { $count ->
 
 key-open = `{ $key }` reste à compléter{ $more ->
         [0] {""}
-       *[other] {" "}; { $more } de plus à compléter
+       *[other] {" "}; { $more } encore à compléter
     }
     .hint = compléter la ligne{ $remark ->
         [none] {""}
-       *[other] {" "}: { $remark }
+       *[other] {" "}: { $remark }
     }
 
 joint-unit-open = l’unité des articulations reste à indiquer{ $more ->
         [0] {""}
-       *[other] {" "}; { $more } de plus à compléter
+       *[other] {" "}; { $more } encore à compléter
     }
     .hint = écrire deg, rad, mm ou m au lieu de UNIT
 
@@ -256,7 +255,7 @@ kind-expected = { $kind ->
             [none] {""}
            *[other] {" "}de { $limit }
         }
-       *[table] un tableau
+       *[table] une table
     }
 
 alternatives = { $first ->

@@ -5,103 +5,110 @@ message-unknown = `{ $id }` n’est pas l’identifiant d’un message
 option-not-positive = { $option } doit être positif
     .hint = indiquer un nombre positif
 
-option-refused = { $option } : { $reason }
+option-refused = { $option } : { $reason }
     .hint = `etalon COMMANDE --help` énumère les valeurs
 
-column-option-malformed = --column : `{ $text }` n’a pas de `=`
-    .expected = q1_deg=J1
+column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
+    .expected = { $option ->
+        [column] q1_deg=J1
+        [constant] kind=distance
+       *[other] deleted=1
+    }
+
+option-columns-twice = --columns et --column indiquent toutes deux les colonnes
+    .hint = en garder une
 
 option-unit-missing = les fichiers n’indiquent pas leur unité de longueur
-    .hint = l’indiquer : --unit mm, m, um ou inch ; elle n’est jamais devinée
+    .hint = indiquer l’unité : --unit mm, m, um ou inch ; elle n’est jamais devinée
 
-robot-option-missing = parameters.json demande --robot FICHIER
-    .hint = indiquer le robot.toml : --robot FICHIER
+robot-option-missing = parameters.json nécessite --robot FICHIER
+    .hint = indiquer le robot.toml : --robot FICHIER
 
 axis-unknown = le robot n’a pas d’axe `{ $axis }`
     .hint = utiliser une articulation du robot, ou x_mm, y_mm, z_mm
 
-axes-mixed = les axes d’une table sont tous parmi x_mm, y_mm, z_mm, ou tous des articulations
+axes-mixed = les axes d’une table sont soit choisis parmi x_mm, y_mm, z_mm, soit tous des articulations
     .expected = articulations { $joints }
 
-table-of-turning-joints = une table de plusieurs articulations demande des articulations prismatiques successives
-    .hint = utiliser x_mm et y_mm : poses du robot nominal
+table-of-turning-joints = une table de plusieurs articulations exige des articulations prismatiques consécutives
+    .hint = utiliser x_mm et y_mm : poses du robot nominal
 
 lead-not-measured = aucun pas de `{ $axis }` n’a été mesuré
     .expected = { $measured }
 
-lead-of-one-axis = un pas est celui d’un axe, qu’il corrige
-    .hint = indiquer cet axe seul
+lead-of-one-axis = un pas ne concerne qu’un axe, celui qu’il corrige
+    .hint = n’indiquer que cet axe
 
 table-value-missing = une valeur manque ou n’est pas un nombre
     .hint = corriger ou supprimer la ligne
 
-not-a-grid = les positions ne sont pas celles d’une grille
+not-a-grid = les positions ne forment pas une grille
     .expected = une ligne pour chaque position de chaque axe de base
 
 axis-without-positions = `{ $axis }` n’a pas de positions
     .expected = --axis { $axis }=DE:À:PAS
 
-configuration-changed = cible { $target } : la commande est dans une autre configuration
-    .hint = ses données de configuration (mode de travail, confdata, Status et Turn) restent telles quelles : les vérifier
+configuration-changed = cible { $target } : la commande compensée est dans une autre configuration
+    .hint = ses données de configuration (mode de travail, confdata, Status et Turn) restent inchangées : les vérifier
 
-poses-computed-by-program = les poses de { $names } restent telles quelles
-    .hint = les vérifier : ce qu’un programme calcule à partir de cibles compensées a leur compensation, pas la sienne
+poses-computed-by-program = les poses de { $names } restent inchangées
+    .hint = les vérifier : une pose que le programme calcule à partir de cibles compensées reçoit leur compensation, et non la sienne
 
 working-mode-missing = le programme n’indique pas le mode de travail de départ du robot
-    .hint = indiquer les valeurs articulaires de départ : --start N,N,+1
+    .hint = indiquer les valeurs articulaires de départ : --start N,N,+1
 
 program-frames = le programme utilise { $names }
 
-one-program-each = donner les cibles de chacun dans un programme à part
+one-program-each = donner les cibles de chacun dans un programme séparé
 
-state-pose-option = indiquer sa pose : --{ $option } x,y,z,qw,qx,qy,qz
+state-pose-option = indiquer sa pose : --{ $option } x,y,z,qw,qx,qy,qz
 
-program-in-world = les cibles d’un programme ne sont pas dans le repère du monde
+program-in-world = les cibles d’un programme ne sont pas dans le référentiel atelier
     .hint = utiliser --object
 
-counts-missing = `galil` demande les impulsions de { $axes } axes par mm ou deg
+counts-missing = `galil` a besoin du nombre d’impulsions par mm ou par deg de { $axes } axes
     .hint = --counts-per-unit N,N
 
-joints-in-world = des valeurs articulaires ne sont pas dans le repère du monde
+joints-in-world = les valeurs articulaires ne sont pas dans le référentiel atelier
     .hint = omettre --frame
 
-nominal-pose-unreachable = le robot nominal ne peut pas être là où les articulations le placent
+nominal-pose-unreachable = le robot nominal ne peut pas prendre la pose que donnent les valeurs articulaires
     .hint = vérifier les valeurs articulaires et le mode d’assemblage
 
-base-not-in-world = `{ $model }` n’a pas de base dans le repère du monde
+base-not-in-world = `{ $model }` n’a pas de base dans le référentiel atelier
     .hint = omettre --frame
 
 mecaprol-other-robot = Mecaprol commande un robot à cinq barres, pas `{ $model }`
     .hint = utiliser un autre --format
 
-target-unreachable = cible { $target } : { $reason }
+target-unreachable = cible { $target } : { $reason }
     .hint = déplacer la cible, ou vérifier les limites dans robot.toml
 
-pose-unreachable = pose { $pose } : { $reason }
+pose-unreachable = pose { $pose } : { $reason }
     .hint = vérifier la pose et les limites dans robot.toml
 
 controller-format-unknown = `{ $name }` n’est pas un format de commande
 
-hash-of-other-format = `--controller-hash` est pour les formats qui la contiennent : { $formats }
+hash-of-other-format = `--controller-hash` ne s’applique qu’aux formats qui contiennent cette empreinte : { $formats }
     .hint = en indiquer un avec --format
 
 run-while-exporting = une exécution a écrit `{ $folder }` pendant la création de fichiers de commande
-    .hint = répéter la commande : ils peuvent provenir de paramètres antérieurs
+    .hint = répéter la commande : les fichiers peuvent provenir de paramètres antérieurs
 
-fit-file-missing = aucun fichier à ajuster pour `{ $element }`
-    .hint = indiquer le fichier : etalon fit { $element } FICHIER
+fit-file-missing = aucun fichier n’est indiqué pour l’ajustement de `{ $element }`
+    .hint = indiquer le fichier : etalon fit { $element } FICHIER
 
-fit-element-missing = l’élément n’est pas indiqué, et le fichier n’est pas QIF
-    .hint = l’indiquer : etalon fit ÉLÉMENT { $file }
+fit-element-missing = l’élément n’est pas indiqué, et le fichier n’est pas un fichier QIF
+    .hint = l’indiquer : etalon fit ÉLÉMENT { $file }
 
-qif-with-columns = un fichier QIF n’a ni colonnes ni un même rayon pour tous ses éléments
+qif-with-columns = un fichier QIF n’a ni colonnes ni rayon commun à tous ses éléments
     .hint = omettre --columns, --delimiter et --radius-mm
 
 no-feature-fitted = aucun élément mesuré n’a été ajusté comme { $kind }
     .expected = des éléments avec des points qui les déterminent
-    .hint = éléments avec points dans le fichier : { $seen }
+    .hint = éléments avec points dans le fichier : { $seen }
 
-probe-side-unknown = --probe-side : `{ $text }` n’est pas un côté
+probe-side-unknown = --probe-side : `{ $text }` n’est pas un côté
     .expected = inside, outside, ou trois nombres x,y,z vers le palpeur
     .hint = inside pour un alésage, outside pour un arbre, 0,0,1 pour un palpeur au-dessus d’un plan
 
@@ -113,114 +120,132 @@ probe-radius-missing = --probe-side sans palpeur
     .expected = --probe-radius-mm
     .hint = indiquer le rayon qualifié du palpeur, ou omettre les deux pour des points de contact
 
-enclosing-with-probe = { $element } n’est pas compensé d’un palpeur
+enclosing-with-probe = { $element } n’est pas corrigé du rayon du palpeur
     .hint = omettre --probe-radius-mm et --probe-side
 
-enclosing-minimum-zone = il n’y a pas de zone minimale d’un { $element }
+enclosing-minimum-zone = il n’existe pas de zone minimale pour l’élément { $element }
     .hint = omettre --minimum-zone, ou ajuster un circle2d ou une sphere
 
-uncertainty-implausible = { $option } n’est pas une incertitude d’une coordonnée en micromètres
-    .hint = incertitude élargie sur facteur d’élargissement, par coordonnée : 0.0027 mm = 2.7 um
+uncertainty-implausible = la valeur de { $option } n’est pas l’incertitude d’une coordonnée en micromètres
+    .hint = incertitude élargie divisée par le facteur d’élargissement, par coordonnée : 0,0027 mm = 2,7 µm
 
 robot-not-in-table = la géométrie de `{ $name }` n’est pas dans la table des robots
     .expected = { $names }
-    .hint = le décrire par son URDF : --urdf FICHIER
+    .hint = le décrire par son fichier URDF : --urdf FICHIER
 
-iso230-row-incomplete = une ligne n’a pas de position, de valeur mesurée ou de direction
+iso230-row-incomplete = une ligne n’a pas de position, de valeur mesurée ou de sens
     .expected = des nombres, et +1 ou -1 comme `direction`
 
 iso230-no-rows = le tableau n’a pas de lignes
     .hint = vérifier le fichier
 
-iso230-few-runs = la position { $position } mm a moins de deux passages dans la direction { $direction }
+iso230-few-runs = à la position { $position } mm, moins de deux passages dans le sens { $direction }
     .expected = des passages des deux côtés, cinq selon l’ISO 230-2
-
-nothing-to-evaluate = rien à évaluer n’est indiqué
-    .hint = indiquer poses, enregistrement ou charges : `etalon iso9283 --help`
 
 drift-set-too-small = { $option } doit être au moins 2
     .hint = indiquer le nombre de cycles d’une série
 
-commanded-missing = aucune pose commandée n’est indiquée : AP n’est pas déterminé, et nul (null) ; RP n’en a pas besoin
+commanded-missing = aucune pose commandée n’est indiquée : AP n’est pas déterminée (null) ; RP n’en a pas besoin
     .hint = les indiquer avec --commanded pour AP, distances et dérive
 
 infinite-solutions = { $joints } articulations atteignent une pose d’une infinité de façons
-    .hint = en demander une : --nearest
+    .hint = en choisir une : --nearest
 
-no-whole-pose = `{ $model }` n’a pas de cinématique d’une pose complète
+no-whole-pose = le modèle `{ $model }` n’a pas de cinématique de la pose complète
     .hint = utiliser un autre modèle
 
-table-quaternion-length = le quaternion a la norme { FIXED($length, 4) }
-    .expected = 1 : qw, qx, qy, qz d’une rotation
-    .hint = vérifier l’ordre des colonnes (qw est la partie scalaire), et que ce ne sont pas des angles
+table-quaternion-length = le quaternion a pour norme { FIXED($length, 4) }
+    .expected = 1 : qw, qx, qy, qz d’une rotation
+    .hint = vérifier l’ordre des colonnes (qw est la partie scalaire), et qu’elles ne contiennent pas d’angles
 
-not-a-report = `{ $file }` ne se termine pas comme un rapport
-    .expected = un fichier qui se termine par { $endings }
+not-a-report = `{ $file }` n’a pas l’extension d’un rapport
+    .expected = un fichier dont le nom se termine par { $endings }
 
-report-folder-missing = aucun dossier n’est indiqué
-    .hint = indiquer le dossier de sortie d’une exécution
+earlier-run-left = rien n’est écrit : `{ $report }` et les fichiers voisins proviennent d’une exécution antérieure
+    .hint = ne pas charger ses fichiers de commande comme s’ils provenaient de celle-ci
 
-earlier-run-left = rien n’est écrit : `{ $report }` et les fichiers voisins sont d’une exécution antérieure
-    .hint = ne pas charger ses fichiers de commande comme s’ils étaient de celle-ci
+schema-unknown = schéma inconnu `{ $name }`
 
-schema-unknown = il n’y a pas de schéma `{ $name }`
+verify-other-column = les observations ont une colonne `{ $column }` : seules les positions sont comparées
+    .hint = omettre les lignes d’autres types et leurs colonnes
 
-verify-other-column = les observations ont une colonne `{ $column }` : seules les positions sont comparées
-    .hint = omettre les lignes d’autres genres et leurs colonnes
-
-workspace-numbers = --workspace-mm a { $count } nombres
+workspace-numbers = --workspace-mm a { $count ->
+        [one] { $count } nombre
+       *[other] { $count } nombres
+    }
     .expected = six, ou quatre pour les robots plans
 
 reorientation-alone = une réorientation sans orientation de départ
     .hint = indiquer aussi --orientation-deg
 
-reach-unknown = le fichier de robot du modèle `{ $model }` n’indique pas sa portée
-    .hint = omettre --robot, et essayer les positions sur le robot à faible vitesse
+reach-unknown = le fichier de robot du modèle `{ $model }` n’indique pas le rayon d’action
+    .hint = omettre --robot, et essayer les positions sur le robot à vitesse réduite
 
-excluded-rows = exclu : { $count ->
+excluded-rows = exclusion : { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
-    }, lignes { $rows } : { $reason }
+    }, lignes { $rows } : { $reason }
 
-controller-error-not-measured = le format `{ $format }` ne contient pas { $parameters } : son fichier est conditionné par leurs valeurs nominales, et son erreur n’a pas été mesurée
-    .hint = exécuter la campagne avec "{ $format }" parmi ses `controllers`, et exporter depuis son dossier de sortie
+controller-error-not-measured = le format `{ $format }` ne contient pas { $parameters } : son fichier suppose leurs valeurs nominales, et son erreur n’a pas été mesurée
+    .hint = exécuter la campagne avec "{ $format }" dans `controllers`, et exporter depuis son dossier de sortie
 
 from-needs-robot = --from a besoin du robot
-    .hint = le nommer : --robot ur5e, ou --urdf FICHIER
+    .hint = l’indiquer : --robot ur5e, ou --urdf FICHIER
 
 two-files-of-one-name = deux fichiers s’appellent `{ $name }`
     .hint = donner un autre nom à l’un d’eux
 
-proposal-not-toml = la proposition pour `{ $name }` n’est pas lisible : { $error }
+proposal-not-toml = la proposition pour `{ $name }` n’est pas lisible : { $error }
 
 nothing-recognised = rien n’est reconnu dans `{ $name }`
-    .hint = `etalon formats { $path }` indique ce que ses colonnes pourraient être
+    .hint = `etalon formats { $path }` indique ce que peuvent être ses colonnes
 
-table-to-evaluate-missing = il manque le tableau à évaluer
+table-to-evaluate-missing = le tableau à évaluer manque
 
 option-of-call-refused = { $reason }
 
 table-options-refused = { $fault ->
-        [axes] un tableau a un axe de base ou deux différents
-        [positions] le tableau a plus de { $most } positions
-        [zero] --zero-at demande une position par axe de base
-        [numbers] --numbers demande un numéro par axe
-        [sign-missing] le constructeur ne publie pas le signe des valeurs de ce tableau : --sign manque
-        [sign-known] --sign est pour les tableaux dont le signe n’est pas publié
-        [plane] un plan demande deux axes de base
-        [one-axis] ce tableau a un axe de base
-       *[own-axis] ce tableau a un axe de base, qui est l’axe corrigé
+        [axes] une table a un axe de base, ou deux axes de base différents
+        [positions] la table a plus de { $most } positions
+        [zero] --zero-at nécessite une position par axe de base
+        [numbers] --numbers nécessite un numéro par axe
+        [sign-missing] le constructeur ne publie pas le signe des valeurs de cette table : --sign manque
+        [sign-known] --sign ne vaut que pour les tables dont le signe n’est pas publié
+        [plane] un plan nécessite deux axes de base
+        [one-axis] cette table n’a qu’un axe de base
+       *[own-axis] cette table n’a qu’un axe de base, l’axe corrigé
     }
     .hint = { $fault ->
         [sign-missing] indiquer --sign add ou --sign subtract, après un essai à une position de la machine
-       *[other] corriger l’option ; `etalon axis-table --help` les décrit
+       *[other] corriger l’option ; `etalon axis-table --help` les décrit
     }
 
-deviation-unknown = pas d’écart à { $position } : { $reason ->
-        [not-measured] le pas n’y a pas été mesuré
-        [no-error] `{ $axis }` n’a pas d’erreurs propres dans ce modèle
-       *[other] { $reason }
-    }
+deviation-unknown = pas d’écart à { $position } : { $reason }
     .hint = utiliser des positions que le robot atteint, ou qui ont été mesurées
 
-robot-file-of-run = exécuter de nouveau la campagne, ou indiquer le robot.toml avec lequel elle a été exécutée
+robot-file-of-run = relancer la campagne, ou indiquer le robot.toml avec lequel elle a été exécutée
+convert-no-chain = `{ $model }` n’est pas une chaîne d’articulations et n’a pas d’autre convention
+
+convert-shared-joints = { $axes } axes partagent { $joints } valeurs articulaires
+    .hint = garder l’URDF, où `mimic` l’indique
+
+convert-left-out = { $count ->
+        [one] 1 paramètre n’est pas de la géométrie et est omis
+       *[other] { $count } paramètres ne sont pas de la géométrie et sont omis
+    } : { $names }
+    .hint = indiquer `bending`, `harmonics`, `backlash` et `coupling` dans le nouveau fichier, et les identifier de nouveau
+
+convert-gains-not-held = un URDF n’a pas de rapport de { $joints } : ses valeurs articulaires sont celles des axes
+    .hint = multiplier les valeurs articulaires, ou convertir en `poe`
+
+convert-travel-unknown = la course de { $joints } n’est pas indiquée : l’URDF a 1 m de chaque côté
+    .hint = corriger `limit` dans le fichier, ou indiquer `travel_mm` dans robot.toml
+
+enclosing-robust = `{ $element }` est tenu par ses points extrêmes : aucun ne peut être écarté
+    .hint = ajuster circle2d ou sphere avec --robust
+
+qif-robust = les éléments d’un fichier QIF sont ajustés à tous leurs points
+    .hint = omettre --robust, ou ajuster les points d’un tableau
+axis-without-errors = l’axe n’a pas d’erreurs propres dans ce modèle
+lead-not-measured-there = le pas n’y a pas été mesuré
+table-without-row = le tableau n’y a pas de ligne

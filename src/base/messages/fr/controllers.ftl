@@ -16,55 +16,55 @@ kind-planar-or-serial = un robot plan ou un bras série
 
 format-for-other-robots = le format `{ $format }` ne peut pas décrire un robot de `model = "{ $model }"`
     .expected = { $kind }
-    .hint = choisir un autre format : `etalon export --help` les énumère
+    .hint = choisir un autre format : `etalon export --help` les énumère
 
-format-too-many-joints = le robot a { $joints } articulations, le format `{ $format }` en a { $most }
+format-too-many-joints = le robot a { $joints } articulations, le format `{ $format }` en admet { $most }
 
 urdf-malformed = `{ $file }` n’est pas un document XML bien formé
     .hint = corriger le fichier
 
 formulas-missing = il n’existe pas de formules pour la cinématique de `{ $model }`
-    .hint = utiliser un format qui contient des paramètres : `json`, `csv`, `c-header`
+    .hint = utiliser un format qui contient des paramètres : `json`, `csv`, `c-header`
 
 formula-constant-not-finite = une constante de la cinématique n’est pas finie
     .hint = vérifier les paramètres identifiés
 
-error-above-nominal = erreur de position aux poses de { $set ->
-        [validation] validation
-       *[other] calibration
+error-above-nominal = erreur de position aux poses { $set ->
+        [validation] de validation
+       *[other] d’étalonnage
     }{ $left_out_count ->
         [0] {""}
        *[other] {" "}sans { $left_out }
-    } : { FIXED($written_mm, $decimals) } mm (valeur efficace) ; avec les paramètres nominaux : { FIXED($nominal_mm, $decimals) } mm
+    } : { FIXED($written_mm, $decimals) } mm (RMS) ; avec les paramètres nominaux : { FIXED($nominal_mm, $decimals) } mm
 
-file-worse-than-nominal = le format `{ $format }` n’est pas écrit : { $reason }
-    .hint = utiliser un format qui contient ces paramètres ; `etalon export --force` écrit le fichier
+file-worse-than-nominal = le format `{ $format }` n’est pas écrit : { $reason }
+    .hint = utiliser un format qui contient ces paramètres ; `etalon export --force` écrit le fichier
 
 error-near-nominal = { $case ->
-        [rms] erreur de position pas nettement inférieure à celle des paramètres nominaux
+        [rms] erreur de position non nettement inférieure à celle des paramètres nominaux
         [maximum] plus grande erreur de position supérieure à celle des paramètres nominaux
-       *[both] erreur de position pas nettement inférieure à celle des paramètres nominaux, son maximum supérieur
-    } : poses de { $set ->
-        [validation] validation
-       *[other] calibration
-    } { FIXED($written_mm, $decimals) } mm (valeur efficace), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm et { FIXED($nominal_max_mm, $decimals) } mm
+       *[both] erreur de position non nettement inférieure à celle des paramètres nominaux, maximum supérieur
+    } : poses { $set ->
+        [validation] de validation
+       *[other] d’étalonnage
+    } { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm et { FIXED($nominal_max_mm, $decimals) } mm
 
 file-near-nominal = { $formats_count ->
         [1] format
        *[other] formats
-    } `{ $formats }` : { $reason }
-    .hint = comparer les erreurs dans controllers.json ; utiliser un format qui contient les paramètres omis, s’il y en a
+    } `{ $formats }` : { $reason }
+    .hint = comparer les erreurs dans controllers.json ; si des paramètres sont omis, utiliser un format qui les contient
 
-covariance-missing = le format `{ $format }` ne contient pas { $parameters }, et parameters.json n’en a pas la covariance
-    .hint = exécuter la campagne avec `controllers = ["{ $format }"]` : elle identifie de nouveau sans eux
+covariance-missing = le format `{ $format }` ne contient pas { $parameters }, et parameters.json ne donne pas leur covariance
+    .hint = exécuter la campagne avec `controllers = ["{ $format }"]` : elle identifie de nouveau sans ces paramètres
 
-parameters-not-converged = les paramètres ne conviennent pas à une commande : { $termination }
+parameters-not-converged = les paramètres ne conviennent pas à une commande : { $termination }
     .hint = identifier de nouveau avant l’export
 
 covariance-not-finite = la covariance contient un nombre non fini
     .hint = relancer l’identification
 
-parameter-not-finite = le paramètre `{ $parameter }` a un nombre non fini
+parameter-not-finite = le paramètre `{ $parameter }` contient un nombre non fini
     .expected = valeur, valeur nominale et incertitude finies
 
 parameter-twice = il y a deux paramètres `{ $parameter }`
@@ -77,16 +77,16 @@ parameter-missing = les paramètres n’ont pas de `{ $parameter }`
     .hint = indiquer le robot.toml avec lequel ils ont été identifiés
 
 robot-missing = ce format a besoin du modèle du robot
-    .hint = indiquer le robot.toml : `--robot FILE`
+    .hint = indiquer le robot.toml : `--robot FICHIER`
 
 robot-parameter-missing = le robot n’a pas de paramètre `{ $parameter }`
-    .hint = choisir un autre format : `etalon export --help` les énumère
+    .hint = choisir un autre format : `etalon export --help` les énumère
 
 deviation-steep = l’écart varie de { $change } entre { $from } et { $to }
-    .expected = au plus 5 % de la distance
+    .expected = au plus 5 % de la distance
     .hint = indiquer positions et écarts dans la même unité, mm ou deg
 
-axis-table-too-long = { $positions } positions, c’est trop pour { $controller }
+axis-table-too-long = { $positions } positions : trop pour { $controller }
     .expected = au plus { $most }
 
 axis-table-too-short = une table SINUMERIK a { $positions ->
@@ -96,10 +96,10 @@ axis-table-too-short = une table SINUMERIK a { $positions ->
     .expected = au moins deux positions
 
 axis-positions-uneven = les positions ne sont pas équidistantes
-    .hint = mesurer à des distances égales ou utiliser une autre table
+    .hint = mesurer à intervalles réguliers ou utiliser une autre table
 
 plane-steps-differ = la grille a des pas différents selon ses axes
-    .expected = { $step_mm } mm selon les deux
+    .expected = { $step_mm } mm selon les deux
 
 galil-value-too-large = `{ $parameter }` est trop grand pour une variable d’une commande Galil
     .hint = utiliser un format à virgule flottante
@@ -107,34 +107,34 @@ galil-value-too-large = `{ $parameter }` est trop grand pour une variable d’un
 galil-constant-too-large = { $name } = { FIXED($value, 6) } est trop grand pour la cinématique inverse sur une commande Galil
     .expected = au plus { $most }
 
-galil-rounding = `{ $parameter }` perd { SCIENTIFIC($rounding, 1) } { $unit } sur une commande Galil ; son incertitude-type est { SCIENTIFIC($uncertainty, 1) } { $unit }
+galil-rounding = `{ $parameter }` perd { SCIENTIFIC($rounding, 1) } { $unit } par arrondi sur une commande Galil ; son incertitude-type est { SCIENTIFIC($uncertainty, 1) } { $unit }
     .hint = utiliser un format à virgule flottante
 
-galil-axes = { $joints } articulations, c’est trop pour une commande Galil
+galil-axes = { $joints } articulations : trop pour une commande Galil
     .expected = au plus huit
 
-galil-counts-out-of-range = cible { $target } : { $counts } impulsions hors plage
+galil-counts-out-of-range = cible { $target } : { $counts } impulsions hors plage
     .expected = au plus { $most } impulsions
 
-certificate-date-missing = un certificat d’étalonnage a besoin de la date des mesurages
+certificate-date-missing = un certificat d’étalonnage exige la date des mesures
     .expected = `date = "YYYY-MM-DD"` dans campaign.toml
     .hint = indiquer la date et relancer la campagne
 
 targets-not-finite = une valeur du plan n’est pas finie
-    .hint = vérifier le plan : aucune cible n’est écrite
+    .hint = vérifier le plan : aucune cible n’est écrite
 
 targets-format-unknown = `{ $file }` n’indique aucun format de cibles
     .expected = un nom qui se termine par `.json` ou `.h`
     .hint = pour CSV, utiliser `--poses`
 
-axes-coincide = deux axes du bras sont confondus
+axes-coincide = deux axes du bras coïncident
     .hint = vérifier le robot.toml
 
 platform-out-of-reach = la plate-forme n’atteint pas le centre
     .hint = vérifier les longueurs identifiées
 
-tower-order = les tours ne sont pas à 120 deg l’une de l’autre, dans le sens direct vu d’en haut
-    .hint = les numéroter dans le sens direct : `{ $format }` les a dans cet ordre
+tower-order = les colonnes ne sont pas à 120 deg l’une de l’autre, dans le sens trigonométrique vu d’en haut
+    .hint = les numéroter dans le sens trigonométrique : `{ $format }` les exige dans cet ordre
 
 program-not-readable = les programmes de ce langage ne peuvent pas être lus
     .hint = donner les cibles sous forme de tableau
@@ -146,25 +146,25 @@ x-and-y = à la fois X et Y
 
 position-of-every-axis = une position de chaque axe
 
-pose-of-six = tous les X, Y, Z, A, B et C
+pose-of-six = toutes les coordonnées X, Y, Z, A, B et C
 
 working-mode-changes = le programme change de mode de travail
-    .hint = donner les cibles de chaque mode de travail dans un programme à part
+    .hint = donner les cibles de chaque mode de travail dans un programme séparé
 
 movement-not-compensated = `{ $command }` n’est pas compensé
     .expected = des mouvements rectilignes vers des coordonnées absolues
 
 subroutine-not-compensated = les variables et sous-programmes ne sont pas compensés
-    .hint = écrire les cibles en nombres
+    .hint = écrire les cibles sous forme de nombres
 
 coordinate-not-number = `{ $letter }` n’est pas suivi d’un nombre
-    .hint = écrire la coordonnée en nombre
+    .hint = écrire la coordonnée sous forme de nombre
 
 coordinate-unknown = `{ $letter }` n’a pas encore de valeur
-    .hint = l’indiquer dans le premier bloc qui déplace
+    .hint = l’indiquer dans le premier bloc de déplacement
 
-quaternion-length = le quaternion de { $target } a la norme { FIXED($length, 4) }
+quaternion-length = le quaternion de { $target } a pour norme { FIXED($length, 4) }
     .expected = norme 1
 
 urdf-holds-xacro = des éléments sans cinématique de `{ $file }` contiennent du xacro
-    .hint = développer le fichier avec la commande `xacro`, et nommer l'URDF dans robot.toml
+    .hint = développer le fichier avec la commande `xacro`, et indiquer l’URDF dans robot.toml

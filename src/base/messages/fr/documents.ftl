@@ -1,52 +1,52 @@
 ### Messages de documents ; explications dans en/documents.ftl.
 
-limits-for-several-robots = les limites valent pour un robot, et le tableau en a { $robots }
-    .hint = vérifier chaque robot séparément ; ensemble, ils donnent l’interchangeabilité
+limits-for-several-robots = les limites valent pour un seul robot, or le tableau en contient { $robots }
+    .hint = vérifier chaque robot séparément ; ensemble, ils donnent l’interchangeabilité
 
-few-cycles = moins de { $least } cycles à la pose { $poses }
+few-cycles = moins de { $least } cycles (poses : { $poses })
     .hint = mesurer 30 cycles (ISO 9283), ou juger avec les intervalles
 
-few-cycles-of-direction = moins de { $least } cycles dans la direction { $directions }
+few-cycles-of-direction = moins de { $least } cycles (directions : { $directions })
     .hint = mesurer plus de cycles
 
-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la valeur vérifiée à la pose { $poses }
-    .hint = utiliser les valeurs comme bornes supérieures, ou mesurer avec un meilleur instrument
+instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la caractéristique évaluée (poses : { $poses })
+    .hint = utiliser les valeurs comme majorants, ou mesurer avec un meilleur instrument
 
-several-approaches = plusieurs approches à la pose { $poses } : AP, RP et leurs intervalles sont ceux de toutes les visites
-    .hint = utiliser les valeurs de chaque approche : celles de toutes les visites contiennent vAP, et leur dispersion n’est pas gaussienne
+several-approaches = plusieurs directions d’approche (poses : { $poses }) : AP, RP et leurs intervalles valent pour l’ensemble des positionnements
+    .hint = utiliser les valeurs de chaque direction d’approche : celles de l’ensemble contiennent vAP, et leur dispersion n’est pas gaussienne
 
 path-without-pass = l’enregistrement ne contient aucun passage de la trajectoire commandée
-    .expected = un mouvement à travers { $planes } plans, chacun à moins de { $near_mm } mm de la trajectoire
-    .hint = vérifier le repère et le sens de l’enregistrement et de la trajectoire ; `--near-mm` admet de plus grands écarts
+    .expected = un mouvement à travers { $planes } plans, chacun à moins de { $near_mm } mm de la trajectoire
+    .hint = vérifier le référentiel et le sens de l’enregistrement et de la trajectoire ; `--near-mm` admet de plus grands écarts
 
 samples-too-fast = { $count ->
         [one] { $count } échantillon omis
        *[other] { $count } échantillons omis
-    } : plus rapide qu’un robot
-    .hint = vérifier la ligne { $lines }
+    } : vitesse impossible pour un robot
+    .hint = vérifier ces lignes : { $lines }
 
-weave-velocity-not-compared = la vitesse commandée n’est pas comparée : la trajectoire est la ligne médiane d’un balayage
+weave-velocity-not-compared = la vitesse commandée n’est pas comparée : la trajectoire est la ligne médiane d’un balayage
     .hint = parcourir la trajectoire sans balayage pour évaluer les vitesses
 
-arrivals-unsettled = arrivées qui ne se stabilisent pas dans la bande limite : à { $times_s } s
+arrivals-unsettled = arrivées qui ne se stabilisent pas dans la bande limite : à { $times_s } s
     .hint = indiquer une bande limite plus large que le bruit du robot immobile
 
 passes-incomplete = { $count ->
-        [one] { $count } passage commencé et inachevé : omis
-       *[other] { $count } passages commencés et inachevés : omis
+        [one] { $count } passage commencé et inachevé : omis
+       *[other] { $count } passages commencés et inachevés : omis
     }
-    .hint = vérifier si l’enregistrement est coupé ; si les angles sont très arrondis, indiquer un near_mm plus grand (`--near-mm`)
+    .hint = vérifier si l’enregistrement est tronqué ; si les angles sont fortement arrondis, indiquer un near_mm plus grand (`--near-mm`)
 
-corner-in-central-part = la partie centrale de la trajectoire contient un angle à { FIXED($at_mm, 3) } mm
-    .hint = indiquer une trajectoire sans angle, ou une partie centrale plus petite : le ralentissement affecte AV, RV et FV
+corner-in-central-part = la partie centrale de la trajectoire contient un angle à { FIXED($at_mm, 3) } mm
+    .hint = indiquer une trajectoire sans angle, ou une partie centrale plus courte : le ralentissement dans l’angle influe sur AV, RV et FV
 
-zone-proved-locally = la zone minimale est prouvée la plus étroite parmi les éléments voisins ({ $element }) seulement
+zone-proved-locally = il est prouvé seulement que la zone minimale est la plus étroite parmi les éléments voisins ({ $element })
     .hint = comparer son écart de forme à celui de l’ajustement par moindres carrés
 
 zone-unproved = il n’est pas prouvé qu’aucun autre élément { $element } n’ait une zone plus étroite
-    .hint = mesurer une plus grande partie de la surface : des points aussi dispersés montrent à peine l’élément
+    .hint = mesurer une plus grande partie de la surface : des points aussi dispersés caractérisent mal l’élément
 
-hold-another = pour imposer un autre paramètre d’un tel groupe, le nommer sous `hold` dans [identify] ; par défaut, c’est le dernier du modèle
+hold-another = pour fixer un autre paramètre d’un tel groupe, l’indiquer sous `hold` dans [identify] ; par défaut, c’est le dernier du modèle
 
 set-up-origin = { $origin ->
         [unit] `unit` de l’export
@@ -54,3 +54,87 @@ set-up-origin = { $origin ->
     }
 
 check-rigid-part = vérifier l’unité et les noms dans `places_mm`, et si la pièce a été modifiée depuis leur détermination
+
+points-set-aside = { $count ->
+        [one] 1 point est écarté
+       *[other] { $count } points sont écartés
+    } : { $points }
+    .hint = ils sont plus loin de l’élément de tous les autres que le bruit ne l’explique
+
+foreign-points = { $count ->
+        [one] 1 point est loin de l’élément de tous les autres ({ $points }) et décale
+       *[other] { $count } points sont loin de l’élément de tous les autres ({ $points }) et décalent
+    } l’ajustement de { FIXED($shift, 1) } incertitudes-types
+    .hint = les examiner ; `--robust` les écarte
+plan-cube = le plus grand { $shape ->
+        [square] carré
+       *[cube] cube
+    } dans l’espace de travail indiqué, arêtes parallèles aux axes ; C1 à C4 à partir des plus petits x et y
+plan-poses = P1 : centre ; P2 à P5 : sur les diagonales du plan d’essai, à 10 % de leur longueur des sommets, dans l’ordre des sommets
+plan-clauses = P1 à P5, charges, vitesses et 30 cycles suivent le texte de la norme ; les trajectoires, les autres nombres et l’ordre des sommets n’ont pas été comparés à un exemplaire acheté
+plan-reach-not-examined = non examiné : si le robot atteint les poses, et si toutes les articulations bougent entre elles
+plan-reach = portée : d’après les paramètres nominaux et les limites du fichier de robot ; entre plusieurs modes de travail, celui qui atteint le plus de poses d’une liste est conservé pour toute la liste ; { $moves ->
+        [all] toutes les articulations bougent entre P1 et P5
+       *[some] certaines articulations ne bougent pas entre P1 et P5, alors que la norme l’exige de toutes
+    }
+covariance-not-square = sa covariance n’est pas carrée, avec { $identified } lignes, une par paramètre identifié
+uncertainty-negative = une incertitude-type ou une variance est négative ou n’est pas un nombre
+parameter-listed-twice = il contient deux fois le paramètre `{ $parameter }`
+
+method-levenberg-marquardt = Levenberg-Marquardt avec QR par blocs et colonnes mises à l’échelle, terminé par Gauss-Newton
+method-enclosing = plus petit élément englobant, défini par { $points } points
+method-minimum-zone = zone minimale (Tchebychev)
+action-add-cycles = mesurer { $count ->
+        [one] la pose { $poses }
+       *[other] les poses { $poses }
+    } au moins { $required } fois
+action-add-cycles-reason = le plus petit nombre de positionnements à une pose est { $least } : les intervalles de AP et de RP sont donc larges
+action-add-effect = ajouter `{ $line }` à robot.toml
+action-add-effect-reason = erreur aux poses omises : { $without } → { $with } (moyenne quadratique)
+action-add-validation = mesurer des poses de validation, et les indiquer sous `validation` dans [identify]
+action-add-validation-reason = les erreurs aux seules poses d’étalonnage sont plus petites qu’aux nouvelles poses
+action-finer-instrument = mesurer avec une incertitude élargie d’au plus { $uncertainty }
+action-finer-instrument-reason = U = { $uncertainty } représente { $percent } % de la caractéristique { $count ->
+        [one] à la pose { $poses }
+       *[other] aux poses { $poses }
+    } ; l’ISO 9283 admet 25 %
+action-keep-nominal = { $count ->
+        [0] garder les paramètres nominaux
+       *[other] ne pas charger { $formats }
+    }
+action-keep-nominal-reason = erreur RMS { $rms }, maximale { $max } ; paramètres nominaux : { $nominal_rms } et { $nominal_max }
+action-load = charger `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(ou { $others })
+    }
+action-load-reason = erreur attendue { $expected }, avec les paramètres nominaux { $nominal } (moyenne quadratique sur { $count } poses { $set ->
+        [validation] de validation
+       *[calibration] d’étalonnage
+    })
+action-load-synthetic = charger `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(ou { $others })
+    } dans un système de commande simulé, non dans un robot : les données sont synthétiques
+action-measure-again = mesurer de nouveau { $count ->
+        [one] la pose { $poses }
+       *[other] les poses { $poses }
+    }{ $more ->
+        [0] {""}
+       *[other] {" "}(autres poses en désaccord : { $more })
+    }
+action-measure-again-reason = la pose { $pose } est en désaccord avec les autres : { $error }, { $times } σ
+action-measure-quantity = mesurer la grandeur de `{ $limit }` aux poses décisives, ou supprimer la limite
+action-measure-quantity-reason = la limite d’une grandeur non mesurée ne peut pas être évaluée
+action-meet-limit = chercher la cause des erreurs : { $limit }
+action-meet-limit-at-pose = chercher la cause de l’erreur à la pose { $pose } : { $limit }
+action-meet-limit-reason = { $value }, limite { $limit } : dépassement de { $beyond }
+action-prove-effects = indiquer `{ $line }` dans [identify]
+action-reduce-uncertainty = réduire l’incertitude de mesure : { $limit }
+action-reduce-uncertainty-by-source = U = { $present } ; pour décider, il faut { $required } ; plus grande contribution : { $source } ({ $percent } %)
+action-reduce-uncertainty-reason = U = { $present } ; pour décider, il faut { $required }
+action-resolve = traiter cet avertissement
+action-state-limits = indiquer la tolérance de l’application dans [limits]
+action-state-limits-reason = sans limites, il n’y a pas de verdict
+action-warm-up = mettre le robot en température avant l’essai, et indiquer `warm_up_minutes`
+action-warm-up-cold = le robot a été essayé à froid
+action-warm-up-drift = dérive de AP : { $change } en { $cycles } cycles, sans stabilisation

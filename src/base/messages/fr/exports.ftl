@@ -1,28 +1,28 @@
 ### Messages de formats : fichiers d’entrée, exports et leurs nombres ; explications dans en/exports.ftl.
 
-in-file = `{ $file }` : { $message }
+in-file = `{ $file }` : { $message }
 
 input-is-folder = `{ $folder }` est un dossier
     .expected = un fichier
-    .hint = indiquer un fichier de ce dossier : { $files }
+    .hint = indiquer un fichier de ce dossier : { $files }
 
-input-missing = il n’y a pas de fichier `{ $file }`
+input-missing = le fichier `{ $file }` n’existe pas
 
-simulate-the-file = l’écrire à partir de truth.toml : `etalon simulate { $folder }`
+simulate-the-file = l’écrire à partir de truth.toml : `etalon simulate { $folder }`
 
-place-the-file = copier le fichier à cet endroit ou indiquer un autre chemin : les chemins partent du dossier de la campagne
+place-the-file = copier le fichier à cet endroit, ou indiquer un autre chemin : les chemins partent du dossier de la campagne
 
 name-a-file = le dossier contient { $files }
 
-line-too-long = `{ $file }` : la ligne { $line } dépasse { $most_mib } MiB
-    .hint = exporter le fichier en texte avec des lignes : c’est peut-être un enregistrement binaire ou une archive
+line-too-long = `{ $file }` : la ligne { $line } dépasse { $most_mib } Mio
+    .hint = exporter le fichier en texte avec des lignes : c’est peut-être un enregistrement binaire ou une archive
 
 file-not-text = `{ $file }` est { $kind ->
         [matlab] un fichier MATLAB
-        [matlab-hdf5] un fichier MATLAB de -v7.3 (HDF5)
+        [matlab-hdf5] un fichier MATLAB au format -v7.3 (HDF5)
         [numpy] un fichier NumPy
         [hdf5] un fichier HDF5
-        [gzip] comprimé par gzip
+        [gzip] compressé avec gzip
         [xls] un ancien classeur Excel (.xls)
         [rosbag1] un enregistrement de ROS 1 (.bag)
         [rosbag2] une base SQLite, comme rosbag2 l’enregistre (.db3)
@@ -30,28 +30,28 @@ file-not-text = `{ $file }` est { $kind ->
     }
     .expected = du texte, un classeur (.xlsx) ou un enregistrement (.mcap)
     .hint = { $kind ->
-        [matlab] pour un journal, indiquer `format = "matlab"` ; sinon écrire son tableau en texte avec `writematrix`, et indiquer les colonnes
-        [matlab-hdf5] l’enregistrer de nouveau dans MATLAB avec `-v7` : S = load('FICHIER'); save('NOUVEAU.mat', '-struct', 'S', '-v7')
-        [numpy] pour un journal, indiquer `format = "numpy"` ; sinon écrire son tableau en texte avec `numpy.savetxt`, et indiquer les colonnes
-        [hdf5] écrire son tableau en texte, et indiquer les colonnes
-        [gzip] décomprimer le fichier
+        [matlab] si c’est un journal, indiquer `format = "matlab"` ; sinon exporter son tableau en texte avec `writematrix`, et indiquer les colonnes
+        [matlab-hdf5] l’enregistrer de nouveau dans MATLAB avec `-v7` : S = load('FICHIER'); save('NOUVEAU.mat', '-struct', 'S', '-v7')
+        [numpy] si c’est un journal, indiquer `format = "numpy"` ; sinon exporter son tableau en texte avec `numpy.savetxt`, et indiquer les colonnes
+        [hdf5] exporter son tableau en texte, et indiquer les colonnes
+        [gzip] décompresser le fichier
         [xls] l’enregistrer en .xlsx ou en texte
-        [rosbag1] le convertir : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap` ; puis indiquer le fichier .mcap et `topic`
-        [rosbag2] la convertir en MCAP : `ros2 bag convert -i FICHIER -o out.yaml`, où out.yaml contient `output_bags: [{"{"} uri: mcap, storage_id: mcap, all_topics: true {"}"}]`
+        [rosbag1] le convertir : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap` ; puis indiquer le fichier .mcap et `topic`
+        [rosbag2] la convertir en MCAP : `ros2 bag convert -i FICHIER -o out.yaml`, où out.yaml contient `output_bags: [{"{"} uri: mcap, storage_id: mcap, all_topics: true {"}"}]`
        *[pdf] exporter les points en texte
     }
 
-encoding-differs = le fichier commence par la marque de { $of_file } ; la campagne indique { $stated }
-    .hint = omettre `encoding` : la marque du fichier l’indique
+encoding-differs = le fichier commence par la marque d’ordre des octets (BOM) de { $of_file } ; la campagne indique { $stated }
+    .hint = supprimer `encoding` : la marque du fichier indique déjà l’encodage
 
-encoding-invalid = l’octet { $byte } (ligne { $line }, { $hex }) n’est pas { $encoding }
-    .hint = indiquer comment le fichier a été écrit, par exemple `encoding = "windows-1252"`
+encoding-invalid = l’octet { $byte } (ligne { $line }, { $hex }) n’est pas valable en { $encoding }
+    .hint = indiquer l’encodage du fichier, par exemple `encoding = "windows-1252"`
 
-encoding-windows = indiquer comment le fichier a été écrit, par exemple `encoding = "windows-1252"` : cet octet est alors `{ $character }`
+encoding-windows = indiquer l’encodage du fichier, par exemple `encoding = "windows-1252"` : cet octet est alors `{ $character }`
 
 nul-byte = le fichier contient un octet NUL (ligne { $line })
     .expected = du texte
-    .hint = indiquer `encoding = "utf-16le"` si le fichier est en UTF-16 ; sinon exporter de nouveau le fichier
+    .hint = indiquer `encoding = "utf-16le"` si le fichier est en UTF-16 ; sinon exporter de nouveau le fichier
 
 sheet-missing = le classeur n’a pas de feuille `{ $sheet }`
 
@@ -59,44 +59,44 @@ sheet-too-large = la feuille `{ $sheet }` a une cellule en colonne { $column }, 
     .expected = au plus { $columns } colonnes et { $rows } lignes
     .hint = supprimer la cellule ou copier le tableau dans une feuille à part
 
-workbook-too-large = le classeur décomprimé dépasse { $most_mib } MiB
-    .hint = enregistrer la feuille seule, ou en texte
+workbook-too-large = le classeur décompressé dépasse { $most_mib } Mio
+    .hint = enregistrer la feuille seule, ou l’enregistrer en texte
 
-workbook-unreadable = le classeur ne peut pas être lu : { $reason }
-    .hint = l’enregistrer de nouveau en .xlsx, ou la feuille en texte
+workbook-unreadable = le classeur ne peut pas être lu : { $reason }
+    .hint = l’enregistrer de nouveau en .xlsx, ou enregistrer la feuille en texte
 
 cells-unordered = les cellules de la feuille `{ $sheet }` ne sont pas en ordre croissant (ligne { $row })
 
-xml-malformed = le XML n’est pas bien formé : { $reason }
+xml-malformed = le XML n’est pas bien formé : { $reason }
     .hint = exporter de nouveau le fichier
 
 entity-unknown = l’entité `&{ $name };` est inconnue
 
-second-root-element = un second élément racine suit
+second-root-element = le fichier contient un second élément racine
 
 xml-doctype = le fichier XML déclare un type de document
-    .hint = supprimer `<!DOCTYPE ...>` : des mesures n’en ont pas besoin
+    .hint = supprimer `<!DOCTYPE ...>` : des mesures n’en ont pas besoin
 
-nested-too-deep = `{ $name }` est imbriqué sur { $depth } niveaux
+nested-too-deep = `{ $name }` est imbriqué à { $depth } niveaux
     .expected = au plus { $most } niveaux
     .hint = exporter de nouveau le fichier
 
 file-too-many-items = le fichier a plus de { $most } { $items ->
         [elements] éléments XML
-       *[points] points dans ses éléments
+       *[points] points dans ses éléments géométriques
     }
-    .hint = exporter moins d’éléments à la fois
+    .hint = exporter moins d’éléments géométriques à la fois
 
 file-cut-off = le fichier se termine avant { $missing }
-    .hint = exporter ou copier de nouveau le fichier : il est incomplet
+    .hint = exporter ou copier de nouveau le fichier : il est incomplet
 
 item-of-count = `{ $name }` { $number } sur { $count }
 
-export-again-or-add = exporter ou copier de nouveau le fichier ; s’il est complet, ajouter la ligne `{ $line }`
+export-again-or-add = exporter ou copier de nouveau le fichier ; s’il est complet, ajouter la ligne `{ $line }`
 
 format-differs = le fichier n’est pas au format `{ $format }`
     .expected = { $signature }
-    .hint = indiquer le format du fichier : `etalon formats FICHIER` le propose
+    .hint = indiquer le format du fichier : `etalon formats FICHIER` le propose
 
 begins-with = un fichier qui commence par `{ $text }`
 
@@ -122,21 +122,21 @@ unicode-in-hexadecimal = du texte, ou `UNICODE( ... )` avec quatre chiffres hexa
 three-numbers = trois nombres
 
 record-too-early = `{ $record }` doit être précédé de `{ $needed }`
-    .hint = exporter de nouveau le fichier : un enregistrement manque ou est mal placé
+    .hint = exporter de nouveau le fichier : un enregistrement manque ou est mal placé
 
 record-missing = `{ $parent }` n’a pas de `{ $record }`
     .hint = exporter le fichier avec cet enregistrement
 
 element-unsupported = `{ $element }` n’est pas pris en charge
-    .hint = exporter les points sans cela
+    .hint = exporter les points sans cet élément
 
-export-points-as-text = exporter les points en texte : QIF n’indique pas l’ordre des octets des points binaires
+export-points-as-text = exporter les points en texte : QIF n’indique pas l’ordre des octets des points binaires
 
 export-without-lists = exporter les points sans listes
 
 no-measured-points = le fichier n’a pas de points mesurés{ $contents ->
         [none] {""}
-       *[other] {" "}: il contient { $contents }
+       *[other] {" "}: il contient { $contents }
     }
     .expected = des enregistrements `{ $records }`
 
@@ -146,50 +146,50 @@ head-of-a-run = l’en-tête d’une exécution
 
 output-of-program = indiquer le fichier de sortie que le programme écrit
 
-calypso-head = indiquer le fichier `_chr` ou `_fet` à côté ; l’en-tête donne l’unité de longueur `{ $unit }` et une température de pièce de { $temperature } °C
+calypso-head = indiquer le fichier `_chr` ou `_fet` qui l’accompagne ; l’en-tête donne l’unité de longueur `{ $unit }` et une température de pièce de { $temperature } °C
 
 export-measured-points = exporter les points mesurés au lieu de la géométrie de la pièce
 
-export-one-dfq = exporter la description et les valeurs dans un seul fichier .dfq : un .dfd n’a pas de valeurs, un .dfx pas de noms
+export-one-dfq = exporter la description et les valeurs dans un seul fichier .dfq : un fichier .dfd ne contient pas de valeurs, un fichier .dfx pas de noms
 
 fields-of-columns = { $count } champs, comme l’indique `columns`
 
 polyworks-fields = `x y z` ou `x y z i j k`, éventuellement précédés d’un nom
 
-spatialanalyzer-fields = `collection, group, target, x, y, z`, ou les cinq, quatre ou trois derniers
+spatialanalyzer-fields = `collection, group, target, x, y, z`, ou les cinq, quatre ou trois derniers de ces champs
 
 three-to-eight-numbers = trois à huit nombres séparés par des virgules
 
-propose-format = vérifier séparateur, marque décimale et guillemets de la ligne, et que le fichier n’est pas tronqué ; `etalon formats FICHIER` propose comment lire le fichier
+propose-format = vérifier le séparateur de colonnes, le séparateur décimal et les guillemets de la ligne, et si le fichier est tronqué ; `etalon formats FICHIER` propose une lecture du fichier
 
-quote-names = mettre entre guillemets les noms qui ont des espaces, ou indiquer le séparateur et les colonnes : `format = {"{"} delimiter = .., columns = .. {"}"}`
+quote-names = mettre entre guillemets les noms qui contiennent des espaces, ou indiquer le séparateur et les colonnes : `format = {"{"} delimiter = .., columns = .. {"}"}`
 
-state-as-delimited = indiquer un fichier avec des noms ou des tabulations comme texte délimité : `format = {"{"} delimiter = .., columns = .. {"}"}`
+state-as-delimited = déclarer comme texte délimité un fichier qui contient des noms ou des tabulations : `format = {"{"} delimiter = .., columns = .. {"}"}`
 
-state-columns = exporter les axes en commentaire, ou indiquer les colonnes : format = {"{"} delimiter = "{ $delimiter }", comment = "//", columns = [{ $columns }] {"}"}
+state-columns = exporter les axes en commentaire, ou indiquer les colonnes : format = {"{"} delimiter = "{ $delimiter }", comment = "//", columns = [{ $columns }] {"}"}
 
-commas-in-commas = exporter le rapport avec des points-virgules : virgules décimales et séparateurs ne se distinguent pas
+commas-in-commas = exporter le rapport avec des points-virgules : les virgules décimales ne se distinguent pas des virgules de séparation
 
 number-count-differs = `{ $name }` a { $found ->
         [one] { $found } nombre
        *[other] { $found } nombres
     }
     .expected = { $counts }
-    .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
+    .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
 
 three-per-point = trois nombres par point
 
-dmis-continuation = vérifier si le fichier est tronqué : un enregistrement ne continue qu’après une ligne qui se termine par `$`
+dmis-continuation = vérifier si le fichier est tronqué : un enregistrement ne se poursuit qu’après une ligne terminée par `$`
 
 stated-count-differs = `{ $name }` a { $found ->
         [one] { $found } valeur
        *[other] { $found } valeurs
     }
-    .expected = { $stated }, d’après le nombre que le fichier indique
-    .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
+    .expected = { $stated }, d’après le nombre indiqué dans le fichier
+    .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
 
 cell-empty = `{ $column }` est vide
-    .hint = compléter la cellule, ou exporter de nouveau le fichier : il a été modifié ou tronqué
+    .hint = compléter la cellule, ou exporter de nouveau le fichier : il a été modifié ou tronqué
 
 not-a-number = `{ $text }` n’est pas un nombre
     .expected = un nombre avec le séparateur décimal `{ $decimal }`{ $thousands ->
@@ -227,7 +227,7 @@ quote-unmatched = { $fault ->
         [open] un guillemet n’est pas fermé sur sa ligne
        *[behind] du texte suit un guillemet fermant
     }
-    .hint = fermer le guillemet ; dans un champ entre guillemets, il s’écrit deux fois
+    .hint = fermer le guillemet ; à l’intérieur d’un champ entre guillemets, un guillemet s’écrit deux fois
 
 row-is-comment = la ligne `{ $row }` serait lue comme un commentaire
     .hint = indiquer un autre `comment`
@@ -242,31 +242,31 @@ coordinate-type-unknown = `types` n’indique pas les coordonnées du type `{ $n
     .hint = ajouter le type à `types`
 
 coordinates-not-cartesian = les coordonnées sont `{ $found }`
-    .expected = des coordonnées cartésiennes : { $cartesian }
+    .expected = des coordonnées cartésiennes : { $cartesian }
     .hint = exporter des coordonnées cartésiennes
 
-export-cartesian-or-columns = exporter des coordonnées cartésiennes, ou indiquer les colonnes : format = {"{"} delimiter = ",", comment = "//", columns = [{ $columns }], angle_unit = "deg" {"}"}
+export-cartesian-or-columns = exporter des coordonnées cartésiennes, ou indiquer les colonnes : format = {"{"} delimiter = ",", comment = "//", columns = [{ $columns }], angle_unit = "deg" {"}"}
 
-coordinate-system-differs = les points de `{ $feature }` sont en `{ $found }`
+coordinate-system-differs = les points de `{ $feature }` sont dans le système `{ $found }`
     .expected = `{ $needed }`
     .hint = exporter tous les points dans un même système de coordonnées
 
 coordinates-look-spherical = x, y et z ressemblent à un azimut (rad), un angle zénithal (rad) et une distance
-    .expected = des coordonnées cartésiennes : toutes les lignes ont deux petits angles et une longueur
+    .expected = des coordonnées cartésiennes : toutes les lignes ont deux petits angles et une longueur
     .hint = indiquer les colonnes "azimuth", "zenith", "distance" avec `angle_unit = "rad"`, ou `coordinates = "cartesian"`
 
 orientation-incomplete = l’orientation a { $found } nombres sur { $needed }
     .hint = compléter l’orientation, ou laisser vides toutes ses cellules
 
-direction-not-unit = la direction ({ $i } ; { $j } ; { $k }) a la norme { FIXED($length, 3) }
+direction-not-unit = la direction ({ $i } ; { $j } ; { $k }) a pour norme { FIXED($length, 3) }
     .expected = un vecteur unitaire
 
-skip-columns = omettre les colonnes par "-" si elles sont une autre grandeur
+skip-columns = ignorer ces colonnes avec "-" si elles contiennent une autre grandeur
 
-skip-direction-angles = omettre les colonnes par "-" : ce sont les angles de la direction (deg)
+skip-direction-angles = ignorer ces colonnes avec "-" : ce sont les angles de la direction (deg)
 
-direction-zero = la direction `{ $direction }` est nulle
-    .expected = trois nombres, pas tous nuls
+direction-zero = le vecteur de direction `{ $direction }` est nul
+    .expected = trois nombres, non tous nuls
 
 direction-notation-differs = la direction est écrite comme { $found ->
         [angles] des angles (deg)
@@ -278,10 +278,10 @@ direction-notation-differs = la direction est écrite comme { $found ->
         }
     .hint = indiquer `format = "{ $format }"`
 
-unit-differs = le fichier est en { $of_file } ({ $how }) ; l’unité indiquée est { $stated }
+unit-differs = le fichier est en { $of_file } ({ $how }) ; l’unité indiquée est { $stated }
     .hint = indiquer l’unité du fichier
 
-default-of-format = pas de `{ $record }` : valeur par défaut du format
+default-of-format = pas de `{ $record }` : valeur par défaut du format
 
 unit-unknown = `{ $unit }` n’est pas une unité connue
     .expected = { $units }
@@ -293,14 +293,14 @@ file-unit-missing = le fichier n’indique pas son unité { $quantity ->
     }
     .expected = `{ $record }` avec son facteur dans `FileUnits/PrimaryUnits`
     .hint = { $quantity ->
-        [length] indiquer l’unité : `unit` de l’export, ou `--unit`
+        [length] indiquer l’unité : `unit` de l’export, ou `--unit`
        *[angle] exporter le fichier avec ses unités
     }
 
 unit-factor-invalid = l’unité a le facteur { $factor } et le décalage { $offset }
     .expected = un facteur positif, pas de décalage
 
-format-without-unit = le format `{ $format }` ne peut pas avoir l’unité { $unit }
+format-without-unit = le format `{ $format }` n’admet pas l’unité { $unit }
     .expected = { $units }
     .hint = indiquer l’une de ces unités
 
@@ -322,44 +322,44 @@ label-pattern-invalid = { $fault ->
         [unknown] `{ $pattern }` a le nom inconnu `{ $name }`
        *[twice] `{ $pattern }` a deux fois `{ $name }`
     }
-    .expected = du texte avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"}, au plus une fois chacun
+    .expected = du texte avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"}, chacun au plus une fois
     .hint = corriger `label`
 
-state-encoding = indiquer l’encodage du fichier : il a été lu dans un autre
+state-encoding = indiquer l’encodage du fichier : il a été lu avec un autre
 
-several-data-sets = un second `{ $record }` : le fichier a plusieurs jeux de données
+several-data-sets = un second `{ $record }` : le fichier a plusieurs jeux de données
     .hint = le diviser en un fichier par jeu de données, chacun avec un [[export]]
 
-characteristic-beyond-count = il n’y a pas de caractéristique { $index } : K0100 en indique { $count }
-    .hint = exporter de nouveau le fichier : il a été modifié ou assemblé à partir de plusieurs
+characteristic-beyond-count = il n’y a pas de caractéristique { $index } : K0100 en indique { $count }
+    .hint = exporter de nouveau le fichier : il a été modifié ou assemblé à partir de plusieurs fichiers
 
-value-of-piece-missing = la valeur { $number } de `{ $name }` appartient à la pièce { $piece } : une valeur antérieure manque
-    .hint = exporter les valeurs non mesurées avec l’attribut 255 (K0002)
+value-of-piece-missing = la valeur { $number } de `{ $name }` appartient à la pièce { $piece } : une valeur antérieure manque
+    .hint = exporter les valeurs qui n’ont pas été mesurées avec l’attribut 255 (K0002)
 
 coordinate-counts-differ = `{ $name }` a { $found ->
         [one] { $found } valeur
        *[other] { $found } valeurs
-    } ; une autre coordonnée du point en a { $count }
-    .hint = exporter les valeurs non mesurées avec l’attribut 255 (K0002)
+    } ; une autre coordonnée du point en a { $count }
+    .hint = exporter les valeurs qui n’ont pas été mesurées avec l’attribut 255 (K0002)
 
-metric-misplaced = `METRIC` est hors des colonnes 11 à 16 : l’unité est ambiguë (inch ou mm)
+metric-misplaced = `METRIC` est hors des colonnes 11 à 16 : l’unité est ambiguë (inch ou mm)
     .expected = `XYZIJK    METRIC`, ou `XYZIJK` seul pour des pouces
-    .hint = corriger la ligne 1, ou indiquer le fichier comme texte délimité avec son unité
+    .hint = corriger la ligne 1, ou déclarer le fichier comme texte délimité avec son unité
 
-vertex-not-finite = le sommet { $number } est { $coordinates }
+vertex-not-finite = le point { $number } (`vertex`) a les coordonnées { $coordinates }
     .expected = des coordonnées finies
     .hint = n’exporter que les points mesurés
 
-line-number-differs = les colonnes 73 à 80 contiennent `{ $digits }` : un numéro de ligne ou une valeur
+line-number-differs = les colonnes 73 à 80 contiennent `{ $digits }` : un numéro de ligne ou une valeur
     .expected = `{ $number }`, le numéro de cette ligne
     .hint = exporter le fichier sans numéros de ligne
 
-feature-without-points = `{ $feature }` n’a pas de points utilisables : { $message }
+feature-without-points = `{ $feature }` n’a pas de points utilisables : { $message }
 
-compensation-mixed = les points ont des corrections de palpeur différentes
-    .hint = ajuster ces points séparément
+compensation-mixed = les points n’ont pas tous la même correction de palpeur
+    .hint = faire des ajustements séparés pour ces points
 
-reference-broken = `{ $name }` renvoie à { $id }, qui n’est pas un `{ $kind }` de ce fichier
+reference-broken = `{ $name }` renvoie à { $id }, qui n’est pas un élément `{ $kind }` de ce fichier
 
 reference-external = l’ensemble de points { $id } est dans un autre document
     .hint = exporter l’élément et les points dans un même document
@@ -369,81 +369,105 @@ point-range-invalid = `{ $range }` n’est pas une plage de l’ensemble de poin
 
 point-set-unused = aucun élément ne renvoie à l’ensemble de points { $id }
 
-id-repeated = l’identifiant { $id } sert deux fois, d’abord à la ligne { $line } : les renvois vont au premier
-    .hint = exporter de nouveau le fichier : il a été assemblé à partir de plusieurs
+id-repeated = l’identifiant { $id } sert deux fois, d’abord à la ligne { $line } : les renvois désignent le premier
+    .hint = exporter de nouveau le fichier : il a été assemblé à partir de plusieurs fichiers
 
 further-messages = { $count ->
         [one] { $count } autre message
        *[other] { $count } autres messages
     } sur ce fichier
 
-recording-unreadable = l’enregistrement ne peut pas être lu : { $fault ->
+recording-unreadable = l’enregistrement ne peut pas être lu : { $fault ->
         [checksum] la somme de contrôle d’un bloc diffère
         [compression] un bloc a une autre compression que LZ4 et Zstandard
-        [size] un bloc dépasse 256 MiB
-        [unpack] un bloc ne peut pas être décomprimé
+        [size] un bloc dépasse 256 Mio
+        [unpack] un bloc ne peut pas être décompressé
         [channel] un message n’a pas de canal
        *[end] il se termine au milieu d’un élément
     }
     .hint = le réparer avec `mcap recover FICHIER -o REPARE`, ou le copier de nouveau
 
-recording-missing = le fichier n’est pas un enregistrement MCAP et n’a donc pas de sujet `{ $topic }`
+recording-missing = le fichier n’est pas un enregistrement MCAP et ne contient donc pas de topic `{ $topic }`
     .hint = indiquer le fichier .mcap du dossier de l’enregistrement, ou omettre `topic`
 
 topic-not-stated = le fichier est un enregistrement (MCAP), et `topic` manque
 
-topic-missing = l’enregistrement n’a aucun message du sujet `{ $topic }`
+topic-missing = l’enregistrement n’a aucun message du topic `{ $topic }`
 
-topic-too-large = les messages du sujet `{ $topic }` dépassent { $most_mib } MiB
-    .hint = réduire l’enregistrement à la durée des mesures : `mcap filter FICHIER -o COURT --start SECONDES --end SECONDES`
+topic-too-large = les messages du topic `{ $topic }` dépassent { $most_mib } Mio
+    .hint = réduire l’enregistrement à la durée des mesures : `mcap filter FICHIER -o COURT --start SECONDES --end SECONDES`
 
-topic-type-unknown = le sujet `{ $topic }` a des messages de type `{ $message }`
+topic-type-unknown = le topic `{ $topic }` a des messages de type `{ $message }`
     .expected = { $known }
-    .hint = indiquer le sujet des valeurs articulaires ou des poses mesurées : `etalon formats FICHIER` liste les sujets
+    .hint = indiquer le topic des valeurs articulaires ou des poses mesurées : `etalon formats FICHIER` énumère les topics
 
-topic-encoding-unknown = les messages du sujet `{ $topic }` ont le codage `{ $encoding }`
-    .expected = `cdr`, le codage de ROS 2
-    .hint = convertir l’enregistrement en ROS 2 : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap`
+topic-encoding-unknown = les messages du topic `{ $topic }` ont l’encodage `{ $encoding }`
+    .expected = `cdr`, l’encodage de ROS 2
+    .hint = convertir l’enregistrement en ROS 2 : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap`
 
-ros-message-malformed = le message { $number } du sujet `{ $topic }` n’a pas la structure de son type
-    .hint = enregistrer sans `--compression-mode message` ; `ros2 bag convert` réécrit un tel enregistrement
+ros-message-malformed = le message { $number } du topic `{ $topic }` n’a pas la structure de son type
+    .hint = enregistrer sans `--compression-mode message` ; `ros2 bag convert` réécrit un tel enregistrement
 
-joint-state-lengths-differ = le message { $number } du sujet `{ $topic }` a { $names } noms d’articulations et { $positions } positions
+joint-state-lengths-differ = le message { $number } du topic `{ $topic }` a { $names } noms d’articulations et { $positions } positions
     .expected = une position pour chaque nom, ou aucune position
-    .hint = corriger le nœud qui publie le sujet
+    .hint = corriger le nœud qui publie le topic
 
-joint-state-name-twice = le message { $number } du sujet `{ $topic }` nomme deux fois l’articulation `{ $joint }`
-    .hint = corriger le nœud qui publie le sujet
+joint-state-name-twice = le message { $number } du topic `{ $topic }` mentionne deux fois l’articulation `{ $joint }`
+    .hint = corriger le nœud qui publie le topic
 
-topic-without-positions = aucun message du sujet `{ $topic }` n’a de positions ({ $count ->
+topic-without-positions = aucun message du topic `{ $topic }` n’a de positions ({ $count ->
         [one] 1 message
        *[other] { $count } messages
     })
-    .hint = indiquer le sujet des positions mesurées : `etalon formats FICHIER` liste les sujets
+    .hint = indiquer le topic des positions mesurées : `etalon formats FICHIER` énumère les topics
 
 ros-messages-of-other-joints = { $count ->
         [one] message
        *[other] premier de { $count } messages
-    } sans aucune des articulations de `columns` : publié par un autre nœud
+    } sans aucune des articulations de `columns` : publié par un autre nœud
 
-recording-without-known-topics = l’enregistrement n’a aucun sujet avec des valeurs articulaires, des poses ou des points : { $found }
+recording-without-known-topics = l’enregistrement n’a aucun topic avec des valeurs articulaires, des poses ou des points : { $found }
     .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped ou geometry_msgs/PointStamped
-    .hint = enregistrer un sujet de l’un de ces types
+    .hint = enregistrer un topic de l’un de ces types
 
 array-missing = le fichier n’a pas de tableau de nombres `{ $column }`
 
-array-part-unknown = `{ $column }` n’est pas une colonne : `{ $name }` est de taille { $shape }
-    .hint = écrire la partie comme dans le langage du fichier : `{ $example }`
+array-part-unknown = `{ $column }` ne désigne pas une seule colonne : `{ $name }` est de taille { $shape }
+    .hint = écrire la partie comme dans le langage d’origine du fichier : `{ $example }`
 
 array-lengths-differ = `{ $first }` a { $count } nombres et `{ $second }` en a { $other }
     .expected = des colonnes de même longueur
-    .hint = indiquer des tableaux d’un même enregistrement ; une matrice dont les colonnes sont des instants a ses articulations en lignes
+    .hint = indiquer des tableaux d’un même enregistrement ; une matrice dont les colonnes sont des instants a ses articulations en lignes
 
 arrays-unreadable = le fichier ne peut pas être lu comme tableaux de { $format ->
         [numpy] NumPy (.npz, .npy)
-       *[matlab] MATLAB (.mat de -v6 ou -v7)
+       *[matlab] MATLAB (.mat au format -v6 ou -v7)
     }
     .hint = l’enregistrer de nouveau, ou corriger `format`
 
-arrays-too-large = les tableaux du fichier dépassent { $most_mib } MiB
+arrays-too-large = les tableaux du fichier dépassent { $most_mib } Mio
     .hint = enregistrer seulement les tableaux de la mesure
+
+sheet-not-stated = un classeur dont la feuille n’est pas indiquée ; il contient { $sheets }
+    .hint = indiquer la feuille (`sheet`)
+
+state-sheet = indiquer `sheet = "{ $sheet }"` (option --sheet)
+
+state-column = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
+row-marked-deleted = omise : elle est marquée comme supprimée (`{ $cell }`)
+row-left-out-by-cell = omise : `{ $column }` est `{ $cell }`
+row-without-coordinates = non mesurée : pas de coordonnées
+row-not-measured = non mesurée : { $column } est `{ $cell }`
+characteristic-of-no-axis = pas une coordonnée : le nom de la caractéristique ne se termine pas par X, Y ou Z
+feature-of-no-point = un élément `{ $kind }` : son point peut se trouver n’importe où sur l’élément
+feature-not-read = un élément `{ $kind }` : ce type n’est pas lu
+point-incomplete = pas un point : { $found } sans { $missing }
+probe-centre-no-point = un centre de palpeur, non un point de l’élément
+
+log-delimited = séparateur `{ $delimiter }`, séparateur décimal `{ $decimal }`
+log-of-format = { $format }, { $read }
+log-with-start = { $read }, début { $start }
+read-with-decimal-comma = { $format }, séparateur décimal `,`
+
+value-without-label = une valeur sans étiquette
+primitive-no-point = une primitive de type `{ $kind }`, non un point

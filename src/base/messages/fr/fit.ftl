@@ -18,9 +18,9 @@ element = { $name ->
 
 element-unknown = élément inconnu `{ $name }`
 
-probe-radius-not-positive = le rayon du palpeur est { $radius } mm
+probe-radius-not-positive = le rayon du palpeur est { $radius } mm
     .expected = un nombre positif
-    .hint = indiquer le rayon qualifié du palpeur, pas son diamètre ; l’omettre pour des points de contact
+    .hint = indiquer le rayon qualifié du palpeur, pas son diamètre ; l’omettre pour des points de contact
 
 probe-side-needs-direction = intérieur et extérieur ne sont pas définis pour l’élément { $element }
     .expected = la direction de l’élément vers le palpeur
@@ -28,90 +28,90 @@ probe-side-needs-direction = intérieur et extérieur ne sont pas définis pour 
 
 probe-side-needs-inside = une direction ne donne pas le côté du palpeur pour l’élément { $element }
     .expected = inside (alésage) ou outside (arbre)
-    .hint = indiquer où était la bille : inside ou outside
+    .hint = indiquer où était la bille : inside ou outside
 
-probe-direction-zero = la direction { $direction } vers le palpeur est nulle
-    .expected = trois nombres finis, pas tous nuls
+probe-direction-zero = le vecteur de direction { $direction } vers le palpeur est nul
+    .expected = trois nombres finis, non tous nuls
     .hint = indiquer la direction de la surface vers le palpeur
 
-probe-direction-along-element = la direction { $direction } vers le palpeur longe l’élément { $element }
+probe-direction-along-element = la direction { $direction } vers le palpeur est parallèle à l’élément { $element }
     .expected = une direction qui s’écarte de l’élément
     .hint = indiquer la direction de la surface vers le palpeur
 
-probe-larger-than-element = un palpeur de rayon { $probe_mm } mm ne peut pas toucher l’élément { $element } de l’extérieur
-    .expected = des centres à un rayon supérieur à celui du palpeur ; le rayon est { FIXED($centres_mm, 6) } mm
-    .hint = indiquer l’autre côté : le palpeur était à l’intérieur
+probe-larger-than-element = un palpeur de rayon { $probe_mm } mm ne peut pas toucher l’élément { $element } de l’extérieur
+    .expected = des centres situés à un rayon supérieur à celui du palpeur ; ce rayon est de { FIXED($centres_mm, 6) } mm
+    .hint = indiquer l’autre côté : le palpeur était à l’intérieur
 
-compensated-twice = l’ajustement est déjà compensé du palpeur
-    .expected = un ajustement sur les centres du palpeur
-    .hint = compenser une seule fois
+compensated-twice = l’ajustement est déjà corrigé du rayon du palpeur
+    .expected = un ajustement aux centres du palpeur
+    .hint = ne corriger qu’une fois
 
 held-radius-unsupported = l’élément { $element } n’a pas de rayon
     .expected = pas de rayon
     .hint = omettre le rayon
 
-held-radius-not-positive = le rayon imposé est { $radius } mm
+held-radius-not-positive = le rayon fixé est { $radius } mm
     .expected = un nombre positif
     .hint = indiquer le rayon en millimètres
 
-held-radius-below-probe = un palpeur à l’intérieur de l’élément { $element } de rayon { $radius } mm a ses centres à { $centres } mm
-    .expected = un palpeur plus petit que le rayon imposé
-    .hint = indiquer l’autre côté, ou le rayon
+held-radius-below-probe = un palpeur à l’intérieur de l’élément { $element } de rayon { $radius } mm aurait ses centres au rayon { $centres } mm
+    .expected = un palpeur plus petit que le rayon fixé
+    .hint = indiquer l’autre côté, ou corriger le rayon
 
 held-axis-unsupported = l’élément { $element } n’a pas d’axe
     .expected = pas d’axe
     .hint = omettre l’axe
 
-held-axis-zero = l’axe imposé { $axis } n’a pas de direction
-    .expected = trois nombres, pas tous nuls
+held-axis-zero = l’axe fixé { $axis } n’a pas de direction
+    .expected = trois nombres, non tous nuls
     .hint = indiquer l’axe
 
-element-not-found = aucun élément { $element } trouvé à travers les points
+element-not-found = aucun élément { $element } n’a été trouvé pour ces points
     .expected = des points sur un élément { $element }
-    .hint = vérifier que les points appartiennent à cet élément ; sinon imposer l’axe
+    .hint = vérifier que les points appartiennent à cet élément ; sinon fixer l’axe
 
-element-ambiguous = un autre élément { $element } s’ajuste presque aussi bien aux points
-    .hint = mesurer plus de points là où l’élément n’est pas couvert, ou imposer l’axe
+element-ambiguous = un autre élément { $element } s’ajuste presque aussi bien aux points
+    .hint = mesurer plus de points là où l’élément n’est pas couvert, ou fixer l’axe
 
-element-not-determined = aucun élément { $element } n’a pu être ajusté : { $termination }
+element-not-determined = aucun élément { $element } n’a pu être ajusté : { $termination }
     .expected = des points qui déterminent un élément { $element }
-    .hint = vérifier les points : arc trop court, trop droit, ou autre élément ; sinon imposer le rayon ou l’axe
+    .hint = vérifier les points : arc trop court, trop droit, ou autre élément ; sinon fixer le rayon ou l’axe
 
-zone-flat = pas de zone minimale pour l’élément { $element } : les points sont aussi proches d’un plan
-    .expected = des points sur une partie de la surface plus haute que son écart de forme
+zone-flat = pas de zone minimale pour l’élément { $element } : un plan s’ajuste aussi bien aux points
+    .expected = des points sur une partie de la surface dont la hauteur dépasse l’écart de forme
     .hint = mesurer une plus grande partie de la surface, ou évaluer la zone minimale d’un plan
 
-zone-straight = pas de zone minimale pour un cercle : les points sont aussi proches d’une droite
-    .expected = des points sur un arc plus haut que son écart de forme
+zone-straight = pas de zone minimale pour un cercle : une droite s’ajuste aussi bien aux points
+    .expected = des points sur un arc dont la flèche dépasse l’écart de forme
     .hint = mesurer un arc plus long, ou évaluer la zone minimale d’une droite
 
 zone-unsupported = la zone minimale de l’élément { $element } n’est pas disponible
     .expected = line2d, plane, circle2d, circle3d, sphere, cylinder ou cone
     .hint = utiliser l’ajustement par moindres carrés
 
-point-counts-differ = { $from } points ne peuvent pas être associés à { $to }
+point-counts-differ = impossible d’associer { $from } points à { $to } points
     .expected = le même nombre de points dans le même ordre
-    .hint = nommer chaque cible une fois dans les deux listes
+    .hint = indiquer chaque cible une fois dans les deux listes
 
-rotation-ambiguous = aucune transformation rigide ne peut être ajustée : plusieurs rotations conviennent également
+rotation-ambiguous = aucune transformation rigide ne peut être ajustée : plusieurs rotations conviennent aussi bien les unes que les autres
     .expected = deux ensembles de points de même forme
-    .hint = vérifier que les deux listes nomment les cibles dans le même ordre et qu’aucune n’est une image miroir
+    .hint = vérifier que les deux listes donnent les cibles dans le même ordre et qu’aucune n’est une image miroir
 
-rotation-uncertain = la rotation a une incertitude élargie de { FIXED($expanded_deg, 1) } deg (k = 2)
-    .hint = utiliser des cibles plus éloignées et vérifier que leurs noms ne sont pas échangés
+rotation-uncertain = la rotation a une incertitude élargie de { FIXED($expanded_deg, 1) } deg (k = 2)
+    .hint = utiliser des cibles plus éloignées les unes des autres, et vérifier que leurs noms ne sont pas intervertis
 
 too-few-points = { $count ->
         [one] { $count } point donné
        *[other] { $count } points donnés
     } pour l’élément { $element }
     .expected = au moins { $minimum } points
-    .hint = mesurer plus de points, ou nommer tous les points de l’élément
+    .hint = mesurer plus de points, ou indiquer tous les points de l’élément
 
-point-not-finite = le point { $number } de l’élément { $element } est { $coordinates }
+point-not-finite = le point { $number } de l’élément { $element } a les coordonnées { $coordinates }
     .expected = des coordonnées finies en millimètres
     .hint = vérifier ce point dans l’export
 
-points-degenerate = aucun élément { $element } ne peut être ajusté : { $spanned ->
+points-degenerate = aucun élément { $element } ne peut être ajusté : { $spanned ->
         [0] tous les points sont identiques
         [1] tous les points sont alignés
        *[other] tous les points sont coplanaires
@@ -124,17 +124,23 @@ points-degenerate = aucun élément { $element } ne peut être ajusté : { $span
     .hint = répartir les points sur l’élément
 
 weights-unusable = les { $weights } poids de l’élément { $element } ne conviennent pas à ses { $points } points
-    .expected = un poids positif et fini par point, dans un rapport de 1e12 au plus
-    .hint = utiliser 1/u² de chaque point ; omettre un point au lieu de lui donner un poids nul
+    .expected = un poids positif et fini par point, le rapport de deux poids ne dépassant pas 1e12
+    .hint = utiliser 1/u² de chaque point ; omettre un point au lieu de lui donner un poids nul
 
-element-without-redundancy = l’élément { $element } n’a pas de point redondant : les résidus sont nuls et son incertitude est inconnue
+element-without-redundancy = l’élément { $element } n’a pas de point surabondant : les résidus sont nuls et son incertitude est inconnue
     .hint = mesurer plus de points que le minimum
 
-radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $element } a une incertitude élargie de { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
+radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $element } a une incertitude élargie de { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
         [none] {""}
-       *[other] {" "}sur { $covered_deg } deg
+       *[other] {" "}sur { $covered_deg } deg
     }
-    .hint = mesurer un arc plus long, ou imposer le rayon à sa valeur nominale
+    .hint = mesurer un arc plus long, ou fixer le rayon à sa valeur nominale
 
-cone-is-cylinder = l’angle au sommet du cône ne se distingue pas de zéro (k = 2)
+cone-is-cylinder = l’angle au sommet du cône n’est pas significativement différent de zéro (k = 2)
     .hint = ajuster un cylindre
+
+robust-few-points = un ajustement robuste de l’élément { $element } exige { $needed } points, et non { $points }
+    .hint = mesurer plus de points, ou les ajuster tous sans en écarter
+method-principal-directions = directions principales des points centrés
+method-orthogonal-distance = distance orthogonale, Gauss-Newton dans une région de confiance
+method-circle-in-plane = plan des moindres carrés, projection, cercle dans le plan par distance orthogonale

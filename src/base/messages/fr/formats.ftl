@@ -1,21 +1,21 @@
 ### Messages de formats ; explications dans en/formats.ftl.
 
-columns-in-two-forms = `columns` nomme { $quantity ->
+columns-in-two-forms = `columns` mentionne { $quantity ->
         [orientation] deux formes de l’orientation
        *[uncertainty] des incertitudes-types et des incertitudes élargies
     }
     .hint = omettre les colonnes de l’une des formes
 
-column-group-incomplete = `columns` ne nomme qu’une partie de { $names }
-    .hint = les nommer toutes, ou aucune
+column-group-incomplete = `columns` ne mentionne qu’une partie de { $names }
+    .hint = indiquer toutes ces colonnes, ou aucune
 
 key-needs-columns = `{ $key }` a besoin des colonnes { $columns }
-    .hint = nommer ces colonnes dans `columns`, ou supprimer `{ $key }`
+    .hint = indiquer ces colonnes dans `columns`, ou supprimer `{ $key }`
 
-coverage-factor-missing = des incertitudes élargies ont besoin de leur facteur d’élargissement `coverage_factor`
+coverage-factor-missing = des incertitudes élargies exigent leur facteur d’élargissement `coverage_factor`
     .hint = l’indiquer dans `format`, par exemple `coverage_factor = 2`
 
-uncertainty-column-count = `columns` nomme { $stated ->
+uncertainty-column-count = `columns` mentionne { $stated ->
         [one] { $stated } incertitude
        *[other] { $stated } incertitudes
     } pour { $coordinates ->
@@ -34,10 +34,10 @@ column-separation-unclear = le format indique { $stated ->
 column-width-zero = une colonne de `widths` a une largeur de 0 caractère
     .hint = indiquer le nombre de caractères de chaque colonne
 
-more-columns-than-widths = `columns` nomme { $columns } colonnes, `widths` en a { $widths }
+more-columns-than-widths = `columns` indique { $columns } colonnes, `widths` en a { $widths }
     .hint = indiquer une largeur par colonne
 
-comma-ambiguous = une virgule ne peut pas à la fois séparer les colonnes et marquer les décimales : `1,25` serait un nombre ou deux
+comma-ambiguous = une virgule ne peut pas être à la fois séparateur de colonnes et séparateur décimal : `1,25` serait un nombre ou deux
     .hint = exporter le fichier avec des points-virgules ou des tabulations, ou avec un point décimal
 
 thousands-mark-ambiguous = le séparateur de milliers `{ $mark }` est aussi le { $other ->
@@ -46,11 +46,11 @@ thousands-mark-ambiguous = le séparateur de milliers `{ $mark }` est aussi le {
     }
     .hint = exporter le fichier avec d’autres séparateurs
 
-column-role-twice = `columns` nomme `{ $role }` deux fois
-    .hint = corriger l’une des deux ; une colonne qui n’est pas lue est `-`
+column-role-twice = `columns` mentionne `{ $role }` deux fois
+    .hint = corriger l’une des deux ; une colonne qui n’est pas lue est `-`
 
-coordinates-of-two-kinds = `columns` nomme à la fois des coordonnées de nature fixe et c1, c2, c3
-    .expected = soit x, y, z ou des angles et distances, soit c1, c2, c3
+coordinates-of-two-kinds = `columns` mentionne à la fois des coordonnées de type fixe et c1, c2, c3
+    .expected = soit x, y, z ou des angles et des distances, soit c1, c2, c3
 
 row-types-missing = les colonnes c1, c2, c3 ont besoin d’une colonne `type` et de la clé `types`
     .hint = par exemple `types = {"{"} 0 = ["x", "y", "z"], 7 = ["azimuth", "zenith", "distance"] {"}"}`
@@ -58,113 +58,113 @@ row-types-missing = les colonnes c1, c2, c3 ont besoin d’une colonne `type` et
 row-type-incomplete = `{ $key }` n’indique pas ce que sont c1, c2 et c3
     .expected = trois coordonnées, et c1, c2, c3 dans `columns`
 
-not-coordinates = `{ $key }` nomme { $count ->
+not-coordinates = `{ $key }` mentionne { $count ->
         [0] aucune coordonnée
        *[other] { $names }, qui ne sont pas les coordonnées d’un point
     }
-    .expected = x et y, et z dans l’espace ; rayon, azimut et z ; ou azimut, angle zénithal ou site, et distance
+    .expected = x et y, et z dans l’espace ; rayon, azimut et z ; ou azimut, angle zénithal ou angle de site, et distance
 
-angle-unit-missing = `{ $key }` nomme des angles sans unité
-    .hint = indiquer `angle_unit` : "deg", "rad" ou "gon"
+angle-unit-missing = `{ $key }` mentionne des angles sans unité
+    .hint = indiquer `angle_unit` : "deg", "rad" ou "gon"
 
 coordinate-type-differs = `coordinates` indique des coordonnées { $stated ->
         [cartesian] cartésiennes
         [cylindrical] cylindriques
        *[spherical] sphériques
-    }, `{ $key }` nomme des coordonnées { $named ->
+    }, `{ $key }` mentionne des coordonnées { $named ->
         [cartesian] cartésiennes
         [cylindrical] cylindriques
        *[spherical] sphériques
     }
     .hint = corriger l’une des deux
 
-header-not-stated = `columns` nomme l’en-tête `{ $column }`, et aucune ligne d’en-tête n’est indiquée
+header-not-stated = `columns` mentionne l’en-tête `{ $column }`, mais aucune ligne d’en-tête n’est indiquée
     .hint = indiquer `header = 1`, ou donner le numéro de la colonne
 
-expression-malformed = impossible de lire l’expression `{ $expression }` : { $fault ->
+expression-malformed = impossible de lire l’expression `{ $expression }` : { $fault ->
         [too-long] elle dépasse 1000 caractères
         [left-over] `{ $rest }` est de trop
         [brackets-too-deep] ses parenthèses sont trop imbriquées
-        [too-many-signs] elle a trop de signes
+        [too-many-signs] elle contient trop de signes
         [bracket-open] une parenthèse n’est pas fermée
         [column-number] `$` n’est pas suivi d’un numéro de colonne, à partir de 1
        *[incomplete] il manque une colonne ou un nombre
     }
     .expected = des en-têtes, `$3` pour la troisième colonne et des nombres, avec + - * / et des parenthèses
 
-column-unknown = il n’y a pas de colonne `{ $column }`
+column-unknown = colonne inconnue `{ $column }`
 
-table-failed = impossible de construire le tableau : { $reason }
+table-failed = impossible de construire le tableau : { $reason }
 
 not-whole-number = `{ $value }` dans la colonne `{ $column }` n’est pas un nombre entier
 
-stored-table-damaged = le tableau enregistré est endommagé : { $reason }
-    .hint = exécuter de nouveau la campagne : `etalon run CAMPAGNE`
+stored-table-damaged = le tableau enregistré est endommagé : { $reason }
+    .hint = relancer la campagne : `etalon run CAMPAGNE`
 
 stored-row-count = il a { $found ->
         [one] { $found } ligne
        *[other] { $found } lignes
     } au lieu de { $rows }
 
-row-without-point = la ligne ne contient pas de point : { $reason }
+row-without-point = la ligne ne contient pas de point : { $reason }
     .hint = supprimer la ligne du fichier
 
 rows-left-out = { $count ->
         [one] { $count } ligne omise
        *[other] { $count } lignes omises
-    } ; la première : { $reason }
+    } ; la première : { $reason }
 
-count-value-missing = `{ $key }` n’indique pas la valeur d’une impulsion : les tableaux Galil contiennent des impulsions de codeur
+count-value-missing = `{ $key }` n’indique pas la valeur d’une impulsion : les tableaux Galil contiennent des impulsions de codeur
     .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count dans l’unité de la clé
 
-galil-array-hole = le tableau de `{ $column }` a un trou
-    .hint = le relire de la commande
+galil-array-hole = le tableau de `{ $column }` présente une lacune
+    .hint = relire le tableau dans la commande
 
-galil-array-ended = pas d’impulsion : le tableau de { $columns } est terminé
+galil-array-ended = valeur absente : le tableau de { $columns } est terminé
 
 galil-array-empty = l’un des tableaux est vide
-    .hint = relire les tableaux après la fin de l’enregistrement
+    .hint = relire les tableaux dans la commande après la fin de l’enregistrement
 
-not-a-count = { $value } n’est pas un nombre d’impulsions
+not-a-count = { $value } n’est pas un nombre d’impulsions de codeur
     .expected = un nombre entier de 32 bits
     .hint = si les valeurs sont déjà converties, omettre `format = "galil"`
 
-counter-wrapped = le compteur a débordé : { $to } suit { $from }
+counter-wrapped = le compteur a débordé : la valeur { $to } suit { $from }
     .hint = mettre le codeur à zéro avant l’enregistrement
 
 rsi-cycles-missing = { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
-    } où `IPOC` n’avance pas de { $step_ms } ms
-    .hint = des télégrammes ont été perdus : l’ordinateur d’enregistrement était en retard
+    } où `IPOC` n’avance pas de { $step_ms } ms
+    .hint = des télégrammes ont été perdus : l’ordinateur d’acquisition était en retard
 
 ros-joints-change = l’articulation { $number } est `{ $found }` dans cette ligne et `{ $first }` dans la première
-    .hint = deux émetteurs partagent le topic : enregistrer chacun dans son propre fichier
+    .hint = deux émetteurs partagent le topic : enregistrer chacun dans un fichier séparé
 
 log-column-unknown = `{ $key }` n’est pas une colonne d’un journal
     .expected = `pose`, `cycle`, `time_s`, `label`, ou une articulation avec son unité comme `q1_deg`, `q1_rad`, `rho1_mm`
 
 log-column-twice = `{ $key }` indique `{ $name }` une deuxième fois
-    .hint = omettre l’une des deux ; `pose = "row"` remplace la colonne de la pose, `period_s` celle du temps
+    .hint = omettre l’une des deux ; `pose = "row"` remplace la colonne de la pose, `period_s` celle du temps
 
 log-key-inapplicable = `{ $key }` ne s’applique pas à { $column ->
         [none] ce journal
        *[other] `{ $column }`
     }
     .hint = { $key ->
-        [per_count] `per_count` est la valeur d’une impulsion du codeur d’une articulation : la supprimer
-        [values] `values` appartient à `format = "twincat"` : la supprimer
-        [comment] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
-        [decimal] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
-        [delimiter] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
-        [encoding] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
-        [sheet] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
-        [header] un export TwinCAT nomme ses voies : supprimer `header`
-       *[other] les voies d’un export TwinCAT ont leurs propres temps : supprimer `{ $key }`
+        [per_count] `per_count` est la valeur d’une impulsion de codeur et ne vaut que pour une articulation : supprimer la clé
+        [values] `values` appartient à `format = "twincat"` : supprimer la clé
+        [comment] un fichier de tableaux ne contient pas de texte : supprimer `{ $key }`
+        [decimal] un fichier de tableaux ne contient pas de texte : supprimer `{ $key }`
+        [delimiter] un fichier de tableaux ne contient pas de texte : supprimer `{ $key }`
+        [encoding] un fichier de tableaux ne contient pas de texte : supprimer `{ $key }`
+        [sheet] un fichier de tableaux ne contient pas de texte : supprimer `{ $key }`
+        [header] un export TwinCAT donne le nom de ses voies : supprimer `header`
+       *[other] les voies d’un export TwinCAT ont leurs propres instants : supprimer `{ $key }`
     }
 
 column-unit-differs = `{ $key }` indique { $stated }, `{ $column }` est en { $known ->
-        [wall-clock] secondes entières de l’heure ; l’horloge de ce journal est `IPOC`
+        [wall-clock] secondes entières de l’heure du jour ; l’horloge de ce journal est `IPOC`
        *[other] { $known }
     }
 
@@ -172,18 +172,18 @@ write-column = écrire `{ $key } = "{ $column }"`
 
 column-in-unit = une colonne en { $unit }
 
-header-words-missing = aucune ligne ne contient les mots de l’en-tête : { $words }
+header-words-missing = aucune ligne ne contient tous les mots de l’en-tête : { $words }
     .hint = copier les mots de la ligne d’en-tête du fichier
 
 data-rows-missing = le fichier n’a pas de lignes de données
-    .hint = l’exporter de nouveau ; si sa seule ligne contient des valeurs, indiquer `header = false`
+    .hint = l’exporter de nouveau ; si sa seule ligne contient des valeurs, indiquer `header = false`
 
 row-field-count = la ligne a { $fields ->
         [one] { $fields } champ
        *[other] { $fields } champs
     }
     .expected = { $expected }
-    .hint = vérifier le séparateur, le séparateur décimal et les guillemets : une virgule décimale ajoute des champs ; un fichier tronqué en manque
+    .hint = vérifier le séparateur de colonnes, le séparateur décimal et les guillemets : une virgule décimale ajoute des champs ; il manque des champs à un fichier tronqué
 
 fields-like = { $like ->
         [header] { $width }, comme l’en-tête
@@ -197,17 +197,17 @@ state-delimiter = indiquer `delimiter = "{ $delimiter }"` et `decimal = "{ $deci
 
 state-delimiter-of-rows = indiquer `delimiter` et `decimal` des lignes
 
-header-holds-numbers = la ligne d’en-tête ne contient que des nombres
-    .hint = si le fichier n’a pas d’en-tête, indiquer `header = false` et donner les colonnes par leur numéro
+header-holds-numbers = la ligne qui devrait indiquer les colonnes contient des nombres
+    .hint = si le fichier n’a pas d’en-tête, indiquer `header = false` et désigner les colonnes par leur numéro
 
-column-by-number = une colonne de ce format ne peut pas être donnée par son numéro : { $format ->
-        [galil] les tableaux sont en ordre alphabétique, quelles que soient leurs articulations
+column-by-number = une colonne de ce format ne peut pas être désignée par son numéro : { $format ->
+        [galil] les tableaux sont en ordre alphabétique, quelle que soit leur articulation
         [ros] l’ordre des articulations est arbitraire
        *[twincat] l’ordre des voies change d’un export à l’autre
     }
-    .hint = donner son nom
+    .hint = la désigner par son nom
 
-column-number-unknown = il n’y a pas de colonne { $number }
+column-number-unknown = la colonne { $number } n’existe pas
     .expected = un numéro de 1 à { $columns }
 
 heading-repeated = l’en-tête a { $times ->
@@ -215,69 +215,69 @@ heading-repeated = l’en-tête a { $times ->
        *[other] { $times } colonnes
     } `{ $column }`
     .expected = `occurrence` de 1 à { $times }
-    .hint = indiquer laquelle : `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
+    .hint = indiquer laquelle : `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
 
-log-row-needs-values = relire le journal de la commande, ou supprimer la ligne : chaque ligne a besoin de ses valeurs
+log-row-needs-values = relire le journal de la commande, ou supprimer la ligne : chaque ligne a besoin de ses valeurs
 
 assembly-mode-invalid = le mode d’assemblage est { $value }
     .expected = 1 ou -1
-    .hint = le corriger ; s’il est inconnu, omettre la colonne `assembly`
+    .hint = le corriger ; s’il est inconnu, omettre la colonne `assembly`
 
-standstill-missing = le robot du journal `{ $log }` n’est jamais à l’arrêt pendant { $at_least_s } s
-    .hint = son plus long arrêt dans les limites dure { FIXED($longest_s, 3) } s : vérifier `at_least_s` et les limites
+standstill-missing = le robot du journal `{ $log }` n’est jamais à l’arrêt pendant { $at_least_s } s
+    .hint = son plus long arrêt dans les limites dure { FIXED($longest_s, 3) } s : vérifier `at_least_s` et les limites
 
-standstill-time-missing = [log.standstill] a besoin des temps des lignes
+standstill-time-missing = [log.standstill] a besoin de l’instant de chaque ligne
     .hint = indiquer `time_s`, `time_ms` ou `time_ns` dans `columns`, ou `period_s`
 
 standstill-limit-missing = [log.standstill] n’a pas de limite pour `{ $column }`
-    .hint = indiquer `{ $key }` : la plus grande différence de deux valeurs à l’arrêt
+    .hint = indiquer `{ $key }` : la plus grande différence entre deux valeurs à l’arrêt
 
 changes-at-standstill = `{ $column }` passe de { $from } à { $to } pendant un arrêt
     .hint = omettre la colonne, ou abaisser les limites de [log.standstill]
 
 simulated-column-clash = la colonne de `{ $key }` ne peut pas être simulée
-    .expected = une colonne propre à chaque clé, au plus { $most } colonnes
+    .expected = une colonne distincte pour chaque clé, au plus { $most } colonnes
 
 simulated-column-unknown = `{ $key }` ne peut pas être simulé
     .expected = `pose`, `cycle`, `time_s` et les articulations avec leurs unités
 
-log-columns-missing = `columns` de ce journal ne nomme aucune voie
+log-columns-missing = `columns` de ce journal ne mentionne aucune voie
 
-twincat-two-scales = la voie `{ $channel }` a une échelle, et son unité aussi
+twincat-two-scales = la voie `{ $channel }` a un facteur d’échelle, et son unité en a un aussi
     .hint = exporter des valeurs mises à l’échelle et indiquer `values = "scaled"`
 
-twincat-scale-undecided = la voie `{ $channel }` a une échelle (facteur et décalage { $scale }, de l’unité { $unit_scale }) : on ignore si elle est appliquée
+twincat-scale-undecided = la voie `{ $channel }` a un facteur d’échelle (facteur et décalage { $scale }, de l’unité { $unit_scale }) : on ignore s’il est déjà appliqué
     .hint = indiquer `values = "raw"` ou `values = "scaled"`, selon le réglage de l’export
 
 channel-resumes = la voie `{ $channel }` reprend après sa fin
     .hint = exporter de nouveau l’enregistrement
 
-channels-without-common-time = ces voies n’ont aucun temps en commun
+channels-without-common-time = ces voies n’ont aucun instant en commun
     .hint = exporter des voies d’une même tâche, avec une même période d’échantillonnage
 
-channel-samples-unused = voie `{ $channel }` : { $count ->
+channel-samples-unused = voie `{ $channel }` : { $count ->
         [one] { $count } échantillon omis
        *[other] { $count } échantillons omis
-    }, car une autre voie n’en a pas à ces temps
+    }, car une autre voie n’en a pas à ces instants
 
-twincat-head-malformed = ce n’est pas un export de TwinCAT 3 Scope : { $part ->
+twincat-head-malformed = ce n’est pas un export de TwinCAT 3 Scope : { $part ->
         [first-line] sa première ligne ne commence pas par `Name` et un séparateur
-        [names] aucune ligne de son en-tête ne nomme les voies
+        [names] aucune ligne de son en-tête ne donne le nom des voies
        *[end] aucune ligne vide ne termine son en-tête
     }
     .hint = exporter de nouveau l’enregistrement en CSV, ou indiquer un autre `format`
 
-twincat-head-ragged = la ligne `{ $row }` de l’en-tête a { $fields } champs, la ligne des noms { $width } : le séparateur figure aussi dans des valeurs ou des noms
+twincat-head-ragged = la ligne `{ $row }` de l’en-tête a { $fields } champs, la ligne des noms { $width } : le séparateur apparaît aussi dans des valeurs ou des noms
     .hint = exporter de nouveau, avec des tabulations ou des points-virgules
 
-twincat-separated-by-blanks = l’export est séparé par des espaces, et un espace est aussi une valeur manquante et une partie de noms
+twincat-separated-by-blanks = l’export est séparé par des espaces, or un espace peut aussi être une valeur manquante ou faire partie d’un nom
     .hint = exporter de nouveau, avec des tabulations ou des points-virgules
 
 channel-scale-not-number = `{ $key }` de la voie `{ $channel }` est `{ $value }`, qui n’est pas un nombre
     .hint = exporter de nouveau l’enregistrement
 
 delimiter-differs = l’export est séparé par { $separator }
-    .hint = supprimer `delimiter` de ce journal : l’export l’indique
+    .hint = supprimer `delimiter` de ce journal : l’export indique son séparateur
 
 coordinates-differ = les positions atteintes et commandées ont des coordonnées différentes
     .expected = les coordonnées de `{ $file }`
@@ -286,25 +286,25 @@ coordinates-differ = les positions atteintes et commandées ont des coordonnées
 coordinate-missing = une coordonnée manque ou n’est pas finie
     .hint = compléter la cellule, ou supprimer la ligne
 
-columns-not-read = non lues : { $count ->
+columns-not-read = non lues : { $count ->
         [one] colonne
        *[other] colonnes
     } { $columns }
 
-joint-direction-missing = `backlash` de l’articulation `{ $joint }` a besoin de la direction d’où elle est venue
-    .expected = une colonne `{ $column }` : +1 si elle est venue d’en bas, -1 d’en haut
-    .hint = une campagne la tire d’un journal avec temps ; ou retirer l’articulation de `backlash` du fichier du robot
+joint-direction-missing = `backlash` de l’articulation `{ $joint }` exige le sens d’approche
+    .expected = une colonne `{ $column }` : +1 pour une approche par valeurs croissantes, -1 par valeurs décroissantes
+    .hint = une campagne le déduit d’un journal avec horodatage ; ou retirer l’articulation de `backlash` du fichier de robot
 
 joint-direction-invalid = `{ $column }` { $value ->
         [missing] manque
        *[other] est { $value }
     }
-    .expected = +1 si `{ $joint }` est venue d’en bas, -1 d’en haut
+    .expected = +1 pour une approche de `{ $joint }` par valeurs croissantes, -1 par valeurs décroissantes
 
-joint-column-twice = le tableau a l’articulation `{ $joint }` deux fois : `{ $first }` et `{ $second }`
+joint-column-twice = le tableau contient deux fois l’articulation `{ $joint }` : `{ $first }` et `{ $second }`
     .hint = supprimer l’une des colonnes
 
-in-row = ligne { $row } : { $message }
+in-row = ligne { $row } : { $message }
 
 pose-commanded-twice = la pose { $pose } est commandée deux fois
     .hint = supprimer ou renommer l’une des lignes
@@ -313,7 +313,7 @@ pose-not-commanded = la pose { $pose } n’est pas parmi les poses commandées
     .hint = l’ajouter à `{ $file }`, ou corriger son nom
 
 pose-attained-twice = la pose { $pose } a été atteinte deux fois au cycle { $cycle }
-    .hint = numéroter les cycles, nommer les approches dans `approach`, ou numéroter les lectures d’une visite dans `reading`
+    .hint = numéroter les cycles, indiquer les directions d’approche dans `approach`, ou numéroter les lectures d’un positionnement dans `reading`
 
 commanded-pose-not-measured = la pose { $pose } est commandée mais n’a pas été mesurée
 
@@ -322,22 +322,22 @@ no-pose-measured = aucune pose n’a été mesurée
 
 recording-time-missing = l’enregistrement n’a pas de colonne de temps
     .expected = une colonne `time_s`, ou la fréquence d’échantillonnage
-    .hint = indiquer la fréquence de l’instrument : `--rate-hz 1000`, dans une campagne `rate_hz = 1000`
+    .hint = indiquer la fréquence d’échantillonnage de l’instrument : `--rate-hz 1000`, dans une campagne `rate_hz = 1000`
 
-state-sampling-rate = indiquer la fréquence d’échantillonnage (`--rate-hz`) : un horodatage plus grossier que l’échantillonnage ne donne pas de temps
+state-sampling-rate = indiquer la fréquence d’échantillonnage (`--rate-hz`) : un horodatage plus grossier que l’échantillonnage ne permet pas de dater les échantillons
 
-recording-implausible = { $count } échantillons sur { $samples } dépassent 20 m/s : aucun robot n’est aussi rapide
+recording-implausible = { $count } échantillons sur { $samples } dépassent 20 m/s : aucun robot n’est aussi rapide
     .hint = vérifier la fréquence d’échantillonnage, l’unité et l’ordre des échantillons
 
-angles-not-compensated = les angles ne sont pas corrigés de la dérive par les cibles de référence
-    .expected = a_deg, b_deg et c_deg (c_deg pour un robot plan) et l’ordre de leurs rotations
-    .hint = indiquer l’ordre : `--rotation-order "Rz(c) Ry(b) Rx(a)"`, dans une campagne `rotation_order`
+angles-not-compensated = les cibles de référence ne corrigent pas la dérive des angles
+    .expected = a_deg, b_deg et c_deg (c_deg seul pour un robot plan) et l’ordre de leurs rotations
+    .hint = indiquer l’ordre : `--rotation-order "Rz(c) Ry(b) Rx(a)"`, dans une campagne `rotation_order`
 
-angles-not-separable = les angles de la pose { $pose }, cycle { $cycle }, sont indéterminés : deux rotations ont le même axe
+angles-not-separable = les angles de la pose { $pose }, cycle { $cycle }, sont indéterminés : deux rotations ont le même axe
     .hint = indiquer un autre ordre des rotations
 
 cycle-before-reference-targets = le cycle { $cycle } a été mesuré avant toute cible de référence
-    .hint = mesurer les cibles de référence avant l’essai ; les premières sont du cycle { $first }
+    .hint = mesurer les cibles de référence avant l’essai ; les premières sont du cycle { $first }
 
 reference-target-twice = la cible de référence `{ $target }` a été mesurée deux fois au cycle { $cycle }
     .hint = supprimer l’une des lignes, ou corriger son nom
@@ -346,22 +346,22 @@ reference-targets-differ = les cibles de référence du cycle { $cycle } diffèr
     .expected = { $targets }
 
 observation-column-unknown = `{ $column }` n’est pas une colonne d’observations
-    .hint = les coordonnées et les articulations se terminent par leur unité : x_mm, q1_deg ; docs/observations.md énumère les colonnes
+    .hint = les coordonnées et les articulations se terminent par leur unité : x_mm, q1_deg ; docs/observations.md énumère les colonnes
 
 column-stated-twice = la colonne `{ $column }` est indiquée comme `{ $first }` et comme `{ $second }`
     .hint = corriger l’une des deux
 
-heading-twice = l’en-tête nomme `{ $column }` plusieurs fois
+heading-twice = l’en-tête mentionne `{ $column }` plusieurs fois
     .hint = renommer ou supprimer l’une des colonnes
 
-stated-and-in-table = `{ $key }` est indiqué, et le tableau a une colonne de ce nom
+stated-and-in-table = `{ $key }` est indiquée, mais le tableau a aussi une colonne de ce nom
     .hint = supprimer l’un des deux
 
 no-row-selected = `only` et `without` ne retiennent aucune ligne
     .hint = comparer leurs cellules à celles du fichier
 
 computed-not-finite = la valeur calculée de `{ $column }` est { $value }
-    .hint = vérifier l’expression : elle divise par zéro ou déborde
+    .hint = vérifier l’expression : division par zéro ou dépassement de capacité
 
 name-is-formula = le nom `{ $name }` dans la colonne `{ $column }` serait une formule dans un tableur
     .hint = utiliser un nom qui ne commence pas par = + - ou @
@@ -373,51 +373,51 @@ file-without-points = c’est { $kind ->
         [json] un document JSON
         [yaml] un document YAML
         [toml] un document TOML ou INI
-        [certificate] un certificat d’étalonnage numérique : des résultats d’étalonnage sans points mesurés
+        [certificate] un certificat d’étalonnage numérique : des résultats d’étalonnage sans points mesurés
         [roughness] un fichier de paramètres de rugosité d’un Mitutoyo SJ-410, sans coordonnées
-       *[xml] un document XML d’un genre inconnu
+       *[xml] un document XML de type inconnu
     }
-    .expected = des points mesurés ou un journal, en tableau de texte ou classeur
+    .expected = des points mesurés ou un journal, sous forme de tableau de texte ou de classeur
     .hint = { $kind ->
-        [certificate] nommer le fichier des points mesurés
-        [roughness] nommer le fichier des points mesurés
-       *[other] écrire les nombres en CSV : une ligne par point ou pose, les noms des colonnes au-dessus
+        [certificate] indiquer le fichier des points mesurés
+        [roughness] indiquer le fichier des points mesurés
+       *[other] écrire les nombres en CSV : une ligne par point ou pose, les noms des colonnes au-dessus
     }
 
 no-rows-of-numbers = { $file ->
-        [workbook] aucune feuille du classeur n’a
+        [workbook] aucune feuille du classeur ne contient
        *[text] aucune lecture comme texte délimité ne donne
     } de lignes de deux nombres ou plus
     .hint = exporter les points en texte, une ligne par point
 
-robot-does-not-test = un robot du modèle `{ $model }` ne vérifie pas la proposition : sa bride n’a pas de pose libre dans l’espace
+robot-does-not-test = un robot du modèle `{ $model }` ne permet pas de vérifier la proposition : la pose de sa bride dans l’espace n’est pas libre
 
-robot-not-tested = le robot nominal ne vérifie pas la proposition : il faut { $fewest } lignes avec articulations et coordonnées qui couvrent l’espace
+robot-not-tested = la proposition n’est pas vérifiée avec le robot nominal : il faut au moins { $fewest } lignes avec des valeurs articulaires et des coordonnées réparties dans l’espace
 
 robot-contradicts = le robot nominal ne reproduit { $points } avec aucun ordre, sens ni unité des articulations essayés{ $known ->
-        [yes] {" "}; le meilleur laisse { FIXED($rms_mm, 2) } mm (moyenne quadratique)
+        [yes] {" "}; le plus petit résidu est de { FIXED($rms_mm, 2) } mm (moyenne quadratique)
        *[no] {""}
     }
 
-robot-ambiguous = les données ne déterminent pas l’ordre et le sens de { $joints } : une autre lecture laisse { FIXED($rms_mm, 3) } mm (moyenne quadratique)
+robot-ambiguous = les données ne déterminent pas l’ordre et le sens de { $joints } : une autre interprétation donne un résidu de { FIXED($rms_mm, 3) } mm (moyenne quadratique)
 
-robot-units-ambiguous = les données ne déterminent pas les unités des articulations : une autre unité laisse { FIXED($rms_mm, 3) } mm (moyenne quadratique)
+robot-units-ambiguous = les données ne déterminent pas les unités des articulations : une autre unité donne un résidu de { FIXED($rms_mm, 3) } mm (moyenne quadratique)
 
-robot-finds-targets = avec une cible pour chaque valeur de { $column }, le robot nominal reproduit les coordonnées
+robot-finds-targets = avec une cible propre à chaque valeur de { $column }, le robot nominal reproduit les coordonnées
 
-robot-contradicts-unit = l’en-tête de { $column } indique { $stated }, et la cinématique du robot nominal convient avec { $unit }
+robot-contradicts-unit = l’en-tête de { $column } indique { $stated }, mais la cinématique du robot nominal correspond à { $unit }
 
-robot-reverses = { $column } compte à l’inverse de `{ $joint }` : le robot nominal convient avec le signe opposé
+robot-reverses = { $column } est compté en sens inverse de `{ $joint }` : le robot nominal correspond avec le signe opposé
 
-robot-orders = le robot nominal convient avec les articulations dans l’ordre { $columns }
+robot-orders = le robot nominal correspond avec les articulations dans l’ordre { $columns }
 
-robot-reproduces = le robot nominal reproduit { $points } en { $unit } avec un résidu de { FIXED($rms_mm, 4) } mm (moyenne quadratique de { $rows } lignes, base et cible libres)
+robot-reproduces = le robot nominal reproduit { $points } en { $unit } avec un résidu de { FIXED($rms_mm, 4) } mm (moyenne quadratique de { $rows } lignes, base et cible libres)
 
-points-commanded = { $points } sont commandées ou calculées, non mesurées : le robot nominal les calcule à leur arrondi près (résidu { FIXED($rms_mm, 6) } mm)
+points-commanded = { $points } : valeurs commandées ou calculées, non mesurées ; le robot nominal les reproduit à l’arrondi près (résidu { FIXED($rms_mm, 6) } mm)
 
-points-perhaps-commanded = { $points } sont peut-être commandées, non mesurées : le résidu de { FIXED($rms_mm, 4) } mm est dans l’arrondi des coordonnées et des articulations
+points-perhaps-commanded = { $points } : peut-être des valeurs commandées, non mesurées ; le résidu de { FIXED($rms_mm, 4) } mm ne dépasse pas l’arrondi des coordonnées et des valeurs articulaires
 
-file-is = `{ $file }` : { $kind }, { $rows ->
+file-is = `{ $file }` : { $kind }, { $rows ->
         [one] 1 ligne
        *[other] { $rows } lignes
     }{ $coordinates ->
@@ -434,36 +434,40 @@ file-is = `{ $file }` : { $kind }, { $rows ->
        *[other] , temps en { $times }
     }
 
-files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne de `{ $log }` par { $by }
+files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne correspondante dans `{ $log }` (clé : { $by })
 
-files-not-joined = aucune clé ne joint tous les exports aux { $rows } lignes de `{ $log }`
-
-expand-xacro = développer le fichier et nommer l'URDF à sa place : { $command }
+files-not-joined = aucune clé ne relie tous les exports aux { $rows } lignes de `{ $log }`
+expand-xacro = développer le fichier, et indiquer l’URDF à sa place : { $command }
 
 attribute-malformed = un attribut illisible
 
-xacro-construct = `{ $construct }` de xacro n'est pas développé ici
+xacro-construct = `{ $construct }` de xacro n’est pas développé ici
 
-xacro-undefined = aucune propriété `{ $name }` n'est définie avant cette ligne
+xacro-undefined = aucune propriété `{ $name }` n’est définie avant cette ligne
 
-xacro-argument-missing = l'argument `{ $argument }` du fichier xacro n'a pas de valeur
-    .hint = indiquer `arguments = ["{ $argument }:=VALUE"]` dans robot.toml, ou `--argument { $argument }:=VALUE` de `etalon init`
+xacro-argument-missing = l’argument `{ $argument }` du fichier xacro n’a pas de valeur
+    .hint = indiquer `arguments = ["{ $argument }:=VALEUR"]` dans robot.toml, ou `--argument { $argument }:=VALEUR` à `etalon init`
 
-xacro-argument-unknown = { $file } n'a pas d'argument `{ $argument }`
+xacro-argument-unknown = { $file } n’a pas d’argument `{ $argument }`
 
-xacro-argument-form = `{ $argument }` n'est pas un argument de xacro
-    .expected = NAME:=VALUE
+xacro-argument-form = `{ $argument }` n’est pas un argument de xacro
+    .expected = NOM:=VALEUR
 
-xacro-package = le paquet `{ $package }` n'est ni au-dessus ni à côté du fichier
+xacro-package = le paquet `{ $package }` n’est ni dans un dossier parent du fichier ni à côté de lui
 
-xacro-include-unreadable = le fichier inclus est illisible : { $reason }
+xacro-include-unreadable = impossible de lire le fichier inclus : { $reason }
 
-xacro-include-loop = `{ $file }` s'inclut lui-même
+xacro-include-loop = `{ $file }` s’inclut lui-même
 
 xacro-recursion = la propriété `{ $name }` est définie par elle-même
 
-xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $most_depth } les uns dans les autres
+xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $most_depth } imbriqués
 
-xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou demande plus de { $most_depth } propriétés les unes dans les autres
+xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou exige plus de { $most_depth } propriétés imbriquées
 
-xacro-too-large = le texte développé dépasse { $most_mib } Mio
+xacro-too-large = le texte développé dépasse { $most_mib } Mio
+joints-named-as-robots = les articulations portent les noms de celles du robot
+
+doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $count } des { $rows } lignes, et `{ $text }` : exclure ces lignes (`header`, `comment`)
+
+doubt-array-columns = `{ $array }` a { $count } colonnes : articulations, coordonnées, ou les deux côte à côte ; les tableaux ne sont lus que comme journaux

@@ -1,43 +1,43 @@
 ### Messages de identify ; explications dans en/identify.ftl.
 
-no-observations = il n’y a pas d’observations pour identifier des paramètres
+no-observations = il n’y a pas d’observations pour identifier les paramètres
     .hint = vérifier quelles poses sont choisies et lesquelles sont exclues
 
-pose-residuals-without-uncertainty = les résidus de la pose mêlent mm et rad : ils demandent l’incertitude-type d’une coordonnée
+pose-residuals-without-uncertainty = les résidus de la pose mêlent mm et rad : ils nécessitent l’incertitude-type d’une coordonnée
 
-common-uncertainty-alone = une incertitude commune à plusieurs observations demande les résidus des cibles et l’incertitude de chaque observation
+common-uncertainty-alone = une incertitude commune à plusieurs observations nécessite les résidus des cibles et l’incertitude de chaque observation
 
 parameter-unknown = `{ $pattern }` n’est pas un paramètre de ce robot
 
-observations-need-arm = orientations, distances, contacts, surfaces et valeurs articulaires sont pour les bras spatiaux, pas pour `{ $model }`
+observations-need-arm = orientations, distances, contacts, surfaces et valeurs articulaires ne s’appliquent qu’aux bras tridimensionnels, et non à `{ $model }`
 
-kinds-need-target-residuals = orientations, distances, contacts, surfaces et valeurs articulaires demandent les résidus des cibles sans incertitude commune
+kinds-need-target-residuals = orientations, distances, contacts, surfaces et valeurs articulaires nécessitent les résidus des cibles sans incertitude commune
     .hint = comparer les cibles, et omettre l’incertitude commune
 
-kinds-without-uncertainty = des observations de plusieurs genres demandent l’incertitude-type d’une coordonnée
+kinds-without-uncertainty = des observations de plusieurs types nécessitent l’incertitude-type d’une coordonnée
 
-own-uncertainties-unusable = des incertitudes propres aux lectures demandent les résidus des cibles sans incertitude commune
+own-uncertainties-unusable = des lectures avec leur propre incertitude nécessitent les résidus des cibles sans incertitude commune
 
 readings-without-uncertainty = { $without } des { $readings } lectures n’ont pas d’incertitude
 
-pose-residuals-not-planar = les résidus de la pose sont pour les robots plans, pas pour `{ $model }`
+pose-residuals-not-planar = les résidus de la pose ne s’appliquent qu’aux robots plans, et non à `{ $model }`
 
-tool-part-missing = le point de l’outil est indiqué dans le repère de { $part ->
+tool-part-missing = le point de l’outil est indiqué dans le référentiel de { $part ->
         [flange] la bride
        *[platform] la plate-forme
-    } : `{ $model }` n’en a pas
+    } : `{ $model }` n’en a pas
 
-too-few-poses-planned = { $poses } poses ne déterminent pas { $parameters } paramètres
+too-few-poses-planned = { $poses } poses ne suffisent pas à déterminer { $parameters } paramètres
 
 base-not-found = la base et les cibles ne peuvent pas être localisées à partir de ces poses
     .expected = au moins quatre poses dans lesquelles le bras se déplace dans toutes les directions
 
-nothing-to-identify = aucun paramètre ne reste à identifier{ $cause ->
+nothing-to-identify = il ne reste aucun paramètre à identifier{ $cause ->
         [none] {""}
-       *[other] {" "}: { $cause }
+       *[other] {" "}: { $cause }
     }
 
-hold-fewer-parameters = imposer moins de paramètres
+hold-fewer-parameters = fixer moins de paramètres
 
 parameters-undetermined = { $residuals ->
         [one] { $residuals } résidu
@@ -45,7 +45,7 @@ parameters-undetermined = { $residuals ->
     } de { $poses ->
         [one] { $poses } pose
        *[other] { $poses } poses
-    }, dont { $independent } indépendants, ne déterminent pas { $parameters ->
+    }, dont { $independent } indépendants, ne suffisent pas à déterminer { $parameters ->
         [one] { $parameters } paramètre
        *[other] { $parameters } paramètres
     }
@@ -56,7 +56,7 @@ parameters-inseparable = `{ $parameter }` n’est pas identifiable séparément 
 
 identifiability-unsteady = l’ensemble des paramètres identifiables séparément change entre les pas du solveur
 
-identification-without-result = l’identification s’est terminée sans résultat : { $reason }
+identification-without-result = l’identification s’est terminée sans résultat : { $reason }
 
 solver-ended = { $termination ->
         [iteration-limit] pas de convergence avant la limite d’itérations
@@ -73,114 +73,114 @@ named-poses = { $count ->
 
 poses-unreachable = le robot nominal ne peut pas prendre les valeurs articulaires de { $poses }
 
-extents-differ = les points mesurés s’étendent sur { FIXED($measured_mm, 0) } mm, ceux du modèle sur { FIXED($model_mm, 0) } mm
+extents-differ = les points mesurés s’étendent sur { FIXED($measured_mm, 0) } mm, ceux du modèle sur { FIXED($model_mm, 0) } mm
 
-assembly-mode-contradicted = la position mesurée contredit le mode d’assemblage dans { $poses } : pour la pose { $worst }, le mode indiqué { $stated } laisse { FIXED($stated_mm, 1) } mm, le mode { $other } { FIXED($other_mm, 1) } mm
+assembly-mode-contradicted = la position mesurée contredit le mode d’assemblage pour { $poses } : à la pose { $worst }, l’écart est de { FIXED($stated_mm, 1) } mm avec le mode indiqué { $stated }, de { FIXED($other_mm, 1) } mm avec le mode { $other }
 
-scale-unobserved = aucune observation ne contient de longueur : l’échelle du robot est celle de ses longueurs nominales{ $lengths ->
+scale-unobserved = aucune observation ne contient de longueur : l’échelle du robot est celle de ses longueurs nominales{ $lengths ->
         [none] {""}
        *[other] {" "}({ $lengths })
     }
     .hint = mesurer une distance entre deux logements ou à un point fixe, ou la position d’une cible
 
-readings-weighted = { $own } des { $readings } lectures sont pondérées par leurs propres incertitudes-types : { FIXED($least_mm, 4) } à { FIXED($most_mm, 4) } mm par coordonnée
+readings-weighted = { $own } des { $readings } lectures sont pondérées par leurs propres incertitudes-types : { FIXED($least_mm, 4) } à { FIXED($most_mm, 4) } mm par coordonnée
 
-rigid-part-contradicted = { $places } de { $targets } contredisent les mesures au-delà de leur incertitude : de `{ $first }` à `{ $second }`, { FIXED($found_mm, 4) } mm { $by ->
+rigid-part-contradicted = { $places } de { $targets } contredisent les mesures au-delà de leur incertitude : de `{ $first }` à `{ $second }`, { FIXED($found_mm, 4) } mm { $by ->
         [identification] identifiés sans elles
        *[measurement] mesurés
-    }, { FIXED($stated_mm, 4) } mm indiqués
+    }, { FIXED($stated_mm, 4) } mm indiqués
 
 stated-positions = les positions indiquées
 
-comparison-without-uncertainty = une comparaison avec des paramètres donnés demande l’incertitude-type d’une coordonnée
+comparison-without-uncertainty = une comparaison avec des paramètres donnés nécessite l’incertitude-type d’une coordonnée
     .hint = indiquer l’incertitude de l’instrument
 
 robot-not-at-joints = le robot ne peut pas prendre ces valeurs articulaires avec les paramètres { $parameters ->
         [nominal] nominaux
        *[given] donnés
     }
-    .hint = vérifier unité, signe et décalage des valeurs articulaires, et que les paramètres sont ceux de ce robot
+    .hint = vérifier l’unité, le signe et le décalage des valeurs articulaires, et si les paramètres sont ceux de ce robot
 
 covariance-not-positive-definite = la covariance des paramètres n’est pas définie positive
-    .hint = utiliser la covariance telle que l’identification l’a indiquée
+    .hint = utiliser la covariance telle que l’identification l’a fournie
 
-no-redundant-observations = il y a autant d’équations que de paramètres : l’incertitude des paramètres est inconnue
+no-redundant-observations = il y a autant d’équations que de paramètres : l’incertitude des paramètres est inconnue
     .hint = mesurer plus de poses, ou indiquer l’incertitude de l’instrument
 
-pose-residuals-correlated = les résidus d’une pose sont corrélés : les incertitudes-types sont estimées par la dispersion des poses, { FIXED($ratio, 1) } fois celles de l’instrument
-    .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’instrument des erreurs communes aux lectures d’une pose
+pose-residuals-correlated = les résidus d’une même pose sont corrélés : les incertitudes-types sont estimées d’après la dispersion des poses et valent { FIXED($ratio, 1) } fois celles que donne l’instrument
+    .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’instrument a des erreurs communes aux lectures d’une pose
 
-instrument-uncertainty-too-large = les résidus valent { FIXED($ratio, 2) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 1) }, { $degrees } degrés de liberté) : les incertitudes-types sont trop grandes
-    .hint = vérifier l’incertitude de l’instrument, son unité et son facteur d’élargissement ; des erreurs communes à toutes les poses sont invisibles dans les résidus
+instrument-uncertainty-too-large = les résidus valent { FIXED($ratio, 2) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 1) }, { $degrees } degrés de liberté) : les incertitudes-types sont trop grandes
+    .hint = vérifier l’incertitude de l’instrument, son unité et son facteur d’élargissement ; les erreurs communes à toutes les poses n’apparaissent pas dans les résidus
 
-residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 0) }, { $degrees } degrés de liberté) : les incertitudes-types sont { $from ->
-        [poses] estimées par la dispersion des poses
-        [regions] estimées par la dispersion des régions de l’espace de travail
-       *[residuals] agrandies, comme si les résidus d’une pose étaient indépendants
-    } ({ FIXED($inflation, 1) } fois celles de l’instrument, médiane)
-    .hint = vérifier les valeurs aberrantes et le modèle : le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
+residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 0) }, { $degrees } degrés de liberté) : les incertitudes-types sont { $from ->
+        [poses] estimées d’après la dispersion des poses
+        [regions] estimées d’après la dispersion des régions de l’espace de travail
+       *[residuals] majorées, comme si les résidus d’une même pose étaient indépendants
+    } ({ FIXED($inflation, 1) } fois celles que donne l’instrument, en médiane)
+    .hint = vérifier les valeurs aberrantes et le modèle : le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
-parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et restent à leur valeur nominale : { $parameters }
+parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et restent à leur valeur nominale : { $parameters }
 
-parameter-held-without-effect = les données ne dépendent pas de `{ $parameter }` : il reste à sa valeur nominale
+parameter-held-without-effect = les données ne dépendent pas de `{ $parameter }` : il reste à sa valeur nominale
 
-parameter-held-inseparable = `{ $parameter }` et { $others } ne sont pas identifiables séparément : `{ $parameter }` reste à sa valeur nominale
+parameter-held-inseparable = `{ $parameter }` et { $others } ne sont pas identifiables séparément : `{ $parameter }` reste à sa valeur nominale
 
 parameter-separable-poorly = `{ $parameter }` n’est séparable de { $others } qu’avec une incertitude-type de { FIXED($uncertainty, 2) }{ $unit ->
         [mm] {" "}{ $unit }
         [deg] {" "}{ $unit }
        *[other] {""}
-    } : { $held ->
+    } : { $held ->
         [placed] il reste à sa première estimation
        *[nominal] il reste à sa valeur nominale, mieux connue
     }
     .hint = mesurer des poses dans lesquelles ces paramètres agissent différemment
 
-tool-targets-collinear = les cibles ne définissent pas de repère pour le point de l’outil : il en faut trois dans l’espace, non alignées ; deux dans le plan
-    .hint = indiquer le point dans le repère de la bride, ou utiliser la première cible elle-même ([0, 0, 0])
+tool-targets-collinear = les cibles ne définissent pas de référentiel pour le point de l’outil : il en faut trois non alignées dans l’espace, ou deux dans le plan
+    .hint = indiquer le point dans le référentiel de la bride, ou utiliser la première cible elle-même ([0, 0, 0])
 
-nominal-robot-far = le robot nominal manque les mesures de { FIXED($left_mm, 3) } mm (moyenne quadratique, base et cibles ajustées) ; les tolérances permettent { FIXED($allowed_mm, 3) } mm
-    .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
+nominal-robot-far = le robot nominal s’écarte des mesures de { FIXED($left_mm, 3) } mm (moyenne quadratique, base et cibles ajustées) ; les tolérances admettent { FIXED($allowed_mm, 3) } mm
+    .hint = vérifier les signes, les unités et l’ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
 
 nominal-robot-not-at-joints = le robot nominal ne peut pas prendre ces valeurs articulaires
-    .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
+    .hint = vérifier les signes, les unités et l’ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
 
-placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, les points mesurés s’étendent sur { FIXED($spread_mm, 1) } mm
-    .hint = vérifier unités, ordre, signes et décalages des articulations, et les paramètres nominaux du robot
+placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, les points mesurés s’étendent sur { FIXED($spread_mm, 1) } mm
+    .hint = vérifier les unités, l’ordre, les signes et les décalages des articulations, et les paramètres nominaux du robot
 
-reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) par rapport à celles jusqu’à la pose { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
-    .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément, ou mesurer de nouveau
+reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) par rapport aux poses précédentes, jusqu’à { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
+    .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément, ou mesurer de nouveau
 
-parameters-weakly-identifiable = { $groups } sont faiblement identifiables à partir de ces poses : incertitudes-types { $uncertainties } (corrélation { FIXED($correlation, 6) })
+parameters-weakly-identifiable = { $groups } sont faiblement identifiables à partir de ces poses : incertitudes-types { $uncertainties } (corrélation { FIXED($correlation, 6) })
 
-parameter-groups-weakly-identifiable = { $count } groupes de paramètres sont faiblement identifiables à partir de ces poses : { $groups } ; leurs incertitudes-types sont grandes, et leurs erreurs se compensent près de ces poses
+parameter-groups-weakly-identifiable = { $count } groupes de paramètres sont faiblement identifiables à partir de ces poses : { $groups } ; leurs incertitudes-types sont grandes, et leurs erreurs se compensent au voisinage de ces poses
 
 parameter-group = { $first } et { $second }
 
-separate-parameters = mesurer des poses dans lesquelles ces paramètres agissent différemment, ou imposer l’un d’eux
+separate-parameters = mesurer des poses dans lesquelles ces paramètres agissent différemment, ou fixer l’un d’eux
 
-too-many-positions = { $positions } positions ne peuvent pas être choisies parmi { $candidates } candidates
+too-many-positions = impossible de choisir { $positions } positions parmi { $candidates } candidates
     .expected = un nombre de 1 à { $candidates }
 
-start-pose-unknown = la pose { $pose } du départ n’est pas une candidate
+start-pose-unknown = la pose de départ { $pose } n’est pas une candidate
     .hint = utiliser des poses du tableau des candidates
 
-start-too-large = le départ a { $start } candidates, plus que les { $positions } positions à choisir
+start-too-large = le choix de départ compte { $start } candidates, plus que les { $positions } positions à choisir
     .hint = partir de moins de poses, ou en choisir plus
 
-study-too-few-positions = { $positions } positions ne déterminent pas tous les paramètres
+study-too-few-positions = { $positions } positions ne suffisent pas à déterminer tous les paramètres
     .hint = choisir plus de positions
 
 no-candidates = il n’y a pas de candidates
     .hint = vérifier le tableau des candidates
 
-candidates-unreachable = aucune candidate n’est à portée : pose { $pose } ({ $reason })
+candidates-unreachable = aucune candidate n’est à portée : pose { $pose } ({ $reason })
     .hint = vérifier les valeurs articulaires, leurs unités et les limites du robot
 
 candidates-left-out = { $count ->
         [one] { $count } candidate est hors de portée et n’est jamais choisie
        *[other] { $count } candidates sont hors de portée et ne sont jamais choisies
-    } : { $candidates }
+    } : { $candidates }
 
 candidate-violation = pose { $pose } ({ $reason })
 
@@ -188,51 +188,51 @@ at-geometric-step = { $step ->
         [lead-1] pas de l’actionneur 1
         [lead-2] pas de l’actionneur 2
         [lead-3] pas de l’actionneur 3
-        [base] repère de base
-        [mobile] repère mobile
+        [base] référentiel de la base
+        [mobile] référentiel mobile
         [shaft] arbre
        *[offsets] décalages
-    } : { $message }
+    } : { $message }
 
 geometric-step-alone = { $step ->
-        [shaft] l’arbre demande l’arc de la bille N
-       *[offsets] le déplacement de l’actionneur 1 demande l’arc de la bille N, la plate-forme tournée et l’arbre
+        [shaft] l’arbre nécessite l’arc de la bille N
+       *[offsets] le déplacement de l’actionneur 1 nécessite l’arc de la bille N, la plate-forme tournée et l’arbre
     }
-    .hint = mesurer les étapes qui manquent, ou omettre celle-ci
+    .hint = mesurer les étapes manquantes, ou omettre celle-ci
 
-geometry-incomplete = la géométrie complète demande l’arc de la bille N, la plate-forme tournée, l’arbre dans deux positions et un déplacement de l’actionneur 1
-    .expected = au moins une répétition de chacun
+geometry-incomplete = la géométrie complète nécessite l’arc de la bille N, la plate-forme tournée, l’arbre dans deux positions et un déplacement de l’actionneur 1
+    .expected = au moins une répétition de chaque étape
 
 ball-unmoved = { $ball ->
-        [R] la bille R n’a pas bougé pendant que l’actionneur 2 allait à son extrémité
-       *[K] la bille K a bougé de moins de 1 mm selon x pendant que l’actionneur 1 allait à son extrémité
+        [R] la bille R n’a pas bougé pendant que l’actionneur 2 allait en fin de course
+       *[K] la bille K a bougé de moins de 1 mm selon x pendant que l’actionneur 1 allait en fin de course
     }
-    .hint = mesurer de nouveau la bille { $ball } après avoir déplacé le seul actionneur { $actuator } jusqu’à son extrémité
+    .hint = mesurer de nouveau la bille { $ball } après avoir déplacé le seul actionneur { $actuator } jusqu’en fin de course
 
 lead-undetermined = ces positions ne déterminent pas le pas de l’actionneur
-    .expected = au moins trois lectures, à deux déplacements commandés ou plus
+    .expected = au moins trois lectures, pour deux déplacements commandés ou plus
 
-shaft-positions-parallel = les deux positions de l’arbre sont parallèles : leurs axes ne se coupent pas
-    .hint = déplacer entre elles le seul actionneur 2, jusqu’à son extrémité
+shaft-positions-parallel = les deux positions de l’arbre sont parallèles : leurs axes ne se coupent pas
+    .hint = entre les deux, déplacer le seul actionneur 2 jusqu’en fin de course
 
 points-undetermined = ces points ne déterminent pas l’élément ajusté
-    .hint = répartir les positions sur toute la course ou tout l’angle
+    .hint = répartir les positions sur toute la course ou sur tout l’angle de rotation
 
 slip-reversed = { $joint } inversé
 
-slip-exchanged = { $first } et { $second } échangés
+slip-exchanged = { $first } et { $second } intervertis
 
 slip-joint-order = les articulations { $order ->
         [reversed] dans l’ordre inverse
-        [left] décalées d’une place
-       *[right] décalées d’une place de l’autre côté
+        [left] décalées d’un rang
+       *[right] décalées d’un rang dans l’autre sens
     }
 
-slip-offset = { $degrees } deg ajoutés à { $joint }
+slip-offset = { $degrees } deg ajoutés à { $joint }
 
 slip-unit = { $quantity ->
         [all-joints] toutes les articulations
-        [joints-of-kind] toutes les articulations de ce genre
+        [joints-of-kind] toutes les articulations de ce type
         [points] les points mesurés
        *[other] { $quantity }
     } { $slip ->
@@ -245,24 +245,24 @@ slip-unit = { $quantity ->
     }
 
 slip-points = { $change ->
-        [mirrored] les points mesurés en miroir (un repère gauche, ou deux coordonnées échangées)
-        [exchanged] x et y des points mesurés échangés
+        [mirrored] les points mesurés en miroir (un référentiel indirect, ou deux coordonnées interverties)
+        [exchanged] x et y des points mesurés intervertis
         [x] x des points mesurés inversé
        *[y] y des points mesurés inversé
     }
 
-slip-targets = les cibles { $first } et { $second } échangées
+slip-targets = les cibles { $first } et { $second } interverties
 
-slip-neighbour = les articulations de chaque pose prises dans la { $neighbour ->
+slip-neighbour = les valeurs articulaires de chaque pose prises à la pose { $neighbour ->
         [previous] précédente
        *[next] suivante
     }
 
 slip-convention = { $convention }
 
-slip-world-frame = le repère monde tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
+slip-world-frame = le référentiel atelier tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
 
-slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } au lieu de { FIXED($nominal, 2) } { $unit }
+slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } au lieu de { FIXED($nominal, 2) } { $unit }
 
 with-slip = avec { $slip }{ $origin ->
         [none] {""}
@@ -272,8 +272,18 @@ with-slip = avec { $slip }{ $origin ->
 set-up-slip = { $first }{ $others ->
         [none] {""}
        *[other] {" "}(de même { $others })
-    }, une identification laisse { FIXED($changed_mm, 3) } mm (moyenne quadratique){ $stated ->
-        [unreachable] {" "}; sans cela, des poses sont hors de portée
+    }, l’identification donne un résidu de { FIXED($changed_mm, 3) } mm (moyenne quadratique){ $stated ->
+        [unreachable] {" "}; sans cela, des poses sont hors de portée
         [tolerances] {" "}et garde les paramètres dans leurs tolérances
-       *[residuals] {" "}au lieu de { FIXED($stated_mm, 3) } mm
-    } : le vérifier d’abord
+       *[residuals] {" "}au lieu de { FIXED($stated_mm, 3) } mm
+    } : le vérifier d’abord
+
+index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m paramètres, n configurations ; jacobienne en mm par mm, rad et 1
+index-o2 = O2 = smin / smax ; jacobienne en mm par mm, rad et 1
+index-o3 = O3 = smin ; jacobienne en mm par mm, rad et 1
+index-o4 = O4 = smin^2 / smax ; jacobienne en mm par mm, rad et 1
+index-o5 = O5 = 1 / (1/s1 + ... + 1/sm) ; jacobienne en mm par mm, rad et 1
+index-d = D = (s1...sm)^(1/m) ; jacobienne en mm par mm, rad et 1
+index-a = A = 1 / sqrt(tr((J’J)^-1)) ; colonnes de J divisées par leurs normes sur toutes les candidates
+index-e = E = smin ; colonnes de J divisées par leurs normes sur toutes les candidates
+index-i = I = 1 / moyenne quadratique de l’incertitude-type de position sur toutes les candidates, par mm de bruit

@@ -1,23 +1,30 @@
-### Textes des rapports ; les termes de l'ISO 9283 sont ceux de son édition française.
+### Textes des rapports ; les termes de l’ISO 9283 sont ceux de son édition française.
 
 accepted = accepté
 accuracy = Exactitude
-accuracy-at-pose = Plus grande exactitude de pose AP : { $accuracy } µm, à la pose { $pose }.
-accuracy-not-tested = La campagne n'a pas de positions commandées : l'exactitude de pose (AP) n'est pas évaluée.
+accuracy-at-pose = Plus grande valeur de l’exactitude de pose AP : { $accuracy } µm, à la pose { $pose }.
+accuracy-not-tested = La campagne n’a pas de positions commandées : l’exactitude de pose (AP) n’est pas évaluée.
 accuracy-of-position = Exactitude de positionnement
-accuracy-over-cycles = Exactitude de chaque pose au cours de l'essai.
+accuracy-over-cycles = Exactitude de pose de chaque pose au cours de l’essai.
+action-label = à faire :
 actual-lead = pas réel
 actuator = actionneur
 after = après
 after-named = { $name }, après
 against = en fonction de
-agree = concordent
-all-poses-conform = les { $count } poses sont toutes conformes
+agree = en accord
+all-poses-conform = { $count ->
+        [one] la seule pose est conforme
+       *[other] les { $count } poses sont toutes conformes
+    }
 all-tables = Tous les tableaux
 allowed = admissible
 along-path-in-mm = le long de la trajectoire (mm)
-amends-report = amende le rapport
-and-more = et { $count } autres
+amends-report = amendement au rapport
+and-more = et { $count ->
+        [one] { $count } autre
+       *[other] { $count } autres
+    }
 ap-by-set = AP par série
 approached = approchée
 approved-by = Approuvé par
@@ -25,27 +32,31 @@ arc = arc
 area = aire
 arrivals = arrivées
 arrivals-title = Arrivées
-arrows-common = Flèches agrandies { $factor } fois avant et après ; la plus longue : { $longest }.
-arrows-description = Une flèche par position mesurée : mesuré moins prédit, agrandie { $factor } fois.
-arrows-longest = Flèches agrandies { $factor } fois ; la plus longue : { $longest }.
+arrows-common = Flèches agrandies { $factor } fois, avant comme après ; la plus longue : { $longest }.
+arrows-description = Une flèche par position mesurée : position mesurée moins position prédite, agrandie { $factor } fois.
+arrows-longest = Flèches agrandies { $factor } fois ; la plus longue : { $longest }.
 at-of-angles = AT des angles (deg)
-at-position = { $value }, à { $position } mm
-at-rt-diamonds = Losanges : plus grandes valeurs de AT et de RT, avec leurs intervalles. Le maximum de nombreuses valeurs dispersées est biaisé vers le haut : RT peut dépasser l'intervalle valable pour une infinité de passages.
-at-tool-point = Au point de l'outil : { $count } poses
+at-position = { $value }, à { $position } mm
+at-rt-diamonds = Losanges : plus grandes valeurs de AT et de RT, avec leurs intervalles. Le maximum de nombreuses valeurs dispersées est biaisé vers le haut : RT peut dépasser l’intervalle valable pour une infinité de passages.
+at-tool-point = Au point de l’outil : { $count ->
+        [one] { $count } pose
+       *[other] { $count } poses
+    }
 authorised-by = autorisé par
 axis-x = x
 axis-y = y
 axis-z = z
 backlash = jeu
 ball = bille
-bar-too-uncertain = l'incertitude de la barre est trop grande (4:1 exigé)
+bar-too-uncertain = l’incertitude de la barre est trop grande (4:1 exigé)
 base-and-targets = base et cibles
-base-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la base de { $by } explique { $percent } % de l'écart ; les résidus restants sont plus grands que prévu
+base-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la base de { $by } explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
 base-moved = la base a bougé de { $by }
 base-rotation = rotation de la base
 base-shift = déplacement de la base
 batch-ends = { $pass } conformes, { $conditional } sous réserve, { $undecided } indécises, { $fail } non conformes, { $failed } non calculées, { $skipped } ignorées
 before = avant
+before-after-description = Erreurs avec les paramètres nominaux et après étalonnage, sur un même axe.
 before-named = { $name }, avant
 bending = flexion
 best-possible-choice = le meilleur choix possible
@@ -53,72 +64,89 @@ between-poses = entre les poses
 birge-ratio = Rapport de Birge
 bootstrap-resamples = Bootstrap : { $count } rééchantillonnages des poses et des cycles.
 both = les deux
-box-of-poses = La boîte englobe les poses ; ses arêtes sont parallèles aux axes.
+box-of-poses = La boîte englobe les poses ; ses arêtes sont parallèles aux axes.
 branch-and-bound-nodes = nœuds de séparation et évaluation
-budget-note = Contributions aux incertitudes-types (k = 1), dans l'unité de chaque ligne. La dernière colonne est la racine de la somme de leurs carrés. Les effets communs à plusieurs lectures sont traités comme corrélés.
-budget-of-errors-note = Incertitude de mesure des erreurs comparées aux limites : lectures, référentiels, base et cibles ajustées. Les paramètres identifiés sont l'objet de l'essai et n'y contribuent pas. Les limites sont jugées avec l'incertitude élargie, le double de ces valeurs (k = 2).
-budget-of-parameters = Bilan d'incertitude des paramètres
+budget-note = Contributions aux incertitudes-types (k = 1), dans l’unité de chaque ligne. La dernière colonne est la racine carrée de la somme de leurs carrés. Les effets communs à plusieurs lectures sont traités comme corrélés.
+budget-of-errors-note = Incertitude de mesure des erreurs comparées aux limites : lectures, référentiels, base et cibles telles qu’ajustées. Les paramètres identifiés sont l’objet de l’essai et n’y contribuent pas. Les limites sont jugées avec l’incertitude élargie, soit le double de ces valeurs (k = 2).
+budget-of-parameters = Bilan d’incertitude des paramètres
 budget-shares-description = Une barre par résultat : carrés des contributions, en pour cent de la variance.
-budget-shares-title = Parts des sources d'incertitude dans la variance
-by-approach = Par direction d'approche
+budget-shares-title = Parts des sources d’incertitude dans la variance
+bullet-accepted = acceptée
+bullet-beyond = au-delà de la limite
+bullet-description = Chaque valeur rapportée à sa limite, avec U (k = 2) ; la bande de garde a la largeur U.
+bullet-guard-band = bande de garde
+bullet-not-measured = non mesurée, limite { $limit } { $unit }
+bullet-value = valeur
+bullet-value-limit = { $value } { $unit }, limite { $limit } { $unit }
+bullet-value-limit-risk = { $value } { $unit }, limite { $limit } { $unit }, risque { $risk } %
+by-approach = Par direction d’approche
 bytes = octets
 calibration = étalonnage
-calibration-certificate = Certificat d'étalonnage
-calibration-certificate-draft = Projet de certificat d'étalonnage
+calibration-certificate = Certificat d’étalonnage
+calibration-certificate-draft = Projet de certificat d’étalonnage
 calibration-of-synthetic-data = Étalonnage sur données synthétiques, sans valeur de certificat
-calibration-report-of-model = Rapport d'étalonnage : { $model }
-calibration-report-of-robot = Rapport d'étalonnage du robot { $robot }
+calibration-report-of-model = Rapport d’étalonnage : { $model }
+calibration-report-of-robot = Rapport d’étalonnage du robot { $robot }
 campaign = campagne
-campaign-as-named = Campagne, dans l'ordre donné
+campaign-as-named = Campagne, dans l’ordre donné
 campaign-column = Campagne
-campaign-from = { $to } depuis { $from }
+campaign-from = { $to } par rapport à { $from }
 campaign-of-parameters = campagne des paramètres
-campaign-value = campagne { $campaign } : { $value } { $unit }
+campaign-value = campagne { $campaign } : { $value } { $unit }
 campaigns = Campagnes
-campaigns-in-order = { $count } campagnes, dans l'ordre donné
-campaigns-of-robot = { $count } campagnes du robot { $robot }, dans l'ordre donné
+campaigns-in-order = { $count } campagnes, dans l’ordre donné
+campaigns-of-robot = { $count } campagnes du robot { $robot }, dans l’ordre donné
 campaigns-of-robots = { $campaigns } campagnes de { $robots } robots
 campaigns-shown = { $shown } campagnes sur { $total }
-candidate-tooltip = pose { $pose }, { $configurations } configurations : x { $x }, y { $y } mm
+candidate-tooltip = pose { $pose }, { $configurations ->
+        [one] { $configurations } configuration
+       *[other] { $configurations } configurations
+    } : x { $x }, y { $y } mm
 candidates = candidates
 candidates-and-chosen-positions = Candidates et positions choisies
 candidates-and-configurations = { $candidates }, { $configurations } configurations
-candidates-chosen = { $chosen } candidates sur { $candidates } sont choisies. La taille d'une marque indique le nombre de configurations qui l'atteignent.
+candidates-chosen = { $chosen } candidates sur { $candidates } sont choisies. La taille d’une marque indique le nombre de configurations qui l’atteignent.
 cause-column = Cause
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
 change = écart
-change-by-u = écart/u
-change-over-u = écart sur u
+change-by-u = écart / u
+change-over-u = écart / u
+change-with-interval = changement ± U (k = 2)
 changed = a changé
 changed-below = déclaré changé au-dessous de { $significance }
 changes = Changements
+check-column = Contrôle
 checklist-clause = article
 checklist-field = champ
 checklist-key = clé
+checklist-keys = Clés et articles
 checklist-note = { $count ->
     [one] Un champ manque. Indiquez-le dans campaign.toml et relancez la campagne.
    *[other] { $count } champs manquent. Indiquez-les dans campaign.toml et relancez la campagne.
 }
 checklist-title = À compléter avant signature
-checks-of-the-model = Vérification du modèle
+checks-of-the-model = Vérifications du modèle
 chi-square = khi-deux
 choice = Choix
-choice-gap = au plus { $percent } % sous le meilleur choix possible
-choice-proven = Prouvé : aucun autre choix de { $chosen } parmi { $candidates } candidates n'a un { $index } plus grand
-choice-within-percent = { $index } est au plus { $percent } % sous le meilleur choix possible de { $chosen } parmi { $candidates } candidates
-choice-without-bound = Aucune borne n'est connue pour { $index } : un meilleur choix peut exister
+choice-gap = inférieur d’au plus { $percent } % au meilleur choix possible
+choice-proven = Prouvé : aucun autre choix de { $chosen } candidates parmi { $candidates } ne donne un { $index } plus grand
+choice-within-percent = { $index } est inférieur d’au plus { $percent } % au meilleur choix possible de { $chosen } candidates parmi { $candidates }
+choice-without-bound = Aucune borne n’est connue pour { $index } : un meilleur choix peut exister
 chosen = choisies
-chosen-candidate-tooltip = pose { $pose }, { $configurations } configurations, choisie : x { $x }, y { $y } mm
-chosen-candidates-marks = Marques vides : candidates ; marques pleines avec le numéro de leur pose : choisies.
+chosen-candidate-tooltip = pose { $pose }, { $configurations ->
+        [one] { $configurations } configuration
+       *[other] { $configurations } configurations
+    }, choisie : x { $x }, y { $y } mm
+chosen-candidates-marks = Marques vides : candidates ; marques pleines avec le numéro de leur pose : choisies.
 chosen-one-by-one = { $poses } poses, { $configurations } configurations, une à une
 chosen-poses = Poses choisies
-chosen-with-all-modes = { $poses } poses, { $configurations } configurations, tous les modes de travail d'une pose ensemble
+chosen-with-all-modes = { $poses } poses, { $configurations } configurations, tous les modes de travail d’une pose ensemble
 circle = cercle
 circle-x-y = cercle x, y
 colours = Couleurs
 command = commande
-commanded-away = position commandée, à { $distance } µm
-commanded-tooltip = position commandée : x { $x }, y { $y }, z { $z } µm depuis la moyenne
+commanded-away = position commandée, à { $distance } µm
+commanded-tooltip = position commandée : x { $x }, y { $y }, z { $z } µm depuis la moyenne
 compared-with = comparé à
 compliance = compliance
 condition = conditionnement
@@ -127,27 +155,71 @@ conditional = sous réserve
 conditions = Conditions
 configurations = configurations
 conforming = conforme
-conformity-by-rule = Selon l'{ $rule } : { $results }.
+conformity-by-rule = Selon l’{ $rule } : { $results }.
 confounded-with = confondu avec
 contact = contact
 contents = Sommaire
-controlled-by = contrôlé par
+controlled-by = contrôlée par
 controller = système de commande
 controller-files = Fichiers de commande
+convention-angles = les angles a, b, c sont rendus continus et traités séparément ; ordre des rotations : { $order }
+convention-angles-not-drift-compensated = la dérive des positions est corrigée par les cibles de référence, celle des angles ne l’est pas
+convention-angles-of-motion = les angles { $angles } sont suivis le long du mouvement et traités séparément
+convention-angles-of-unknown-order = les angles a, b, c sont rendus continus et traités séparément ; ordre des rotations : non indiqué
+convention-ap-interval = AP : intervalle de la différence, obtenu à partir des deux intervalles (MOVER, Zou & Donner 2008)
+convention-ap-rp = AP : moyenne moins position commandée ; RP : rayon moyen + 3 s, s avec n - 1 ; intervalles à 95 %, dispersion gaussienne
+convention-approach = approche : depuis la pose précédente de la trajectoire ; règle des 25 % avec U à k = { $k } ; positions dans le référentiel atelier ({ $frame })
+convention-at-rt = AT : intervalle de la différence, obtenu à partir des deux intervalles, comme pour AP ; RT : de même, à l’échelle logarithmique, autour des milieux des deux intervalles, qui représentent une infinité de passages ; selon le type de dispersion, les intervalles du bootstrap contiennent la valeur vraie dans 90 à 98 % des essais simulés de dix passages, et non dans 95 % de tous
+convention-birge = si le modèle ne convient pas, les intervalles des changements de paramètres sont élargis par le rapport de Birge de tous les paramètres du robot des deux campagnes, au moins 1, car les paramètres absorbent ce que le modèle omet aux poses mesurées
+convention-change-of-parameters = paramètres : changement divisé par la racine carrée de u1² + u2², selon la loi de Student avec les degrés de liberté de Welch si les incertitudes sont estimées à partir des résidus ; les deux campagnes sont supposées indépendantes
+convention-compared-with = chaque campagne est comparée à la première et à la précédente, dans l’ordre donné
+convention-compliance = compliance : déplacement suivant la force par unité de force, moindres carrés passant par la position sans charge
+convention-compliance-clause = l’article 10 n’a pas été comparé à un exemplaire acheté de la norme
+convention-different-instruments = les campagnes ont des instruments différents : une différence systématique entre eux, qu’aucune dispersion ne montre, apparaît comme un changement du robot
+convention-drift-compensated = la dérive des positions et des orientations est corrigée par les cibles de référence
+convention-f-test = paramètres dans leur ensemble : test F ; si les incertitudes sont estimées à partir des erreurs des poses, il est approché, et avec une ou deux coordonnées mesurées par pose, il indique trop de changements
+convention-first-robot = sur { $count } robots : tout se rapporte à `{ $robot }`, sauf l’interchangeabilité
+convention-guarded-acceptance = conformité : acceptation avec bande de garde (ISO 14253-1) et intervalle à 95 % : prouvée seulement si l’intervalle entier est d’un côté de la limite
+convention-intervals-instrument = les intervalles tiennent compte de l’échantillonnage et de l’incertitude élargie de l’instrument pour une coordonnée, { $uncertainty_um } µm (k = 2)
+convention-intervals-sampling = les intervalles ne tiennent compte que de l’échantillonnage : aucune incertitude de l’instrument n’est indiquée
+convention-limit-band = bande limite : { $band } mm autour de la moyenne de l’arrêt
+convention-mean-errors = erreurs moyennes : test t de Welch, autant d’erreurs que de poses ; si les deux campagnes ont mesuré les mêmes poses, il indique plutôt trop peu de changements que trop
+convention-mean-positions = positions moyennes : test t de Welch de chaque coordonnée, d’après la seule dispersion des positionnements : l’incertitude avec laquelle le référentiel a été retrouvé n’est pas comprise
+convention-motion-clauses = les articles 7.4, 7.5, 8, 9 et 11 n’ont pas été comparés à un exemplaire acheté de la norme
+convention-no-commanded-poses = pas de poses commandées : AP, distances et dérive ne sont pas déterminées
+convention-path = trajectoire : plans normaux en { $points } points commandés, milieux de parties égales ; pour chaque plan, la dernière traversée à moins de { $near } mm
+convention-path-corners = aucun plan à moins de { $near } mm d’un angle (au plus un quart de son côté) ; l’angle est évalué à part
+convention-path-intervals = AT et RT : intervalles par bootstrap paramétrique sur les passages, pour AT et RT d’une infinité de passages ; dans les essais simulés de dix passages, ils contiennent la valeur vraie dans 90 à 98 % des cas selon le type de dispersion
+convention-path-velocities = vitesses entre les plans dans les { $percent } % centraux de la trajectoire
+convention-planar = les positions commandées n’ont pas de z : toutes les caractéristiques, sauf la coplanarité, sont dans le plan xy
+convention-positions-drift-compensated = la dérive des positions est corrigée par les cibles de référence
+convention-readings-averaged = les lectures d’un positionnement sont moyennées ; leur dispersion est le bruit de l’instrument
+convention-rp-clause = RP suit le texte de la norme (7.2.2) ; les autres articles n’ont pas été comparés à un exemplaire acheté
+convention-rp-ratio = RP : test F du rapport, avec les degrés de liberté de l’intervalle en forme explicite (dispersion gaussienne)
+convention-set-up = les paramètres de la base et des cibles changent à chaque installation : un changement n’y vient pas forcément du robot
+convention-shared-instrument = toutes les campagnes ont le même instrument { $instrument } : ses erreurs constantes sont dans chaque valeur et s’annulent dans les changements, mieux connus que ne l’indique u si ces erreurs en font partie ; sa dérive entre les campagnes apparaît comme un changement du robot
+convention-shared-risk = conformité : risque partagé (JCGM 106:2012, 8.2.1) : décision si l’incertitude élargie est au plus le quart de la limite
+convention-significance = un changement est significatif si sa probabilité d’être dû au hasard, corrigée du nombre de grandeurs de sa famille dans une paire de campagnes, est inférieure à 5 % : pour les paramètres, d’après la loi du plus grand changement, avec leurs covariances (Westfall & Young 1993), pour les autres grandeurs, d’après Holm (1979) ; les intervalles sont à 95 %, non corrigés
+convention-simple-acceptance = conformité : acceptation simple (ILAC-G8:09/2019, 4.2.1)
+convention-standing = arrêt : à moins de { $radius } mm de la moyenne pendant { $duration } s ou plus ; une pose est atteinte à moins de { $near } mm ; sa position est la moyenne de la moitié centrale de l’arrêt
+convention-tables = règle des 25 % avec U à k = { $k } ; positions dans le référentiel des tableaux
+convention-times-as-stamped = instants : horodatage de l’enregistrement
+convention-times-by-rate = instants : échantillons à la fréquence indiquée de { $rate } Hz
 conventions = conventions
+conventions-and-drift = Conventions, dérive de l’enregistrement
 cooks-distance = distance de Cook
-cooks-distance-description = Une barre par pose du tableau ; les poses au-dessus de la ligne sont influentes.
-cooks-distance-note = Distance de Cook : variation des paramètres lorsque la pose est omise, rapportée à leur covariance. Une pose au-dessus de { $limit } est influente (médiane de F ; Cook 1977).
+cooks-distance-description = Une barre par pose du tableau ; les poses au-dessus de la ligne sont influentes.
+cooks-distance-note = Distance de Cook : variation des paramètres lorsque la pose est omise, rapportée à leur covariance. Une pose au-dessus de { $limit } est influente (médiane de F ; Cook 1977).
 cooks-distance-of-poses = Distance de Cook des poses
 cooks-distance-tooltip = pose { $pose } : distance de Cook { $distance }
 coordinate = coordonnée
-coordinate-uncertainty = { $uncertainty } mm (k = 1) par coordonnée
-coordinate-uncertainty-in-common = { $uncertainty } mm (k = 1) par coordonnée, indépendante pour chaque observation, et { $common } mm en commun à toutes les observations d'un point mesuré
+coordinate-uncertainty = { $uncertainty } mm (k = 1) par coordonnée
+coordinate-uncertainty-in-common = { $uncertainty } mm (k = 1) par coordonnée, indépendante pour chaque observation, et { $common } mm communs à toutes les observations d’un point mesuré
 coordinates = coordonnées
 coplanarity = Coplanéité
 coplanarity-of-pose = distance de la position moyenne au plan des trois autres
 copy = Copier
-corner = sommet
+corner = angle
 corners = sommets
 correlated-pairs = Corrélation de 0,9 ou plus : { $pairs }.
 correlated-pairs-strongest = { $count } paires ont une corrélation de 0,9 ou plus. Les plus fortes : { $pairs }.
@@ -156,65 +228,75 @@ correlation-description = Une case par paire : bleue pour une corrélation posi
 correlation-title = Corrélation des paramètres identifiés
 correlation-tooltip = { $first } et { $second } : { $correlation }
 count-at-poses = { $count } sur { $poses } poses
-count-of-set = { $count } points de { $set }
+count-of-set = { $count ->
+        [one] { $count } point
+       *[other] { $count } points
+    } ({ $set })
 coupling = couplage
-coverage-factor = facteur d'élargissement
+coverage-factor = facteur d’élargissement
 curve = courbe
-curve-caption = La meilleure position est ajoutée pas à pas, avec toutes ses configurations.
+curve-caption = À chaque pas, la meilleure position est ajoutée avec toutes ses configurations.
 curve-description = Cercles : indice, axe de gauche. Losanges : conditionnement, axe de droite.
 curve-point-tooltip = { $curve } : { $value } à { $at }
 curve-title = { $index } et conditionnement en fonction du nombre de positions
-curve-tooltip = { $positions } positions, { $configurations } configurations : { $index } { $value }, conditionnement { $condition }
+curve-tooltip = { $positions ->
+        [one] { $positions } position
+       *[other] { $positions } positions
+    }, { $configurations ->
+        [one] { $configurations } configuration
+       *[other] { $configurations } configurations
+    } : { $index } { $value }, conditionnement { $condition }
 customer = client
 cycle = cycle
 cycles = cycles
 cylinder = cylindre
 date = date
 date-column = Date
-date-of-issue = date d'émission
+date-not-stated = date : non indiquée
+date-of-issue = date d’émission
 date-of-receipt = date de réception
 decide-now = À décider maintenant
 decision-rule = règle de décision
-decision-rule-by-default = La campagne n'indique aucune règle de décision ; cette règle par défaut s'applique.
-decision-rule-explained = Règle de décision : { $rule } : { $explanation }.
+decision-rule-by-default = La campagne n’indique aucune règle de décision ; cette règle par défaut s’applique.
+decision-rule-explained = Règle de décision, { $rule } : { $explanation }.
 decision-rule-named = Règle de décision : { $rule }.
 definition = définition
-definition-ad-rd = AD : distance moyenne atteinte moins distance commandée ; RD : trois écarts-types de la distance atteinte (ISO 9283:1998, 7.3).
+definition-ad-rd = AD : distance moyenne atteinte moins distance commandée ; RD : trois écarts-types de la distance atteinte (ISO 9283:1998, 7.3).
 definition-ap = AP : distance entre la position moyenne atteinte et la position commandée, avec ses composantes (ISO 9283:1998, 7.2.1).
-definition-ap-rp-of-angles = AP : angle moyen atteint moins angle commandé ; RP : trois écarts-types ; évaluées pour chaque angle (ISO 9283:1998, 7.2.1 et 7.2.2).
+definition-ap-rp-of-angles = AP : angle moyen atteint moins angle commandé ; RP : trois écarts-types ; évaluées pour chaque angle (ISO 9283:1998, 7.2.1 et 7.2.2).
 definition-compliance = Déplacement suivant la force par unité de force : pente de la droite ajustée passant par la position sans charge (ISO 9283:1998, 10).
-definition-drift = dAP et dRP : dernière série moins première (ISO 9283:1998, 7.6).
+definition-drift = dAP et dRP : valeur de la dernière série moins valeur de la première (ISO 9283:1998, 7.6).
 definition-of-errors = définition des erreurs
-definition-posing-time = Temps entre le départ d'une pose et la fin de la stabilisation à la pose suivante (ISO 9283:1998, 9).
-definition-quarter-rule = ISO 9283 : l'incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée.
-definition-rp = RP : ISO 9283:1998, 7.2.2. En complément de la norme : RP sans le bruit de l'instrument (si les visites ont des lectures répétées), et l'ellipsoïde qui contient la position suivante avec une probabilité de 95 %.
-definition-stabilisation = Temps entre la première entrée dans la bande limite et l'instant à partir duquel le robot y reste (ISO 9283:1998, 7.4 et 7.5).
-definition-standstill-distance = Distance de la moyenne de chaque arrêt à celle du premier arrêt à la même pose. Une distance croissante indique une dérive, une distance constante la répétabilité.
+definition-posing-time = Temps entre le départ d’une pose et la fin de la stabilisation à la pose suivante (ISO 9283:1998, 9).
+definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée.
+definition-rp = RP : ISO 9283:1998, 7.2.2. En complément de la norme : RP sans le bruit de l’instrument (si chaque positionnement a plusieurs lectures), et l’ellipsoïde qui contient la position suivante avec une probabilité de 95 %.
+definition-stabilisation = Temps entre la première entrée dans la bande limite et l’instant à partir duquel le robot y reste (ISO 9283:1998, 7.4 et 7.5).
+definition-standstill-distance = Distance entre la moyenne de chaque arrêt et celle du premier arrêt à la même pose. Une distance croissante traduit une dérive, une distance constante la répétabilité.
 definition-target-displacement = Déplacement des cibles fixes depuis leur première mesure, et déplacement restant après correction des positions (hors norme).
-definition-vap = vAP : plus grande distance entre les positions moyennes de deux approches (ISO 9283:1998, 7.2.3).
+definition-vap = vAP : plus grande distance entre les positions moyennes de deux directions d’approche (ISO 9283:1998, 7.2.3).
 degrees-of-freedom = degrés de liberté
 detected-from = détecté à partir de
-detected-with-probability = Probabilité de détection : { $percent } %
+detected-with-probability = Probabilité de détection : { $percent } %
 deviation = écart
 deviation-along-path = Écart le long de la trajectoire
 deviation-of-the-mean-path = écart de la trajectoire moyenne
 deviations-from-the-method = écarts par rapport à la méthode
 difference = différence
-difference-over-u = différence sur u
-different-instruments = Instruments différents : { $instruments }. Leurs différences systématiques apparaissent comme des changements.
+difference-over-u = différence / u
+different-instruments = Instruments de mesure différents : { $instruments }. Leurs différences systématiques apparaissent comme des changements.
 different-models = Modèles différents : { $counts } paramètres ont été identifiés. Les paramètres fixés dans un modèle influent sur les autres.
 different-set-ups = Montages différents : { $differences }.
 differs = diffère
 direction = direction
 disagrees = en désaccord
-displacement-up-to = déplacement jusqu'à
+displacement-up-to = déplacement jusqu’à
 distance = distance
 distance-after-entry = Distance à la pose atteinte après la première entrée dans la bande limite : premières arrivées à chaque pose.
 distance-from-base-in-mm = distance à la base (mm)
 distance-from-the-base = distance à la base
 distances = distances
 distances-between-poses = Distances entre poses
-distances-max = distances, max
+distances-max = distances, max.
 distances-rms = distances, RMS
 distributions-of-errors = Distributions des erreurs aux poses de validation
 distributions-of-parameters = Distributions des paramètres
@@ -222,247 +304,276 @@ download-csv = Télécharger CSV
 download-svg = Télécharger SVG
 draft-mark = PROJET
 draws-agree = La propagation linéaire concorde avec { $draws } tirages de Monte-Carlo pour les { $parameters } paramètres.
-draws-differ = La propagation linéaire et { $draws } tirages de Monte-Carlo diffèrent pour { $differing } des { $parameters } paramètres (de plus d'une demi-unité du deuxième chiffre de l'incertitude-type).
-draws-of-stated = Les tirages couvrent les incertitudes déclarées, et non l'erreur du modèle.
-draws-too-few = Trop peu de tirages pour deux chiffres de chaque incertitude-type : en augmenter le nombre.
-draws-without-model-bootstrap = Les tirages ne couvrent que les incertitudes déclarées. Le bootstrap couvre aussi l'erreur du modèle.
-draws-without-model-both = Les tirages ne couvrent que les incertitudes déclarées. Les incertitudes-types du rapport et le bootstrap couvrent aussi l'erreur du modèle.
-draws-without-model-report = Les tirages ne couvrent que les incertitudes déclarées. Les incertitudes-types du rapport couvrent aussi l'erreur du modèle.
+draws-differ = La propagation linéaire et { $draws } tirages de Monte-Carlo diffèrent pour { $differing } des { $parameters } paramètres (de plus d’une demi-unité du deuxième chiffre de l’incertitude-type).
+draws-of-stated = Les tirages couvrent les incertitudes indiquées, et non l’erreur du modèle.
+draws-too-few = Trop peu de tirages pour assurer deux chiffres significatifs de chaque incertitude-type : en augmenter le nombre.
+draws-without-model-bootstrap = Les tirages ne couvrent que les incertitudes indiquées. Le bootstrap couvre aussi l’erreur du modèle.
+draws-without-model-both = Les tirages ne couvrent que les incertitudes indiquées. Les incertitudes-types du rapport et le bootstrap couvrent aussi l’erreur du modèle.
+draws-without-model-report = Les tirages ne couvrent que les incertitudes indiquées. Les incertitudes-types du rapport couvrent aussi l’erreur du modèle.
 drift = Dérive
-drift-title = Dérive de l'exactitude et de la répétabilité de pose
+drift-title = Dérive de l’exactitude et de la répétabilité de pose
 effect = effet
-effective-parameters = Paramètres effectifs et non physiques : { $names }. Les résidus dépassent l'incertitude de l'instrument, et l'incertitude de ces valeurs provient surtout de l'erreur du modèle. Elles décrivent les poses mesurées, mais peuvent différer des dimensions du robot.
-effects-cross-validated = Effets : validation croisée à { $folds } plis sur { $poses } poses, répétitions : { $repeats }
+effect-at-worst-pose = déplacement à la pose la plus sensible ({ $unit })
+effect-tooltip = { $name } : { $value } ± { $half } { $unit } à la pose { $pose }
+effective-parameters = Paramètres effectifs et non physiques : { $names }. Les résidus dépassent l’incertitude de l’instrument, et l’incertitude de ces valeurs provient surtout de l’erreur du modèle. Elles décrivent les poses mesurées, mais peuvent différer des dimensions du robot.
+effects-cross-validated = Effets : validation croisée à { $folds } blocs sur { $poses } poses, répétitions : { $repeats }
+effects-description = Déplacement du point mesuré que chaque paramètre déplace le plus, pour la différence entre valeur identifiée et valeur nominale ; tous les autres paramètres inchangés. { $count } paramètres sur { $total }.
+effects-of-all = Effets de tous les paramètres
+effects-section = Paramètres selon leur effet
+effects-title = Effets des paramètres
 ellipsoid-semi-axes = ellipsoïde, demi-axes
 enclosing-sphere-radius = sphère englobante, rayon
 end-of-report = Fin du rapport
 environment = environnement
 error = erreur
-error-at-poses = { $quantity } sur { $count } poses ({ $set }) : { $before } → { $after } { $unit }.
-error-axis-linear = L'axe des erreurs est linéaire : la plus grande erreur avant vaut au plus { $factor } fois la médiane après.
-error-axis-logarithmic = L'axe des erreurs est logarithmique : la plus grande erreur avant dépasse { $factor } fois la médiane après.
-error-definition = erreur : { $error } ; { $values } ; statistiques : sur les normes, chaque répétition comptée
-error-in = erreur { $quantity } ({ $unit })
-error-left-out = erreur RMS aux poses omises : { $nominal } mm avec les paramètres nominaux, { $all } mm avec tous les paramètres, { $recommended } mm avec les paramètres recommandés
-error-map-description = Marques aux positions mesurées : couleur et taille de 0 à { $top }, même échelle avant et après ; erreur maximale { $largest }.
-error-map-own-scale = Marques aux positions mesurées : couleur et taille de 0 à { $top }, échelle propre à cette figure ; erreur maximale { $largest }.
-error-of-platform = pose mesurée du centre C de la plate-forme (d'après les billes) moins la pose prédite à partir des valeurs articulaires ; positions : C dans le référentiel de la base
-error-of-targets = position mesurée moins position prédite de chaque cible, prédite à partir des valeurs articulaires ; orientation : rotation entre les cibles mesurées et prédites ; positions : cibles dans le référentiel atelier
+error-at-poses = { $quantity } sur { $count ->
+        [one] { $count } pose
+       *[other] { $count } poses
+    } ({ $set }) : { $before } → { $after } { $unit }.
+error-axis-linear = L’axe des erreurs est linéaire : la plus grande erreur avant étalonnage vaut au plus { $factor } fois la médiane après étalonnage.
+error-axis-logarithmic = L’axe des erreurs est logarithmique : la plus grande erreur avant étalonnage dépasse { $factor } fois la médiane après étalonnage.
+error-definition = erreur : { $error } ; { $values } ; statistiques sur les normes, chaque répétition étant comptée
+error-in = erreur selon { $quantity } ({ $unit })
+error-in-unit = erreur ({ $unit })
+error-left-out = erreur RMS aux poses omises : { $nominal } mm avec les paramètres nominaux, { $all } mm avec tous les paramètres, { $recommended } mm avec les paramètres recommandés
+error-map-description = Marques aux positions mesurées : couleur et taille de 0 à { $top }, même échelle avant et après ; erreur maximale { $largest }.
+error-map-own-scale = Marques aux positions mesurées : couleur et taille de 0 à { $top }, échelle propre à cette figure ; erreur maximale { $largest }.
+error-of-platform = pose mesurée du centre C de la plate-forme (d’après les billes) moins la pose prédite à partir des valeurs articulaires ; positions : C dans le référentiel de la base
+error-of-targets = position mesurée moins position prédite de chaque cible, d’après les valeurs articulaires ; orientation : rotation entre les cibles mesurées et prédites ; positions : cibles dans le référentiel atelier
 error-of-tool = erreur : position vraie de { $point } dans le référentiel de la base moins la position calculée par le système de commande
 error-sizes-after = Distribution des erreurs de position après étalonnage
 error-sizes-before = Distribution des erreurs de position avant étalonnage
 error-tooltip = pose { $pose }, cycle { $cycle }, { $target } ({ $set }) : { $before } avant, { $after } après
-error-vectors-after = Vecteurs d'erreur après étalonnage, plan { $plane }
-error-vectors-before = Vecteurs d'erreur avant étalonnage, plan { $plane }
+error-vectors-after = Vecteurs d’erreur après étalonnage, plan { $plane }
+error-vectors-before = Vecteurs d’erreur avant étalonnage, plan { $plane }
 errors = erreurs
-errors-against-description = Une marque par erreur : cercles pour les poses d'étalonnage, losanges pour les poses de validation.
-errors-before-after = Erreurs avant → après étalonnage, poses de { $set } :
-errors-before-after-of = Erreurs ({ $point }) avant → après étalonnage, poses de { $set } :
+errors-against-description = Une marque par erreur : cercles pour les poses d’étalonnage, losanges pour les poses de validation.
+errors-before-after = Erreurs avant → après étalonnage (poses : { $set }) :
+errors-before-after-of = Erreurs ({ $point }) avant → après étalonnage (poses : { $set }) :
 errors-before-and-after = Erreurs avant et après
 errors-below-axis = { $count ->
-    [one] 1 erreur plus petite est tracée au bord inférieur.
-   *[other] { $count } erreurs plus petites sont tracées au bord inférieur.
+    [one] 1 erreur plus petite est tracée sur le bord inférieur.
+   *[other] { $count } erreurs plus petites sont tracées sur le bord inférieur.
 }
 errors-by-number-of-positions = Erreurs de position en fonction du nombre de positions
-errors-by-pose-linear = Une marque par pose, cycle et cible ; axe linéaire ({ $unit }).
-errors-by-pose-logarithmic = Une marque par pose, cycle et cible ; axe logarithmique ({ $unit }).
-errors-hold-among = Ces valeurs s'appliquent à la région mesurée : la distance d'une pose de validation à la pose d'étalonnage la plus proche vaut { $ratio } fois l'espacement des poses d'étalonnage (médiane ; maximum { $largest } fois). Poses de validation avec une articulation hors de sa plage d'étalonnage : { $outside } sur { $total }.
-errors-not-drawn = { $count } erreurs de position ou de valeur non finie ne sont pas tracées.
+errors-by-pose-linear = Une marque par pose, cycle et cible ; axe linéaire ({ $unit }).
+errors-by-pose-logarithmic = Une marque par pose, cycle et cible ; axe logarithmique ({ $unit }).
+errors-by-set-and-pose = Erreurs par ensemble et par pose
+errors-hold-among = Ces valeurs s’appliquent à la région mesurée : la distance d’une pose de validation à la pose d’étalonnage la plus proche vaut { $ratio } fois l’espacement des poses d’étalonnage (médiane ; maximum { $largest } fois). Poses de validation avec une articulation hors de sa plage d’étalonnage : { $outside } sur { $total }.
+errors-not-drawn = { $count ->
+        [one] { $count } erreur dont la position ou la valeur n’est pas finie n’est pas tracée.
+       *[other] { $count } erreurs dont la position ou la valeur n’est pas finie ne sont pas tracées.
+    }
 errors-of-each-pose = Erreurs par pose
-errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées : la plus grande erreur de chaque pose après étalonnage, pour toutes les poses de validation qui tiennent sur la figure et un choix régulier de poses d'étalonnage.
+errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées : la plus grande erreur de chaque pose après étalonnage, pour toutes les poses de validation qui tiennent sur la figure et pour une sélection régulière des poses d’étalonnage.
+errors-overlaid-description = Proportions de { $count } points ({ $set }) ; axe logarithmique.
+errors-overlaid-title = Erreurs de position avant et après
+errors-that-do-not-decide = Autres erreurs
+example-label = exemple :
 exchangeability = Interchangeabilité
-exchangeability-between-robots = Interchangeabilité E = { $distance } µm : plus grande distance entre les positions moyennes de deux robots à une même pose (ISO 9283:1998, 7.7).
+exchangeability-between-robots = Interchangeabilité E = { $distance } µm : plus grande distance entre les positions moyennes de deux robots à une même pose (ISO 9283:1998, 7.7).
 expected = attendu
-expected-from-the-points = attendu d'après les points
+expected-from-the-points = attendu d’après les points
 expected-label = attendu :
 expected-value = { $value }, attendu { $expected }
+expired = échu
 explained = expliqué
+explanations-of-messages = Explications de ces messages
 export = export
 fail = non conforme
 features = Éléments géométriques
 figure = résultat
+figure-of-set = { $quantity }, { $figure } ({ $set })
 figures-of-measurement-point = Toutes les valeurs se rapportent au point de mesure : { $point }.
 file = fichier
 filter = Filtre
 filter-rows = Filtrer les lignes
+first-cycle = premier cycle
 fit = ajustement
 fit-and-observability = Ajustement et observabilité
 fits = Ajustements
 fixed-in-the-world = Éléments fixes dans le référentiel atelier
 folder = dossier
-folds-over-u = plis sur u
-force-up-to = force jusqu'à
+folds-over-u = écart-type entre blocs / u
+force-up-to = force jusqu’à
 formats = formats
 formats-without-all-parameters = Ces formats ne peuvent pas contenir tous les paramètres identifiés. Leurs fichiers contiennent une seconde identification, les autres paramètres étant fixés à leurs valeurs nominales. Erreurs de position : RMS et maximum.
-formula-sources = repères et identification : moindres carrés pondérés (A. Joubair, thèse, ÉTS Montréal 2012, chapitres 1 à 4) ; caractéristiques : ISO 9283:1998 ; incertitudes : JCGM 100:2008, JCGM 101:2008
+formula-sources = référentiels et identification : moindres carrés pondérés (A. Joubair, thèse, ÉTS Montréal 2012, chapitres 1 à 4) ; caractéristiques : ISO 9283:1998 ; incertitudes : JCGM 100:2008, JCGM 101:2008
 frame-as-exported = les coordonnées des exports sont dans le référentiel atelier
-frame-from-plane = plan xy : élément `{ $plane }` ; origine : `{ $origin }` ; axe { $axis } : de `{ $from }` vers `{ $to }` ; autre axe vers `{ $towards }`
-frame-from-targets = meilleur ajustement des cibles { $targets } : origine à la première cible, axe x vers la deuxième, troisième dans le plan xy
-frame-from-targets-each = meilleur ajustement des cibles { $targets }, remesurées à chaque pose : origine à la première cible, axe x vers la deuxième, troisième dans le plan xy
-frames-and-features = Référentiels et éléments
+frame-from-plane = plan xy : élément `{ $plane }` ; origine : `{ $origin }` ; axe { $axis } : de `{ $from }` vers `{ $to }` ; autre axe vers `{ $towards }`
+frame-from-targets = ajustement aux cibles { $targets } : origine à la première cible, axe x vers la deuxième, la troisième dans le plan xy
+frame-from-targets-each = ajustement aux cibles { $targets }, mesurées de nouveau à chaque pose : origine à la première cible, axe x vers la deuxième, la troisième dans le plan xy
+frames-and-features = Référentiels et éléments géométriques
 frames-of-poses = référentiels des poses
 from = de
 from-cycle-on = à partir du cycle
 from-in-unit = de ({ $unit })
 from-pose = de la pose
 from-pose-named = depuis la pose { $pose }
-from-residuals = d'après les résidus (traités comme indépendants)
-from-residuals-by-pose = d'après les résidus, regroupés par pose
-from-residuals-by-region = d'après les résidus, regroupés par région de l'espace de travail
-from-the-instrument = d'après l'instrument
-further-rows = { $count ->
-    [one] { $last } et 1 autre ligne
-   *[other] { $last } et { $count } autres lignes
-}
-gain-over-u = gain sur u
+from-residuals = d’après les résidus (traités comme indépendants)
+from-residuals-by-pose = d’après les résidus, regroupés par pose
+from-residuals-by-region = d’après les résidus, regroupés par région de l’espace de travail
+from-the-instrument = d’après l’instrument
+gain-over-u = gain / u
 gains = gains
 geometric = géométrique
-geometric-definition = thèse, chapitre 2 : chaque grandeur est ajustée sur des points mesurés à cet effet, sans optimisation du modèle du robot ; gamma, beta et epsilon_theta sont pris nuls ; d3 est corrigé des pas des actionneurs 2 et 3. Incertitudes : d'après les points, propagées à travers tous les ajustements et référentiels ; d'après les résidus là où leur dispersion dépasse l'incertitude déclarée de l'instrument. Erreurs : moyennes de pose mesurée moins prédite, nominale et géométrique, dans le référentiel de la base déterminé géométriquement
-geometric-u-note = u (k = 1) comprend l'incertitude du référentiel de la base. Elle est commune à toutes les répétitions ; leur écart-type ne la contient donc pas.
+geometric-definition = thèse, chapitre 2 : chaque grandeur est ajustée à des points mesurés à cet effet, sans optimisation du modèle du robot ; gamma, beta et epsilon_theta sont mis à zéro ; d3 est corrigé des pas des actionneurs 2 et 3. Incertitudes : d’après les points, propagées à travers tous les ajustements et référentiels ; d’après les résidus là où leur dispersion dépasse l’incertitude indiquée de l’instrument. Erreurs : moyennes de la pose mesurée moins la pose prédite, nominale et géométrique, dans le référentiel de la base déterminé géométriquement
+geometric-u-note = u (k = 1) comprend l’incertitude du référentiel de la base. Elle est commune à toutes les répétitions ; leur écart-type ne la contient donc pas.
 geometry = géométrie
 geometry-alone = Géométrie seule
 geometry-alone-title = Mesures par la géométrie seule
-geometry-beside-identification = Géométrie seule, à côté de l'identification
-geometry-improvement = La plus grande erreur moyenne de position passe de { $nominal } mm à { $geometric } mm par la géométrie seule : un facteur { $improvement }.
+geometry-beside-identification = Géométrie seule, comparée à l’identification
+geometry-improvement = La plus grande erreur moyenne de position passe de { $nominal } mm à { $geometric } mm par la géométrie seule : un facteur { $improvement }.
 guarded-acceptance = acceptation avec bande de garde (ISO 14253-1)
-guarded-acceptance-explained = conforme si la valeur augmentée de son incertitude élargie U respecte la limite ; non conforme si la valeur diminuée de U la dépasse ; sinon indécidé
+guarded-acceptance-explained = conforme si la valeur augmentée de son incertitude élargie U respecte la limite ; non conforme si la valeur diminuée de U la dépasse ; sinon indécidé
 harmonics = harmoniques
 harmonics-of-the-transmissions = harmoniques des transmissions
 held = fixé
 held-by-the-campaign = fixé par la campagne
 held-not-identifiable = fixé : non identifiable séparément
-held-singular-values = Losanges : les { $count } plus petites valeurs singulières avec tous les paramètres ; autant de paramètres sont fixés. Les directions sur la ligne ({ $cut } fois la plus grande) ou au-dessous sont inobservables ; les directions juste au-dessus sont à peine observables.
+held-singular-values = Losanges : les { $count } plus petites valeurs singulières avec tous les paramètres ; autant de paramètres sont fixés. Les directions sur la ligne ({ $cut } fois la plus grande valeur) ou au-dessous sont inobservables ; les directions juste au-dessus sont à peine observables.
 hint-label = conseil :
 histogram-description = Part des points de chaque ensemble par pas de { $step }.
 histogram-shares = Part de chaque ensemble par pas de { $step } : { $totals }.
-histogram-tooltip = { $from } à { $to } { $unit } : { $points } points de { $set }, { $percent } %
+histogram-tooltip = { $from } à { $to } { $unit } : { $points ->
+        [one] { $points } point
+       *[other] { $points } points
+    } ({ $set }), { $percent } %
 how-changes-are-judged = Règle de décision pour les changements
 how-many-and-where = Nombre et emplacements des positions
-identification-against-geometry = L'identification de tous les paramètres de la même campagne donne { $identified } mm ; la géométrie seule laisse { $ratio } fois plus.
-identification-ended = L'identification a échoué : { $reason }.
+identification-against-geometry = L’identification de tous les paramètres à partir de la même campagne donne { $identified } mm ; avec la géométrie seule, l’erreur est { $ratio } fois plus grande.
+identification-ended = L’identification a échoué : { $reason }.
 identified = identifié
-identified-max = identifié, max
+identified-max = identifié, max.
 identified-minus-geometric = identifié − géométrique
 identified-minus-nominal = identifié moins nominal
 identified-minus-nominal-in = identifié moins nominal ({ $unit })
 identified-minus-true = identifié − vrai
 identified-minus-true-in = identifié moins vrai ({ $unit })
 identified-rms = identifié, RMS
-identify-each = à identifier : { $effects } ; chaque effet réduit les erreurs aux poses omises
+identify-each = à identifier : { $effects } ; chaque effet réduit les erreurs aux poses omises
 identify-nothing = aucun effet ne réduit les erreurs aux poses omises : ne rien charger
-identify-together = à identifier : { $effects } ; ensemble, ces effets réduisent les erreurs aux poses omises
+identify-together = à identifier : { $effects } ; ensemble, ces effets réduisent les erreurs aux poses omises
 import = Importation
-in-space = dans l'espace
+in-space = dans l’espace
 index = indice
 index-value-of-poses = { $index } = { $value }, poses { $poses }
 influential = influent
 instrument = instrument de mesure
-instrument-calibration = étalonnage de l'instrument
-instrument-expanded-uncertainty = incertitude élargie de l'instrument
-instrument-good-enough = Aptitude de l'instrument
-instrument-good-for-all = Apte : l'incertitude de mesure ne dépasse 25 % de AP et RP à aucune pose.
-instrument-good-for-none = L'incertitude de mesure dépasse 25 % de AP ou RP à toutes les poses : les valeurs sont des bornes supérieures pour le robot.
-instrument-good-for-some = L'incertitude de mesure dépasse 25 % de AP ou RP à ces poses, où les valeurs sont des bornes supérieures pour le robot : { $poor }. Instrument apte aux poses : { $good }.
-instrument-uncertainty = incertitude de l'instrument
-instrument-uncertainty-of-position = U = { $uncertainty } µm pour une position
-instrument-uncertainty-with-k = U = { $uncertainty } µm par coordonnée (k = { $k })
-instrument-uncertainty-without-k = U = { $uncertainty } µm par coordonnée (facteur d'élargissement non indiqué)
-interval-95 = intervalle à 95 %
-intervals-caption = Identifié moins nominal. Le trait à travers une marque vaut ± 2u, souvent plus étroit que la marque. Valeurs : voir le tableau ci-dessus.
-intervals-description = Une marque par paramètre identifié : identifié moins nominal ; trait : ± 2u.
-intervals-of-95 = Intervalles à 95 %.
+instrument-calibration = étalonnage de l’instrument
+instrument-expanded-uncertainty = incertitude de mesure élargie de l’instrument
+instrument-good-enough = Aptitude de l’instrument
+instrument-good-for-all = Apte : à aucune pose l’incertitude de mesure ne dépasse 25 % de AP ni de RP.
+instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses : les valeurs sont des majorants pour le robot.
+instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses suivantes, où les valeurs sont des majorants pour le robot : { $poor }. Instrument apte aux poses : { $good }.
+instrument-uncertainty = incertitude de l’instrument
+instrument-uncertainty-of-position = U = { $uncertainty } µm pour une position
+instrument-uncertainty-with-k = U = { $uncertainty } µm par coordonnée (k = { $k })
+instrument-uncertainty-without-k = U = { $uncertainty } µm par coordonnée (facteur d’élargissement non indiqué)
+interval-95 = intervalle à 95 %
+intervals-caption = Identifié moins nominal. Le trait qui traverse une marque représente ± 2u, et est souvent plus court que la marque. Valeurs : voir le tableau ci-dessus.
+intervals-description = Une marque par paramètre identifié : identifié moins nominal ; trait : ± 2u.
+intervals-of-95 = Intervalles à 95 %.
 intervals-of-ratios-title = { $group } : écart des rapports, ± 2u
 intervals-title = { $group } : écart ({ $unit }), ± 2u
 iso9283-characteristics = Résultats : caractéristiques de performance (ISO 9283)
-iso9283-report = Rapport d'essai selon l'ISO 9283
+iso9283-report = Rapport d’essai selon l’ISO 9283
 item-customer-traceability = Objet, client, traçabilité
-joint-motion-explains-most = les paramètres ne sont plus valables : un décalage du zéro de l'articulation { $joint } de { $by } explique { $percent } % de l'écart ; les résidus restants sont plus grands que prévu
-joint-zero-moved = le zéro de l'articulation { $joint } s'est décalé de { $by }
+joint-motion-explains-most = les paramètres ne sont plus valables : un décalage du zéro de l’articulation { $joint } de { $by } explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
+joint-zero-moved = le zéro de l’articulation { $joint } s’est décalé de { $by }
 joints = articulations
-kind = genre
+kind = type
 knee-at = coude : { $count }
-knee-caption = Coude : point de la courbe le plus éloigné au-dessus de la droite de sa première à sa dernière valeur.
+knee-caption = Coude : point de la courbe le plus éloigné au-dessus de la droite qui joint sa première et sa dernière valeur.
 known-points = points connus
 laboratory = laboratoire
-lack-of-fit = Dispersion des répétitions : { $repeats } µm par coordonnée ({ $degrees_of_freedom } degrés de liberté). Erreur du modèle au-delà : { $model } µm par pose (test F d'inadéquation : { $probability }).
-largest = plus grande
+lack-of-fit = Dispersion des répétitions : { $repeats } µm par coordonnée ({ $degrees_of_freedom } degrés de liberté). Erreur du modèle au-delà de cette dispersion : { $model } µm par pose (test F de défaut d’ajustement : { $probability }).
+largest = plus grande contribution
 largest-distance = plus grande distance
 largest-error = plus grande erreur
 largest-errors-drawn = La plus grande erreur est tracée à chacune des { $places } positions (sur { $total } erreurs).
-largest-errors-of-poses = Erreurs par pose, les plus grandes d'abord
+largest-errors-of-poses = Erreurs par pose, les plus grandes d’abord
 largest-mean-deviation-from-linear = plus grand écart moyen de linéarité
 largest-of-all-modes = la plus grande de tous les modes de travail
-largest-residual-of-a-coordinate = plus grand résidu d'une coordonnée
+largest-residual-of-a-coordinate = plus grand résidu d’une coordonnée
+last-cycle = dernier cycle
 leads = Pas de vis
-left = reste
-left-out-rms = exclus, RMS
-left-rms = reste, RMS
+left = restant
+left-out-rms = poses omises, RMS
+left-rms = restant, RMS
 length = longueur
 limit = limite
-limit-accuracy-max = plus grande exactitude de pose AP
-limit-band-value = La bande limite est de { $value } µm.
+limit-accuracy-max = plus grande valeur de l’exactitude de pose AP
+limit-band-value = La bande limite est de { $value } µm.
 limit-contact-max = distance maximale à un logement
 limit-coordinate-max = erreur de coordonnée maximale
 limit-distance-max = erreur de distance maximale
-limit-exceeded-sentence = Limite de { $limit } µm dépassée.
-limit-kept-sentence = Limite de { $limit } µm respectée.
-limit-margin = marge { $margin } { $unit }, risque de fausse acceptation { $risk } %
-limit-margin-without-uncertainty = marge { $margin } { $unit }, incertitude inconnue
+limit-exceeded-sentence = Limite de { $limit } µm dépassée.
+limit-kept-sentence = Limite de { $limit } µm respectée.
+limit-margin = marge { $margin } { $unit }, risque de fausse acceptation { $risk } %
+limit-margin-without-uncertainty = marge { $margin } { $unit }, incertitude inconnue
 limit-met-sentence = La limite de la campagne est respectée.
-limit-not-met-sentence = La limite de la campagne n'est pas respectée.
-limit-of = limite : { $quantity } { $value } { $unit }
-limit-orientation-max = erreur d'orientation maximale
+limit-not-met-sentence = La limite de la campagne n’est pas respectée.
+limit-of = limite : { $quantity } { $value } { $unit }
+limit-orientation-max = erreur d’orientation maximale
 limit-position-max = erreur de position maximale
 limit-position-mean = erreur de position moyenne
 limit-position-rms = erreur de position, RMS
-limit-repeatability-max = plus grande répétabilité de pose RP
+limit-repeatability-max = plus grande valeur de la répétabilité de pose RP
 limit-surface-max = distance maximale à une surface
-limited-error = { $quantity } sur { $count } poses ({ $set }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
+limited-error = { $quantity } sur { $count ->
+        [one] { $count } pose
+       *[other] { $count } poses
+    } ({ $set }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
 limits = Limites
-limits-all-met = Les { $count } limites de la campagne sont toutes respectées.
+limits-all-met = { $count ->
+        [one] La limite de la campagne est respectée.
+       *[other] Les { $count } limites de la campagne sont toutes respectées.
+    }
 limits-both-met = Les deux limites de la campagne sont respectées.
 limits-not-assessable = Non évaluable (grandeur non mesurée) : { $limits }.
 limits-not-met = { $count ->
-    [one] 1 des { $total } limites de la campagne n'est pas respectée.
+    [one] 1 des { $total } limites de la campagne n’est pas respectée.
    *[other] { $count } des { $total } limites de la campagne ne sont pas respectées.
 }
-limits-undecided = Indécidé (limite dans l'intervalle d'incertitude) : { $limits }.
+limits-undecided = Indécidé (limite à l’intérieur de l’incertitude) : { $limits }.
 line = ligne
 line-number = ligne { $line }
 load = charge
-load-centre = centre de la charge, depuis l'interface mécanique
+load-centre = centre de la charge, depuis l’interface mécanique
 load-proven = { $count ->
-    [one] charger { $load } de 1 paramètre : son écart au nominal est significatif
-   *[other] charger { $load } de { $count } paramètres : leur écart au nominal est significatif, seul ou ensemble
+    [one] charger { $load } paramètre sur { $count } : son écart à la valeur nominale est significatif
+   *[other] charger { $load } paramètres sur { $count } : leurs écarts aux valeurs nominales sont significatifs, séparément ou ensemble
 }
-load-sentence = Charge : { $load } kg.
+load-sentence = Charge : { $load } kg.
 load-stable = { $count ->
-    [one] charger { $load } de 1 paramètre (tous les paramètres stables) : les paramètres à écart significatif laissent à eux seuls de plus grandes erreurs
-   *[other] charger { $load } de { $count } paramètres (tous les paramètres stables) : les paramètres à écart significatif laissent à eux seuls de plus grandes erreurs
+    [one] charger { $load } paramètre sur { $count } (tous les paramètres stables) : les paramètres à écart significatif donnent à eux seuls de plus grandes erreurs
+   *[other] charger { $load } paramètres sur { $count } (tous les paramètres stables) : les paramètres à écart significatif donnent à eux seuls de plus grandes erreurs
 }
 log = journal
 logo-of-the-laboratory = Logo du laboratoire
 manufacturer = fabricant
 margin = marge
-max = max
-max-after = max après
-max-before = max avant
-max-of = { $quantity }, max
+max = max.
+max-after = max. après
+max-before = max. avant
+max-of = { $quantity }, max.
 mean = moyenne
 mean-distance-from-mean = distance moyenne à la position moyenne
 mean-error = erreur moyenne
-mean-error-of = Erreur moyenne : { $quantity }, poses de { $set }, { $when }
+mean-error-named = Erreur moyenne : { $name }
+mean-error-of-set = { $quantity }, { $when } (poses : { $set })
 mean-from-overall-mean = distance de sa moyenne à la moyenne générale (µm)
 mean-of = { $quantity }, moyenne
 mean-of-attained-positions = Moyenne des positions atteintes.
 mean-of-axis = moyenne { $axis }
 mean-of-identifications = Moyenne de { $runs } identifications. Valeurs : voir le tableau ci-dessus.
-mean-plus-3s = moyenne + 3 s
-mean-plus-3s-of-distance = moyenne + 3 s de la distance à la position moyenne (µm)
+mean-plus-3s = moyenne + 3 s
+mean-plus-3s-of-distance = moyenne + 3 s de la distance à la position moyenne (µm)
 mean-positions = Positions moyennes
 mean-positions-changed = Les positions moyennes ont changé : à cause du robot ou de la détermination de son référentiel.
-mean-radius-plus-3s = rayon moyen + 3 s des passages
-mean-tooltip = moyenne { $approach } : x { $x }, y { $y }, z { $z } µm
+mean-radius-plus-3s = rayon moyen + 3 s des passages
+mean-tooltip = moyenne { $approach } : x { $x }, y { $y }, z { $z } µm
 meaning-and-sign = signification et signe
 meanings-title = Signification des paramètres
 measured = mesuré
@@ -473,9 +584,12 @@ measurement-point = point de mesure
 met = respectée
 method = méthode
 method-identification = identification des paramètres cinématiques ({ $model }) par moindres carrés
-method-iso9283 = essai de performance selon l'ISO 9283:1998
-method-iterations = { $method }, { $iterations } itérations ;
-minimum-posing-time = Temps minimal de mise en position
+method-iso9283 = essai de performance selon l’ISO 9283:1998
+method-iterations = { $method }, { $iterations ->
+        [one] { $iterations } itération
+       *[other] { $iterations } itérations
+    } ;
+minimum-posing-time = Temps minimal de positionnement
 mode-count = { $count ->
     [one] 1 mode
    *[other] { $count } modes
@@ -490,10 +604,10 @@ model-leaves-residuals = Les résidus valent { $ratio } fois { $uncertainty } :
 model-of-the-robot = modèle du robot
 model-prexyt = table PreXYT
 model-serial = bras série
-model-urdf = bras d'un fichier URDF
+model-urdf = bras décrit par un fichier URDF
 more-in-annex = { $count ->
-    [one] 1 autre message : voir l'annexe.
-   *[other] { $count } autres messages : voir l'annexe.
+    [one] 1 autre message : voir l’annexe.
+   *[other] { $count } autres messages : voir l’annexe.
 }
 more-warnings-and-remarks = Autres avertissements et remarques
 more-without-picture = { $count ->
@@ -506,19 +620,23 @@ moved = déplacement
 movement = déplacement
 movement-of-the-set-up = Déplacement du montage
 moves = déplacements
+multiples-description = Plan xy autour du barycentre, toutes les poses à la même échelle (demi-largeur { $half } µm). { $count } poses sur { $total }.
+multiples-title = Positionnements aux poses
 name = nom
 name-date-signature = nom, date, signature
-named-from = nommé à partir de
-naming-probability = Probabilité que l'articulation déplacée soit identifiée : { $percent } %.
+named-from = attribuée à partir de
+naming-probability = Probabilité que l’articulation déplacée soit identifiée : { $percent } %.
 needed = nécessaire
+next-step = prochaine étape { $number }
+next-steps = Prochaines étapes
 no = non
-no-certificate-stated = aucun certificat n'est indiqué
-no-correlated-pairs = Aucune paire n'a une corrélation de 0,9 ou plus.
+no-certificate-stated = aucun certificat n’est indiqué
+no-correlated-pairs = Aucune paire n’a une corrélation de 0,9 ou plus.
 no-error-to-draw = Aucune erreur à tracer.
 no-errors-are-given = Le document ne contient aucune erreur.
 no-messages = Aucun.
 no-noise-stated = aucun bruit indiqué
-no-quantity-changed = Changements significatifs : 0 des { $total } grandeurs du robot.
+no-quantity-changed = Changements significatifs : 0 grandeur du robot sur { $total }.
 no-significant-change = pas de changement significatif
 no-significant-change-sentence = Pas de changement significatif.
 no-trend-pictures = Erreurs en fonction des valeurs articulaires et de la distance : aucune tendance significative
@@ -526,7 +644,7 @@ no-uncertainty-is-known = incertitude inconnue
 noise = bruit
 nominal = nominal
 nominal-lead = pas nominal
-nominal-max = nominal, max
+nominal-max = nominal, max.
 nominal-minus-identified = nominal moins identifié
 nominal-rms = nominal, RMS
 nominal-values = valeurs nominales
@@ -540,41 +658,41 @@ not-conforming = non conforme
 not-controlled-by-the-data = Erreurs que les données ne peuvent pas déceler
 not-detectable = non décelable
 not-identifiable = non identifiable
-not-judged-by-misfit = non jugé : le modèle ne convient pas
+not-judged-by-misfit = non jugée : le modèle ne convient pas
 not-known = inconnu
 not-met = non respectée
 not-run = non calculée
 not-stated = non indiqué
 not-stated-items = Non indiqué : { $items }.
 notes = remarques
-nothing-held = Aucun paramètre n'est fixé : chaque colonne est au-delà du seuil de rang { $cut } de l'espace engendré par les autres.
+nothing-held = Aucun paramètre n’est fixé : la distance de chaque colonne à l’espace engendré par les autres dépasse le seuil de rang { $cut }.
 nothing-to-verify = rien à vérifier
 number = numéro
 numbers-of-arrows = Valeurs des { $count } flèches
 numbers-of-the-curve = Valeurs de la courbe
 numbers-of-this-picture = Valeurs de cette figure
 observability = Observabilité
-observability-scaling = O1 à O5 : jacobienne non pondérée (mm par mm, rad et 1) ; conditionnement : colonnes normées
-observability-scaling-eliminated = O1 à O5 : jacobienne non pondérée (mm par mm, rad et 1) ; conditionnement : colonnes normées ; { $parameters } paramètres, après élimination des { $coordinates } coordonnées de points inconnus
+observability-scaling = O1 à O5 : jacobienne non pondérée (mm par mm, rad et 1) ; conditionnement : colonnes ramenées à la norme 1
+observability-scaling-eliminated = O1 à O5 : jacobienne non pondérée (mm par mm, rad et 1) ; conditionnement : colonnes ramenées à la norme 1 ; { $parameters } paramètres, après élimination des { $coordinates } coordonnées des points inconnus
 observations = observations
 off-the-line = écart à la droite
-one-after-the-other = l'une après l'autre
+one-after-the-other = l’une après l’autre
 one-scale = même échelle
 operator = opérateur
 order-of-the-measurement = ordre de mesure
 orientation = orientation
-orientation-after-max = orientation après, max
-orientation-before-max = orientation avant, max
-orientation-error-by-pose = Erreur d'orientation par pose, avant et après étalonnage
-orientation-error-in = erreur d'orientation ({ $unit })
-orientation-max = orientation, max
+orientation-after-max = orientation après, max.
+orientation-before-max = orientation avant, max.
+orientation-error-by-pose = Erreur d’orientation par pose, avant et après étalonnage
+orientation-error-in = erreur d’orientation ({ $unit })
+orientation-max = orientation, max.
 orientation-title = Orientation
 origin-in-the-exports = origine dans les exports
 other-planes = Autres plans
-outliers-note = Nombres en couleur : valeurs aberrantes (z modifié supérieur à 3,5 ; Iglewicz et Hoaglin, 1993). Référence : les campagnes du même robot, ou de robots du même type s'il en a moins de huit.
+outliers-note = Nombres en couleur : valeurs aberrantes (z modifié supérieur à 3,5 ; Iglewicz et Hoaglin, 1993). Référence : les campagnes du même robot ou, s’il en a moins de huit, celles de robots du même type.
 outliers-then-largest-errors = Erreurs par pose : valeurs aberrantes, puis les plus grandes
 overshoot = dépassement
-overshoot-co = dépassement CO
+overshoot-co = dépassement d’angle CO
 own-scale-of-each = échelles individuelles
 p-of-family = p de la famille
 p-value = valeur p
@@ -586,8 +704,8 @@ parameter-named = Paramètre { $name }
 parameters = paramètres
 parameters-implausible = Ces paramètres ne sont pas plausibles pour le robot : ne pas les charger.
 parameters-left-out = paramètres omis
-parameters-no-longer-valid = les paramètres ne sont plus valables ; aucun mouvement de la base, d'une seule articulation ou d'une seule cible n'explique l'écart
-parameters-note = u : incertitude-type (k = 1) ; U = 2u : incertitude élargie. Les valeurs sont arrondies au deuxième chiffre de u. « Avant » : seules la base et les cibles sont ajustées. Écart : identifié moins nominal.
+parameters-no-longer-valid = les paramètres ne sont plus valables ; aucun mouvement de la base, d’une seule articulation ou d’une seule cible n’explique l’écart
+parameters-note = u : incertitude-type (k = 1) ; U = 2u : incertitude élargie. Les valeurs sont arrondies au deuxième chiffre de u. « Avant » : seules la base et les cibles sont ajustées. Écart : valeur identifiée moins valeur nominale.
 parameters-of-robot = Paramètres du robot
 parameters-of-set-up = Paramètres de la base et des cibles
 parameters-still-valid = les paramètres sont encore valables pour ces poses
@@ -595,56 +713,68 @@ parameters-title = Paramètres
 pass = conforme
 path = trajectoire
 path-accuracy-at = exactitude de trajectoire AT
-path-accuracy-at-reorientation = exactitude de trajectoire AT lors d'une réorientation
+path-accuracy-at-reorientation = exactitude de trajectoire AT lors d’une réorientation
 path-accuracy-title = Exactitude de trajectoire AT
-path-passes = { $length } mm, { $passes } passages
-path-passes-incomplete = { $length } mm, { $passes } passages, { $incomplete } incomplets
+path-passes = { $length } mm, { $passes ->
+        [one] { $passes } passage
+       *[other] { $passes } passages
+    }
+path-passes-incomplete = { $length } mm, { $passes ->
+        [one] { $passes } passage
+       *[other] { $passes } passages
+    }, { $incomplete ->
+        [one] { $incomplete } incomplet
+       *[other] { $incomplete } incomplets
+    }
 path-repeatability-rt = répétabilité de trajectoire RT
 path-repeatability-title = Répétabilité de trajectoire RT
 path-velocity = vitesse de trajectoire
-percent-of-rated = { $percent } % de la vitesse assignée
-permissible = admissible
-permissible-over-certificate = admissible / incertitude du certificat
-picture-marks = Cercles : poses d'étalonnage ; losanges : poses de validation. À l'écran, pointer une marque pour lire sa pose, son cycle, sa cible et son erreur. Valeurs : voir le tableau par pose et sous les figures.
+percent-of-rated = { $percent } % de la vitesse assignée
+permissible = erreur maximale tolérée
+permissible-over-certificate = erreur maximale tolérée / incertitude du certificat
+picture-marks = Cercles : poses d’étalonnage ; losanges : poses de validation. À l’écran, pointer une marque pour lire sa pose, son cycle, sa cible et son erreur. Valeurs : voir le tableau par pose et les tableaux sous les figures.
 pictures = Figures
 pictures-of-thesis = Figures (thèse, figures 4.8 et 4.9)
 place-of-the-base = Position de la base
 placed-by-validation-poses = localisé par les poses de validation
 places-of-the-targets = Positions des cibles
-plan-better-than = poses { $poses } : { $value } (le plan est meilleur de { $percent } %)
-plan-for-model = Plan d'étalonnage : { $model }
+plan-better-than = poses { $poses } : { $value } (le plan est meilleur de { $percent } %)
+plan-for-model = Plan d’étalonnage : { $model }
 plane = plan
 plane-named = plan { $plane }
-platform-as-measured = centre de la plate-forme (d'après les billes)
+platform-as-measured = centre de la plate-forme (d’après les billes)
 platform-centre = centre C de la plate-forme
 platform-in-base = centre C de la plate-forme dans le référentiel de la base
 point = point
-point-error-in-common = l'erreur de l'instrument en un point est commune à toutes les observations de ce point
-point-in-flange = le point { $point } mm dans le référentiel de la bride
-point-in-platform = le point { $point } mm dans le référentiel de la plate-forme
-point-in-targets = le point { $point } mm dans le référentiel des cibles
+point-error-in-common = l’erreur de l’instrument en un point est commune à toutes les observations de ce point
+point-in-flange = le point { $point } mm dans le référentiel de la bride
+point-in-platform = le point { $point } mm dans le référentiel de la plate-forme
+point-in-targets = le point { $point } mm dans le référentiel des cibles
 points = points
-points-drawn = { $drawn } points sur { $total } sont tracés : un choix régulier qui comprend le plus grand.
+points-drawn = { $drawn } points sur { $total } sont tracés : une sélection régulière, valeur maximale comprise.
 points-of = { $set }, points
 pose = pose
 pose-accuracy-ap = Exactitude de pose AP
-pose-and-visit = pose { $pose }, visite { $visit }
+pose-and-visit = pose { $pose }, positionnement { $visit }
 pose-conforms = la pose { $pose } est conforme
 pose-coordinates = { $count } coordonnées de pose (mm et rad)
 pose-named = pose { $pose }
 pose-repeatability-rp = Répétabilité de pose RP
-pose-tooltip = pose { $pose } : x { $x }, y { $y }, z { $z } mm
+pose-tooltip = pose { $pose } : x { $x }, y { $y }, z { $z } mm
 poses-and-cycles = poses et cycles
-poses-and-visits = { $poses } poses, { $visits } visites chacune
+poses-and-visits = { $poses } poses, { $visits ->
+        [one] { $visits } positionnement
+       *[other] { $visits } positionnements
+    } par pose
 poses-conform = { $count ->
     [one] 1 pose sur { $total } est conforme
    *[other] { $count } poses sur { $total } sont conformes
 }
 poses-not-conforming = { $count ->
-    [one] la pose { $poses } n'est pas conforme
+    [one] la pose { $poses } n’est pas conforme
    *[other] les poses { $poses } ne sont pas conformes
 }
-poses-of-the-test = Poses de l'essai
+poses-of-the-test = Poses de l’essai
 poses-that-decide = Poses décisives
 poses-title = Poses
 poses-to-measure = Poses à mesurer
@@ -654,41 +784,43 @@ poses-undecided = { $count ->
     [one] la pose { $poses } est indécidée
    *[other] les poses { $poses } sont indécidées
 }
-posing-time = temps de mise en position
+posing-time = temps de positionnement
 position = position
-position-after-max = position après, max
-position-before-max = position avant, max
+position-after-max = position après, max.
+position-before-max = position avant, max.
 position-error-after = Erreur de position après étalonnage, { $plane }
 position-error-against = Erreur de position après étalonnage en fonction de : { $quantity }
 position-error-before = Erreur de position avant étalonnage, { $plane }
 position-error-by-pose = Erreur de position par pose, avant et après étalonnage
 position-error-in = erreur de position ({ $unit })
-position-max = position, max
-position-residuals-explained = Résidus de position : RMS { $rms } { $unit } ; attendu d'après l'instrument et les référentiels : { $expected } { $unit }.
+position-error-log = erreur de position ({ $unit }), logarithmique
+position-max = position, max.
+position-residuals-explained = Résidus de position : RMS { $rms } { $unit } ; attendu d’après l’instrument et les référentiels : { $expected } { $unit }.
 position-residuals-rms = résidus de position, RMS
 position-rms = position, RMS
 positions = positions
 preconditions-column = Conditions préalables
-predicted-target-uncertainty = incertitude prédite des positions des cibles sur les candidates (k = 1)
+predicted-target-uncertainty = incertitude prédite des positions des cibles aux poses candidates (k = 1)
 predicted-u = u prédite (k = 1)
-predicted-uncertainty-title = Incertitude prévue des paramètres
-prediction-behind = Là où des cellules se superposent, la plus grande est tracée.
-prediction-description = Une cellule tous les { $spacing } mm dans le référentiel de la base, dans la région des poses d'étalonnage. Couleur de 0 à { $colour }, même échelle pour les deux figures ; plus grande valeur { $largest }.
-prediction-difference-title = Point de l'outil : modèle nominal moins modèle identifié, plan { $plane }
-prediction-expected-title = Point de l'outil : erreur attendue avec les paramètres identifiés, plan { $plane }
-prediction-map-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d'après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l'erreur du modèle au-delà de l'incertitude de l'instrument et la position du point sur l'outil ; p95_mm : limite supérieure de 95 % des erreurs à un nœud, pour des erreurs de loi normale (Box 1954)
-prediction-own-scale = Une cellule tous les { $spacing } mm dans le référentiel de la base, dans la région des poses d'étalonnage. Couleur de 0 à { $colour }, échelle propre à cette figure ; plus grande valeur { $largest }.
-prediction-tooltip = x { $x }, y { $y }, z { $z } mm : nominal moins identifié { $difference } ; attendue { $expected } (k = 1), 95 % dans { $largest }
+predicted-uncertainty-title = Incertitude prédite des paramètres
+prediction-behind = Là où des cellules se superposent, celle de plus grande valeur est tracée.
+prediction-description = Une cellule tous les { $spacing } mm dans le référentiel de la base, dans la région des poses d’étalonnage. Couleur de 0 à { $colour }, même échelle pour les deux figures ; plus grande valeur { $largest }.
+prediction-difference-title = Point de l’outil : modèle nominal moins modèle identifié, plan { $plane }
+prediction-expected-title = Point de l’outil : erreur attendue avec les paramètres identifiés, plan { $plane }
+prediction-map-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d’après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l’erreur du modèle au-delà de l’incertitude de l’instrument et la position du point sur l’outil ; p95_mm : limite supérieure de 95 % des erreurs à un nœud, pour des erreurs de loi normale (Box 1954)
+prediction-own-scale = Une cellule tous les { $spacing } mm dans le référentiel de la base, dans la région des poses d’étalonnage. Couleur de 0 à { $colour }, échelle propre à cette figure ; plus grande valeur { $largest }.
+prediction-tooltip = x { $x }, y { $y }, z { $z } mm : nominal moins identifié { $difference } ; erreur attendue { $expected } (k = 1), à 95 % inférieure à { $largest }
 probability-by-chance = valeur p
-probability-of-errors = Probabilité d'erreurs aussi grandes, compte tenu de l'incertitude des paramètres et de la mesure : { $probability }.
+probability-of-errors = Probabilité d’erreurs aussi grandes, compte tenu de l’incertitude des paramètres et de la mesure : { $probability }.
 projected-into-xy = projetées dans le plan xy
 proven-effects = Effets confirmés aux poses omises
 provenance = Provenance
-quantiles-description = Résidus triés en fonction des quantiles d'une loi normale ; droite : bruit de loi normale.
-quantities-changed = Changements significatifs : { $changed } des { $total } grandeurs du robot : { $names }.
+quantiles-description = Résidus triés en fonction des quantiles d’une loi normale ; droite : bruit de loi normale.
+quantities-changed = Changements significatifs : { $changed } grandeurs du robot sur { $total } : { $names }.
 quantity = grandeur
+quantity-at = { $quantity }, { $place }
 quantity-in-unit = { $quantity } ({ $unit })
-quarter-rule = règle des 25 %
+quarter-rule = règle des 25 %
 radius = rayon
 range = { $from } à { $to }
 rank = rang
@@ -697,8 +829,14 @@ ratio = rapport
 reached = atteint
 read-as = lu comme
 readings = lectures
-readings-not-judged = { $target } ({ $readings } lectures, redondance { $redundancy } : non jugé)
-readings-redundancy = { $target } ({ $readings } lectures, redondance { $redundancy })
+readings-not-judged = { $target } ({ $readings ->
+        [one] { $readings } lecture
+       *[other] { $readings } lectures
+    }, redondance { $redundancy } : non jugée)
+readings-redundancy = { $target } ({ $readings ->
+        [one] { $readings } lecture
+       *[other] { $readings } lectures
+    }, redondance { $redundancy })
 reason = raison
 recommendation-title = Recommandation des paramètres à charger
 recorded = enregistré
@@ -707,24 +845,24 @@ reference-targets = Cibles de référence
 refused = rejetées
 refused-rows = { $refused } lignes sur { $total } rejetées
 region-of-c = région de C, dans le référentiel de la base
-region-of-orientation = orientation de { $orientation } deg
-region-of-orientations = toute orientation de { $from } à { $to } deg
+region-of-orientation = orientation de { $orientation } deg
+region-of-orientations = toute orientation de { $from } à { $to } deg
 relative-humidity = humidité relative
 relaxation-alone = relaxation seule
-reliability-note = Fiabilité (Baarda 1968 ; niveau de signification { $significance } %, puissance { $power } %). Plus petite erreur décelable d'une coordonnée : médiane { $median }, lecture la plus défavorable { $largest } ; redondance minimale { $redundancy }. Lectures à résidu supérieur à { $factor } écarts-types : { $beyond } sur { $readings }.
+reliability-note = Fiabilité (Baarda 1968 ; niveau de signification { $significance } %, puissance { $power } %). Plus petite erreur décelable d’une coordonnée : médiane { $median }, lecture la plus défavorable { $largest } ; redondance minimale { $redundancy }. Lectures dont le résidu dépasse { $factor } écarts-types : { $beyond } sur { $readings }.
 repeatability = répétabilité
-repeatability-at-pose = Plus grande répétabilité de pose RP : { $repeatability } µm, à la pose { $pose }.
-repeatability-from-one-approach = Répétabilité pour une seule approche à la pose { $pose } ({ $approaches } approches) : { $smallest } à { $largest } µm ; toutes les approches ensemble : { $together } µm.
-repeatability-over-cycles = Répétabilité de chaque pose au cours de l'essai.
+repeatability-at-pose = Plus grande valeur de la répétabilité de pose RP : { $repeatability } µm, à la pose { $pose }.
+repeatability-from-one-approach = Répétabilité pour une seule direction d’approche à la pose { $pose } ({ $approaches } directions) : { $smallest } à { $largest } µm ; toutes les directions ensemble : { $together } µm.
+repeatability-over-cycles = Répétabilité de pose de chaque pose au cours de l’essai.
 repeatability-report = Rapport de répétabilité de pose
 repeatability-title = Répétabilité
 repeats = répétitions
 report = rapport
 report-element = élément
-report-homing = prise d'origine
+report-homing = prise d’origine
 report-number = numéro du rapport
 report-poses = poses
-reservation-drift = AP a varié de { $change } µm au plus pendant l'essai et ne s'est pas stabilisée { $count ->
+reservation-drift = AP a varié de { $change } µm au plus pendant l’essai et ne s’est pas stabilisée { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, 7.6)
@@ -732,82 +870,100 @@ reservation-few-cycles = moins de { $required } cycles { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     }
-reservation-file-hardly-better = le fichier de commande pour { $formats } n'apporte pas d'amélioration notable par rapport aux paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
-reservation-file-not-written = au moins un fichier de commande n'a pas été écrit (voir les messages)
-reservation-hardly-better = les paramètres identifiés ne sont guère meilleurs que les paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
-reservation-instrument-too-coarse = l'incertitude de mesure dépasse 25 % de AP ou RP { $count ->
+reservation-file-hardly-better = le fichier de commande pour { $formats } n’apporte pas d’amélioration notable par rapport aux paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
+reservation-file-not-written = au moins un fichier de commande n’a pas été écrit (voir les messages)
+reservation-hardly-better = les paramètres identifiés ne sont guère meilleurs que les paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
+reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de AP ou de RP { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, article 6)
-reservation-no-warm-up = le robot n'a pas été mis en température avant l'essai
+reservation-no-warm-up = le robot n’a pas été mis en température avant l’essai
 reservations = Réserves : { $reasons }.
-residual-over = résidu sur σ
+residual-over = résidu / σ
 residuals = résidus
-residuals-against-normal = Résidus des poses d'étalonnage en regard d'une loi normale
+residuals-against-normal = Résidus des poses d’étalonnage comparés à une loi normale
 residuals-by-pose = Résidus par pose après étalonnage
 residuals-by-pose-description = Une marque par pose, cycle, cible et axe.
-residuals-max = résidus, max
-residuals-pattern = Des résidus qui suivent un motif ne sont pas du bruit : le modèle est incomplet.
+residuals-max = résidus, max.
+residuals-pattern = Des résidus structurés ne sont pas du bruit : le modèle est incomplet.
 residuals-rms = résidus, RMS
-residuals-summary = { $count } résidus, moyenne { $mean }, écart-type { $deviation } ; droite : bruit seul.
+residuals-summary = { $count } résidus, moyenne { $mean }, écart-type { $deviation } ; droite : bruit seul.
 residuals-title = Résidus
 results-before-and-after = Résultats : erreurs avant et après
 results-of-external-providers = résultats de prestataires externes
-results-relate-to-item = Ces résultats ne se rapportent qu'à l'objet soumis à l'essai.
+results-relate-to-item = Ces résultats ne se rapportent qu’à l’objet soumis à l’essai.
 rigid-parts = pièces rigides
 risk = risque
 rms = RMS
 rms-after = RMS après
-rms-and-largest = RMS { $rms } µm, maximum { $largest } µm
-rms-and-max = RMS et max
+rms-and-largest = RMS { $rms } µm, maximum { $largest } µm
+rms-and-max = RMS et max.
 rms-and-max-values = { $rms } et { $max }
 rms-before = RMS avant
-rms-expected = { $value } mm, attendu { $expected } mm
+rms-expected = { $value } mm, attendu { $expected } mm
 rms-of = { $quantity }, RMS
 rms-ratio = rapport des RMS
-rms-with-it = RMS avec l'effet
-rms-without-it = RMS sans l'effet
+rms-with-it = RMS avec l’effet
+rms-without-it = RMS sans l’effet
 robot = robot
-robot-changed-as-a-whole = Les paramètres du robot ont changé significativement dans leur ensemble ; aucune grandeur seule n'a changé significativement.
+robot-changed-as-a-whole = Les paramètres du robot ont changé significativement dans leur ensemble ; aucune grandeur seule n’a changé significativement.
 robot-changed-together = Campagne { $to } par rapport à { $from } : les { $parameters } paramètres du robot ont changé significativement dans leur ensemble (F = { $f } avec { $parameters } et { $degrees_of_freedom } degrés de liberté, { $probability }).
 robot-column = Robot
 robot-instrument-conditions = Robot, instrument, conditions
 robot-of-model = Robot : { $model }
-robot-unchanged-together = Campagne { $to } par rapport à { $from } : les { $parameters } paramètres du robot n'ont pas changé significativement dans leur ensemble (F = { $f } avec { $parameters } et { $degrees_of_freedom } degrés de liberté, { $probability }).
+robot-unchanged-together = Campagne { $to } par rapport à { $from } : les { $parameters } paramètres du robot n’ont pas changé significativement dans leur ensemble (F = { $f } avec { $parameters } et { $degrees_of_freedom } degrés de liberté, { $probability }).
 robust = robuste
 robust-fit = Ajustement robuste
-robust-fit-agrees = L'ajustement robuste concorde avec l'ajustement par moindres carrés. Plus grande différence : { $parameter }, { $difference } incertitudes-types de la différence (attendu par hasard : { $chance }).
-robust-fit-difference = L'ajustement robuste diffère de l'ajustement par moindres carrés. Plus grande différence : { $parameter }, { $difference } incertitudes-types de la différence (attendu par hasard : { $chance }).
-robust-fit-note = Les lectures éloignées des autres ont un faible poids (perte de Cauchy, c = { $c } σ avec σ = { $sigma } µm ; Holland & Welsch 1977). Différence : valeur robuste moins valeur des moindres carrés. Son incertitude-type est la plus grande de deux estimations : d'après des résidus de loi normale et d'après la dispersion des poses. Le tableau donne les paramètres aux plus grandes différences.
-robust-fit-poses = Poses à résidu supérieur à { $factor } σ, incohérentes avec les autres : { $poses }.
-round-off-cr = erreur d'arrondi CR
+robust-fit-agrees = L’ajustement robuste concorde avec l’ajustement par moindres carrés. Plus grande différence : { $parameter }, { $difference } incertitudes-types de la différence (attendu par hasard : { $chance }).
+robust-fit-difference = L’ajustement robuste diffère de l’ajustement par moindres carrés. Plus grande différence : { $parameter }, { $difference } incertitudes-types de la différence (attendu par hasard : { $chance }).
+robust-fit-note = Les lectures éloignées des autres ont un faible poids (fonction de perte de Cauchy, c = { $c } σ avec σ = { $sigma } µm ; Holland & Welsch 1977). Différence : valeur robuste moins valeur des moindres carrés. Son incertitude-type est la plus grande de deux estimations : l’une suppose des résidus de loi normale, l’autre s’appuie sur la dispersion des poses. Le tableau donne les paramètres dont les différences sont les plus grandes.
+robust-fit-poses = Poses dont un résidu dépasse { $factor } σ, incompatibles avec les autres : { $poses }.
+round-off-cr = arrondi d’angle CR
 routine-remarks = Remarques de routine
 rows = lignes
-rows-in-frame = { $count } lignes : faire défiler dans le tableau.
-rows-in-workbook = { $count } lignes de plus : voir le classeur.
+rows-in-frame = { $count } lignes : faire défiler à l’intérieur du tableau.
+rows-in-workbook = { $count ->
+        [one] { $count } autre ligne
+       *[other] { $count } autres lignes
+    } : voir le classeur.
 rp-by-set = RP par série
+rp-circle = rayon RP
+rp-circle-tooltip = pose { $pose } : RP = { $rp } µm
 rp-without-noise = RP sans le bruit
 rt-of-angles = RT des angles (deg)
-rule-not-stated = { $rule } (par défaut ; la campagne n'indique aucune règle)
-samples-in-seconds = { $samples } échantillons en { $seconds } s
+rule-not-stated = { $rule } (par défaut ; la campagne n’indique aucune règle)
+samples-in-seconds = { $samples } échantillons en { $seconds } s
 scale = échelle
 scale-bars = Barres étalons
-scaling-label = Mise à l'échelle :
+scaling-label = Mise à l’échelle :
 seed = graine
 serial-number = numéro de série
 set = ensemble
 set-of-cycles = série de cycles
-set-summary = { $set } : { $poses } poses, { $errors } erreurs
-set-summary-of = { $set } : { $poses } poses, { $errors } erreurs ({ $point })
-set-up-changes = Base et cibles : { $changed } des { $total } grandeurs ont changé (attendu à chaque nouveau montage).
+set-summary = { $set } : { $poses ->
+        [one] { $poses } pose
+       *[other] { $poses } poses
+    }, { $errors ->
+        [one] { $errors } erreur
+       *[other] { $errors } erreurs
+    }
+set-summary-of = { $set } : { $poses ->
+        [one] { $poses } pose
+       *[other] { $poses } poses
+    }, { $errors ->
+        [one] { $errors } erreur
+       *[other] { $errors } erreurs
+    } ({ $point })
+set-up-changes = Base et cibles : { $changed } grandeurs sur { $total } ont changé (attendu à chaque nouveau montage).
 set-up-parameter-named = Paramètre { $name } (base ou cible)
 sets = séries
 settled-after-set = stabilisé après la série
 severity-error = erreur
 severity-warning = avertissement
-share-of-set = part de l'ensemble (%)
+share-of-points = proportion (%)
+share-of-set = part de l’ensemble (%)
 shared-risk = acceptation à risque partagé (JCGM 106:2012, 8.2.1)
-shared-risk-explained = conforme si la valeur respecte la limite ; indécidé si U dépasse un quart de la limite
+shared-risk-explained = conforme si la valeur respecte la limite ; indécidé si U dépasse un quart de la limite
 should-know = À savoir
 show = Afficher
 show-all-rows = Afficher toutes les lignes
@@ -816,55 +972,57 @@ signatures = Signatures
 significant-changes = Significatif : { $campaigns }.
 simple-acceptance = acceptation simple (ILAC-G8:09/2019, 4.2.1)
 simple-acceptance-explained = conforme si la valeur respecte la limite, quelle que soit son incertitude U
-simulated-calibration-note = Synthétique : bruit gaussien de { $noise } µm sur chaque coordonnée ; moyenne de { $identifications } identifications. Les paramètres et les figures montrent une telle moyenne. Les erreurs en fonction du nombre de positions sont des médianes de { $medians }. Les erreurs se rapportent à { $point }, évaluées sur { $configurations } configurations.
+simulated-calibration-note = Données synthétiques : bruit gaussien de { $noise } µm sur chaque coordonnée ; moyenne de { $identifications } identifications. Les paramètres et les figures montrent l’une de ces moyennes. Les erreurs en fonction du nombre de positions sont des médianes de { $medians }. Les erreurs se rapportent à { $point } et sont évaluées sur { $configurations } configurations.
 simulated-calibration-title = Étalonnage simulé
 single-balls = Billes isolées, mesurées plusieurs fois
 singular-value = valeur singulière
 singular-value-number = numéro de la valeur singulière
-singular-values-caption = Valeurs singulières de la jacobienne à la solution, colonnes normées comme dans l'identification : rang { $rank }, conditionnement { $condition } (plus grand cercle sur le plus petit).
-singular-values-description = Une marque par valeur singulière, en ordre décroissant, sur un axe logarithmique. En haut : bien observable ; en bas : mal observable.
-singular-values-title = Valeurs singulières de l'identification
+singular-values-caption = Valeurs singulières de la jacobienne à la solution, colonnes ramenées à la norme 1 comme dans l’identification : rang { $rank }, conditionnement { $condition } (plus grand cercle divisé par le plus petit).
+singular-values-description = Une marque par valeur singulière, en ordre décroissant, sur un axe logarithmique. En haut : bien observable ; en bas : mal observable.
+singular-values-title = Valeurs singulières de l’identification
 sketch-title = Le modèle et ses paramètres
-skipped = sautée
+skipped = ignorée
 smallest-sphere-and-circle = rayon de la plus petite sphère et du plus petit cercle englobants (µm)
 solver = Solveur
-solver-gradient-vanished = convergé : les résidus sont orthogonaux à la jacobienne
-solver-iteration-limit = non convergé dans le nombre d'itérations permis : vérifier les valeurs de départ
-solver-not-finite = arrêté : un résidu n'est pas fini ; vérifier les valeurs de départ et les données
-solver-rank-deficient = arrêté : des paramètres ne sont pas identifiables séparément ; en fixer un
-solver-residuals-zero = convergé : les résidus sont nuls à l'arrondi près
-solver-rounding = convergé à l'arrondi près : aucun pas plus court ne réduit les résidus
-solver-step-vanished = convergé : le dernier pas a laissé les paramètres inchangés
-solver-too-few-equations = arrêté : moins d'équations que de paramètres ; mesurer plus de poses ou fixer des paramètres
-source-contact-meaning = répétabilité déclarée du contact du robot avec un point mesuré
+solver-gradient-vanished = convergence : les résidus sont orthogonaux à la jacobienne
+solver-iteration-limit = pas de convergence dans le nombre d’itérations permis : vérifier les valeurs de départ
+solver-not-finite = arrêt : un résidu n’est pas fini ; vérifier les valeurs de départ et les données
+solver-rank-deficient = arrêt : des paramètres ne sont pas identifiables séparément ; en fixer un
+solver-residuals-zero = convergence : les résidus sont nuls à l’arrondi près
+solver-rounding = convergence à l’arrondi près : aucun pas plus court ne réduit les résidus
+solver-step-vanished = convergence : le dernier pas a laissé les paramètres inchangés
+solver-too-few-equations = arrêt : moins d’équations que de paramètres ; mesurer plus de poses ou fixer des paramètres
+source-contact-meaning = répétabilité indiquée du contact du robot avec un point mesuré
 source-frame-meaning = points qui définissent le référentiel atelier (communs à toutes les poses)
-source-frame-of-poses-meaning = points du référentiel remesuré à chaque pose
-source-homing-meaning = valeurs articulaires après la prise d'origine (communes à toutes les poses)
-source-instrument-meaning = incertitude déclarée de chaque lecture
-source-known-points-meaning = positions et longueurs déclarées de points fixes
-source-model-meaning = erreur du modèle : part des résidus qu'aucune autre source n'explique
+source-frame-of-poses-meaning = points du référentiel mesuré de nouveau à chaque pose
+source-homing-meaning = valeurs articulaires après la prise d’origine (communes à toutes les poses)
+source-instrument-meaning = incertitude indiquée de chaque lecture
+source-known-points-meaning = positions et longueurs indiquées de points fixes
+source-model-meaning = erreur du modèle : part des résidus qu’aucune autre source n’explique
 source-nominal-values-meaning = tolérances des valeurs nominales des paramètres
-source-repeatability-meaning = dispersion des répétitions d'une pose au-delà de l'incertitude de l'instrument
-source-residuals-meaning = dispersion des résidus (aucune incertitude n'est déclarée)
-source-rigid-parts-meaning = formes déclarées des pièces qui portent des cibles
+source-repeatability-meaning = dispersion des répétitions d’une pose au-delà de l’incertitude de l’instrument
+source-residuals-meaning = dispersion des résidus (aucune incertitude n’est indiquée)
+source-rigid-parts-meaning = formes indiquées des pièces qui portent des cibles
 source-scale-meaning = échelle du système de mesure (commune à toutes les longueurs)
 source-temperature-meaning = dilatation thermique du robot et de la pièce (commune à toutes les longueurs)
 sources-of-the-formulas = Sources des formules
 sphere-x-y-z = sphère x, y, z
-stabilisation-and-overshoot = Temps de stabilisation et dépassement de position
-stabilisation-path-length = distance de stabilisation
+spheres-and-conventions = Sphères englobantes et conventions
+stabilisation-and-overshoot = Temps de stabilisation et dépassement de pose
+stabilisation-path-length = longueur de trajectoire de stabilisation
 stabilisation-time = temps de stabilisation
 stability = stabilité
 standard-deviation = écart-type
 standstills = arrêts
 state-of-the-robot = état du robot
+stated-tolerance = tolérance indiquée
 stated-uncertainty = incertitude indiquée
 static-compliance = Compliance statique
 status = état
 step-arc = arc de la bille { $ball } autour de { $about }
 step-plane-of-rails = plan des rails
 step-shaft = arbre, répétition { $repeat }, position { $position }
-step-travel = course de l'actionneur { $actuator }
+step-travel = course de l’actionneur { $actuator }
 stream = enregistrement
 surface = surface
 synthetic-data = données synthétiques
@@ -873,46 +1031,51 @@ synthetic-mark = DONNÉES SYNTHÉTIQUES
 table = tableau
 target = cible
 target-coordinates = { $count } coordonnées de cibles (mm)
-target-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la cible { $target } de { $by } explique { $percent } % de l'écart ; les résidus restants sont plus grands que prévu
+target-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la cible { $target } de { $by } explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
 target-moved = la cible { $target } a bougé de { $by } sur sa pièce
-target-movement-caption = Plus grand déplacement d'une cible depuis sa première mesure, et RMS du déplacement restant.
+target-movement-caption = Plus grand déplacement d’une cible depuis sa première mesure, et RMS du déplacement restant.
 target-named = la cible { $target }
 targets-as-measured = cibles mesurées
 targets-from-their-places = distance des cibles à leurs positions de référence
 targets-in-world = cibles dans le référentiel atelier
-targets-placed-by-validation = Aucune pose d'étalonnage ne mesure { $targets } : cibles localisées d'après les lectures aux poses de validation, le robot identifié étant fixé. Chacune de ces erreurs est divisée par √r (r : redondance).
+targets-placed-by-validation = Aucune pose d’étalonnage ne mesure { $targets } : cibles localisées d’après les lectures aux poses de validation, les paramètres identifiés du robot étant fixés. Chacune de ces erreurs est divisée par √r (r : redondance).
 temperature = température
-test-certificate = Certificat d'essai
-test-certificate-draft = Projet de certificat d'essai
-test-cube = P1 est le centre d'un cube de { $size } mm, P2 à P5 sont sur les diagonales du plan d'essai (ISO 9283:1998, 6).
+temperature-range = de { $lowest } °C à { $highest } °C dans les exports
+test-certificate = Certificat d’essai
+test-certificate-draft = Projet de certificat d’essai
+test-cube = P1 est le centre d’un cube de { $size } mm, P2 à P5 sont sur les diagonales du plan d’essai (ISO 9283:1998, 6).
 test-of-synthetic-data = Essai sur données synthétiques, sans valeur de certificat
-test-square = P1 est le centre d'un carré de { $size } mm, P2 à P5 sont sur ses diagonales (ISO 9283:1998, 6).
+test-square = P1 est le centre d’un carré de { $size } mm, P2 à P5 sont sur ses diagonales (ISO 9283:1998, 6).
 tested-by = Essai réalisé par
 text = texte
 texts-of-campaign-note = Les textes de la campagne ne sont pas traduits.
-the-campaign-fits-no-features = La campagne n'ajuste aucun élément.
-the-campaign-states-no-limits = La campagne n'indique aucune limite.
+the-campaign-fits-no-features = La campagne n’ajuste aucun élément.
+the-campaign-states-no-limits = La campagne n’indique aucune limite.
 the-first = la première
 their-standard-deviation = écart-type
-this-file-max = ce fichier, max
+this-file-max = ce fichier, max.
 this-file-rms = ce fichier, RMS
 time-in-s = temps (s)
-time-since-entry = temps depuis l'entrée (s)
+time-since-entry = temps depuis l’entrée (s)
 times-for-each-cycle = { $count } fois, une par pose et cycle
 to = à
-to-hold = à maintenir
+to-complete-count = À compléter avant signature : { $count ->
+        [one] un champ
+       *[other] { $count } champs
+    }
+to-hold = à fixer
 to-load = à charger
 to-pose = à la pose
 tolerance = tolérance
-tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d'après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l'erreur du modèle au-delà de l'incertitude de l'instrument et la position du point sur l'outil ; les erreurs des cibles excluent les paramètres qui déplacent pareillement cibles et outil
-tool-point-expected = Erreur attendue, RMS (k = 1) : paramètres { $parameters } µm ; paramètres que les données ne peuvent pas déterminer (tolérance) { $undetermined } µm ; erreur du modèle { $model } µm ; position du point sur l'outil { $point } µm. Plus grande incertitude élargie d'une pose (k = 2) : { $largest } µm.
-tool-point-headline = point de l'outil, RMS : nominal moins identifié → attendue
+tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d’après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l’erreur du modèle au-delà de l’incertitude de l’instrument et la position du point sur l’outil ; les erreurs des cibles excluent les paramètres qui déplacent cibles et outil de la même façon
+tool-point-expected = Erreur attendue, RMS (k = 1) : paramètres { $parameters } µm ; paramètres que les données ne peuvent pas déterminer (tolérance) { $undetermined } µm ; erreur du modèle { $model } µm ; position du point sur l’outil { $point } µm. Plus grande incertitude élargie d’une pose (k = 2) : { $largest } µm.
+tool-point-headline = point de l’outil, RMS : nominal moins identifié → attendue
 traceability = traçabilité
 trend = tendance
-trend-description = Une marque par campagne avec son intervalle à 95 % ; losanges : changement significatif.
+trend-description = Une marque par campagne avec son intervalle à 95 % ; losanges : changement significatif.
 trend-in-picture = Tendance non modélisée ({ $probability }).
 trend-of = Évolution de
-trends-note = Tests F des erreurs moyennes des poses d'étalonnage après identification : parabole contre constante ; valeurs p corrigées pour tests multiples (Holm 1979). Une tendance est une erreur que le modèle ne décrit pas.
+trends-note = Tests F des erreurs moyennes des poses d’étalonnage après identification : parabole contre constante ; valeurs p corrigées de la multiplicité des tests (Holm 1979). Une tendance est une erreur que le modèle ne décrit pas.
 trends-of-the-residuals = Tendances des résidus
 true = vrai
 turn-down = Tourner vers le bas
@@ -923,40 +1086,42 @@ type = type
 u-bootstrap = u, bootstrap
 u-draws = u, tirages
 u-linear = u, linéaire
-u-over-ap = U sur AP
-u-over-rp = U sur RP
+u-over-ap = U / AP
+u-over-rp = U / RP
 u-report = u, rapport
 uncertainties = incertitudes
-uncertainties-enlarged-by = facteur d'agrandissement des incertitudes
+uncertainties-enlarged-by = facteur de majoration des incertitudes
 uncertainties-of-robot = Incertitudes du robot { $robot }
-uncertainty-budget = Bilan d'incertitude
-uncertainty-for-outliers = ± { $uncertainty } µm par coordonnée ({ $factor } écarts-types), indépendante pour chaque observation
-uncertainty-inflation = { $factor } fois la valeur due à l'instrument seul (médiane)
-uncertainty-of-instrument = l'incertitude-type de l'instrument
-uncertainty-of-instrument-and-contact = l'incertitude-type de l'instrument et du contact
+uncertainty-budget = Bilan d’incertitude
+uncertainty-for-outliers = ± { $uncertainty } µm par coordonnée ({ $factor } écarts-types), indépendante pour chaque observation
+uncertainty-inflation = { $factor } fois la valeur due à l’instrument seul (médiane)
+uncertainty-of-instrument = l’incertitude-type de l’instrument
+uncertainty-of-instrument-and-contact = l’incertitude-type de l’instrument et du contact
 uncertainty-of-rp = Incertitude de RP
 undecided = indécidé
 unit = unité
-unjudged-by-misfit = Non jugé car le modèle ne convient pas : { $count }.
-unjudged-without-uncertainty = Non jugé car l'incertitude est inconnue : { $count }.
-unknown-without-redundancy = inconnue (nombres égaux d'équations et de paramètres)
+unjudged-by-misfit = Non jugées, car le modèle ne convient pas : { $count }.
+unjudged-without-uncertainty = Non jugées, car l’incertitude est inconnue : { $count }.
+unknown-without-redundancy = inconnue (nombres égaux d’équations et de paramètres)
 unshown-frame-points = erreurs des points qui définissent le référentiel atelier : sans redondance, elles ne font que déplacer le référentiel
 unshown-frame-targets = erreurs de position des cibles qui définissent le référentiel atelier : les positions mesurées sont la référence
 unshown-shift = une translation ou une rotation commune à toutes les lectures : absorbée par la base
+valid-until = valable jusqu’au
+valid-until-column = Valable jusqu’au
 validation = validation
 validation-of-given-parameters = Validation de paramètres donnés
 value = valeur
-value-and-limit = { $quantity } { $value } { $unit }, limite { $limit } { $unit }
-value-tooltip = { $name } : { $value } ± { $uncertainty } { $unit }
-value-with-interval = { $value } µm (95 % : { $low } à { $high })
-values-given = avant : paramètres nominaux du robot, avec la base et les cibles que l'étalonnage antérieur y a ajustées ; après : tous les paramètres tels que donnés, base et cibles comprises ; rien n'est ajusté à ces données
-values-given-prior = avant : paramètres nominaux du robot, avec base et cibles ajustées aux poses d'étalonnage ; après : tous les paramètres tels que donnés, base et cibles étant estimées d'après leur covariance donnée et les poses d'étalonnage (valeurs les plus probables)
-values-given-refit = avant : paramètres nominaux du robot ; après : paramètres donnés ; les deux avec base et cibles ajustées aux poses d'étalonnage
-values-nominal = avant et après : paramètres nominaux, base et cibles comprises ; rien n'est ajusté à ces données
-values-nominal-refit = avant et après : paramètres nominaux du robot, avec base et cibles ajustées aux poses d'étalonnage
+value-and-limit = { $quantity } { $value } { $unit }, limite { $limit } { $unit }
+value-tooltip = { $name } : { $value } ± { $uncertainty } { $unit }
+value-with-interval = { $value } µm (95 % : { $low } à { $high })
+values-given = avant : paramètres nominaux du robot, avec la base et les cibles que l’étalonnage antérieur leur a ajustées ; après : tous les paramètres tels que donnés, base et cibles comprises ; aucun ajustement à ces données
+values-given-prior = avant : paramètres nominaux du robot, avec base et cibles ajustées aux poses d’étalonnage ; après : tous les paramètres tels que donnés, base et cibles étant estimées d’après leur covariance donnée et les poses d’étalonnage (valeurs les plus probables)
+values-given-refit = avant : paramètres nominaux du robot ; après : paramètres donnés ; les deux avec base et cibles ajustées aux poses d’étalonnage
+values-nominal = avant et après : paramètres nominaux, base et cibles comprises ; aucun ajustement à ces données
+values-nominal-refit = avant et après : paramètres nominaux du robot, avec base et cibles ajustées aux poses d’étalonnage
 values-of-every-campaign = Valeurs par campagne
-values-of-identification = avant : paramètres nominaux du robot, avec seules base et cibles ajustées aux poses d'étalonnage ; après : tous les paramètres identifiés
-vap-farthest = Plus grand vAP : { $distance } µm à la pose { $pose }, entre les moyennes { $first } et { $second }.
+values-of-identification = avant : paramètres nominaux du robot, avec seules base et cibles ajustées aux poses d’étalonnage ; après : tous les paramètres identifiés
+vap-farthest = Plus grande valeur de vAP : { $distance } µm à la pose { $pose }, entre les moyennes { $first } et { $second }.
 velocities = vitesses
 velocity-sentence = Vitesse : { $velocity }.
 verdict = verdict
@@ -966,22 +1131,31 @@ verdict-pass = Verdict : conforme.
 verdict-title = Verdict
 verdict-undecided = Verdict : indécidé.
 verification-of-identified-parameters = Vérification de paramètres identifiés
-visit-tooltip = pose { $pose }, cycle { $cycle }, { $approach } : x { $x }, y { $y }, z { $z } µm depuis la moyenne
-visits = visites
-visits-by-approach = { $visits } visites autour de leur moyenne, par approche ; grandes marques : moyennes.
-visits-by-approach-in-space = { $visits } visites autour de leur moyenne ; couleur et forme : pose de provenance ; grandes marques : moyennes.
-visits-from-one-pose = { $visits } visites autour de leur moyenne, toutes depuis une pose ; grande marque : moyenne.
+visit-of-cycle-tooltip = pose { $pose }, cycle { $cycle } : x { $x }, y { $y } µm
+visit-tooltip = pose { $pose }, cycle { $cycle }, { $approach } : x { $x }, y { $y }, z { $z } µm depuis la moyenne
+visits = positionnements
+visits-by-approach = { $visits } positionnements autour de leur moyenne, par direction d’approche ; grandes marques : moyennes.
+visits-by-approach-in-space = { $visits } positionnements autour de leur moyenne ; couleur et forme : pose précédente ; grandes marques : moyennes.
+visits-by-plane = Positionnements à chaque pose, par plan
+visits-from-one-pose = { $visits } positionnements autour de leur moyenne, tous depuis la même pose ; grande marque : moyenne.
 visits-of-pose-title = Pose { $pose }, plan { $plane }
-visits-over-time = Visites au fil du temps
-warm-up-before-the-test = mise en température avant l'essai
+visits-over-time = Positionnements au fil du temps
+warm-up-before-the-test = mise en température avant l’essai
 warnings-and-remarks = Avertissements et remarques
+weaker-trends = Autres tendances significatives
 weave = balayage
-weave-passes = { $passes } passages, { $turns } retournements
+weave-passes = { $passes ->
+        [one] { $passes } passage
+       *[other] { $passes } passages
+    }, { $turns ->
+        [one] { $turns } inversion
+       *[other] { $turns } inversions
+    }
 weaving = Balayage
 weaving-frequency = fréquence du balayage
-weaving-frequency-measured = { $measured } Hz, commandés { $commanded } Hz : WF { $ratio } %
+weaving-frequency-measured = { $measured } Hz, commandée { $commanded } Hz : WF { $ratio } %
 weaving-stroke = course du balayage
-weaving-stroke-measured = { $measured } mm, commandés { $commanded } mm : WS { $ratio } %
+weaving-stroke-measured = { $measured } mm, commandée { $commanded } mm : WS { $ratio } %
 weight = poids
 what-changed = Changements entre campagnes
 what-differs-between-series = Différences entre les séries
@@ -989,11 +1163,11 @@ what-no-reading-shows = erreurs non décelables
 wider-than-window = Le tableau est plus large que la fenêtre : faire défiler latéralement.
 with-colon = { $label } :
 workspace = Espace de travail
-workspace-outlines = Contours de ces régions ; trait fort : accessible sous toutes les orientations.
+workspace-outlines = Contours de ces régions ; trait fort : accessible sous toutes les orientations.
 workspace-plane = Espace de travail du centre C de la plate-forme, plan { $plane }
 world-frame = référentiel atelier
 world-frame-title = Référentiel atelier
-worst-campaigns = Les { $worst } campagnes les plus mauvaises sont affichées. { $left_out } autres apparaissent lorsque les scripts sont activés ; batch.parquet contient toutes les campagnes.
+worst-campaigns = Les { $worst } campagnes les moins bonnes sont affichées. Les { $left_out } autres apparaissent lorsque les scripts sont activés ; batch.parquet contient toutes les campagnes.
 written-by = écrit par
 x-y-z-rp = x, y, z (RP)
 yes = oui

@@ -2,26 +2,26 @@
 
 template-failed = le modèle `{ $template }` { $fault ->
         [time] prend plus d’une minute
-        [memory] prend plus de 2 Gio de mémoire
+        [memory] prend plus de 2 Gio de mémoire
         [ended] se termine sans résultat
-       *[other] ne peut pas être exécuté : { $fault }
+       *[other] ne peut pas être exécuté : { $fault }
     }
-    .hint = vérifier les boucles du modèle : chacune doit se terminer
+    .hint = vérifier les boucles du modèle : chacune doit se terminer
 
-template-invalid = le modèle du rapport a une erreur : { $reason }
+template-invalid = le modèle du rapport a une erreur : { $reason }
 
 logo-unusable = `{ $file }` { $fault ->
         [size] est trop grand pour un logo
        *[format] n’est ni une image SVG ni une image PNG
     }
-    .expected = une image SVG ou PNG de 1 Mio au plus
+    .expected = une image SVG ou PNG de 1 Mio au plus
 
-cannot-read-folder = impossible de lire le dossier `{ $folder }` : { $reason }
+cannot-read-folder = impossible de lire le dossier `{ $folder }` : { $reason }
     .hint = vérifier le chemin et les droits
 
-no-templates = il n’y a pas de modèle dans `{ $folder }`
+no-templates = le dossier `{ $folder }` n’a pas de modèle
     .hint = `etalon report --write-templates DOSSIER` écrit les modèles intégrés
 
-typesetting-failed = report.pdf ne peut pas être composé : { $reason }
+typesetting-failed = report.pdf ne peut pas être composé : { $reason }
 
 own-hint = { $text }

@@ -6,37 +6,37 @@ contact-without-targets = [contact] est sans effet sur les résidus de la pose
 uncertainty-source = { $section ->
         [instrument] la prendre dans le certificat d’étalonnage de l’instrument
         [tool] indiquer l’incertitude du point sur l’outil
-       *[contact] toucher un point plusieurs fois et prendre la dispersion des lectures des codeurs
+       *[contact] toucher plusieurs fois le même point et prendre la dispersion des lectures des codeurs
     }
 
 key-uncertainty-implausible = `{ $key }` = { $value } n’est pas une incertitude d’une coordonnée mesurée en micromètres
     .expected = une valeur de { $least } à { $most }
-    .hint = vérifier l’unité : 0.0027 mm font 2.7 µm
+    .hint = vérifier l’unité : 0,0027 mm font 2,7 µm
 
-target-named-twice = la cible `{ $target }` est nommée deux fois
-    .hint = nommer chaque cible une fois
+target-named-twice = la cible `{ $target }` est indiquée deux fois
+    .hint = indiquer chaque cible une fois
 
-limit-without-result = la limite `{ $limit }` demande { $needs ->
+limit-without-result = la limite `{ $limit }` nécessite { $needs ->
         [identify] {"["}identify]
         [commanded] {"["}repeatability] avec `commanded`, ou [poses]
        *[repeatability] {"["}repeatability] ou [poses]
     }
-    .hint = supprimer la limite, ou ajouter la section qu’elle juge
+    .hint = supprimer la limite, ou ajouter la section à laquelle elle s’applique
 
 section-beside-observations = `{ $section }` figure à côté de [observations]
     .hint = indiquer soit [observations], soit [[export]], [[log]] et [join]
 
-join-clock-missing = une jointure par temps demande { $keys }
-    .hint = ajouter `clock_offset_s` (temps de la mesure moins temps du journal) et `tolerance_s` à [join]
+join-clock-missing = une jointure par le temps nécessite { $keys }
+    .hint = ajouter `clock_offset_s` (instant de la mesure moins instant du journal) et `tolerance_s` à [join]
 
-standstills-missing = le décalage des horloges ne peut pas être estimé : le journal `{ $log }` n’a pas de [log.standstill]
-    .hint = ajouter [log.standstill] avec `at_least_s` et `within_deg` ou `within_mm`, ou indiquer `clock_offset_s` comme nombre
+standstills-missing = le décalage des horloges ne peut pas être estimé : le journal `{ $log }` n’a pas de [log.standstill]
+    .hint = ajouter [log.standstill] avec `at_least_s` et `within_deg` ou `within_mm`, ou donner à `clock_offset_s` une valeur numérique
 
-interpolate-with-standstills = `interpolate` est sans effet : le journal `{ $log }` a [log.standstill]
-    .hint = supprimer `interpolate` : chaque point est joint à l’arrêt qui contient son temps
+interpolate-with-standstills = `interpolate` est sans effet : le journal `{ $log }` a [log.standstill]
+    .hint = supprimer `interpolate` : chaque point est joint à l’arrêt qui contient son instant
 
 key-of-other-join = `{ $key }` est sans effet dans cette jointure
-    .hint = la supprimer, ou indiquer `by = "{ $by }"`
+    .hint = supprimer `{ $key }`, ou indiquer `by = "{ $by }"`
 
 key-negative = `{ $key }` est négatif
     .expected = zéro ou un nombre positif
@@ -44,149 +44,159 @@ key-negative = `{ $key }` est négatif
 key-above-maximum = `{ $key }` dépasse { $most }
     .hint = vérifier la valeur et son unité
 
-join-label-missing = une jointure par étiquette demande l’étiquette du point dans le journal `{ $log }`
-    .hint = ajouter `label = "nom ou numéro de la colonne"` à ses `columns`
+join-label-missing = une jointure par étiquette exige l’étiquette du point dans le journal `{ $log }`
+    .hint = ajouter `label` à ses `columns`, avec le nom ou le numéro de la colonne
 
-key-and-column = `{ $key }` est indiqué deux fois : comme clé de l’export et comme une de ses colonnes
+key-and-column = `{ $key }` est indiqué deux fois : comme clé de l’export et comme une de ses colonnes
     .hint = supprimer l’un des deux
 
 input-in-output-folder = le dossier de sortie contient l’entrée `{ $input }`
-    .expected = un dossier sans entrées : il est remplacé en entier
-    .hint = indiquer un autre dossier, ou supprimer `output` : c’est `out` par défaut
+    .expected = un dossier sans fichiers d’entrée : il est remplacé en entier
+    .hint = indiquer un autre dossier, ou supprimer `output` : la valeur par défaut est `out`
 
-feature-element = l’élément `{ $feature }` n’est pas exactement un élément géométrique
-    .expected = un seul de `plane`, `line`, `circle`, `cylinder` avec les étiquettes de ses points
+feature-element = l’élément `{ $feature }` doit désigner un seul élément géométrique
+    .expected = l’une des clés `plane`, `line`, `circle`, `cylinder` avec les étiquettes de ses points
 
-feature-label-twice = l’élément `{ $feature }` nomme `{ $label }` deux fois
-    .hint = nommer chaque étiquette une fois
+feature-label-twice = l’élément `{ $feature }` mentionne `{ $label }` deux fois
+    .hint = indiquer chaque étiquette une fois
 
-nominal-without-tolerance = `nominal_mm` et `tolerance_mm` du repère monde vont ensemble
-    .hint = indiquer les positions du dessin et la plus grande distance admise d’un point à celles-ci
+nominal-without-tolerance = `nominal_mm` et `tolerance_mm` du référentiel atelier vont de pair
+    .hint = indiquer les positions du dessin technique et la plus grande distance admise entre un point et sa position
 
-world-frame-definition = le repère monde doit être défini d’une seule manière
+world-frame-definition = le référentiel atelier doit être défini d’une seule manière
     .expected = `plane` avec `origin` et un axe, ou `targets`, ou `as_exported = true`
 
-key-of-other-frame = `{ $key }` est sans effet dans ce repère monde
-    .hint = la supprimer, ou définir le repère par `{ $definition }`
+key-of-other-frame = `{ $key }` est sans effet dans ce référentiel atelier
+    .hint = supprimer `{ $key }`, ou définir le référentiel par `{ $definition }`
 
-frame-axis-without-direction = l’axe du repère monde n’a pas de direction
+frame-axis-without-direction = l’axe du référentiel atelier n’a pas de direction
     .expected = deux étiquettes (de, à), ou un élément qui a une direction
 
-plane-frame-incomplete = un repère monde à partir d’un plan demande `origin`, un de `x_axis` et `y_axis`, et `towards`
-    .hint = nommer dans `towards` une étiquette du côté positif de l’autre axe : elle détermine le sens de z
+plane-frame-incomplete = un référentiel atelier défini par un plan exige `origin`, soit `x_axis` soit `y_axis`, et `towards`
+    .hint = indiquer dans `towards` une étiquette du côté positif de l’autre axe : elle détermine le sens de z
 
 file-name-empty = le nom du fichier est vide
     .hint = indiquer le fichier dans le dossier de la campagne
 
-date-invalid = `date` ne commence pas par une date du calendrier
+date-invalid = `date` ne commence pas par une date
     .expected = année-mois-jour (ISO 8601), par exemple 2026-01-31
 
 temperature-implausible = `temperature_c` = { $value } n’est pas une température d’un robot en degrés Celsius
     .expected = une valeur de { $least } à { $most }
-    .hint = vérifier l’unité : 293.15 K font 20 °C
+    .hint = vérifier l’unité : 293,15 K font 20 °C
 
-geometric-step-missing = il manque à [geometric] `{ $missing }`, que `{ $step }` demande
-    .hint = l’ajouter ; s demande `shaft` et `arc` ; d1 et d3 demandent `offsets`, `mid_travel_mm`, `arc`, `turn` et `shaft` ; O demande `arc` ; C demande `turn`
+geometric-step-missing = il manque à [geometric] la clé `{ $missing }`, nécessaire à `{ $step }`
+    .hint = l’ajouter ; s nécessite `shaft` et `arc` ; d1 et d3 nécessitent `offsets`, `mid_travel_mm`, `arc`, `turn` et `shaft` ; O nécessite `arc` ; C nécessite `turn`
 
-errors-table-incomplete = un tableau d’erreurs demande l’étalonnage géométrique complet et [identify]
+errors-table-incomplete = un tableau d’erreurs nécessite l’étalonnage géométrique complet et [identify]
     .hint = indiquer toutes les étapes de [geometric] et [identify], ou supprimer le tableau
 
 key-out-of-range = `{ $key }` = { $value } est en dehors de { $least } à { $most }
 
 plausible-value = { $quantity ->
-        [scale] vérifier l’unité : 1 µm/m fait 1 ppm
-        [polar] vérifier l’unité : 10 ppm font 10 µm/m, 1 seconde d’arc fait 4.85 µm/m
-        [expansion] vérifier l’unité : l’acier se dilate de 11.5e-6 par degré, l’aluminium de 23.5e-6
+        [scale] vérifier l’unité : 1 µm/m fait 1 ppm
+        [polar] vérifier l’unité : 10 ppm font 10 µm/m, 1 seconde d’arc fait 4,85 µm/m
+        [expansion] vérifier l’unité : l’acier se dilate de `11.5e-6` par degré, l’aluminium de `23.5e-6`
         [temperature] l’indiquer en degrés Celsius
-        [coverage] indiquer le facteur d’élargissement : 2 correspond à un niveau de confiance d’environ 95 %
-       *[homing] faire plusieurs prises d’origine et prendre la dispersion d’une articulation à son contact
+        [coverage] indiquer le facteur d’élargissement : 2 correspond à un niveau de confiance d’environ 95 %
+       *[homing] faire plusieurs prises d’origine et prendre la dispersion de l’articulation à son interrupteur
     }
 
 homing-incomplete = il manque à [homing] `{ $key }` pour l’articulation `{ $joint }` (valeurs en { $unit })
-    .hint = l’indiquer ; indiquer 0 si la prise d’origine n’ajoute pas d’erreur
+    .hint = l’indiquer, ou indiquer 0 si la prise d’origine n’ajoute pas d’erreur
 
-polar-with-observations = `polar` demande des exports : un tableau d’observations ne contient pas la position de l’instrument
+polar-with-observations = `polar` nécessite des exports : un tableau d’observations ne contient pas la position de l’instrument
     .hint = indiquer la covariance de chaque ligne (`cxx_mm2` à `czz_mm2`) dans le tableau
 
-section-without-identify = [{ $section }] est sans effet : la campagne n’a pas de [identify]
+section-without-identify = [{ $section }] est sans effet : la campagne n’a pas de section [identify]
     .hint = supprimer [{ $section }], ou ajouter [identify]
 
 label-unknown = aucun point n’a l’étiquette `{ $label }`
 
-feature-unknown = il n’y a pas d’élément `{ $feature }`
+feature-unknown = élément inconnu `{ $feature }`
 
-point-or-feature-unknown = il n’y a pas de point ni d’élément `{ $name }`
+point-or-feature-unknown = point ou élément inconnu `{ $name }`
 
 target-not-exported = aucun export ne contient la cible `{ $target }`
 
 names-unchecked = aucun export lisible ne contient { $names }
-    .hint = vérifier ces noms quand tous les exports se lisent
+    .hint = vérifier ces noms quand tous les exports seront lisibles
 
 target-not-of-robot = `{ $target }` n’est pas une cible de ce robot
 
 targets-incomplete = `targets` omet `{ $target }`
     .expected = toutes les cibles de ce robot
 
-travel-missing = l’espace de travail demande la course des actionneurs
-    .hint = indiquer [reach] avec `travel_mm = [..., ..., ...]` dans robot.toml
+travel-missing = l’espace de travail exige la course des actionneurs
+    .hint = indiquer `travel_mm` des trois actionneurs sous [reach] dans robot.toml
 
-z-column-missing = `columns` n’a pas de z, qu’un robot spatial demande
-    .hint = ajouter `z = "nom ou numéro de la colonne"`
+z-column-missing = `columns` n’indique pas z, nécessaire à un robot tridimensionnel
+    .hint = ajouter `z`, avec le nom ou le numéro de la colonne
 
 log-name-invalid = `{ $name }` ne peut pas être le nom de ce journal
-    .expected = lettres, chiffres, `_` et `-` ; un nom différent pour chaque journal
+    .expected = lettres, chiffres, `_` et `-` ; un nom différent pour chaque journal
 
 log-joint-unknown = `{ $key }` n’est pas une articulation de ce robot
-    .hint = utiliser une de { $joints }, ou la même avec une autre unité
+    .hint = utiliser l’une des articulations { $joints }, éventuellement dans une autre unité
 
 log-joint-missing = le journal `{ $log }` n’a pas de colonne pour l’articulation `{ $joint }`
-    .hint = ajouter `{ $column } = "nom ou numéro de la colonne"` à ses `columns`
+    .hint = ajouter `{ $column }` à ses `columns`, avec le nom ou le numéro de la colonne
 
 label-form-differs = aucune étiquette de `{ $file }` n’a la forme `{ $form }`
-    .hint = indiquer la forme de ses étiquettes avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"} ; la première est `{ $first }`
+    .hint = indiquer la forme de ses étiquettes avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"} ; la première est `{ $first }`
 
-results-not-synced = les résultats ne peuvent pas être écrits sur le disque : { $reason }
+results-not-synced = les résultats ne peuvent pas être écrits sur le disque : { $reason }
     .hint = vérifier le disque, puis relancer le lot
 
-threads-failed = les campagnes ne peuvent pas être exécutées en parallèle : { $reason ->
+threads-failed = les campagnes ne peuvent pas être exécutées en parallèle : { $reason ->
         [ended] un fil d’exécution s’est terminé sans résultat
        *[other] { $reason }
     }
-    .hint = relancer avec moins de fils : `RAYON_NUM_THREADS=1`
+    .hint = relancer avec moins de fils : `RAYON_NUM_THREADS=1`
 
-data-elsewhere = ses données sont sous ${ $name }, qui n’est pas définie
+data-elsewhere = ses données sont sous ${ $name }, variable d’environnement non définie
 
-not-an-output-folder = il n’y a pas de fichier `{ $file }`
+not-an-output-folder = `{ $folder }` n’est pas le dossier de sortie d’une exécution : manifest.json y manque
     .hint = indiquer un dossier écrit par `etalon run`, ou une campagne exécutée
 
 file-not-of-run = l’exécution n’a pas écrit `{ $file }`
-    .hint = exécuter de nouveau la campagne : `etalon run CAMPAGNE`
+    .hint = relancer la campagne : `etalon run CAMPAGNE`
 
 file-changed-since-run = `{ $file }` a été modifié après l’exécution
     .expected = le SHA-256 { $sha256 } de manifest.json
-    .hint = exécuter de nouveau la campagne : `etalon run CAMPAGNE`
+    .hint = relancer la campagne : `etalon run CAMPAGNE`
 
 folder-replaced = un autre processus a remplacé `{ $folder }` pendant sa lecture
     .hint = répéter la commande quand l’autre processus est terminé
 
-document-unreadable = `{ $file }` n’est pas un document de cette version : { $reason }
-    .hint = exécuter de nouveau la campagne avec cette version : `etalon run CAMPAGNE`
+document-unreadable = `{ $file }` n’est pas un document de cette version : { $reason }
+    .hint = relancer la campagne avec cette version : `etalon run CAMPAGNE`
 
 document-schema-other = `{ $file }` { $schema ->
         [none] n’a pas de schéma
        *[other] a le schéma `{ $schema }`
     }
     .expected = le schéma `{ $wanted }`
-    .hint = exécuter de nouveau la campagne avec cette version : `etalon run CAMPAGNE`
+    .hint = relancer la campagne avec cette version : `etalon run CAMPAGNE`
 
-foreign-file = `{ $file }` serait écrasé, et aucune exécution ne l’a écrit
+foreign-file = `{ $file }` serait écrasé, alors qu’aucune exécution ne l’a écrit
     .hint = le déplacer dans un autre dossier, ou indiquer un autre `output` dans campaign.toml
 
 input-changed = `{ $file }` a changé pendant l’exécution de la campagne
-    .hint = exécuter de nouveau la campagne quand le fichier est complet
+    .hint = relancer la campagne quand le fichier est complet
 
-identify-missing = la campagne n’a pas de [identify], qui nomme les poses pour juger les paramètres
+identify-missing = la campagne n’a pas de section [identify], qui désigne les poses sur lesquelles juger les paramètres
     .hint = indiquer `calibration` et `validation` dans [identify]
 
 clock-rate-without-offset = `clock_rate = "standstills"` exige `clock_offset_s = "standstills"`
     .hint = indiquer `clock_offset_s = "standstills"`, ou omettre `clock_rate`
+
+label-form-missing = les étiquettes de `{ $file }` mentionnent des cibles, mais la forme des étiquettes n’est pas indiquée
+    .hint = indiquer `label = "{ $form }"` dans ce [[export]] : toutes ses étiquettes ont cette forme
+
+state-targets = indiquer `targets = { $targets }` dans [join] : les étiquettes les mentionnent
+valid-until-no-date = `valid_until` n’est pas une date : "{ $date }"
+    .expected = le dernier jour de validité entre guillemets, comme "2027-03-02"
+
+valid-until-before-measurements = `valid_until` ({ $date }) précède les mesures ({ $measured })
+    .hint = corriger `valid_until` ou `date`

@@ -3,98 +3,98 @@
 rigid-distance-off = la distance { $first }-{ $second } est { $side ->
         [shorter] plus courte
        *[longer] plus longue
-    } que sa médiane de { FIXED($off_mm, 3) } mm (tolérance { $limit_mm } mm)
+    } de { FIXED($off_mm, 3) } mm que sa médiane (tolérance { $limit_mm } mm)
 
-rigid-point-coincides = { $message } ; le point se trouve où est `{ $other }`
+rigid-point-coincides = { $message } ; le point coïncide avec `{ $other }`
 
-rigid-row-refused = ligne { $row } : `{ $target }` est refusé : { $reason }
+rigid-row-refused = `{ $target }` est rejetée à la ligne { $row } : { $reason }
 
-rigid-targets = une pièce rigide demande deux cibles ou plus, chacune nommée une fois
-    .hint = nommer chaque cible de la pièce une fois dans `targets`
+rigid-targets = une pièce rigide nécessite au moins deux cibles, chacune indiquée une seule fois
+    .hint = indiquer chaque cible de la pièce une seule fois dans `targets`
 
 limit-not-positive = `{ $key }` doit être un nombre positif
     .expected = { $key ->
-            [drift_mm] le plus grand mouvement d’une cible fixe pendant la campagne, par exemple 0.02
-           *[tolerance_mm] le plus grand écart d’une distance à sa médiane : quelques fois sa dispersion, par exemple 0.1
+            [drift_mm] le plus grand mouvement d’une cible fixe pendant la campagne, par exemple `0.02`
+           *[tolerance_mm] le plus grand écart d’une distance à sa médiane : quelques fois sa dispersion, par exemple `0.1`
         }
 
 rigid-uncertainty-without-places = `{ $key }` appartient à `places_mm`, qui manque
     .hint = indiquer `places_mm`, ou supprimer `{ $key }`
 
-rigid-place-unknown = `places_mm` nomme `{ $target }`, qui n’est pas une cible de cette pièce rigide
+rigid-place-unknown = `places_mm` mentionne `{ $target }`, qui n’est pas une cible de cette pièce rigide
 
 rigid-place-missing = `places_mm` n’indique pas la position de `{ $target }`
-    .hint = ajouter ses coordonnées, ou la supprimer de `targets`
+    .hint = ajouter ses coordonnées, ou supprimer la cible de `targets`
 
-rigid-places-need-uncertainty = `places_mm` demande `{ $key }`, un nombre positif
+rigid-places-need-uncertainty = `places_mm` nécessite `{ $key }`, un nombre positif
     .expected = l’incertitude élargie d’une coordonnée, et son facteur d’élargissement
 
-rigid-row-without-pose = [[rigid]] nomme `{ $target }`, et cette ligne n’a ni pose ni temps
-    .hint = nommer la pose dans `label` ou `columns`, ou supprimer la cible de [[rigid]]
+rigid-row-without-pose = [[rigid]] mentionne `{ $target }`, mais cette ligne n’a ni pose ni horodatage
+    .hint = indiquer la pose dans `label` ou `columns`, ou supprimer la cible de [[rigid]]
 
-rigid-time-twice = [[rigid]] nomme `{ $target }`, et deux de ses lignes ont le même temps
-    .hint = la première est la ligne { $first } ; nommer la pose dans `label` ou `columns`
+rigid-time-twice = [[rigid]] mentionne `{ $target }`, mais deux de ses lignes ont le même instant
+    .hint = la première est la ligne { $first } ; indiquer la pose dans `label` ou `columns`
 
 rigid-never-together = { $targets } de [[rigid]] ne sont jamais mesurées ensemble
-    .expected = des lignes de mêmes pose et cycle, ou de même temps
-    .hint = nommer la pose dans `label` ou `columns` ; `pose = "row"` numérote les lignes de fichiers à une cible
+    .expected = des lignes de même pose et de même cycle, ou de même instant
+    .hint = indiquer la pose dans `label` ou `columns` ; `pose = "row"` numérote les lignes de fichiers à une seule cible
 
-rigid-few-distances = la distance `{ $first }`-`{ $second }` de [[rigid]] ne refuse aucune ligne : elle a été mesurée { $count } fois
-    .expected = { $least } fois ou plus
+rigid-few-distances = la distance `{ $first }`-`{ $second }` de [[rigid]] ne fait rejeter aucune ligne : elle n’a été mesurée que { $count } fois
+    .expected = au moins { $least } fois
 
-exclusion-mixed = une exclusion nomme soit des poses, soit les lignes d’un fichier
-    .expected = `poses`, éventuellement avec `cycle` et `target` ; ou `file` et `rows`
+exclusion-mixed = une exclusion désigne soit des poses, soit les lignes d’un fichier
+    .expected = `poses`, éventuellement avec `cycle` et `target` ; ou `file` et `rows`
 
-exclusion-file-unknown = `{ $file }` n’est pas un export avec des lignes à exclure
+exclusion-file-unknown = `{ $file }` n’est pas un export dont on puisse exclure des lignes
 
-of-name = `{ $name }` : { $message }
+of-name = `{ $name }` : { $message }
 
-point-lies-at-another = ligne { $row } : `{ $point }` se trouve où est `{ $other }`{ $rows ->
+point-lies-at-another = ligne { $row } : `{ $point }` coïncide avec `{ $other }`{ $rows ->
         [one] {""}
-       *[other] {""} ; { $rows } lignes de ce genre en tout
+       *[other] {""} ; { $rows } lignes de ce type en tout
     }
-    .hint = si l’instrument visait l’autre cible ou si l’étiquette est fausse, la corriger ou exclure la ligne ; [[rigid]] refuse des lignes d’après leurs distances
+    .hint = si l’instrument visait l’autre cible ou si l’étiquette est fausse, la corriger ou exclure la ligne ; [[rigid]] rejette des lignes d’après leurs distances
 
-drift-few-readings = `{ $target }` est mesurée { $count } fois : trop peu pour détecter une dérive
-    .expected = { $least } ou plus
+drift-few-readings = `{ $target }` n’est mesurée que { $count } fois : trop peu pour détecter une dérive
+    .expected = au moins { $least } fois
 
-reference-drifts = `{ $target }` dérive : des lignes { $first } aux lignes { $second }, elle se déplace de { FIXED($moved_mm, 4) } mm ; limite { $limit_mm } mm
-    .hint = vérifier la température et la fixation de l’instrument ; avec `targets` et `each = "pose"` dans [frame.world], le repère suit les cibles
+reference-drifts = `{ $target }` dérive : entre les lignes { $first } et les lignes { $second }, elle se déplace de { FIXED($moved_mm, 4) } mm ; limite { $limit_mm } mm
+    .hint = vérifier la température et la fixation de l’instrument ; avec `targets` et `each = "pose"` dans [frame.world], le référentiel suit les cibles
 
-frames-differ = les points sont relatifs au repère `{ $second }` ; ceux d’un autre export le sont au repère `{ $first }`
-    .hint = les exporter dans un même repère de travail, ou ne pas les utiliser ensemble
+frames-differ = les points se rapportent au référentiel `{ $second }` ; ceux d’un autre export, au référentiel `{ $first }`
+    .hint = les exporter dans un même référentiel, ou ne pas les utiliser ensemble
 
 export-empty = `{ $file }` ne contient aucun point
-    .hint = exporter de nouveau les points, ou supprimer cet [[export]] ; `etalon formats FICHIER` montre comment un texte est lu
+    .hint = exporter de nouveau les points, ou supprimer cet [[export]] ; `etalon formats FICHIER` montre comment un fichier texte est lu
 
-target-formula = la cible `{ $target }` est une formule dans un tableur
-    .hint = la renommer, ou indiquer un `label` sans son premier caractère
+target-formula = le nom de cible `{ $target }` serait une formule dans un tableur
+    .hint = renommer la cible, ou indiquer un `label` qui omet le premier caractère
 
-target-without-pose = la ligne nomme une cible mais pas de pose
-    .hint = nommer la pose dans l’étiquette, ou indiquer `pose = "row"` pour cet export
+target-without-pose = la ligne indique une cible, mais pas de pose
+    .hint = indiquer la pose dans l’étiquette, ou indiquer `pose = "row"` pour cet export
 
-target-twice = la cible `{ $target }` figure deux fois à la pose { $pose }, cycle { $cycle }
-    .hint = la première est { $file }:{ $line } ; { $numbered ->
+target-twice = la cible `{ $target }` apparaît deux fois à la pose { $pose }, cycle { $cycle }
+    .hint = la première est { $file }:{ $line } ; { $numbered ->
             [by-row] indiquer `pose = "row + 100"` pour l’un des fichiers
            *[by-label] numéroter les répétitions comme cycles, ou en supprimer une
         }
 
 labels-unused = { $count ->
-        [one] { $count } étiquette ne nomme aucune cible et n’est utilisée
-       *[other] { $count } étiquettes ne nomment aucune cible et ne sont utilisées
-    } par aucun élément ni repère ; la première est `{ $label }`
+        [one] { $count } étiquette ne désigne aucune cible et n’est utilisée
+       *[other] { $count } étiquettes ne désignent aucune cible et ne sont utilisées
+    } par aucun élément ni référentiel ; la première est `{ $label }`
     .hint = corriger l’étiquette, ou `label` de cet export
 
-column-step = { $column } à { $step } { $unit }
+column-step = { $column } à { $step } { $unit } près
 
-coordinates-rounded = des coordonnées de `{ $file }` sont arrondies ({ $columns }) : incertitude-type { FIXED($rounding_um, 1) } µm, instrument { FIXED($instrument_um, 1) } µm
+coordinates-rounded = les coordonnées de `{ $file }` sont arrondies ({ $columns }) : incertitude-type d’arrondi { FIXED($rounding_um, 1) } µm, instrument { FIXED($instrument_um, 1) } µm
     .hint = les exporter avec plus de décimales
 
 labels-missing = aucun point n’a une étiquette de la forme `{ $pattern }`
     .hint = corriger le motif, ou ajouter l’export
 
 exclusion-option-without-reason = { $option } { $text } n’indique pas de raison
-    .expected = ce qui est exclu, et pourquoi : "13, 20-22: bille desserrée"
+    .expected = ce qui est exclu, et pourquoi : "13, 20-22: bille desserrée"
 
 exclusion-poses = { $count ->
         [one] pose
@@ -105,15 +105,15 @@ exclusion-cycle = cycle { $cycle }
 
 exclusion-target = cible `{ $target }`
 
-excluded-readings = exclu : { $count ->
+excluded-readings = exclusion : { $count ->
         [one] { $count } lecture
        *[other] { $count } lectures
-    }, { $of } : { $reason }
+    }, { $of } : { $reason }
 
 exclusions-leave-nothing = les exclusions ne laissent aucune lecture
     .hint = supprimer une exclusion
 
-exclusion-names-nothing = `{ $stated }` ne nomme aucune { $of ->
+exclusion-names-nothing = `{ $stated }` ne désigne aucune { $of ->
         [rows] ligne
        *[poses] pose
     } à exclure
@@ -127,69 +127,68 @@ not-of-this-robot = `{ $name }` n’est pas une { $kind ->
        *[target] cible
     } de ce robot
 
-exclusion-without-reason = une exclusion demande sa raison
+exclusion-without-reason = une exclusion doit être motivée
     .hint = indiquer dans `reason` pourquoi les mesures sont exclues
 
 exclusion-matches-nothing = { $of ->
         [rows] il n’y a pas de ligne { $name } à exclure
-       *[poses] il n’y a pas de lecture à la pose { $name } de ces cycle et cible à exclure
+       *[poses] il n’y a pas, à la pose { $name }, de lecture de ce cycle et de cette cible à exclure
     }
     .hint = corriger l’exclusion, ou la supprimer
 
-join-missing = des exports et des journaux demandent [join]
-    .hint = indiquer `by` dans [join] : "pose", "pose_and_cycle", "row", "time" ou "label"
+join-by-time-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : les deux instants les plus proches sont distants de { FIXED($apart_s, 3) } s
+    .hint = vérifier la valeur et le signe de `clock_offset_s` : instant de la mesure moins instant du journal
 
-join-by-time-empty = aucun point mesuré n’a de partenaire dans le journal `{ $log }` : les deux temps les plus proches sont distants de { FIXED($apart_s, 3) } s
-    .hint = vérifier la valeur et le signe de `clock_offset_s` : temps de la mesure moins temps du journal
+both-rows-near = un point entre deux lignes les demande toutes deux à moins de `tolerance_s` : indiquer au moins le temps d’une ligne à l’autre
 
-join-empty = aucun point mesuré n’a de partenaire dans le journal `{ $log }` : la première pose des points est `{ $measured }`, celle du journal `{ $logged }`
+join-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : la première pose des points est `{ $measured }`, celle du journal `{ $logged }`
     .hint = comparer les poses et cycles des exports et du journal, ou choisir une autre clé par `by` dans [join]
 
-clock-from-standstills = l’horloge du journal `{ $log }` est réglée par { $count ->
+clock-from-standstills = l’horloge du journal `{ $log }` est calée sur { $count ->
         [one] { $count } arrêt
        *[other] { $count } arrêts
-    } : décalage { FIXED($offset_s, 3) } s ± { FIXED($half_width_s, 3) } s
+    } : décalage { FIXED($offset_s, 3) } s ± { FIXED($half_width_s, 3) } s
     .hint = avec ce décalage, chaque point mesuré tombe dans un arrêt
 
 pose-without-frame = { $count ->
         [one] { $count } pose
        *[other] { $count } poses
-    } sans repère du monde, exclues : { $poses }
-    .hint = les cibles du repère ont été refusées ou non mesurées : voir import.json
+    } sans référentiel atelier, exclues : { $poses }
+    .hint = les cibles du référentiel ont été rejetées ou n’ont pas été mesurées : voir import.json
 
 join-contradicts = { $count ->
         [one] { $count } point mesuré a
        *[other] { $count } points mesurés ont
-    } un autre { $column } que la ligne du journal `{ $log }` à laquelle ils sont joints : { $measured } et { $logged } (ligne { $line } du journal)
-    .hint = joindre par pose ; ou omettre `{ $column }` de `columns` du journal, s’il y compte autre chose
+    } une autre valeur de { $column } que la ligne du journal `{ $log }` à laquelle ils sont joints : { $measured } et { $logged } (ligne { $line } du journal)
+    .hint = joindre par pose ; ou omettre `{ $column }` de `columns` du journal, si elle y compte autre chose
 
 row-counts-differ = `{ $file }` a { $rows } lignes, le journal `{ $log }` en a { $log_rows }
-    .expected = des nombres égaux pour une jointure par ligne
-    .hint = compléter le fichier auquel il manque des lignes ; ou nommer pose et cycle dans les deux, et joindre par eux
+    .expected = le même nombre de lignes pour une jointure par ligne
+    .hint = compléter le fichier auquel il manque des lignes ; ou indiquer pose et cycle dans les deux, et s’en servir pour joindre
 
-approach-direction-unknown = le journal `{ $log }` ne montre pas dans quel sens l’articulation `{ $joint }` est arrivée
-    .hint = `backlash` le demande : indiquer les temps des lignes (`time_s` dans `columns`, ou `period_s`), ou `{ $column }` dans `columns` : +1 par le bas, -1 par le haut
+approach-direction-unknown = le journal `{ $log }` ne montre pas le sens d’approche de l’articulation `{ $joint }`
+    .hint = `backlash` l’exige : indiquer l’instant de chaque ligne (`time_s` dans `columns`, ou `period_s`), ou `{ $column }` dans `columns` : +1 par valeurs croissantes, -1 par valeurs décroissantes
 
-backlash-direction-unknown = le journal `{ $log }` n’a pas de mouvement d’une articulation à jeu avant la pose { $poses } : exclue
+backlash-direction-unknown = le journal `{ $log }` ne contient pas de mouvement d’une articulation à jeu avant ces poses, qui sont exclues : { $poses }
     .hint = commencer le journal avant la première pose, ou indiquer le sens d’approche
 
-targets-out-of-plane = les cibles du robot plan ont des hauteurs de { FIXED($low_mm, 3) } mm à { FIXED($high_mm, 3) } mm dans le repère du monde
-    .hint = vérifier z des exports (unité, signe, colonne) et les points qui définissent le plan du repère du monde
+targets-out-of-plane = les hauteurs des cibles du robot plan vont de { FIXED($low_mm, 3) } mm à { FIXED($high_mm, 3) } mm dans le référentiel atelier
+    .hint = vérifier z des exports (unité, signe, colonne) et les points qui définissent le plan du référentiel atelier
 
 log-column-missing = le journal `{ $log }` n’a pas de colonne `{ $column }`
 
 column-empty = la colonne `{ $column }` est vide ou manque
     .hint = ajouter la colonne, ou compléter la cellule
 
-targets-missing = des cibles manquent à la pose { $poses }
-    .hint = leurs autres cibles comptent ; une pose ou une orientation les demande toutes
+targets-missing = des cibles manquent (poses : { $poses })
+    .hint = les autres cibles de ces poses comptent ; une pose ou une orientation exige toutes les cibles
 
 key-in-lines = { $key } (lignes { $lines })
 
-log-key-twice = le journal `{ $log }` a { $count ->
+log-key-twice = le journal `{ $log }` contient { $count ->
         [one] { $count } clé
        *[other] { $count } clés
-    } plus d’une fois : { $keys }
+    } plus d’une fois : { $keys }
     .hint = ajouter `cycle` à la clé, ou supprimer les lignes qui ne comptent pas
 
 keys-unmatched = { $count ->
@@ -198,142 +197,142 @@ keys-unmatched = { $count ->
     } { $of ->
         [log] du journal `{ $log }` sans point mesuré
        *[points] de points mesurés sans ligne du journal `{ $log }`
-    } ({ $columns }) : { $keys } ; voir import.json
+    } ({ $columns }) : { $keys } ; voir import.json
 
 pose-misspelt = la pose `{ $pose }` { $of ->
         [log] du journal `{ $log }` n’a pas été mesurée, et des poses mesurées ne sont pas dans le journal
        *[points] n’est pas dans le journal `{ $log }`, et des poses du journal n’ont pas été mesurées
     }
 
-join-key-missing = la jointure demande `{ $key }`, que des lignes n’ont pas
-    .hint = la nommer dans `label` des exports et dans `columns` du journal, ou changer `by` dans [join]
+join-key-missing = la jointure exige `{ $key }`, absent de certaines lignes
+    .hint = indiquer `{ $key }` dans `label` des exports et dans `columns` du journal, ou changer `by` dans [join]
 
-join-by-label-targets = une jointure par étiquette est pour un robot à une cible ; celui-ci en a { $count }
-    .hint = nommer une cible, ou choisir une autre clé par `by` dans [join]
+join-by-label-targets = une jointure par étiquette suppose un robot à une seule cible ; celui-ci en a { $count }
+    .hint = indiquer une cible, ou choisir une autre clé par `by` dans [join]
 
-join-by-label-frame = une jointure par étiquette demande un repère du monde unique pour toutes les poses
-    .hint = définir le repère par des points qui ne bougent pas
+join-by-label-frame = une jointure par étiquette suppose un référentiel atelier unique pour toutes les poses
+    .hint = définir le référentiel par des points qui ne bougent pas
 
 label-not-measured = aucun point mesuré n’a l’étiquette `{ $label }`
 
 points-untouched = { $count ->
         [one] { $count } point n’est touché
        *[other] { $count } points ne sont touchés
-    } par aucune ligne du journal `{ $log }` ; le premier est `{ $label }`
+    } par aucune ligne du journal `{ $log }` ; le premier est `{ $label }`
 
-log-times-not-increasing = les temps du journal `{ $log }` ne croissent pas à sa ligne { $row }
-    .hint = trier le journal par temps, et supprimer les lignes de temps égaux
+log-times-not-increasing = les instants du journal `{ $log }` ne sont pas croissants à la ligne { $row }
+    .hint = trier le journal par le temps, et supprimer les lignes de même instant
 
 times-missing = { $of ->
-        [log] le journal a des lignes sans temps
-        [export] l’export a des lignes sans temps
-       *[points] aucun point mesuré n’a de temps
+        [log] le journal contient des lignes sans instant
+        [export] l’export contient des lignes sans instant
+       *[points] aucun point mesuré n’a d’instant
     }
-    .hint = une jointure par temps demande `time_s` dans les colonnes des exports et du journal
+    .hint = une jointure par le temps nécessite `time_s` dans les colonnes des exports et du journal
 
 several-rows-near = { $count ->
         [one] { $count } point mesuré a
        *[other] { $count } points mesurés ont
-    } plusieurs lignes du journal `{ $log }` à moins de { $tolerance_s } s : la plus proche compte
+    } plusieurs lignes du journal `{ $log }` à moins de { $tolerance_s } s : la plus proche compte
     .hint = réduire `tolerance_s` à moins de la moitié de la période du journal
 
 points-without-row = { $count ->
         [one] { $count } point mesuré n’a
        *[other] { $count } points mesurés n’ont
-    } aucune ligne du journal `{ $log }` à moins de { $tolerance_s } s
+    } aucune ligne du journal `{ $log }` à moins de { $tolerance_s } s
 
 rows-without-point = { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
     } du journal `{ $log }` sans point mesuré
 
-target-time-twice = { $count } points de la cible `{ $target }` ont le même temps (lignes { $lines })
-    .hint = corriger les temps, ou nommer la cible de chaque point
+target-time-twice = { $count } points de la cible `{ $target }` ont le même instant (lignes { $lines })
+    .hint = corriger les instants, ou indiquer la cible de chaque point
 
 log-row-met-twice = la ligne { $row } du journal `{ $log }` est la plus proche de { $count } points de la cible `{ $target }` (lignes { $lines })
     .hint = réduire `tolerance_s`, ou vérifier `clock_offset_s`
 
-clock-offset-none = aucun décalage des horloges ne place chaque point mesuré dans un arrêt du journal : { $count ->
-        [one] { $count } temps convient
-       *[other] { $count } temps conviennent
-    }, jusqu’à { $last_s } s ; le temps { $first_s } s ne convient pas
-    .hint = supprimer les points mesurés en mouvement ; ou indiquer `clock_offset_s` par un nombre : les lignes sans partenaire sont alors listées
+clock-offset-none = aucun décalage des horloges ne place tous les points mesurés dans des arrêts du journal : { $count ->
+        [one] { $count } instant convient
+       *[other] { $count } instants conviennent
+    }, jusqu’à { $last_s } s ; l’instant { $first_s } s ne convient pas
+    .hint = supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique : les lignes sans correspondance sont alors énumérées
 
-range-of-seconds = { FIXED($low_s, 3) } à { FIXED($high_s, 3) } s
+range-of-seconds = { FIXED($low_s, 3) } à { FIXED($high_s, 3) } s
 
-clock-offsets-several = les arrêts admettent { $count } plages du décalage des horloges, les premières : { $ranges }
-    .hint = comparer les horloges, et indiquer `clock_offset_s` par un nombre
+clock-offsets-several = les arrêts sont compatibles avec { $count } plages du décalage des horloges, les premières : { $ranges }
+    .hint = comparer les horloges, et donner à `clock_offset_s` une valeur numérique
 
 axis-of-world = "x", "y" ou "z"
 
-observe-key-missing = le type `{ $kind }` demande `{ $column }`
+observe-key-missing = le type `{ $kind }` exige `{ $column }`
     .hint = indiquer `{ $column }`
 
 distance-not-positive = `distance_mm` manque ou n’est pas une longueur
     .expected = une longueur supérieure à 0
 
-fixed-point-on-robot = `{ $name }` est une cible sur le robot, pas un point fixe
-    .hint = donner aux points fixes leurs propres noms ; les lignes qui ne concernent qu’eux n’ont pas de pose
+fixed-point-on-robot = `{ $name }` est une cible portée par le robot, et non un point fixe
+    .hint = donner aux points fixes leurs propres noms ; les lignes qui ne concernent que des points fixes n’ont pas de pose
 
-distance-to-itself = la distance est de `{ $name }` à lui-même
+distance-to-itself = la distance va de `{ $name }` à lui-même
     .hint = corriger `other`
 
 number-missing = `{ $column }` manque ou n’est pas un nombre
     .expected = { $column ->
-            [offset_mm] la distance de la cible au plan suivant son axe, ou à la sphère vers l’extérieur : le rayon d’une bille, ou 0
+            [offset_mm] la distance de la cible au plan, suivant l’axe indiqué, ou à la sphère, vers l’extérieur : rayon de la bille, ou 0
            *[value_deg] la valeur de l’articulation d’après l’interrupteur ou le second codeur
         }
 
 row-without-pose = une ligne de type `{ $kind }` n’a pas de pose
-    .hint = les lignes sans pose indiquent des positions (`point`) et distances (`distance`) de points fixes, et des positions sur un `plane`, une `line` ou une `sphere`
+    .hint = seules les lignes sur des points fixes peuvent être sans pose : positions (`point`), distances (`distance`), et positions sur un `plane`, une `line` ou une `sphere`
 
-known-unsupported = une ligne de type `{ $kind }` n’a pas de [[known]]
+known-unsupported = [[known]] n’existe pas pour une ligne de type `{ $kind }`
     .expected = `point`, `distance`, `plane`, `line` ou `sphere`
 
-near-without-surface = `near_mm` est pour des positions sur des surfaces
+near-without-surface = `near_mm` ne s’applique qu’à des positions sur des surfaces
     .hint = supprimer `near_mm`
 
 kind-of-arms = les { $kind ->
-        [joints] valeurs d’articulations
+        [joints] valeurs articulaires
        *[poses] poses
-    } sont pour des bras spatiaux, pas pour `{ $model }`
-    .hint = observer des positions ou distances de cibles
+    } ne s’appliquent qu’aux bras tridimensionnels, et non à `{ $model }`
+    .hint = observer des positions ou des distances de cibles
 
 kind-unknown = `{ $name }` n’est pas un type d’observation
 
-name-on-few-rows = `{ $name }` n’est nommé que dans { $count ->
+name-on-few-rows = `{ $name }` n’est indiqué que dans { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
     }, et `{ $meant }` dans { $meant_count }
-    .hint = vouliez-vous dire `{ $meant }` ? sinon exclure les lignes de `{ $name }` : elles ne déterminent pas où il est
+    .hint = vouliez-vous dire `{ $meant }` ? sinon exclure les lignes de `{ $name }` : elles ne suffisent pas à le localiser
 
-base-moves = les articulations { $joints } déplacent `base_link` : les positions sont prises comme mesurées dans un repère qui le suit
-    .hint = si l’instrument est fixe dans la salle, prendre pour `base_link` la racine de l’URDF
+base-moves = les articulations { $joints } déplacent `base_link` : les positions sont considérées comme mesurées dans un référentiel qui se déplace avec lui
+    .hint = si l’instrument est fixe dans l’atelier, prendre pour `base_link` la racine du fichier URDF
 
-names-of-fixed-things = donner aux cibles, points et plans leurs propres noms
+names-of-fixed-things = donner aux cibles, aux points et aux plans des noms différents
 
 partial-coordinates = { $count ->
         [one] { $count } ligne donne
        *[other] { $count } lignes donnent
-    } une ou deux coordonnées d’une cible : chacune compte pour elle-même
+    } une ou deux coordonnées d’une cible : chaque coordonnée compte séparément
 
-station-missing = la colonne `station` est vide ici, et d’autres points en ont une
-    .hint = nommer la station : les lignes sans station sont celles de la station du monde, qui doit voir le robot à { $least } poses ou plus
+station-missing = la colonne `station` est vide ici, alors que d’autres points en indiquent une
+    .hint = indiquer la station : les lignes sans station sont celles de la station du référentiel atelier, qui doit voir le robot à au moins { $least } poses
 
-coordinates-unknown = `{ $text }` ne nomme pas de coordonnées
-    .expected = des lettres parmi x, y et z : "z", "xy"
+coordinates-unknown = `{ $text }` ne désigne pas de coordonnées
+    .expected = des lettres parmi x, y et z : "z", "xy"
 
 place-missing = la position de `{ $point }` manque ou n’est pas un nombre
     .hint = compléter ses coordonnées, ou supprimer la ligne
 
-joint-value-missing = une valeur d’articulation manque ou n’est pas un nombre
+joint-value-missing = une valeur articulaire manque ou n’est pas un nombre
     .hint = compléter ou supprimer la ligne
 
 station-row-unsupported = { $fault ->
         [kind] une ligne de type `{ $kind }` indique la station `{ $station }`
         [coordinate] une coordonnée mesurée par la station `{ $station }` manque ou n’est pas un nombre
         [covariance] un point mesuré par la station `{ $station }` indique une covariance
-       *[uncertainties] les coordonnées mesurées par la station `{ $station }` ont leurs propres incertitudes
+       *[uncertainties] des coordonnées mesurées par la station `{ $station }` ont leurs propres incertitudes
     }
     .expected = des lignes de type `point` avec x_mm, y_mm, z_mm et une incertitude `u_mm`, pour les stations autres que la première
 
@@ -347,137 +346,137 @@ uncertainty-missing = la ligne n’a pas d’incertitude-type
         }
 
 surface-axis-missing = { $kind ->
-        [line] la droite `{ $name }` demande l’axe du monde le plus proche d’elle
-       *[plane] le plan `{ $name }` demande l’axe du monde le plus proche de sa normale
+        [line] la droite `{ $name }` exige l’axe du référentiel atelier le plus proche de sa direction
+       *[plane] le plan `{ $name }` exige l’axe du référentiel atelier le plus proche de sa normale
     }
     .expected = x, y ou z dans la colonne `axis`{ $kind ->
             [line] {""}
-           *[plane] {""} : z pour une table, x ou y pour un mur
+           *[plane] {""} : z pour une table, x ou y pour un mur
         }
 
-offset-of-line = `offset_mm` est pour les plans et sphères, pas pour une droite
+offset-of-line = `offset_mm` ne s’applique qu’aux plans et aux sphères, et non à une droite
     .hint = laisser la cellule vide
 
-near-missing = une position sur { $kind } demande `near_mm`
-    .hint = indiquer environ où elle est, dans le monde
+near-missing = une position sur { $kind } exige `near_mm`
+    .hint = indiquer sa position approximative dans le référentiel atelier
 
 load-direction-unknown = `{ $direction }` n’est pas une direction
     .expected = +x, -x, +y, -y, +z ou -z
 
-load-direction-unmeasured = la direction `{ $direction }` demande `z_mm` : aucun déplacement n’y est mesuré
+load-direction-unmeasured = la direction `{ $direction }` exige `z_mm` : aucun déplacement n’est mesuré dans cette direction
     .hint = ajouter la colonne `z_mm`, ou supprimer la ligne
 
 force-not-a-number = `{ $text }` n’est pas une force
-    .expected = des newtons, zéro ou plus : la direction donne le signe
+    .expected = une force en newtons, positive ou nulle : la direction donne le signe
 
-drift-without-commanded = `drift_set` demande des poses commandées
-    .hint = les indiquer : `commanded = "commanded.csv"`
+drift-without-commanded = `drift_set` nécessite des poses commandées
+    .hint = les indiquer : `commanded = "commanded.csv"`
 
-attained-poses-twice = [poses] et [repeatability] indiquent tous deux des poses atteintes
-    .hint = garder celui où sont les mesures : des étiquettes, ou un tableau
+attained-poses-twice = [poses] et [repeatability] indiquent toutes deux des poses atteintes
+    .hint = garder la section qui correspond aux mesures : étiquettes ou tableau
 
-limit-without-value = la limite `{ $limit }` ne peut pas être jugée : la pose { $pose } n’a pas cette valeur
-    .hint = atteindre chaque pose au moins deux fois, et la commander
+limit-without-value = la limite `{ $limit }` ne peut pas être jugée : cette valeur manque à la pose { $pose }
+    .hint = atteindre chaque pose au moins deux fois, et indiquer sa pose commandée
 
-compensation-scatters = les positions atteintes se dispersent de { FIXED($after_mm, 4) } mm autour de la moyenne de leur pose après compensation par les cibles de référence, de { FIXED($before_mm, 4) } mm avant
-    .hint = chercher une lecture fausse parmi les cibles de référence, ou les omettre
+compensation-scatters = la dispersion des positions atteintes autour de la moyenne de leur pose est de { FIXED($after_mm, 4) } mm après correction par les cibles de référence, de { FIXED($before_mm, 4) } mm avant
+    .hint = chercher une lecture erronée parmi les cibles de référence, ou les omettre
 
-reference-targets-misshapen = les cibles de référence du cycle { $cycle } s’écartent de { FIXED($rms_mm, 4) } mm (moyenne quadratique) d’un mouvement rigide du premier cycle ; incertitude élargie { FIXED($expanded_mm, 4) } mm
-    .hint = l’une d’elles a bougé ou a été mal mesurée : les mesurer de nouveau, ou l’omettre
+reference-targets-misshapen = les cibles de référence du cycle { $cycle } s’écartent de { FIXED($rms_mm, 4) } mm (moyenne quadratique) d’un déplacement rigide de celles du premier cycle ; incertitude élargie { FIXED($expanded_mm, 4) } mm
+    .hint = l’une d’elles a bougé ou a été mal mesurée : la mesurer de nouveau, ou l’omettre
 
-repeatability-frame = [repeatability] demande un repère du monde mesuré une fois
-    .hint = définir le repère par des points qui ne bougent pas
+repeatability-frame = [repeatability] exige un référentiel atelier mesuré une seule fois
+    .hint = définir le référentiel par des points qui ne bougent pas
 
-commanded-angle-unmeasured = `{ $column }` est commandé, mais les étiquettes n’apportent que des positions
-    .hint = supprimer la colonne, ou donner les poses atteintes avec leurs angles en tableau : [poses]
+commanded-angle-unmeasured = `{ $column }` est commandé, mais les étiquettes ne donnent que des positions
+    .hint = supprimer la colonne, ou donner les poses atteintes avec leurs angles en tableau : [poses]
 
-commanded-pose-missing = aucune position n’est commandée pour la pose { $poses }
-    .hint = ajouter une ligne pour chaque pose de la trajectoire qui a été mesurée
+commanded-pose-missing = aucune position commandée pour ces poses : { $poses }
+    .hint = ajouter une ligne pour chaque pose mesurée de la trajectoire
 
 commanded-pose-unmeasured = la pose { $pose } est commandée, mais rien n’y a été mesuré
 
 trajectory-empty = la trajectoire n’a pas de pose
     .hint = indiquer les poses d’un cycle dans leur ordre, par exemple [1, 2, 1, 3]
 
-coplanar-not-four = `coplanar` ne nomme pas quatre poses de la trajectoire
+coplanar-not-four = `coplanar` n’indique pas quatre poses de la trajectoire
     .expected = quatre de ses poses, une fois chacune
 
 pose-not-in-trajectory = la pose { $pose } (cycle { $cycle }) n’est pas dans la trajectoire
     .hint = corriger l’étiquette, ou ajouter la pose à `trajectory`
 
-pose-of-several-targets = la pose { $pose } (cycle { $cycle }) a des visites de `{ $target }` et d’une autre cible
-    .hint = nommer l’unique cible de l’essai dans `label`
+pose-of-several-targets = la pose { $pose } (cycle { $cycle }) a des lectures de `{ $target }` et d’une autre cible
+    .hint = indiquer dans `label` la seule cible de l’essai
 
 pose-of-cycle = pose { $pose } du cycle { $cycle }
 
-visit-count-differs = la pose { $pose } a été mesurée { $found } fois dans le cycle { $cycle }, la trajectoire y passe { $count } fois
-    .hint = ajouter la visite, ou supprimer toutes celles de cette pose et de ce cycle : l’approche des autres est inconnue
+visit-count-differs = la pose { $pose } a été mesurée { $found } fois dans le cycle { $cycle }, alors que la trajectoire y passe { $count } fois
+    .hint = ajouter la lecture manquante, ou supprimer toutes celles de cette pose et de ce cycle : la direction d’approche des autres est inconnue
 
-visits-missing = non mesuré : { $poses }{ $count ->
+visits-missing = non mesurées : { $poses }{ $count ->
         [one] {""}
-       *[other] {""} ; { $count } en tout
+       *[other] {""} ; { $count } en tout
     }
 
-homing-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la répétabilité de la prise d’origine, { FIXED($rp_mm, 4) } mm
-    .hint = utiliser la valeur comme borne supérieure, ou mesurer avec un meilleur instrument
+homing-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la répétabilité de la prise d’origine, { FIXED($rp_mm, 4) } mm
+    .hint = utiliser la valeur comme majorant, ou mesurer avec un meilleur instrument
 
-central-part-too-large = { $option } dépasse la trajectoire
+central-part-too-large = la valeur de { $option } dépasse la trajectoire entière
     .expected = un nombre supérieur à 0 et au plus 100
 
-path-points-out-of-range = { $option } est hors plage
+path-points-out-of-range = la valeur de { $option } est hors plage
     .expected = 2 à 100000
 
-path-not-stated = { $option } demande { $path }
+path-not-stated = { $option } exige { $path }
     .hint = indiquer le fichier de la trajectoire commandée
 
-weave-incomplete = il manque { $option } au balayage
+weave-incomplete = il manque { $option } pour le balayage
     .hint = indiquer course, fréquence et direction
 
-weave-direction-count = { $option } n’a pas trois nombres
-    .expected = x, y et z de la direction de l’oscillation
+weave-direction-count = { $option } doit avoir trois nombres
+    .expected = x, y et z de la direction d’oscillation
 
-stream-twice = le flux `{ $stream }` figure deux fois
-    .hint = donner à chaque flux son propre nom
+stream-twice = l’enregistrement `{ $stream }` apparaît deux fois
+    .hint = donner à chaque enregistrement son propre nom
 
-in-observation = pose { $pose } cycle { $cycle } des observations : { $message }
+in-observation = pose { $pose }, cycle { $cycle } des observations : { $message }
 
-in-candidate = pose { $pose } des candidates : { $message }
+in-candidate = pose { $pose } des candidates : { $message }
 
-in-feature = élément `{ $name }` : { $message }
+in-feature = élément `{ $name }` : { $message }
 
-joints-of-pose-differ = ses lignes ont des valeurs d’articulation différentes
+joints-of-pose-differ = les lignes de cette pose ont des valeurs articulaires différentes
     .hint = les corriger, ou numéroter les répétitions dans la colonne `cycle`
 
-target-repeated = la cible `{ $target }` figure deux fois
+target-repeated = la cible `{ $target }` apparaît deux fois
     .hint = numéroter les répétitions dans la colonne `cycle`
 
 table-without-observations = il n’y a pas d’observations
     .hint = vérifier le fichier et les exclusions
 
-arms-apart = avec les paramètres nominaux, les bras ne se rejoignent pas à ces valeurs d’articulation
-    .hint = vérifier unité, signe et décalage des articulations, et les paramètres nominaux
+arms-apart = avec les paramètres nominaux, les bras ne se rejoignent pas à ces valeurs articulaires
+    .hint = vérifier l’unité, le signe et le décalage des articulations, et les paramètres nominaux
 
 assembly-mode-missing = le mode d’assemblage n’est pas indiqué
     .expected = 1 ou -1 dans la colonne `assembly`
-    .hint = les candidates peuvent aussi être des positions : `pose,x_mm,y_mm` sans articulations donne tous les modes de travail
+    .hint = les candidates peuvent aussi être des positions : `pose,x_mm,y_mm` sans valeurs articulaires donne tous les modes de travail
 
-assembly-mode-ambiguous = les deux modes d’assemblage conviennent également : à { FIXED($near_mm, 2) } mm et { FIXED($far_mm, 2) } mm de la position mesurée
-    .hint = indiquer une colonne `assembly` avec 1 ou -1 ; ou indiquer la position de la base (x_o, y_o, phi) sous [nominal]
+assembly-mode-ambiguous = les deux modes d’assemblage conviennent aussi bien l’un que l’autre : à { FIXED($near_mm, 2) } mm et à { FIXED($far_mm, 2) } mm de la position mesurée
+    .hint = indiquer une colonne `assembly` avec 1 ou -1 ; ou indiquer la position de la base (x_o, y_o, phi) sous [nominal]
 
-assembly-modes-assumed = le mode d’assemblage de { $count } observations a été tiré de la mesure ({ $positive } en mode +1, { $negative } en mode -1) ; le moins net est celui de la pose { $pose } : { FIXED($near_mm, 1) } mm et { FIXED($far_mm, 1) } mm
+assembly-modes-assumed = le mode d’assemblage de { $count } observations a été déduit de la mesure ({ $positive } en mode +1, { $negative } en mode -1) ; le cas le moins net est la pose { $pose } : { FIXED($near_mm, 1) } mm et { FIXED($far_mm, 1) } mm
     .hint = indiquer une colonne `assembly` avec 1 ou -1 si le journal la contient
 
-height-missing = les observations d’un robot spatial n’ont pas de `z_mm`
+height-missing = il manque `z_mm` aux observations d’un robot tridimensionnel
     .hint = ajouter la colonne `z_mm`
 
 uncertainties-twice = le tableau indique à la fois des incertitudes-types et des covariances de coordonnées
     .hint = supprimer `ux_mm`, `uy_mm`, `uz_mm`
 
 coordinate-uncertainty-missing = la ligne indique une incertitude, mais `{ $column }` est vide
-    .expected = de 0,00002 à 100 mm, ou toutes vides
+    .expected = de 0,00002 mm à 100 mm, ou toutes vides
 
 coordinate-uncertainty-unusable = `{ $column }` = { $value } n’est pas l’incertitude d’une coordonnée
-    .expected = de 0,00002 à 100 mm, ou toutes vides
+    .expected = de 0,00002 mm à 100 mm, ou toutes vides
 
 position-covariance-invalid = la covariance de la ligne n’est pas définie positive
     .hint = vérifier l’ordre et l’unité des colonnes `cxx_mm2` ..
@@ -492,54 +491,54 @@ unplaced = { $kind ->
            *[other] { $count } éléments fixes mesurés
         }
        *[both] { $count } cibles et éléments fixes mesurés
-    } aux seules poses de validation : { $names } ; placés par ces lectures, le robot identifié étant imposé
+    } aux seules poses de validation : { $names } ; position déduite de ces lectures, les paramètres identifiés du robot étant fixés
 
-validation-leaves-nothing = { $unplaced } : il ne reste rien pour valider
-    .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer une pose où elles sont mesurées vers `calibration`
+validation-leaves-nothing = { $unplaced } : il ne reste rien pour la validation
+    .hint = les mesurer aussi à des poses d’étalonnage, ou ajouter à `calibration` une pose où elles sont mesurées
 
-placed-by-validation = { $unplaced } ; les statistiques en tiennent compte
-    .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer une pose où elles sont mesurées vers `calibration`
+placed-by-validation = { $unplaced } ; les statistiques en tiennent compte
+    .hint = les mesurer aussi à des poses d’étalonnage, ou ajouter à `calibration` une pose où elles sont mesurées
 
-placed-by-validation-unjudged = { $unplaced } ; les lectures sans redondance ne sont pas jugées : { $names }
-    .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer une pose où elles sont mesurées vers `calibration`
+placed-by-validation-unjudged = { $unplaced } ; les lectures sans redondance ne sont pas jugées : { $names }
+    .hint = les mesurer aussi à des poses d’étalonnage, ou ajouter à `calibration` une pose où elles sont mesurées
 
-candidate-positions-unreachable = aucune position candidate n’est atteinte par le `{ $model }`, ou le modèle n’a pas d’inverse
-    .hint = indiquer des valeurs d’articulation, une colonne par articulation avec son unité
+candidate-positions-unreachable = le modèle `{ $model }` n’atteint aucune position candidate, ou n’a pas de modèle géométrique inverse
+    .hint = indiquer des valeurs articulaires, une colonne par articulation avec son unité
 
-check-readings = y chercher des étiquettes échangées et des lectures fausses ; les mesurer de nouveau, ou les exclure par `exclude` dans [identify]
+check-readings = y chercher des étiquettes interverties et des lectures erronées ; les mesurer de nouveau, ou les exclure par `exclude` dans [identify]
 
-robust-fit-disagrees = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; aucune pose ne contredit toutes les autres : les résidus ne sont pas normaux
+robust-fit-disagrees = un ajustement robuste modifie `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; aucune pose ne contredit toutes les autres : les résidus ne suivent pas une loi normale
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
-robust-fit-disagrees-at-poses = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; poses qui contredisent les autres : { $poses }
+robust-fit-disagrees-at-poses = un ajustement robuste modifie `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; poses qui contredisent les autres : { $poses }
 
 target-positions = `{ $target }` ({ $count ->
         [one] { $count } position
        *[other] { $count } positions
     })
 
-coordinates-commanded = le robot nominal reproduit les coordonnées de { $targets } à partir des valeurs d’articulation à { SCIENTIFIC($largest_mm, 2) } mm près, l’arrondi du fichier : elles ont été commandées, non mesurées
-    .hint = nommer les coordonnées mesurées dans `columns` ; si les données sont simulées, indiquer `synthetic` dans la campagne
+coordinates-commanded = le robot nominal reproduit les coordonnées de { $targets } à partir des valeurs articulaires à { SCIENTIFIC($largest_mm, 2) } mm près, soit l’arrondi du fichier : elles sont commandées, et non mesurées
+    .hint = indiquer les coordonnées mesurées dans `columns` ; si les données sont simulées, indiquer `synthetic` dans la campagne
 
-frame-points-mirrored = les points du repère du monde sont à { FIXED($off_mm, 3) } mm de leurs positions nominales, et conviennent à leur image miroir à { FIXED($limit_mm, 3) } mm près
-    .hint = deux axes de l’export sont échangés, ou l’un a le signe opposé : vérifier ses colonnes
+frame-points-mirrored = les points du référentiel atelier sont à { FIXED($off_mm, 3) } mm de leurs positions nominales, mais correspondent à leur image miroir à { FIXED($limit_mm, 3) } mm près
+    .hint = deux axes de l’export sont intervertis, ou l’un a le signe opposé : vérifier ses colonnes
 
-frame-point-off = `{ $point }` est à { FIXED($off_mm, 3) } mm de sa position nominale par rapport aux autres points (tolérance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
-    .hint = vérifier le point, son étiquette et `nominal_mm`, ou indiquer la tolérance du plan
+frame-point-off = `{ $point }` est à { FIXED($off_mm, 3) } mm de sa position nominale par rapport aux autres points (tolérance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+    .hint = vérifier le point, son étiquette et `nominal_mm`, ou indiquer la tolérance du dessin technique
 
-frame-points-off = de `{ $first }` à `{ $second }`, il y a { FIXED($measured_mm, 3) } mm mesurés, { FIXED($nominal_mm, 3) } mm nominaux (tolérance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
-    .hint = vérifier le point, son étiquette et `nominal_mm`, ou indiquer la tolérance du plan
+frame-points-off = distance de `{ $first }` à `{ $second }` : { FIXED($measured_mm, 3) } mm mesurés, { FIXED($nominal_mm, 3) } mm nominaux (tolérance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+    .hint = vérifier le point, son étiquette et `nominal_mm`, ou indiquer la tolérance du dessin technique
 
-nominal-point-unmeasured = `nominal_mm` nomme `{ $point }`, qui n’a pas été mesuré
+nominal-point-unmeasured = `nominal_mm` mentionne `{ $point }`, qui n’a pas été mesuré
 
-nominal-few-points = `nominal_mm` demande trois points ou plus
-    .hint = ajouter des points du repère, ou le supprimer
+nominal-few-points = `nominal_mm` exige au moins trois points
+    .hint = ajouter des points du référentiel, ou supprimer `nominal_mm`
 
-world-axes-exchanged = la base est à { FIXED($off_mm, 0) } mm et { FIXED($off_deg, 1) } deg de la position indiquée dans robot.toml : x, y, z de robot.toml sont { $axes } du repère du monde
-    .hint = vérifier axes, unité et points du repère du monde, et [nominal] de robot.toml
+world-axes-exchanged = la base est à { FIXED($off_mm, 0) } mm et { FIXED($off_deg, 1) } deg de la position indiquée dans robot.toml : x, y, z de robot.toml sont { $axes } du référentiel atelier
+    .hint = vérifier les axes, l’unité et les points du référentiel atelier, et [nominal] de robot.toml
 
-base-off-nominal = la base est à { FIXED($off_mm, 0) } mm et { FIXED($off_deg, 1) } deg de la position indiquée dans robot.toml ; limite { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
-    .hint = vérifier axes, unité et points du repère du monde, et [nominal] de robot.toml
+base-off-nominal = la base est à { FIXED($off_mm, 0) } mm et { FIXED($off_deg, 1) } deg de la position indiquée dans robot.toml ; limite { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
+    .hint = vérifier les axes, l’unité et les points du référentiel atelier, et [nominal] de robot.toml
 
 orientation-slip = { $slip ->
         [joint] `{ $name }` inversée
@@ -547,145 +546,139 @@ orientation-slip = { $slip ->
         [scalar-first] le scalaire des quaternions en premier
         [scalar-last-inverse] le scalaire des quaternions en dernier, et les rotations inverses
         [order] les angles dans l’ordre `{ $name }`
-        [vectors] des vecteurs de rotation au lieu d’angles
-        [order-of-vectors] des angles dans l’ordre `{ $name }` au lieu de vecteurs de rotation
+        [vectors] des vecteurs rotation au lieu d’angles
+        [order-of-vectors] des angles dans l’ordre `{ $name }` au lieu de vecteurs rotation
         [radians] les angles en radians au lieu de degrés
         [degrees] les angles en degrés au lieu de radians
         [inverse] les rotations inverses
-       *[left-handed] un repère indirect ({ $name } inversé)
+       *[left-handed] un référentiel indirect ({ $name } inversé)
     }
 
-slip-leaves = avec { $slip } de { FIXED($left_deg, 2) } deg
+slip-leaves = de { FIXED($left_deg, 2) } deg avec { $slip }
 
-check-slips = elles diffèrent { $slips } : vérifier cela d’abord
+check-slips = elles ne diffèrent plus que { $slips } : vérifier cela d’abord
 
 orientations-off = les orientations observées diffèrent de celles du robot { $robot ->
         [nominal] nominal
        *[identified] identifié
-    } de { FIXED($median_deg, 1) } deg (médiane)
-    .hint = vérifier que qw, qx, qy, qz tournent des vecteurs du corps vers le monde, le scalaire en premier ; ou l’ordre des angles : sans `orientation`, ceux qui conviennent sont nommés
+    } de { FIXED($median_deg, 1) } deg (médiane)
+    .hint = vérifier que qw, qx, qy, qz (scalaire en premier) transforment les vecteurs du corps vers le référentiel atelier ; ou vérifier l’ordre des angles : sans `orientation`, les ordres qui conviennent sont indiqués
 
 few-poses-to-leave-out = { $count ->
         [one] { $count } pose d’étalonnage est insuffisante
        *[other] { $count } poses d’étalonnage sont insuffisantes
-    } pour en laisser de côté
+    } pour en omettre quelques-unes
     .expected = au moins { $least }
-    .hint = en mesurer plus, ou en nommer plus dans `calibration`
+    .hint = en mesurer plus, ou en indiquer plus dans `calibration`
 
-nothing-to-judge = rien de ce qui a été observé n’est une position, une distance ou un contact
-    .hint = les paramètres sont jugés par des erreurs de position : en mesurer
+nothing-to-judge = aucune observation n’est une position, une distance ou un contact
+    .hint = les paramètres sont jugés d’après des erreurs de position : mesurer des positions
 
-validation-repeats-calibration = la validation répète l’étalonnage : la moitié des poses de validation sont à moins de { FIXED($median, 2) } fois l’espacement des poses d’étalonnage de l’une d’elles ; limite { $limit }
-    .hint = l’erreur du robot peut être plus grande ailleurs : valider sur des poses entre celles de l’étalonnage
+validation-repeats-calibration = la validation répète l’étalonnage : la distance de la moitié des poses de validation à la pose d’étalonnage la plus proche est inférieure à { FIXED($median, 2) } fois l’espacement des poses d’étalonnage ; limite { $limit }
+    .hint = ailleurs, l’erreur du robot peut être plus grande : valider à des poses situées entre celles de l’étalonnage
 
-validation-far = la validation est loin de l’étalonnage : la moitié des poses de validation sont à plus de { FIXED($median, 2) } fois l’espacement des poses d’étalonnage de la plus proche ; limite { $limit }
-    .hint = étalonner sur des poses réparties dans l’espace de travail où le robot est utilisé
+validation-far = la validation est loin de l’étalonnage : la distance de la moitié des poses de validation à la pose d’étalonnage la plus proche est supérieure à { FIXED($median, 2) } fois l’espacement des poses d’étalonnage ; limite { $limit }
+    .hint = étalonner à des poses réparties dans l’espace de travail où le robot est utilisé
 
 error-quantity-unknown = `{ $name }` n’est pas une grandeur d’erreur
-    .hint = relancer la campagne : `etalon run CAMPAIGN`
+    .hint = relancer la campagne : `etalon run CAMPAGNE`
 
 pose-set-unknown = `{ $name }` n’est pas un ensemble de poses
     .expected = calibration ou validation
 
-joint-does-not-move = `{ $joint }` ne bouge pas : les données laissent { $count ->
-        [one] { $count } paramètre à sa tolérance
-       *[other] { $count } paramètres à leurs tolérances
-    } : { $parameters }
-    .hint = déplacer `{ $joint }` entre les poses d’étalonnage, ou garder sa valeur à l’usage ; sinon des erreurs jusqu’à la tolérance de `{ $first }` demeurent
+joint-does-not-move = `{ $joint }` ne bouge pas : faute de données, { $count ->
+        [one] { $count } paramètre reste connu à sa tolérance près
+       *[other] { $count } paramètres restent connus à leur tolérance près
+    } : { $parameters }
+    .hint = déplacer `{ $joint }` entre les poses d’étalonnage, ou utiliser le robot en gardant sa valeur ; sinon des erreurs allant jusqu’à la tolérance de `{ $first }` subsistent
 
-direction-undetermined = les points laissent sa direction incertaine de { FIXED($direction_deg, 0) } deg (k = 1) ; limite { $limit_deg } deg
-    .hint = mesurer des points plus éloignés, pas tous alignés
+direction-undetermined = avec ces points, sa direction n’est connue qu’à { FIXED($direction_deg, 0) } deg près (k = 1) ; limite { $limit_deg } deg
+    .hint = mesurer des points plus éloignés les uns des autres, non tous alignés
 
-direction-uncertain = sa direction a une incertitude-type de { FIXED($direction_deg, 2) } deg ; limite { $limit_deg } deg
-    .hint = mesurer des points plus éloignés
+direction-uncertain = sa direction a une incertitude-type de { FIXED($direction_deg, 2) } deg ; limite { $limit_deg } deg
+    .hint = mesurer des points plus éloignés les uns des autres
 
-world-frame-incomplete = le repère du monde { $fault ->
+world-frame-incomplete = le référentiel atelier { $fault ->
         [plane] n’a pas de plan
         [feature] a un plan qui n’est pas un élément
         [origin] n’a pas d’origine
         [towards] n’a pas de `towards`
-       *[axis] demande soit `x_axis`, soit `y_axis`
+       *[axis] nécessite soit `x_axis`, soit `y_axis`
     }
     .hint = indiquer `plane`, `origin`, `x_axis` ou `y_axis`, et `towards` dans [frame.world]
 
-frame-name-unknown = aucune étiquette ni aucun élément ne s’appelle `{ $name }`
-    .hint = corriger le nom, ou ajouter l’élément
+world-side-undetermined = `towards` est sur l’axe : il ne détermine pas de quel côté va l’autre axe
+    .hint = indiquer un point hors de l’axe
 
-world-axis-without-direction = l’axe du repère du monde n’a pas de direction
-    .expected = deux étiquettes, de et à, ou un élément avec une direction
-
-world-side-undetermined = `towards` est sur l’axe : il ne détermine pas le côté de l’autre axe
-    .hint = nommer un point à côté de l’axe
-
-frame-few-targets = le repère du monde a { $count ->
+frame-few-targets = le référentiel atelier a { $count ->
         [one] { $count } cible
        *[other] { $count } cibles
     }
-    .expected = trois cibles ou plus
+    .expected = au moins trois cibles
 
-frame-never-complete = aucune pose n’a toutes les cibles { $targets } du repère du monde, distinctes
+frame-never-complete = à aucune pose, les cibles { $targets } du référentiel atelier ne sont toutes mesurées et distinctes
     .hint = les mesurer toutes, et vérifier leurs étiquettes
 
-orientations-twice = le tableau a des orientations deux fois : { $first } et { $second }
+orientations-twice = le tableau donne deux fois l’orientation : { $first } et { $second }
     .hint = omettre l’une d’elles
 
 orientation-columns-missing = il manque { $missing } à l’orientation
-    .expected = { $columns } : corps dans le monde
+    .expected = { $columns } : orientation du corps dans le référentiel atelier
 
 orientation-missing = l’orientation manque ou n’est pas un nombre
-    .expected = qw, qx, qy, qz : corps dans le monde ; ou un vecteur de rotation, ou trois angles
+    .expected = qw, qx, qy, qz : orientation du corps dans le référentiel atelier ; ou un vecteur rotation, ou trois angles
 
 angle-order-missing = l’ordre des angles n’est pas indiqué
     .hint = indiquer `orientation = "zyx"` dans [observations], ou --orientation
 
-angle-orders-unfit = aucun ordre des angles ne convient au robot nominal : `{ $order }` laisse { FIXED($left_deg, 1) } deg (moyenne quadratique) ; vérifier qu’ils tournent le corps vers le monde, et les articulations
+angle-orders-unfit = aucun ordre des angles ne correspond au robot nominal : avec `{ $order }`, l’écart est de { FIXED($left_deg, 1) } deg (moyenne quadratique) ; vérifier que les angles décrivent la rotation du corps vers le référentiel atelier, et vérifier les valeurs articulaires
 
-angle-order-leaves = `{ $order }` laisse { FIXED($left_deg, 3) } deg
+angle-order-leaves = { FIXED($left_deg, 3) } deg avec `{ $order }`
 
-angle-orders-fit = indiquer `orientation = "zyx"` dans [observations], ou --orientation ; du robot nominal { $orders } (moyenne quadratique)
+angle-orders-fit = indiquer `orientation = "{ $order }"` dans [observations], ou --orientation ; écart au robot nominal (moyenne quadratique) : { $orders }
 
 ball-missing = la bille `{ $target }` manque (pose { $pose }, cycle { $cycle })
     .hint = la mesurer, ou supprimer le reste de cette pose et de ce cycle
 
-actuator-unknown = il n’y a pas d’actionneur { $actuator }
+actuator-unknown = l’actionneur { $actuator } n’existe pas
     .expected = 1, 2 ou 3
 
 lead-position-unknown = la position { $position } de l’actionneur { $actuator } n’est pas dans `positions_mm`
     .hint = corriger l’étiquette, ou compléter `positions_mm`
 
-geometric-frame = l’étalonnage géométrique demande un repère du monde défini par les rails et la bille R
-    .expected = `plane`, `origin`, `y_axis = [origine, autre extrémité]` et `towards`, comme en 3.4.1 de la thèse
+geometric-frame = l’étalonnage géométrique exige un référentiel atelier défini par les rails et la bille R
+    .expected = `plane`, `origin`, `y_axis = [origine, autre extrémité]` et `towards`, comme au 3.4.1 de la thèse
 
 geometric-other-robot = [geometric] est l’étalonnage géométrique d’un PreXYT
     .expected = un robot de modèle `prexyt`
 
-scale-bar-error = barre étalon `{ $name }` : une erreur de { FIXED($error_mm, 4) } mm dépasse l’erreur tolérée de { FIXED($limit_mm, 4) } mm
+scale-bar-error = barre étalon `{ $name }` : l’erreur de { FIXED($error_mm, 4) } mm dépasse l’erreur maximale tolérée de { FIXED($limit_mm, 4) } mm
     .hint = vérifier palpeur, température et fixation de l’instrument, et mesurer la barre de nouveau
 
-scale-bar-uncertain = barre étalon `{ $name }` : l’erreur tolérée vaut { FIXED($ratio, 1) } fois l’incertitude élargie de son certificat, { $least } sont exigées
-    .hint = utiliser une barre avec un meilleur certificat : celle-ci ne vérifie rien
+scale-bar-uncertain = barre étalon `{ $name }` : l’erreur maximale tolérée vaut { FIXED($ratio, 1) } fois l’incertitude élargie du certificat de la barre ; au moins { $least } fois sont exigées
+    .hint = utiliser une barre dont le certificat a une plus petite incertitude : celle-ci ne permet pas de vérifier
 
-step-scatters = { $step } : les résidus se dispersent de { FIXED($found_mm, 4) } mm, l’instrument indique { FIXED($stated_mm, 4) } mm : les incertitudes suivent les résidus
-    .hint = chercher un jeu, une bille sale ou un nid desserré ; mesurer l’étape de nouveau
+step-scatters = { $step } : les résidus se dispersent de { FIXED($found_mm, 4) } mm, alors que l’incertitude de l’instrument est de { FIXED($stated_mm, 4) } mm : les incertitudes sont tirées des résidus
+    .hint = chercher un jeu, une bille sale ou un support desserré ; mesurer l’étape de nouveau
 
-table-without-poses = à aucune pose du tableau `{ $title }` K et L n’ont été mesurées ensemble
+table-without-poses = à aucune pose du tableau `{ $title }`, K et L n’ont été mesurées ensemble
     .hint = mesurer les deux billes dans le même cycle, ou choisir d’autres poses
 
 given-without-covariance = les paramètres n’ont pas de covariance
-    .hint = identifier de nouveau à partir de données qui laissent des degrés de liberté
+    .hint = identifier de nouveau à partir de plus de données, qui laissent des degrés de liberté
 
-calibrated-targets-missing = il manque { $names } aux paramètres : une autre base ou d’autres cibles
-    .hint = observer les cibles de l’étalonnage, là où elles étaient sur la partie mobile
+calibrated-targets-missing = il manque { $names } aux paramètres : la base ou les cibles sont différentes
+    .hint = observer les cibles de l’étalonnage, au même endroit de la partie mobile
 
-parameters-of-other-robot = les paramètres sont ceux d’un `{ $identified }` ; robot.toml décrit un autre robot (`{ $stated }`)
+parameters-of-other-robot = les paramètres sont ceux d’un robot `{ $identified }` ; robot.toml décrit un autre robot (`{ $stated }`)
     .hint = indiquer le robot.toml avec lequel ils ont été identifiés
 
-parameters-lacking = il manque { $names } aux paramètres ; indiquer le robot.toml avec lequel ils ont été identifiés
+parameters-lacking = il manque { $names } aux paramètres ; indiquer le robot.toml avec lequel ils ont été identifiés
 
 parameters-undescribed = les paramètres contiennent { $names }, que robot.toml ne décrit pas
     .hint = indiquer le robot.toml avec lequel ils ont été identifiés
 
-add-lines = ajouter { $lines } à robot.toml, avant son premier tableau
+add-lines = ajouter { $lines } à robot.toml, avant sa première table
 
 nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated }{ $unit ->
         [mm] {" "}mm
@@ -696,35 +689,35 @@ nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated }{ $un
         [deg] {" "}deg
        *[other] {""}
     } lors de l’identification
-    .hint = vérifier que les paramètres sont ceux de ce robot
+    .hint = vérifier si les paramètres sont ceux de ce robot
 
-calibration-without-residuals = l’étalonnage ne montre aucun écart-type d’une coordonnée
-    .hint = identifier avec une incertitude-type indiquée
+calibration-without-residuals = l’étalonnage ne donne pas l’écart-type d’une coordonnée
+    .hint = identifier en indiquant l’incertitude-type
 
 effect-would-prove = { $effect }{ $count ->
         [0] {""}
        *[other] {" "}des articulations { $joints }
-    } serait démontré : l’erreur aux poses d’étalonnage laissées de côté passe de { FIXED($without_mm, 3) } à { FIXED($with_mm, 3) } mm (position, moyenne quadratique)
+    } serait confirmé : l’erreur aux poses d’étalonnage omises passe de { FIXED($without_mm, 3) } à { FIXED($with_mm, 3) } mm (position, moyenne quadratique)
     .hint = ajouter "{ $effect }" à `effects` dans [identify], ou indiquer `effects = "proven"`
 
-outliers-too-many = `outliers = "exclude"` exclurait plus de { $share_percent } % des lectures
-    .hint = le modèle ou le montage est faux : voir ce que signale `outliers = "keep"`
+outliers-too-many = `outliers = "exclude"` exclurait plus de { $share_percent } % des lectures
+    .hint = le modèle ou le montage est incorrect : voir ce que signale `outliers = "keep"`
 
-log-correlates = avec le journal `{ $log }`, les résidus sont corrélés à la différence des deux journaux (r = { FIXED($correlation, 2) }) : leur moyenne quadratique est { FIXED($rms_mm, 3) } mm, avec le journal `{ $other }` { FIXED($other_rms_mm, 3) } mm
+log-correlates = avec le journal `{ $log }`, les résidus sont corrélés à la différence des deux journaux (r = { FIXED($correlation, 2) }) ; leur moyenne quadratique est de { FIXED($rms_mm, 3) } mm, contre { FIXED($other_rms_mm, 3) } mm avec le journal `{ $other }`
 
 use-log = { $hint ->
-        [name-first] identifier avec le journal `{ $log }` : le nommer en premier
-       *[is-used] le journal `{ $log }` est à utiliser, comme le fait cette campagne
+        [name-first] identifier avec le journal `{ $log }` : l’indiquer en premier
+       *[is-used] utiliser le journal `{ $log }`, comme cette campagne
     }
 
-selected-pose-unmeasured = `{ $pose }` ne nomme aucune pose mesurée
+selected-pose-unmeasured = `{ $pose }` ne désigne aucune pose mesurée
 
-selection-without-pose = `{ $set }` ne choisit aucune pose mesurée
+selection-without-pose = `{ $set }` ne désigne aucune pose mesurée
 
-sets-overlap = poses à la fois dans l’étalonnage et la validation : { $poses }
-    .hint = `validation = "rest"` prend toutes celles que l’étalonnage ne prend pas
+sets-overlap = ces poses servent à la fois à l’étalonnage et à la validation : { $poses }
+    .hint = `validation = "rest"` prend toutes les poses qui ne servent pas à l’étalonnage
 
-table-selection-empty = le tableau `{ $title }` n’a aucune pose mesurée
+table-selection-empty = le tableau `{ $title }` ne contient aucune pose mesurée
     .hint = un tableau montre des poses de `calibration` et `validation`
 
 poses-measured = { $count ->
@@ -734,158 +727,154 @@ poses-measured = { $count ->
 
 poses-unmeasured = aucune pose n’est mesurée et jointe
 
-at-pose = pose { $pose } : { $message }
+at-pose = pose { $pose } : { $message }
 
-values-of-column = { $message } ({ $count } valeurs sur { $total } le sont)
+values-of-column = { $message } ({ $count } valeurs sur { $total } sont dans ce cas)
 
-check-column-unit = vérifier l’unité de sa colonne : toutes les valeurs sont dans la plage en { $units ->
+check-column-unit = vérifier l’unité de sa colonne : toutes les valeurs seraient dans la plage en { $units ->
         [degrees] degrés au lieu de radians
        *[millimetres] millimètres au lieu de mètres
     }
 
-joint-out-of-range = articulation `{ $joint }` = { $value } { $unit } : hors plage
-    .expected = de { $lower } à { $upper } { $unit } : { $reason ->
-            [limits] les limites qu’indique le fichier du robot, et 0,1 au-delà
-            [turns] deux tours, car le fichier du robot n’indique pas de limites
-           *[others] car la moitié de ses valeurs sont groupées
+joint-out-of-range = articulation `{ $joint }` = { $value } { $unit } : hors plage
+    .expected = de { $lower } à { $upper } { $unit } : { $reason ->
+            [limits] les limites du fichier de robot, avec une marge de 0,1
+            [turns] deux tours, car le fichier de robot n’indique pas de limites
+           *[others] d’après la plage qui regroupe la moitié de ses valeurs
         }
-    .hint = vérifier son signe décimal et son unité ; si l’articulation peut y être, { $reason ->
-            [limits] corriger ses limites dans le fichier du robot
-           *[others] indiquer ses limites dans le fichier du robot
+    .hint = vérifier le séparateur décimal et l’unité de la valeur ; si l’articulation peut l’atteindre, { $reason ->
+            [limits] corriger ses limites dans le fichier de robot
+           *[others] indiquer ses limites dans le fichier de robot
         }
 
-common-errors-of-conditions = les erreurs communes à toutes les lectures (échelle, température, prise d’origine) ne sont tirées que pour des positions de cibles
+common-errors-of-conditions = les tirages ne couvrent les erreurs communes à toutes les lectures (échelle, température, prise d’origine) que pour des positions de cibles
     .hint = `etalon run` indique les incertitudes de cette campagne par propagation linéaire
 
-probe-of-feature-unknown = `{ $feature }` n’est pas ajusté : ses points sont des centres de palpeur, et le fichier n’indique pas { $missing ->
+probe-of-feature-unknown = `{ $feature }` n’est pas ajusté : ses points sont des centres du palpeur, et le fichier n’indique pas { $missing ->
         [side] de quel côté était le palpeur
        *[radius] le rayon du palpeur
     }
     .hint = { $missing ->
-            [side] l’indiquer : --probe-side inside, outside ou x,y,z
-           *[radius] l’indiquer : --probe-radius-mm
+            [side] l’indiquer : --probe-side inside, outside ou x,y,z
+           *[radius] l’indiquer : --probe-radius-mm
         }
 
 unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limite { FIXED($limit, 1) })
 
-parameters-unstable = non stables, et imposés : les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes, en écarts-types de la différence : { $parameters }
-    .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et regarder les résidus
-
-hold-unknown = `hold` nomme `{ $pattern }`, qui n’est pas un paramètre de ce robot
-
-residuals-pose-not-planar = `residuals = "pose"` est pour les robots plans, pas pour `{ $model }`
-    .hint = utiliser `residuals = "targets"`
+parameters-unstable = paramètres instables et donc fixés ; les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes les poses (en écarts-types de la différence) : { $parameters }
+    .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et examiner les résidus
 
 remedy = { $remedy ->
         [pose-uncertainty] l’indiquer (--standard-uncertainty-um), ou comparer des cibles
         [contact-uncertainty] indiquer aussi la répétabilité du contact (--standard-uncertainty-um), et comparer des cibles
-        [targets] donner les positions de ses cibles : des lignes de type `point`
+        [compare-targets] utiliser `residuals = "targets"`
+        [targets] donner les positions de ses cibles : des lignes de type `point`
         [uncertainty] l’indiquer (--standard-uncertainty-um)
         [own-uncertainties] comparer des cibles, ou supprimer les colonnes d’incertitudes
         [row-uncertainty] l’indiquer à chaque ligne, ou par --standard-uncertainty-um
         [part] `frame` est `flange` pour un bras, `platform` pour un PreXYT, `targets` pour tout robot
-        [positions] choisir plus de positions, ou imposer des paramètres par `--hold`
-        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier du robot
-        [hold-fewer] imposer moins de paramètres, et mesurer plus de poses
-        [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou imposer des paramètres par `hold` dans [identify] ou --hold
-        [hold] imposer des paramètres dans [identify], ou mesurer plus de poses
-        [unreachable] vérifier unité (degrés ou radians), signe et décalage des articulations, et les paramètres nominaux
+        [positions] choisir plus de positions, ou fixer des paramètres par `--hold`
+        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier de robot
+        [hold-fewer] fixer moins de paramètres, et mesurer plus de poses
+        [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou fixer des paramètres par `hold` dans [identify] ou --hold
+        [hold] fixer des paramètres dans [identify], ou mesurer plus de poses
+        [unreachable] vérifier l’unité (degrés ou radians), le signe et le décalage des articulations, et les paramètres nominaux
         [extent] vérifier `unit` des exports, les unités des articulations dans le journal, et les longueurs du robot
-        [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors tiré de la mesure
-       *[joints] vérifier unités, ordre et signes des articulations et les paramètres nominaux ; `hold` dans [identify] impose des paramètres
+        [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors déduit de la mesure
+       *[joints] vérifier les unités, l’ordre et les signes des articulations, et les paramètres nominaux ; `hold` dans [identify] fixe des paramètres
     }
 
-reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
+reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
 
-largest-residuals = plus grands résidus d’un ajustement robuste : { $readings }
-    .hint = y chercher d’abord des étiquettes échangées et des lectures fausses ; les erreurs du robot se répartissent sur toutes les poses
+largest-residuals = plus grands résidus d’un ajustement robuste : { $readings }
+    .hint = y chercher d’abord des étiquettes interverties et des lectures erronées ; les erreurs du robot se répartissent sur toutes les poses
 
 outlier-readings = { $count ->
         [one] { $count } lecture sur { $total } est aberrante
        *[other] { $count } lectures sur { $total } sont aberrantes
-    }, de plus de { $times } fois { FIXED($scale_mm, 4) } mm, l’écart-type des autres dans un ajustement robuste : { $readings }
+    } : résidu supérieur à { $times } fois { FIXED($scale_mm, 4) } mm, écart-type des autres dans un ajustement robuste : { $readings }
 
 outliers = { $outliers }
 
-outliers-excluded = exclu par `outliers = "exclude"` : { $outliers }
+outliers-excluded = exclusion par `outliers = "exclude"` : { $outliers }
 
 repeated-position = { $target } aux poses { $first } et { $second }
 
-positions-repeat = des positions mesurées se répètent au dernier chiffre alors que les articulations bougent, { $count } fois : { $pairs }
-    .hint = l’export contient une lecture d’une autre pose : mesurer celles-ci de nouveau, ou les exclure
+positions-repeat = des positions mesurées sont identiques jusqu’au dernier chiffre alors que les articulations bougent, { $count } fois : { $pairs }
+    .hint = l’export contient une lecture d’une autre pose : mesurer ces poses de nouveau, ou les exclure
 
-repeated-joints = poses { $first } et { $second }, distantes de { FIXED($apart_mm, 3) } mm
+repeated-joints = poses { $first } et { $second }, distantes de { FIXED($apart_mm, 3) } mm
 
-joint-values-repeat = des valeurs d’articulation se répètent au dernier chiffre alors que les cibles bougent, { $count } fois : { $pairs }
-    .hint = le journal contient une lecture d’une autre pose : les enregistrer de nouveau, ou les exclure
+joint-values-repeat = des valeurs articulaires sont identiques jusqu’au dernier chiffre alors que les cibles bougent, { $count } fois : { $pairs }
+    .hint = le journal contient une lecture d’une autre pose : enregistrer ces poses de nouveau, ou les exclure
 
-repeats-scatter = les répétitions de `{ $label }` sont jusqu’à { FIXED($off_mm, 4) } mm de leur médiane ; incertitude-type de l’instrument { FIXED($u_mm, 4) } mm
-    .hint = vérifier `unit` de l’export et l’incertitude de l’instrument, et que le point n’a pas bougé
+repeats-scatter = les répétitions de `{ $label }` s’écartent jusqu’à { FIXED($off_mm, 4) } mm de leur médiane ; incertitude-type de l’instrument { FIXED($u_mm, 4) } mm
+    .hint = vérifier `unit` de l’export et l’incertitude de l’instrument, et si le point a bougé
 
 repeat-off = { $away } sur { $count } répétitions de `{ $label }` { $away ->
-        [one] est à
-       *[other] sont jusqu’à
-    } { FIXED($off_mm, 4) } mm de leur médiane ; incertitude-type de l’instrument { FIXED($u_mm, 4) } mm
-    .hint = supprimer la lecture fausse de l’export, ou mesurer le point de nouveau : tous les résultats en dépendent
+        [one] s’écarte de
+       *[other] s’écartent jusqu’à
+    } { FIXED($off_mm, 4) } mm de leur médiane ; incertitude-type de l’instrument { FIXED($u_mm, 4) } mm
+    .hint = supprimer la lecture erronée de l’export, ou mesurer le point de nouveau : tous les résultats en dépendent
 
 uncertainty-zero-rounded = `{ $column }` est 0 dans { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
-    } : arrondi, et lu comme la résolution de la colonne, u = { $u } { $unit } (moitié du dernier chiffre sur √3)
+    } : valeur arrondie, remplacée par la résolution de la colonne, u = { $u } { $unit } (moitié du dernier chiffre divisée par √3)
     .hint = exporter les incertitudes avec plus de décimales
 
 uncertainty-zero = `{ $column }` est 0 dans { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
-    }, et ne montre aucune résolution : l’incertitude de l’instrument y compte
+    }, et la colonne ne montre aucune résolution : l’incertitude de l’instrument s’applique à ces lignes
     .hint = exporter les incertitudes avec plus de décimales
 
-key-of-text-table = `{ $key }` n’a pas de sens pour une feuille de classeur
-    .hint = supprimer `{ $key }` : les cellules d’un classeur sont lues telles quelles
+key-of-text-table = `{ $key }` est sans objet pour une feuille de classeur
+    .hint = supprimer `{ $key }` : les cellules d’un classeur sont lues telles quelles
 
 measurements-undescribed = aux poses { $set ->
         [validation] de validation
        *[calibration] d’étalonnage
-    }, le modèle laisse { FIXED($after_mm, 3) } mm (moyenne quadratique) pour des positions étalées sur { FIXED($spread_mm, 1) } mm ; { $count } lectures sur { $total } s’écartent de plus de { FIXED($limit_mm, 1) } mm : le modèle ne décrit pas ces mesures
+    }, le résidu du modèle est de { FIXED($after_mm, 3) } mm (moyenne quadratique) pour des positions étalées sur { FIXED($spread_mm, 1) } mm ; { $count } lectures sur { $total } s’écartent de plus de { FIXED($limit_mm, 1) } mm : le modèle ne décrit pas ces mesures
 
-undescribed-targets = toutes les lectures de { $targets } s’écartent, et aucune autre : vérifier ses étiquettes, et si elle a été déplacée
+undescribed-targets = toutes les lectures de { $targets } s’écartent, et aucune autre : vérifier les étiquettes de la cible, et si elle a été déplacée
 
-undescribed-readings = { $readings } : { $remedy }
+undescribed-readings = { $readings } : { $remedy }
 
-undescribed-set-up = vérifier unités, ordre et signes des articulations, les paramètres nominaux, et la jointure du journal et des points
+undescribed-set-up = vérifier les unités, l’ordre et les signes des articulations, les paramètres nominaux, et la jointure du journal et des points
 
-undescribed-frame-moved = un mouvement du repère de { FIXED($motion_mm, 1) } mm laisse { FIXED($left_mm, 3) } mm : la base ou le système de mesure a bougé entre les poses d’étalonnage et de validation
+undescribed-frame-moved = avec un seul déplacement du référentiel de { FIXED($motion_mm, 1) } mm, le résidu est de { FIXED($left_mm, 3) } mm : la base ou le système de mesure a bougé entre les poses d’étalonnage et de validation
 
-undescribed-unchecked = les poses d’étalonnage ne laissent aucune coordonnée pour le contrôle : d’autres positions de la base et des cibles y conviennent aussi ; mesurer davantage de poses d’étalonnage, réparties dans l’espace de travail
+undescribed-unchecked = les poses d’étalonnage ne laissent aucune coordonnée pour le contrôle : d’autres positions de la base et des cibles conviennent aussi bien ; mesurer plus de poses d’étalonnage, réparties dans l’espace de travail
 
-undescribed-other-poses = les poses d’étalonnage conviennent, et aucun mouvement du repère n’explique les autres : vérifier que le journal et les exports des poses de validation concernent les mêmes poses (journal d’une autre campagne, ou poses numérotées autrement)
+undescribed-other-poses = le modèle convient aux poses d’étalonnage, et aucun déplacement du référentiel n’explique les autres : vérifier si le journal et les exports des poses de validation concernent les mêmes poses (journal d’une autre campagne, ou poses numérotées autrement)
 
-prior-of-nominal = des paramètres nominaux n’ont pas de covariance pour `--frames prior`
-    .hint = en nommer d’identifiés par `--parameters`, ou utiliser `--frames refit`
+prior-of-nominal = les paramètres nominaux n’ont pas de covariance pour `--frames prior`
+    .hint = indiquer des paramètres identifiés par `--parameters`, ou utiliser `--frames refit`
 
-prior-of-conditions = `--frames prior` est pour des positions mesurées seulement
-    .hint = exclure les lignes d’autres types, ou réajuster base et cibles : `--frames refit`
+prior-of-conditions = `--frames prior` ne s’applique qu’à des positions mesurées
+    .hint = omettre les lignes d’autres types, ou réajuster base et cibles : `--frames refit`
 
-place-without-nominal = `{ $parameter }` n’a pas de valeur nominale : il est tiré des mesures
-    .hint = ajuster base et cibles aux poses d’étalonnage : `--frames refit`
+place-without-nominal = `{ $parameter }` n’a pas de valeur nominale : sa valeur est tirée des mesures
+    .hint = ajuster base et cibles aux poses d’étalonnage : `--frames refit`
 
-given-parameters-worse = les paramètres donnés laissent { FIXED($given_mm, 3) } mm, les nominaux { FIXED($nominal_mm, 3) } mm (moyenne quadratique)
-    .hint = vérifier que ce sont ceux de ce robot, et si base et cibles sont celles de cette campagne (`--frames`)
+given-parameters-worse = le résidu est de { FIXED($given_mm, 3) } mm avec les paramètres donnés, de { FIXED($nominal_mm, 3) } mm avec les paramètres nominaux (moyenne quadratique)
+    .hint = vérifier si les paramètres sont ceux de ce robot, et si base et cibles sont celles de cette campagne (`--frames`)
 
-candidate-poses-too-few = { $wanted } poses candidates sur { $count } ne peuvent être choisies
+candidate-poses-too-few = impossible de choisir { $wanted } poses parmi { $count } candidates
     .hint = indiquer moins de `--positions`, ou plus de candidates
 
-target-names-exchanged = avec les noms des cibles `{ $first }` et `{ $second }` échangés, les résidus passent de { FIXED($before_mm, 3) } à { FIXED($left_mm, 3) } mm
-    .hint = échanger les deux noms dans l’export
+target-names-exchanged = si l’on intervertit les noms des cibles `{ $first }` et `{ $second }`, les résidus passent de { FIXED($before_mm, 3) } à { FIXED($left_mm, 3) } mm
+    .hint = intervertir les deux noms dans l’export
 
 one-pose-contradicts = sans la pose `{ $pose }`, les observations ne contredisent pas les paramètres
-    .hint = mesurer cette pose de nouveau, et enregistrer de nouveau ses articulations
+    .hint = mesurer cette pose de nouveau, et enregistrer de nouveau ses valeurs articulaires
 
 motions-alike = { $count ->
         [one] { $count } autre mouvement explique
        *[other] { $count } autres mouvements expliquent
-    } aussi ces résidus : { $motions }
-    .hint = observer des poses qui diffèrent plus par les valeurs des articulations
+    } aussi ces résidus : { $motions }
+    .hint = observer des poses dont les valeurs articulaires diffèrent davantage
 
 no-coordinates-to-check = { $count ->
         [one] { $count } coordonnée des poses d’étalonnage détermine
@@ -893,48 +882,198 @@ no-coordinates-to-check = { $count ->
     } { $parameters ->
         [one] { $parameters } paramètre
        *[other] { $parameters } paramètres
-    } : il n’en reste pas pour les vérifier
+    } : il ne reste aucune coordonnée pour les vérifier
     .hint = mesurer plus de poses, réparties dans l’espace de travail
 
-validation-outliers = { $count } erreurs de validation sur { $total } dépassent { FIXED($limit_mm, 4) } mm, { $times } fois leur médiane : { $readings }
+validation-outliers = { $count } erreurs de validation sur { $total } dépassent { FIXED($limit_mm, 4) } mm, { $times } fois leur médiane : { $readings }
 
-common-scale = { $parameters } valent tous environ { FIXED($factor, 5) } fois leur valeur nominale : une erreur d’échelle du système de mesure ou des articulations l’explique mieux que des erreurs de { $count } pièces
-    .hint = vérifier échelle, compensation de température et unité du système de mesure et des codeurs
+common-scale = { $parameters } valent tous environ { FIXED($factor, 5) } fois leur valeur nominale : une erreur d’échelle du système de mesure ou des articulations est plus probable que des erreurs de { $count } pièces
+    .hint = vérifier l’échelle, la compensation de température et l’unité du système de mesure et des codeurs
 
-compliance-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation fléchit contre la pesanteur
+compliance-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation fléchit en sens inverse de la pesanteur
     .hint = vérifier `gravity` et la direction de l’axe de l’articulation dans robot.toml
 
-backlash-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation devance son entraînement, ce qu’aucun jeu n’explique
-    .hint = vérifier le signe des sens d’approche (+1 où la valeur croissait, -1 où elle décroissait), et que les temps du journal sont ceux du même mouvement
+backlash-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation devance son entraînement, ce qu’aucun jeu n’explique
+    .hint = vérifier le signe des sens d’approche (+1 par valeurs croissantes, -1 par valeurs décroissantes), et si les instants du journal sont ceux du même mouvement
 
-ball-names-exchanged = `{ $parameter }`, la distance de K et L, vaut { FIXED($value, 3) } { $unit } : K et L sont échangées
-    .hint = échanger les noms des deux cibles dans les étiquettes de l’export
+ball-names-exchanged = `{ $parameter }`, distance de K à L, vaut { FIXED($value, 3) } { $unit } : K et L sont interverties
+    .hint = intervertir les noms des deux cibles dans les étiquettes de l’export
 
 identified-worse-than-nominal = aux poses { $set ->
         [validation] de validation
        *[calibration] d’étalonnage
-    }, le robot identifié est moins bon que le robot nominal : { FIXED($before_mm, 4) } mm avant, { FIXED($after_mm, 4) } mm après (moyenne quadratique)
-    .hint = mesurer plus de poses, réparties dans l’espace de travail, ou imposer des paramètres qu’elles ne déterminent pas
+    }, le robot identifié est moins bon que le robot nominal : { FIXED($before_mm, 4) } mm avant, { FIXED($after_mm, 4) } mm après (moyenne quadratique)
+    .hint = mesurer plus de poses, réparties dans l’espace de travail, ou fixer les paramètres qu’elles ne déterminent pas
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [mm] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
-        [deg] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
        *[other] { FIXED($value, 4) } (nominal { $nominal }, tolérance { FIXED($tolerance, 3) })
     }
 
 tolerance-exceeded = { $count ->
         [one] { $count } paramètre dépasse
        *[other] { $count } paramètres dépassent
-    } la tolérance du robot : { $parameters }
-    .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales et les repères ; si le robot est dessiné autrement, indiquer `tolerance` dans le fichier du robot
+    } la tolérance du robot : { $parameters }
+    .hint = vérifier les signes, les unités et l’ordre des articulations, les valeurs nominales et les référentiels ; si le dessin technique indique une autre tolérance, l’indiquer par `tolerance` dans le fichier de robot
 
-format-not-identified = les paramètres du format `{ $format }` n’ont pas pu être identifiés de nouveau : { $message }
+format-not-identified = les paramètres du format `{ $format }` n’ont pas pu être identifiés de nouveau : { $message }
 
-clock-rate-from-standstills = l’horloge de la mesure avance de { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) par rapport à celle du journal `{ $log }` (possible : { FIXED($low_ppm, 1) } à { FIXED($high_ppm, 1) } ppm) ; décalage { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) à { FIXED($reference_s, 3) } s du journal
-    .hint = avec ce décalage et cette dérive, chaque point mesuré tombe dans un arrêt ; aucun décalage seul n’y suffit
+clock-rate-from-standstills = l’horloge de la mesure avance de { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) par rapport à celle du journal `{ $log }` (possible : { FIXED($low_ppm, 1) } à { FIXED($high_ppm, 1) } ppm) ; décalage { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) à { FIXED($reference_s, 3) } s du journal
+    .hint = avec ce décalage et cette dérive, chaque point mesuré tombe dans un arrêt ; le décalage seul n’y suffit pas
 
-clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune dérive entre les horloges : elle est comprise entre { FIXED($low_ppm, 1) } et { FIXED($high_ppm, 1) } ppm
-    .hint = omettre `clock_rate` : seul le décalage est utilisé
+clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune dérive entre les horloges : elle est comprise entre { FIXED($low_ppm, 1) } et { FIXED($high_ppm, 1) } ppm
+    .hint = omettre `clock_rate` : seul le décalage est utilisé
 
-clock-rate-none = à aucun décalage des horloges et à aucune dérive dans ± { $most_ppm } ppm chaque point mesuré ne tombe dans un arrêt du journal
-    .hint = vérifier que le journal est celui de cette mesure et retirer les points mesurés en mouvement ; ou indiquer `clock_offset_s` par un nombre
+clock-rate-none = aucun décalage des horloges, même avec une dérive jusqu’à ± { $most_ppm } ppm, ne place tous les points mesurés dans des arrêts du journal
+    .hint = vérifier si le journal est celui de cette mesure, et supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique
+limit-not-assessable = la limite `{ $limit }` ne peut être évaluée : les poses décisives ne montrent pas sa grandeur
+    .hint = mesurer la grandeur à ces poses, ou retirer la limite de [limits]
+sweep-joint-unknown = `{ $joint }` n’est pas une articulation de ces balayages
+    .expected = { $known }
+
+sweep-order-missing = l’ordre des articulations { $joints } à partir de la base est inconnu
+    .hint = l’indiquer : --joints NOM,...
+
+sweep-joint-column-twice = deux colonnes donnent des valeurs de l’articulation `{ $joint }`
+    .hint = en supprimer une
+
+sweep-values-partial = les valeurs articulaires sont incomplètes
+    .expected = les valeurs de toutes les articulations à chaque ligne, ou à aucune ligne d’un balayage
+    .hint = une ligne sans articulation balayée est une pose de contrôle et exige les valeurs de toutes les articulations
+
+sweep-sign-by-values = les valeurs articulaires donnent le sens de chaque balayage
+    .hint = omettre --backwards
+
+sweep-other-joint = `{ $moved }` bouge dans le balayage de `{ $joint }`, qui est au repos
+    .hint = corriger la colonne `joint` ou les en-têtes des valeurs articulaires
+
+sweep-two-joints = dans le balayage de `{ $joint }`, `{ $also }` bouge aussi, de { $by }
+    .hint = refaire le balayage avec toutes les autres articulations au repos
+
+sweep-by-angle = { FIXED($by, 3) } deg
+
+sweep-by-length = { FIXED($by, 3) } mm
+
+sweep-ratio = les cibles se déplacent de { FIXED($ratio, 5) } × les valeurs de `{ $joint }`
+    .hint = { $unit ->
+            [deg-as-rad] les valeurs sont en degrés et lues en radians : corriger l’en-tête
+            [rad-as-deg] les valeurs sont en radians et lues en degrés : corriger l’en-tête
+            [inch-as-mm] les valeurs sont en pouces et lues en millimètres
+            [m-as-mm] les valeurs sont en mètres et lues en millimètres : corriger l’en-tête
+            [mm-as-m] les valeurs sont en millimètres et lues en mètres : corriger l’en-tête
+           *[none] corriger l’unité de la colonne, ou calculer la valeur articulaire à partir de celle du moteur
+        }
+
+sweep-target-moved = la cible `{ $target }` a bougé dans le balayage de `{ $joint }` avant la ligne { $row } : écart à sa trajectoire de { FIXED($before_um, 1) } µm, { FIXED($after_um, 1) } µm si l’on tient compte du déplacement
+    .hint = refaire le balayage, ou donner un autre nom à la cible à partir de cette ligne
+
+sweep-many-foreign = { $aside } lectures sur { $readings } du balayage de `{ $joint }` ne sont pas sur la trajectoire des autres
+    .hint = chercher une deuxième articulation qui bouge, ou des lignes d’un autre balayage
+
+sweep-foreign = { $count ->
+        [one] { $count } lecture du balayage de `{ $joint }` est écartée
+       *[other] { $count } lectures du balayage de `{ $joint }` sont écartées
+    } : ligne { $lines }
+    .hint = ces lectures sont loin de la trajectoire de toutes les autres
+
+sweep-smooth = dans le balayage de `{ $joint }`, les cibles s’écartent de leur trajectoire de { FIXED($rms_um, 1) } µm (RMS) de façon continue ; d’une lecture à l’autre, le bruit est de { FIXED($noise_um, 1) } µm ; l’incertitude de l’axe est trop petite
+    .hint = vérifier que toutes les autres articulations étaient au repos, et comparer avec le faux-rond du palier
+
+sweep-weak = la direction de l’axe de `{ $joint }` a une incertitude-type de { FIXED($u_mrad, 2) } mrad
+    .hint = mesurer un arc plus long, une cible plus éloignée de l’axe, ou plus de cibles
+
+sweep-unit = toutes les cibles sont à moins de { FIXED($radius_mm, 3) } mm des axes : l’unité des coordonnées est-elle juste ?
+    .hint = sinon, calculer les colonnes : --column "x_mm=x*1000"
+
+sweep-few = le balayage de `{ $joint }` a { $readings } lectures, il en faut { $needed }
+    .hint = prendre plus de lectures ; quelques lectures de plus qu’il n’en faut donnent une incertitude
+
+sweep-undetermined = les lectures du balayage de `{ $joint }` ne déterminent aucun axe
+    .hint = mesurer un arc plus long ou une cible plus éloignée de l’axe ; une articulation prismatique s’indique par --prismatic
+
+sweep-joint-missing = { $count ->
+        [one] l’articulation { $joints } n’a pas de balayage
+       *[other] les articulations { $joints } n’ont pas de balayage
+    } : robot.toml n’est pas écrit
+    .hint = mesurer un balayage de chaque articulation
+
+sweep-starts-apart = les balayages de `{ $first }` et `{ $second }` commencent à { FIXED($gap_mm, 3) } mm l’un de l’autre pour la cible `{ $target }` : robot.toml n’est pas écrit
+    .hint = commencer chaque balayage à la même pose avec la cible à sa place, ou ajouter les colonnes de valeurs articulaires
+
+sweep-target-unswept = une cible n’est dans aucun balayage : robot.toml n’est pas écrit
+    .hint = aux poses de contrôle, utiliser des cibles des balayages
+
+sweeps-exchanged = `{ $first }` et `{ $second }` sont permutées : les positions diffèrent de { FIXED($stated_mm, 3) } mm (RMS) avec les articulations telles qu’indiquées, et de { FIXED($left_mm, 3) } mm une fois les articulations permutées
+    .hint = permuter leurs noms dans la colonne `joint` et dans les en-têtes
+
+sweep-reversed = `{ $joint }` a été balayée dans le sens négatif : les poses de contrôle diffèrent de { FIXED($stated_mm, 3) } mm (RMS) avec le sens indiqué, et de { FIXED($left_mm, 3) } mm avec le sens opposé
+    .hint = l’indiquer : --backwards { $joint }
+
+sweeps-disagree = { $what ->
+        [checks] les poses de contrôle s’écartent du robot jusqu’à { FIXED($distance_mm, 3) } mm
+       *[sweeps] les balayages se contredisent, jusqu’à { FIXED($distance_mm, 3) } mm
+    } (incertitude-type { FIXED($u_mm, 4) } mm)
+    .hint = vérifier les sièges des cibles et les valeurs articulaires ; le robot peut servir de point de départ à `etalon identify` et `etalon run`
+
+table-base-not-held = le tableau a sa propre base, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
+    .hint = identifier la base, ou utiliser `poe`
+
+table-flange-not-held = le tableau a sa propre bride, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
+    .hint = identifier les cibles, ou utiliser `poe`
+
+table-tilt-not-held = le tableau tient { $joint ->
+        [none] deux axes
+       *[other] les axes du segment de `{ $joint }`
+    } pour parallèles : { FIXED($angle_mrad, 4) } mrad entre eux ne sont pas représentés par le tableau
+    .hint = `etalon identify` détermine beta ; `poe` représente cet angle
+row-excluded = exclue : { $reason }
+row-at-origin = non mesurée : 0 0 0
+row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
+no-rows-around = le journal `{ $log }` n’a pas de ligne avant ou après ce point à moins de { $tolerance_s } s
+no-row-near = aucune ligne du journal `{ $log }` n’est à moins de { $tolerance_s } s
+no-point-nearest = aucun point mesuré n’a cette ligne pour plus proche
+no-row-of-key = aucune ligne du journal `{ $log }` n’a cette clé
+no-point-of-key = aucun point mesuré n’a cette clé
+no-row-touches = aucune ligne du journal `{ $log }` ne le touche
+row-of-unframed-pose = sa pose n’a pas de référentiel atelier
+
+table-of-observations = observations
+table-of-attained-poses = poses atteintes
+table-of-commanded-poses = poses commandées
+table-of-reference-targets = cibles de référence
+table-of-commanded-path = trajectoire commandée
+table-of-compliance = compliance statique
+recorded-motion-file = mouvement enregistré
+read-in-unit = { $format }, unité { $unit }
+read-in-frame = { $read }, par rapport à `{ $frame }`
+
+side-stated = comme indiqué par l’utilisateur
+side-from-values = d’après { $of ->
+        [normal] la normale
+        [location] la position
+       *[diameter] le diamètre
+    } ({ $values ->
+        [nominal] valeurs nominales
+       *[stated] valeurs indiquées
+    })
+side-from-key = d’après `InternalExternal` : { $value }
+label-orientations-unused = les orientations de l’export ne sont pas utilisées : le journal `{ $log }` indique `{ $label }` dans { $count } lignes
+    .hint = joindre par pose, ligne ou instant si l’instrument a mesuré à chaque pose le corps porté par le robot
+
+temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C
+    .hint = corriger `temperature_c`, ou la colonne, qui est en degrés Celsius
+
+temperature-varies = les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, soit plus de ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
+    .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre cette étendue
+axes-comment-method = axes par balayage d’une articulation à la fois (etalon axes) ; sans modèle nominal
+
+axes-comment-base = base par les axes 1 et 2, règle `{ $rule }` : z le long de l’axe 1
+
+axes-comment-joint = q{ $number } est { $name }
+
+axes-comment-zero = les valeurs articulaires sont nulles au début des balayages
+
+axes-comment-target = cible { $name } sur la bride (mm) : { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+
+axes-robot-name = Robot par ses axes

@@ -14,7 +14,7 @@ characteristic = { $name ->
         [pose-accuracy] exactitude de pose
         [coplanarity] coplanéité
         [distance] distance
-        [variation] variation multidirectionnelle
+        [variation] variation multidirectionnelle de l’exactitude de pose
         [static-compliance] compliance statique
         [path-accuracy-interval] intervalle de l’exactitude de trajectoire
         [path-repeatability-interval] intervalle de la répétabilité de trajectoire
@@ -25,17 +25,17 @@ characteristic = { $name ->
        *[drift] dérive
     }
 
-too-few-positions = { $of } : { $count ->
+too-few-positions = { $of } : { $count ->
         [one] { $count } position atteinte
        *[other] { $count } positions atteintes
     }
     .expected = au moins { $least }
     .hint = mesurer plus de cycles
 
-position-not-finite = { $of } : la position { $number } n’est pas finie
+position-not-finite = { $of } : la position { $number } n’est pas finie
     .hint = supprimer ou corriger cette position
 
-too-few-passes = { $of } : { $count ->
+too-few-passes = { $of } : { $count ->
         [0] aucun passage complet
         [one] { $count } passage complet
        *[other] { $count } passages complets
@@ -43,10 +43,10 @@ too-few-passes = { $of } : { $count ->
     .expected = au moins { $least }
     .hint = enregistrer plus de passages de la trajectoire
 
-passes-of-other-path = { $of } : les passages appartiennent à une autre trajectoire
-    .hint = trouver et évaluer les passages avec les mêmes points commandés
+passes-of-other-path = { $of } : les passages appartiennent à une autre trajectoire
+    .hint = chercher et évaluer les passages qui ont les mêmes points commandés
 
-passes-need-points = les passages d’une trajectoire demandent deux points commandés et une distance positive
+passes-need-points = les passages d’une trajectoire nécessitent deux points commandés et une distance positive
     .hint = indiquer deux points commandés et une distance positive
 
 workspace-not-box = l’espace de travail n’est pas un parallélépipède
@@ -65,56 +65,56 @@ test-plane-unknown = plan d’essai inconnu `{ $name }`
     .expected = { $planes }
 
 standstill-thresholds = le rayon et la durée d’un arrêt doivent être positifs
-    .hint = indiquer un rayon supérieur au bruit d’un robot immobile et une durée inférieure à l’arrêt le plus court
+    .hint = indiquer un rayon supérieur au bruit du robot immobile et une durée inférieure à l’arrêt le plus court
 
-in-sample = échantillon { $sample } : { $message }
+in-sample = échantillon { $sample } : { $message }
 
-stream-too-short = un mouvement enregistré demande au moins deux échantillons avec les mêmes colonnes
+stream-too-short = un mouvement enregistré comporte au moins deux échantillons avec les mêmes colonnes
     .hint = enregistrer de nouveau le mouvement
 
-stream-value-missing = une coordonnée ou le temps manque ou n’est pas fini
+stream-value-missing = une coordonnée ou l’instant manque ou n’est pas fini
     .hint = supprimer cet échantillon
 
-time-not-increasing = le temps ne croît pas : { $later_s } s après { $earlier_s } s
+time-not-increasing = le temps n’est pas croissant : { $later_s } s après { $earlier_s } s
     .hint = trier les échantillons, ou enregistrer avec un horodatage plus fin
 
-weave-direction = balayage : l’oscillation n’a pas de direction transversale à la ligne médiane
+weave-direction = balayage : l’oscillation n’a pas de composante transversale à la ligne médiane
     .hint = indiquer une direction transversale à la ligne médiane
 
-weave-command = balayage : la course et la fréquence commandées doivent être positives
+weave-command = balayage : la course et la fréquence commandées doivent être positives
     .hint = indiquer la course et la fréquence commandées
 
-weave-without-samples = balayage : aucun échantillon
-    .hint = vérifier où le balayage commence et finit
+weave-without-samples = balayage : aucun échantillon
+    .hint = vérifier où le balayage commence et où il finit
 
-weave-too-few-turns = balayage : { $turns ->
+weave-too-few-turns = balayage : { $turns ->
         [one] { $turns } inversion
        *[other] { $turns } inversions
     }
     .expected = au moins cinq, espacées d’un quart de la course commandée
     .hint = enregistrer un balayage plus long
 
-corner-without-points = écarts aux angles : aucun point commandé sur la moitié d’un côté près du sommet
+corner-without-points = écarts aux angles : aucun point commandé sur la moitié d’un côté voisine de l’angle
     .hint = indiquer plus de points commandés
 
-path-without-reorientation = exactitude de trajectoire lors d’une réorientation : aucun angle commandé ne change
+path-without-reorientation = exactitude de trajectoire lors d’une réorientation : aucun angle commandé ne change
     .hint = indiquer les angles commandés de la trajectoire
 
-commanded-angle-missing = trajectoire commandée : un angle manque ou n’est pas fini
+commanded-angle-missing = trajectoire commandée : un angle manque ou n’est pas fini
     .hint = indiquer tous les angles à chaque point, ou aucun
 
-commanded-point-repeated = trajectoire commandée : les points { $first } et { $second } sont identiques
+commanded-point-repeated = trajectoire commandée : les points { $first } et { $second } sont identiques
     .hint = supprimer l’un des deux points
 
-velocity-not-positive = vitesse de trajectoire : la vitesse commandée doit être positive
+velocity-not-positive = vitesse de trajectoire : la vitesse commandée doit être positive
     .hint = indiquer la vitesse commandée
 
-velocity-too-few-points = vitesse de trajectoire : moins de trois points commandés dans la partie centrale
+velocity-too-few-points = vitesse de trajectoire : moins de trois points commandés dans la partie centrale
     .hint = indiquer plus de points commandés, ou une partie centrale plus grande
 
-too-few-of = { $of } : { $sets }
+too-few-of = { $of } : { $sets }
     .expected = au moins { $least }
-    .hint = mesurer ceux qui manquent
+    .hint = mesurer les éléments manquants
 
 sets-of-cycles = { $count ->
         [one] { $count } série de cycles
@@ -127,8 +127,8 @@ poses = { $count ->
     }
 
 approaches = { $count ->
-        [one] { $count } approche
-       *[other] { $count } approches
+        [one] { $count } direction d’approche
+       *[other] { $count } directions d’approche
     }
 
 epochs = { $count ->
@@ -136,26 +136,27 @@ epochs = { $count ->
        *[other] { $count } mesures
     }
 
-robots-at-other-poses = interchangeabilité : les robots n’ont pas les mêmes poses
+robots-at-other-poses = interchangeabilité : les robots n’ont pas les mêmes poses
     .expected = au moins deux robots, chacun à toutes les poses
 
-robot-without-pose = interchangeabilité : le robot `{ $robot }` n’a pas atteint la pose { $pose }
+robot-without-pose = interchangeabilité : le robot `{ $robot }` n’a pas atteint la pose { $pose }
     .expected = chaque robot à chaque pose
 
-visits-read-once = répétabilité sans bruit : aucune visite n’a deux lectures
-    .hint = prendre plusieurs lectures à chaque visite : elles montrent le bruit de l’instrument
+visits-read-once = répétabilité sans bruit : aucun positionnement n’a deux lectures
+    .hint = faire plusieurs lectures à chaque positionnement : elles révèlent le bruit de l’instrument
 
-coplanar-poses-on-line = coplanéité : trois des quatre positions moyennes sont alignées
-    .hint = nommer quatre poses qui définissent un plan
+coplanar-poses-on-line = coplanéité : trois des quatre positions moyennes sont alignées
+    .hint = indiquer quatre poses qui définissent un plan
 
-distance-counts-differ = distance : { $first } et { $second } positions
+distance-counts-differ = distance : { $first } et { $second } positions
     .expected = les deux poses dans les mêmes cycles
 
-force-not-positive = compliance statique : une force n’est pas positive
-    .expected = la valeur de la force ; sa direction donne le signe
+force-not-positive = compliance statique : une force n’est pas positive
+    .expected = la valeur de la force ; sa direction donne le signe
 
-unloaded-position-missing = direction { $direction }, cycle { $cycle } : aucune ligne sans force
-    .hint = enregistrer la position à vide avec une force de 0
+unloaded-position-missing = direction { $direction }, cycle { $cycle } : aucune ligne sans force
+    .hint = enregistrer la position sans charge avec une force de 0
 
-force-missing = aucune ligne n’a de force
-    .hint = indiquer la force de chaque ligne chargée
+force-missing = aucune ligne n’indique de force
+    .hint = indiquer la force de chaque ligne en charge
+no-working-mode-reaches = aucun mode de travail ne l’atteint dans les limites

@@ -6,7 +6,7 @@ use etalon_base::message::Message;
 use etalon_base::pose::{Vector, unit};
 use etalon_base::{error, warning};
 
-/// Values of a feature, as far as they are stated.
+/// Stated values of a feature.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FeatureGeometry {
     /// Location, or the point of the axis.
@@ -82,7 +82,7 @@ fn one(node: Node) -> Result<f64, Message> {
     one.ok_or_else(|| not_as_many(node, numbers.len(), 1))
 }
 
-/// Error for an element with another number of numbers.
+/// Error for an element with too many or too few numbers.
 fn not_as_many(node: Node, found: usize, count: usize) -> Message {
     error!("number-count-differs", name = node.name(), found, counts = [count]).at(node.place())
 }

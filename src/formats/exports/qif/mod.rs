@@ -33,7 +33,7 @@ impl ExportFormat for Qif {
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
-        Recognised::by(is_xml(text) && head(text).contains("QIFDocument"), 1.0, "a QIF document")
+        Recognised::by(is_xml(text) && head(text).contains("QIFDocument"), 1.0, phrase!("is-qif"))
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -45,7 +45,7 @@ impl ExportFormat for Qif {
     }
 }
 
-/// Messages of one file that are reported; the rest is counted.
+/// Maximum number of reported messages of one file; further ones are counted.
 const MOST_MESSAGES: usize = 50;
 
 /// Parts of a document that hold no measured feature and may be large.
@@ -68,7 +68,7 @@ pub struct MeasuredFeatures {
     pub version: String,
     /// In the order of the file.
     pub features: Vec<MeasuredFeature>,
-    /// Points in the file, also those that no feature uses.
+    /// Number of points in the file, including points that no feature uses.
     pub points: usize,
     /// Warnings.
     pub messages: Vec<Message>,
@@ -79,15 +79,15 @@ pub struct MeasuredFeatures {
 pub struct MeasuredFeature {
     /// QIF id.
     pub id: String,
-    /// Kind as QIF names it: `Plane`, `Circle`, `Point`...
+    /// Kind in the notation of QIF: `Plane`, `Circle`, `Point`...
     pub kind: String,
-    /// Name of the feature, where it has one.
+    /// Name of the feature, if stated.
     pub name: Option<String>,
     /// Its points, in millimetres.
     pub points_mm: Vec<Vector>,
     /// Kind of the points.
     pub touch: Touch,
-    /// Measured values that the file states.
+    /// Measured values stated in the file.
     pub stated: FeatureGeometry,
     /// Nominal values.
     pub nominal: FeatureGeometry,
@@ -105,7 +105,7 @@ pub enum Touch {
     Contact,
     /// The centre of a probe.
     Centre {
-        /// Radius of the probe, where it is stated.
+        /// Radius of the probe, if stated.
         radius_mm: Option<f64>,
     },
 }
@@ -125,7 +125,7 @@ impl MeasuredFeature {
         })
     }
 
-    /// Its name, else its id.
+    /// Name, or else id.
     pub fn label(&self) -> &str {
         self.name.as_deref().unwrap_or(&self.id)
     }
@@ -139,7 +139,7 @@ pub fn is_xml(text: &str) -> bool {
 /// Reads a QIF file; `mm_in_unit` is the unit of length of a file without units.
 ///
 /// # Errors
-/// If the file is not a well-formed QIF 2.x or 3.x document, has no unit, or holds an invalid
+/// Fails if the file is not a well-formed QIF 2.x or 3.x document, has no unit, or holds an invalid
 /// number.
 pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredFeatures> {
     let tree = Elements::read(file, text, |name| NOT_READ.contains(&name))?;
@@ -218,7 +218,7 @@ fn nodes_with_id<'t, 'a>(root: Node<'t, 'a>, messages: &mut Vec<Message>) -> BTr
     nodes
 }
 
-/// A document while its features are read.
+/// A document during the reading of its features.
 struct QifDocument<'t, 'a> {
     /// Elements with an id.
     nodes: BTreeMap<&'t str, Node<'t, 'a>>,

@@ -9,25 +9,25 @@ use etalon_base::pose::Vector;
 use etalon_base::{phrase, warning};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Points that all features may have together: one set may be referred to by many.
+/// Maximum number of points of all features together: many may refer to one set.
 const MOST_POINTS: usize = 1 << 23;
 
-/// References that lead nowhere for which the set that may be meant is looked for.
+/// Maximum number of broken references for which a similar set is searched.
 const MOST_HINTS: usize = 50;
 
-/// A point as it was measured.
+/// A measured point.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
     xyz_mm: Vector,
     touch: Touch,
 }
 
-/// Points of a file, and which of its point sets were used.
+/// Points of a file, and the point sets that were used.
 pub(super) struct PointSets<'t, 'a> {
     sets: BTreeMap<&'t str, (Node<'t, 'a>, Result<Vec<Sample>, Message>)>,
     used: BTreeSet<&'t str>,
     given: usize,
-    /// References that lead nowhere.
+    /// Number of broken references.
     astray: usize,
 }
 
@@ -44,12 +44,12 @@ impl<'t, 'a> PointSets<'t, 'a> {
         self.sets.values().filter_map(|(_, points)| points.as_ref().ok()).map(Vec::len).sum()
     }
 
-    /// Sets that no feature refers to.
+    /// Sets to which no feature refers.
     pub fn unused(&self) -> impl Iterator<Item = (&'t str, Node<'t, 'a>)> {
         self.sets.iter().filter(|(id, _)| !self.used.contains(*id)).map(|(&id, &(node, _))| (id, node))
     }
 
-    /// The points of a `PointList`, and whether they are centres of a probe.
+    /// The points of a `PointList`, and `true` if they are centres of a probe.
     pub fn list(&mut self, list: Node<'t, 'a>, units: &Units) -> Result<(Vec<Vector>, Touch), Message> {
         let stated = list.attribute("n").and_then(|n| n.trim().parse::<usize>().ok());
         let found = list.children().count();
@@ -218,7 +218,7 @@ fn unsupported(node: Node, element: &str) -> Message {
     warning!("element-unsupported", element).at(node.place())
 }
 
-/// Warning about an element with another number of numbers than `count`.
+/// Warning about an element with more or fewer than `count` numbers.
 fn not_as_many(node: Node, count: usize) -> Message {
     let found = node.text().split_ascii_whitespace().count();
     warning!("number-count-differs", name = node.name(), found, counts = [count]).at(node.place())

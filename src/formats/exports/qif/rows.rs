@@ -3,7 +3,9 @@
 use super::{MeasuredFeature, Touch};
 use crate::dialect::Unit;
 use crate::{Point, Stated};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Problems;
+use etalon_base::phrase;
 use etalon_base::pose::Vector;
 
 /// Rows of a QIF file, with their problems; the stated unit must be the unit of the file.
@@ -18,20 +20,20 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
     };
     let rows = read.features.iter().flat_map(|feature| {
         let place = &feature.place;
-        let row = |xyz_mm: Vector, refused: Option<&str>| Point {
+        let row = |xyz_mm: Vector, refused: Option<Phrase>| Point {
             line: place.line.unwrap_or(0) as u32,
             text: place.text.clone().unwrap_or_default().into(),
             label: feature.label().into(),
             xyz_mm,
-            more: Stated { refused: refused.map(str::to_owned), ..Stated::default() }.boxed(),
+            more: Stated { refused: refused.map(Box::new), ..Stated::default() }.boxed(),
             ..Point::default()
         };
         match located(feature) {
             Some(location) => vec![row(location, None)],
             None => {
                 let centre = feature.touch != Touch::Contact;
-                let refused = centre.then_some("a probe centre, not a point of the feature");
-                feature.points_mm.iter().map(|&p| row(p, refused)).collect()
+                let refused = centre.then(|| phrase!("probe-centre-no-point"));
+                feature.points_mm.iter().map(|&p| row(p, refused.clone())).collect()
             }
         }
     });
@@ -39,13 +41,13 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
     let said = read.messages.iter().map(|message| {
         let place = message.place.as_deref().cloned().unwrap_or_default();
         let (line, text) = (place.line.unwrap_or(0), place.text.unwrap_or_default());
-        let more = Stated { refused: Some(message.what.clone()), ..Stated::default() }.boxed();
+        let more = Stated { refused: Some(Box::new(message.phrase())), ..Stated::default() }.boxed();
         Point { line: line as u32, text: text.into(), more, ..Point::default() }
     });
     (rows.chain(said).collect(), Problems::default())
 }
 
-/// The stated location of a feature that is where it is.
+/// The stated location of a feature.
 fn located(feature: &MeasuredFeature) -> Option<Vector> {
     let kinds =
         ["Point", "EdgePoint", "Circle", "CircularArc", "Sphere", "SphericalSegment", "Torus", "ToroidalSegment"];

@@ -6,7 +6,7 @@ use etalon_base::error;
 use etalon_base::message::Message;
 use std::collections::BTreeMap;
 
-/// Units of a file. The name of a unit is free text ("mm", "MM", "inch"): only its factor counts.
+/// Units of a file. The name of a unit is free text ("mm", "MM", "inch"): only its factor matters.
 #[derive(Default)]
 pub(super) struct Units {
     mm_in_primary: Option<f64>,
@@ -39,12 +39,12 @@ impl Units {
         Ok(units)
     }
 
-    /// Millimetres in the file's unit of length; `None` where it states none.
+    /// Millimetres in the file's unit of length; `None` if it is not stated.
     pub fn mm_in_primary(&self) -> Option<f64> {
         self.mm_in_primary
     }
 
-    /// The file's unit of length is this one where it states none.
+    /// Sets the file's unit of length, if the file does not state one.
     pub fn or_length(&mut self, mm_in_unit: Option<f64>) {
         self.mm_in_primary = self.mm_in_primary.or(mm_in_unit);
     }
@@ -57,7 +57,7 @@ impl Units {
         named.or(set).or(self.mm_in_primary).ok_or_else(missing)
     }
 
-    /// Millimetres in the unit that a point set states for itself; `None` where it states none.
+    /// Millimetres in the unit that a point set itself states; `None` if it states none.
     pub fn mm_in_set(&self, set: Node) -> Result<Option<f64>, Message> {
         let own = set.child("Units").and_then(|units| units.child("LinearUnit"));
         own.map(|unit| factor(unit, "meter").map(|f| f * 1000.0)).transpose()
@@ -71,7 +71,7 @@ impl Units {
     }
 }
 
-/// The unit that a value names for itself.
+/// Unit stated at a value itself.
 fn named(value: Node, attribute: &str, units: &BTreeMap<String, f64>) -> Result<Option<f64>, Message> {
     let Some(name) = value.attribute(attribute) else { return Ok(None) };
     let known: Vec<&str> = units.keys().map(String::as_str).collect();

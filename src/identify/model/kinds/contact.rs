@@ -1,12 +1,12 @@
-//! The target lies in a socket.
+//! Contact of the target with a socket.
 
 use super::{At, Condition, Equation, Kind, SHORTEST, point};
 use etalon_base::pose::{Vector, dot, minus};
 use etalon_math::Factor;
 use etalon_robots::FreeBase;
 
-/// The target lies in a socket. Residuals: the three coordinates of the target less those of the
-/// socket, mm.
+/// Contact of the target with a socket. Residuals: the three coordinates of the target minus those
+/// of the socket (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// First of the three coordinates of the socket.
@@ -37,7 +37,7 @@ impl Equation for Contact {
     }
 }
 
-/// Targets and sockets, by their first parameters, that bring contacts together: linear in both at
+/// Targets and sockets, by their first parameters, for which contacts close: linear in both at
 /// given joints.
 pub(crate) fn meet(arm: &dyn FreeBase, contacts: &[&Condition], unknown: &[usize], values: &mut [f64]) {
     if unknown.is_empty() {

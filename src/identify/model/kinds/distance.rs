@@ -1,4 +1,4 @@
-//! Distance of the target to a fixed point.
+//! Distance of the target from a fixed point.
 
 use super::{At, Condition, Equation, Kind, SHORTEST, place, point};
 use etalon_base::pose::{Vector, centroid, dot, minus, norm, unit};
@@ -7,7 +7,7 @@ use etalon_math::statistics::mean;
 use etalon_robots::FreeBase;
 use std::collections::BTreeMap;
 
-/// Distance to a fixed point. Residual: |p − q| − d, mm.
+/// Distance from a fixed point. Residual: |p − q| − d (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distance {
     /// First of the three coordinates of the point.
@@ -40,6 +40,10 @@ impl Equation for Distance {
 
     fn in_world(&self, at: &At, residuals: Vector) -> Vector {
         self.along(at).map(|v| v * residuals[0])
+    }
+
+    fn by_scale(&self, _: &[f64]) -> Vector {
+        [-self.distance_mm, 0.0, 0.0]
     }
 
     fn has_length(&self) -> bool {

@@ -1,9 +1,9 @@
-//! The value of a joint as it is: of a home switch, or a second encoder.
+//! The value of a joint from a home switch or a second encoder.
 
 use super::{At, Equation};
 
-/// The value of a joint as it is. Residual: the joint's value by the model, with what its gain,
-/// offset and other errors add to the logged one, less this, mm or rad.
+/// Independently measured value of a joint. Residual: the joint value by the model (the logged
+/// value with gain, offset and other errors) minus the measured one (mm or rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointValue {
     /// Index of the joint.

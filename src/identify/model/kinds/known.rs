@@ -1,22 +1,22 @@
-//! Facts about things that are fixed in the world, beside the observations of targets.
+//! Knowledge of fixed points and surfaces, in addition to the observations of targets.
 
 use super::{Surface, less_station, point, station_pose};
 use etalon_base::pose::{Vector, minus, norm, unit};
 use std::collections::BTreeMap;
 
-/// Knowledge of fixed points beside the observations of targets.
+/// Knowledge of fixed points, in addition to the observations of targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Known {
-    /// Their place in the world.
+    /// Position of a point in the world.
     Place {
         /// First of the three coordinates of the point.
         point: usize,
-        /// The place, mm.
+        /// Position (mm).
         place_mm: Vector,
         /// Standard uncertainty of a coordinate, mm.
         standard_uncertainty_mm: f64,
     },
-    /// A point as another station of the instrument measures it.
+    /// A point measured by another station of the instrument.
     Seen {
         /// First of the six parameters of the station: its pose in the world.
         station: usize,
@@ -27,7 +27,7 @@ pub enum Known {
         /// Standard uncertainty of a coordinate, mm.
         standard_uncertainty_mm: f64,
     },
-    /// Their distance from each other.
+    /// Distance of two points.
     Distance {
         /// First coordinate of one point.
         from: usize,
@@ -38,24 +38,24 @@ pub enum Known {
         /// Its standard uncertainty.
         standard_uncertainty_mm: f64,
     },
-    /// A place on a surface or line.
+    /// A point on a surface or line.
     On {
         /// Element that contains the point.
         surface: Surface,
-        /// The parameters of that.
+        /// Parameters of the element.
         unknowns: [usize; 4],
-        /// The place, mm.
+        /// Position (mm).
         place_mm: Vector,
-        /// Standard uncertainty of its distance from it, mm.
+        /// Standard uncertainty (mm) of the distance from the element.
         standard_uncertainty_mm: f64,
     },
     /// The radius of a sphere.
     Length {
-        /// Its parameter.
+        /// Parameter of the radius.
         parameter: usize,
-        /// The length.
+        /// Radius (mm).
         length_mm: f64,
-        /// Its standard uncertainty.
+        /// Standard uncertainty of the radius (mm).
         standard_uncertainty_mm: f64,
     },
 }
@@ -81,7 +81,7 @@ impl Known {
         }
     }
 
-    /// Writes its residuals at all parameters.
+    /// Writes the residuals at all parameters.
     pub(crate) fn residuals(&self, values: &[f64], out: &mut [f64]) {
         match *self {
             Self::Place { point: at, place_mm, standard_uncertainty_mm } => {
@@ -104,7 +104,7 @@ impl Known {
         }
     }
 
-    /// Writes their derivatives by all parameters, row by row.
+    /// Writes the derivatives of the residuals with respect to all parameters, row by row.
     pub(crate) fn jacobian(&self, values: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         let n = values.len();
@@ -136,7 +136,7 @@ impl Known {
     }
 }
 
-/// Known places, by the first parameter of their point.
+/// Known positions, by the first parameter of their point.
 pub(crate) fn places(known: &[Known]) -> BTreeMap<usize, Vector> {
     let place = |k: &Known| match *k {
         Known::Place { point, place_mm, .. } => Some((point, place_mm)),

@@ -1,4 +1,4 @@
-//! Conditions: what else than its position was observed of a target at a pose, one kind a module.
+//! Conditions: observations of a target at a pose other than its position, one kind a module.
 //!
 //! A condition is an equation between the place of a target, which the robot gives, and things that
 //! are fixed in the world: the orientation of a body, a socket, a point from which a distance is
@@ -60,13 +60,13 @@ pub struct Condition {
 
 /// State at which a condition is evaluated.
 pub(crate) struct At<'a> {
-    /// The robot, of which some kinds need more than the position of the target.
+    /// The robot; some kinds need more than the position of the target.
     pub arm: Option<&'a dyn FreeBase>,
     /// Values of all parameters.
     pub values: &'a [f64],
     /// Joint values in mm or rad.
     pub joints: &'a [f64],
-    /// Position of the target at these, mm.
+    /// Position of the target at these joint values (mm).
     pub position: Vector,
     /// Standard uncertainty of each residual, mm or rad.
     pub standard_uncertainty: f64,
@@ -79,7 +79,7 @@ pub(crate) trait Equation {
         1
     }
 
-    /// Parameters of what the condition refers to.
+    /// Parameters to which the condition refers.
     fn unknowns(&self) -> Vec<usize> {
         Vec::new()
     }
@@ -87,8 +87,8 @@ pub(crate) trait Equation {
     /// Writes the residuals, mm or rad.
     fn residuals(&self, at: &At, out: &mut [f64]);
 
-    /// Writes the derivatives of the residuals by all parameters into zeros, row by row; `moved`
-    /// has the derivatives of the target's position, three rows.
+    /// Writes the derivatives of the residuals with respect to all parameters into zeros, row by
+    /// row; `moved` has the derivatives of the target's position, three rows.
     fn jacobian(&self, at: &At, moved: &[f64], out: &mut [f64]);
 
     /// The residuals as a vector in the world.
@@ -101,7 +101,12 @@ pub(crate) trait Equation {
         false
     }
 
-    /// `true` if the observation contains a length, which fixes the scale of the robot.
+    /// Derivatives of the residuals by a common relative error of all measured lengths.
+    fn by_scale(&self, _values: &[f64]) -> Vector {
+        [0.0; 3]
+    }
+
+    /// `true` if the observation contains a length, which determines the scale of the robot.
     fn has_length(&self) -> bool {
         false
     }
@@ -111,38 +116,38 @@ pub(crate) trait Equation {
         false
     }
 
-    /// `true` if the residuals depend on where the target is.
+    /// `true` if the residuals depend on the position of the target.
     fn depends_on_target(&self) -> bool {
         true
     }
 
-    /// Gaps between a target at `p` and where the condition has it, with their directions; empty if
-    /// it does not say where the target is. `left` is the error of the touch.
+    /// Gaps between a target at `p` and its position by the condition, with their directions; empty
+    /// if the condition does not state a position. `left` is the error of the contact.
     fn gaps(&self, _values: &[f64], _p: Vector, _left: Vector) -> Vec<(Vector, f64)> {
         Vec::new()
     }
 
-    /// First of the unknowns of the moving part that the condition shows; `target` is that of the
+    /// First unknown of the moving part on which the condition depends; `target` is that of the
     /// target.
     fn moving(&self, target: usize) -> Option<usize> {
         Some(target)
     }
 }
 
-/// Kind of a condition, with the indices of the first of the parameters of what it refers to.
+/// Kind of a condition, with the indices of the first parameters to which it refers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Orientation of the body that carries the target.
     Orientation(Orientation),
     /// One coordinate of the target.
     Coordinate(Coordinate),
-    /// Distance of the target to a fixed point.
+    /// Distance of the target from a fixed point.
     Distance(Distance),
-    /// The target lies in a socket.
+    /// Contact of the target with a socket.
     Contact(Contact),
-    /// The target as another station measures it.
+    /// Position of the target measured by another station.
     Seen(Seen),
-    /// The target is on a surface or line.
+    /// Position of the target on a surface or line.
     On(On),
     /// The value of a joint.
     Joint(JointValue),
@@ -171,8 +176,8 @@ impl Kind {
         self.equation().is_angle()
     }
 
-    /// Gaps (mm) between a target at `p` and the place or surface that it touches up to an error
-    /// `left`, each with its gradient by `p`; empty if the target touches nothing.
+    /// Gaps (mm) between a target at `p` and the point or surface that it touches up to an error
+    /// `left`, each with its gradient with respect to `p`; empty if the target touches nothing.
     pub fn gaps(&self, values: &[f64], p: Vector, left: Vector) -> Vec<(Vector, f64)> {
         self.equation().gaps(values, p, left)
     }
@@ -181,9 +186,14 @@ impl Kind {
     pub fn is_orientation(&self) -> bool {
         matches!(self, Self::Orientation(_))
     }
+
+    /// `true` for the orientation of a body in the world, which needs no pose of a station.
+    pub fn is_world_orientation(&self) -> bool {
+        matches!(self, Self::Orientation(Orientation { station: None, .. }))
+    }
 }
 
-/// Weight that brings the shortest solution where several are equally good, of rows of size one.
+/// Weight that selects the shortest solution among equally good ones, for rows of size one.
 const SHORTEST: f64 = 1e-6;
 
 /// Coordinates of the point whose first parameter is `first`.
@@ -196,7 +206,7 @@ fn place(arm: &dyn FreeBase, c: &Condition, values: &[f64]) -> Vector {
     arm.flange(values, &c.joints).apply(point(values, arm.target_place(c.target)))
 }
 
-/// The motion that brings the first of each pair to the second, by least squares.
+/// The rigid motion from the first to the second point of each pair, by least squares.
 pub(crate) fn onto(pairs: &[(Vector, Vector)]) -> Option<Pose> {
     let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().copied().unzip();
     let (here, there) = (centroid(&from)?, centroid(&to)?);
@@ -206,7 +216,7 @@ pub(crate) fn onto(pairs: &[(Vector, Vector)]) -> Option<Pose> {
 }
 
 impl Condition {
-    /// The condition evaluated at `values`, where the position of the target is `position`.
+    /// The condition evaluated at `values`, for the position `position` of the target.
     pub(crate) fn at<'a>(&'a self, arm: Option<&'a dyn FreeBase>, values: &'a [f64], position: Vector) -> At<'a> {
         At { arm, values, joints: &self.joints, position, standard_uncertainty: self.standard_uncertainty }
     }
@@ -218,7 +228,7 @@ impl Condition {
     }
 
     /// Observed minus predicted values in the world (mm; for an orientation a rotation vector in
-    /// rad). A distance deviates along itself, a plane along its normal.
+    /// rad). A distance deviates along its line, a plane along its normal.
     pub fn error(&self, robot: &dyn Robot, values: &[f64]) -> Vector {
         let at = self.at(robot.free_base(), values, robot.position(values, &self.joints, self.target));
         let mut left = [0.0; 3];
@@ -227,8 +237,8 @@ impl Condition {
         self.kind.equation().in_world(&at, left)
     }
 
-    /// Writes the derivatives of the residuals by all parameters, row by row; `moved` has the
-    /// derivatives of the target's position, three rows.
+    /// Writes the derivatives of the residuals with respect to all parameters, row by row; `moved`
+    /// has the derivatives of the target's position, three rows.
     pub(crate) fn jacobian(&self, at: &At, moved: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         self.kind.equation().jacobian(at, moved, out);
@@ -243,8 +253,8 @@ pub(crate) fn tied_to_world(observations: &[Observation], settings: &Settings) -
         || settings.known.iter().any(|k| matches!(k, Known::Place { .. } | Known::On { .. }))
 }
 
-/// A warning where nothing that was observed contains a length: a robot of twice the size fits as
-/// well.
+/// Returns a warning if no observation contains a length: a robot of twice the size would fit
+/// equally well.
 pub(crate) fn without_length(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -268,7 +278,7 @@ pub(crate) fn without_length(
     Some(warning!("scale-unobserved", lengths))
 }
 
-/// An error where conditions are for another robot or other residuals.
+/// Returns an error if conditions are for another robot or other residuals.
 pub(crate) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
     if settings.conditions.is_empty() && settings.known.is_empty() {
         return Ok(());
@@ -312,9 +322,11 @@ mod tests {
         let radius = Fixture::Radius("s").add_to(&mut robot);
         let mounting = Fixture::Mounting("ball").add_to(&mut robot);
         let station = Fixture::Station("t").add_to(&mut robot);
+        let body = Pose::from_rotation_vector([0.3, -0.8, 1.1]);
         let from = |first: usize, last: usize| [first, first + 1, first + 2, last];
         let kinds = [
-            Kind::Orientation(Orientation { world_T_body: Pose::from_rotation_vector([0.3, -0.8, 1.1]), mounting }),
+            Kind::Orientation(Orientation { frame_T_body: body, station: None, mounting }),
+            Kind::Orientation(Orientation { frame_T_body: body, station: Some(station), mounting }),
             Kind::Coordinate(Coordinate { axis: 1, at_mm: 12.0 }),
             Kind::Distance(Distance { to: socket, distance_mm: 300.0 }),
             Kind::Contact(Contact { socket }),
@@ -356,6 +368,42 @@ mod tests {
                     let off = (exact[i * n + j] - numeric).abs();
                     assert!(off < 1e-6 * (1.0 + numeric.abs()), "{kind:?} {}: {numeric}", robot.parameters()[j].name);
                 }
+            }
+        }
+    }
+
+    /// Measured lengths that are all longer by one part change the residuals as stated.
+    #[test]
+    fn a_common_scale_of_measured_lengths_changes_the_residuals() {
+        let joint =
+            SerialJoint { alpha_rad: 0.0, a_mm: 0.0, theta_rad: 0.0, d_mm: 290.0, prismatic: false, parallel: false };
+        let mut robot = Serial::new(&[joint], &["ball".to_owned()], [0.0, 0.0, -1.0], &[], &[]);
+        let socket = Fixture::Point("s").add_to(&mut robot);
+        let station = Fixture::Station("t").add_to(&mut robot);
+        let mut noise = Noise::new(18, 3);
+        let values: Vec<f64> = robot.parameters().iter().map(|p| p.nominal + noise.uniform(1.0)).collect();
+        let longer = |by: f64| {
+            let f = 1.0 + by;
+            [
+                Kind::Coordinate(Coordinate { axis: 1, at_mm: 12.0 * f }),
+                Kind::Distance(Distance { to: socket, distance_mm: 300.0 * f }),
+                Kind::Seen(Seen { station, at_mm: [800.0 * f, -300.0 * f, 500.0 * f] }),
+                Kind::Contact(Contact { socket }),
+            ]
+        };
+        let left = |kind: Kind| {
+            let joints = vec![0.3];
+            let c = Condition { pose: 1.into(), cycle: 1, joints, target: 0, kind, standard_uncertainty: 0.5 };
+            let mut out = [0.0; 3];
+            let at = c.at(robot.free_base(), &values, robot.position(&values, &c.joints, 0));
+            kind.equation().residuals(&at, &mut out[..kind.rows()]);
+            out
+        };
+        for (long, kind) in longer(1e-6).into_iter().zip(longer(0.0)) {
+            let (moved, before, exact) = (left(long), left(kind), kind.equation().by_scale(&values));
+            for i in 0..kind.rows() {
+                let numeric = (moved[i] - before[i]) / 1e-6;
+                assert!((numeric - exact[i]).abs() < 1e-3, "{kind:?}: {numeric} {}", exact[i]);
             }
         }
     }

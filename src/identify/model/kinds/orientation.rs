@@ -1,21 +1,31 @@
-//! Orientation in the world of the body that carries the target.
+//! Orientation of the body that carries the target, in the world or as another station measures it.
 
-use super::{At, Condition, Equation, Kind, point};
+use super::{At, Condition, Equation, Kind, point, station_pose};
 use etalon_base::pose::{Pose, Vector, norm, turning_axes};
 use etalon_fit::rotation_onto;
 use etalon_robots::{FreeBase, Robot};
 use nalgebra::{Matrix3, Vector3};
 use std::collections::BTreeMap;
 
-/// The body that carries the target is oriented so in the world; three parameters are the rotation
-/// vector that turns the flange to the body. Residuals: the rotation vector from the observed
-/// orientation to the model's, rad.
+/// Orientation of the body that carries the target; three parameters are the rotation vector that
+/// turns the flange to the body. Residuals: the rotation vector from the observed orientation to
+/// the model's, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orientation {
-    /// The body in the world, by its rotation alone.
-    pub world_T_body: Pose,
+    /// The body in the frame of the measurement, by its rotation alone.
+    pub frame_T_body: Pose,
+    /// First of the six parameters of the station whose frame is that of the measurement; `None`
+    /// for the world.
+    pub station: Option<usize>,
     /// First parameter of the rotation vector.
     pub mounting: usize,
+}
+
+impl Orientation {
+    /// The observed body in the world, by its rotation alone.
+    fn world_T_body(&self, values: &[f64]) -> Pose {
+        self.station.map_or(self.frame_T_body, |station| station_pose(values, station).then(&self.frame_T_body))
+    }
 }
 
 impl Equation for Orientation {
@@ -24,14 +34,15 @@ impl Equation for Orientation {
     }
 
     fn unknowns(&self) -> Vec<usize> {
-        (self.mounting..self.mounting + 3).collect()
+        let station = self.station.into_iter().flat_map(|first| first..first + 6);
+        (self.mounting..self.mounting + 3).chain(station).collect()
     }
 
     fn residuals(&self, at: &At, out: &mut [f64]) {
         let turned = at.arm.map(|arm| {
             let mounted = Pose::from_rotation_vector(point(at.values, self.mounting));
             let body = arm.flange(at.values, at.joints).then(&mounted);
-            body.then(&self.world_T_body.inverse()).rotation_vector_rad()
+            body.then(&self.world_T_body(at.values).inverse()).rotation_vector_rad()
         });
         out.copy_from_slice(&turned.unwrap_or_default());
     }
@@ -50,6 +61,14 @@ impl Equation for Orientation {
             let axis = flange.rotate(axis);
             (0..3).for_each(|i| turns[i * n + mounting + k] += axis[i]);
         }
+        if let Some(station) = self.station {
+            // model · observed⁻¹ turns against the station: its axes, turned by the residual
+            let left = Pose::from_rotation_vector(left);
+            for (k, axis) in turning_axes(point(at.values, station + 3)).into_iter().enumerate() {
+                let axis = left.rotate(axis);
+                (0..3).for_each(|i| turns[i * n + station + 3 + k] -= axis[i]);
+            }
+        }
         for j in 0..n {
             let turn = back * Vector3::new(turns[j], turns[n + j], turns[2 * n + j]);
             (0..3).for_each(|i| out[i * n + j] = turn[i]);
@@ -61,7 +80,7 @@ impl Equation for Orientation {
     }
 
     fn is_in_world(&self) -> bool {
-        true
+        self.station.is_none()
     }
 
     fn depends_on_target(&self) -> bool {
@@ -73,14 +92,14 @@ impl Equation for Orientation {
     }
 }
 
-/// Orientations of bodies on the flange: the mean of what their observed orientations show.
+/// Orientations of bodies on the flange: the mean from their observed orientations.
 pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usize], values: &mut [f64]) {
     let mut bodies: BTreeMap<usize, Vec<(Vector, Vector)>> = BTreeMap::new();
     for c in conditions {
-        if let Kind::Orientation(Orientation { world_T_body, mounting }) = c.kind {
-            let body = arm.flange(values, &c.joints).inverse().then(&world_T_body);
+        if let Kind::Orientation(observed) = c.kind {
+            let body = arm.flange(values, &c.joints).inverse().then(&observed.world_T_body(values));
             let axes = (0..3).map(|k| (Pose::identity().axis(k), body.axis(k)));
-            bodies.entry(mounting).or_default().extend(axes);
+            bodies.entry(observed.mounting).or_default().extend(axes);
         }
     }
     for (mounting, all) in bodies.into_iter().filter(|body| wanted.contains(&body.0)) {
@@ -90,15 +109,15 @@ pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usiz
     }
 }
 
-/// Root mean square angle that observed orientations are from those of the robot with `values`,
-/// with their bodies mounted where they explain these best, rad; not a number where there are none.
+/// Root mean square angle (rad) between observed orientations and those of the robot with `values`,
+/// for the best mounting of the bodies; not a number without orientations.
 pub fn mounted_misfit_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> f64 {
     let misfits = mounted_misfits_rad(robot, conditions, values);
     (misfits.iter().map(|angle| angle * angle).sum::<f64>() / misfits.len() as f64).sqrt()
 }
 
-/// Angles that observed orientations are from those of the robot with `values`, with their bodies
-/// mounted where they explain these best, rad.
+/// Angles (rad) between observed orientations and those of the robot with `values`, for the best
+/// mounting of the bodies.
 pub fn mounted_misfits_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> Vec<f64> {
     let Some(arm) = robot.free_base() else { return Vec::new() };
     let mut values = values.to_vec();

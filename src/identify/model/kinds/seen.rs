@@ -1,4 +1,4 @@
-//! The target as another station of the instrument measures it.
+//! The position of the target measured by another station of the instrument.
 
 use super::{At, Equation, Kind, Known, onto, place, places, point};
 use crate::Settings;
@@ -6,8 +6,8 @@ use etalon_base::pose::{Pose, Vector, centroid, cross, minus, turning_axes};
 use etalon_robots::FreeBase;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The target as another station of the instrument measures it. Residuals: its three coordinates
-/// less those of what is seen, mm.
+/// The position of the target measured by another station of the instrument. Residuals: the three
+/// coordinates of the target minus the measured ones (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// First of the six parameters of the station: its pose in the world.
@@ -34,6 +34,11 @@ impl Equation for Seen {
         less_station(at.values, self.station, self.at_mm, out);
     }
 
+    fn by_scale(&self, values: &[f64]) -> Vector {
+        let station = station_pose(values, self.station);
+        minus(station.apply([0.0; 3]), station.apply(self.at_mm))
+    }
+
     fn has_length(&self) -> bool {
         true
     }
@@ -44,7 +49,7 @@ pub(crate) fn station_pose(values: &[f64], first: usize) -> Pose {
     Pose { translation_mm: point(values, first), ..Pose::from_rotation_vector(point(values, first + 3)) }
 }
 
-/// Takes from three rows of derivatives those of where a station puts `at_mm`.
+/// Subtracts from three rows of derivatives those of the position `at_mm` by a station.
 pub(crate) fn less_station(values: &[f64], station: usize, at_mm: Vector, rows: &mut [f64]) {
     let n = values.len();
     let lever = station_pose(values, station).rotate(at_mm);
@@ -55,8 +60,8 @@ pub(crate) fn less_station(values: &[f64], station: usize, at_mm: Vector, rows: 
     }
 }
 
-/// Stations where what they see of targets and points comes to where the world has it; then targets
-/// and points that only they see.
+/// Poses of stations at which their measurements of targets and points agree with the world; then
+/// targets and points that only these stations measured.
 pub(crate) fn stand(
     arm: &dyn FreeBase,
     settings: &Settings,

@@ -1,4 +1,4 @@
-//! Planes, lines and spheres that are fixed in the world, and how far a point is from them.
+//! Planes, lines and spheres that are fixed in the world, and the distance of a point from them.
 
 use super::{At, Condition, Equation, Kind, Known, SHORTEST, place};
 use crate::Settings;
@@ -11,14 +11,14 @@ use etalon_robots::FreeBase;
 /// Element that a target touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
-    /// A plane, by two slopes of its normal (rad) towards the axis 0, 1 or 2 of the world, and
-    /// where it meets that axis (mm).
+    /// A plane, by two slopes of its normal (rad) towards the axis 0, 1 or 2 of the world, and its
+    /// intersection with this axis (mm).
     Plane {
         /// The axis.
         axis: usize,
     },
-    /// A line, by two slopes against the axis 0, 1 or 2 of the world (rad), and where it meets the
-    /// plane of the other two (mm).
+    /// A line, by two slopes against the axis 0, 1 or 2 of the world (rad), and its intersection
+    /// with the plane of the other two (mm).
     Line {
         /// The axis.
         axis: usize,
@@ -27,10 +27,10 @@ pub enum Surface {
     Sphere,
 }
 
-/// Steps from a point to the nearest one on a surface.
+/// Steps from a point to the nearest point of a surface.
 const STEPS: usize = 60;
 
-/// Derivatives: three of the point, four of the unknowns.
+/// Derivatives: three with respect to the point, four with respect to the unknowns.
 type Number = Dual<7>;
 
 impl Surface {
@@ -83,22 +83,23 @@ impl Surface {
         self.distances(p, unknowns)
     }
 
-    /// Derivatives of that, a row each: by the point, and by the unknowns.
+    /// Derivatives of this distance, a row each: with respect to the point, and to the unknowns.
     pub fn gradients(self, p: Vector, unknowns: [f64; 4]) -> [[f64; 7]; 2] {
         let variable = |i: usize| Number::variable(if i < 3 { p[i] } else { unknowns[i - 3] }, i);
         self.distances([0, 1, 2].map(variable), [3, 4, 5, 6].map(variable)).map(|d| d.gradient)
     }
 }
 
-/// The target is on a surface or line, or, of a plane or sphere, its centre `offset_mm` outside of
-/// it: the radius of a ball. Residuals: mm.
+/// The target is on a surface or line, or, for a plane or sphere, its centre is `offset_mm` outside
+/// (the radius of a ball). Residuals: mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct On {
     /// Touched element.
     pub surface: Surface,
-    /// The parameters of that.
+    /// Parameters of the element.
     pub unknowns: [usize; 4],
-    /// Distance of the target from it, positive along the axis of a plane, and outside of a sphere.
+    /// Distance of the target from the element, positive along the axis of a plane, and outwards
+    /// for a sphere.
     pub offset_mm: f64,
 }
 
@@ -107,7 +108,7 @@ impl On {
         self.surface.gradients(at.position, self.unknowns.map(|i| at.values[i]))
     }
 
-    /// The place on it that is nearest to `p`, or `left` from there.
+    /// The point of the element nearest to `p`, or at the distance `left` from it.
     pub fn nearest(&self, values: &[f64], mut p: Vector, left: Vector) -> Vector {
         for _ in 0..STEPS {
             for (normal, distance) in self.gaps(values, p, left) {
@@ -158,8 +159,8 @@ impl Equation for On {
     }
 }
 
-/// Planes, lines and spheres through the targets that touch them, and the places that are known to
-/// be on them.
+/// Planes, lines and spheres through the targets that touch them, and through the known points on
+/// them.
 pub(crate) fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [f64]) {
     type Touches = Vec<(Vector, f64)>;
     let mut touched: Vec<(Surface, [usize; 4], Touches)> = Vec::new();

@@ -16,6 +16,7 @@ use crate::iso9283::path::PathSettings;
 use crate::iso9283::pose::repeatability::pose_repeatability;
 use crate::iso9283::pose::test::CommandedPose;
 use crate::iso9283::statistics::sample::coordinates;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -38,7 +39,7 @@ pub struct MotionSettings {
     /// Commanded path.
     pub path: Option<PathSettings>,
     /// Origin of the times, in words.
-    pub time: String,
+    pub time: Phrase,
     /// Seed of the bootstrap intervals.
     pub seed: u64,
 }

@@ -1,6 +1,8 @@
 //! Reachability of the places of a test within the limits of the robot file, with joint values.
 
 use crate::iso9283::plan::{CommandedPose, CommandedPoses, TestPlan};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_robots::{PlanarPose, Quantity, Robot};
 use std::f64::consts::{PI, TAU};
 
@@ -12,7 +14,7 @@ pub struct Reach {
     pub joints: Vec<Vec<Option<Vec<f64>>>>,
     /// Places out of reach.
     pub unreached: Vec<Unreached>,
-    /// `true` if all joints move between P1 to P5, as the standard requires.
+    /// `true` if all joints move between the poses P1 to P5, as the standard requires.
     pub all_move: bool,
 }
 
@@ -24,7 +26,7 @@ pub struct Unreached {
     /// Number of the point in the list, from 1.
     pub point: usize,
     /// Reason.
-    pub reason: String,
+    pub reason: Phrase,
 }
 
 /// Error: the model of the robot does not provide its reach.
@@ -68,9 +70,9 @@ fn at_pose(robot: &dyn Robot, point: &CommandedPose) -> Option<Vec<f64>> {
     q.iter().all(|v| v.is_finite()).then_some(q)
 }
 
-fn reason(robot: &dyn Robot, point: &CommandedPose) -> String {
+fn reason(robot: &dyn Robot, point: &CommandedPose) -> Phrase {
     let violation = at_pose(robot, point).and_then(|q| robot.limit_violation(&robot.nominal(), &q));
-    violation.unwrap_or_else(|| "no working mode reaches it within the limits".to_owned())
+    violation.unwrap_or_else(|| phrase!("no-working-mode-reaches"))
 }
 
 /// Joint values along a list in a single working mode, from the initial solution that misses the

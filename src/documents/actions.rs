@@ -1,0 +1,422 @@
+//! Next steps for the person who loads or repeats a calibration, each with its reason, from the
+//! documents of a campaign.
+
+use crate::{
+    AccuracyDocument, CampaignSummary, ControllerErrors, EffectProof, Figure, Judged, LimitQuantity, LimitVerdict,
+    PointError, PoseSet, PositionErrors, Reason, UncertaintySource, VerdictDocument,
+};
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Rank};
+use etalon_base::phrase;
+use etalon_base::pose::norm;
+use etalon_base::pose_name::PoseName;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Maximum number of actions.
+pub const MOST: usize = 5;
+/// Maximum number of poses in one action.
+const POSES: usize = 5;
+/// Ids of warnings that other actions contain.
+const COVERED: [&str; 8] = [
+    "outliers",
+    "robust-fit-disagrees-at-poses",
+    "few-cycles",
+    "instrument-too-coarse",
+    "file-near-nominal",
+    "effect-would-prove",
+    "limit-not-assessable",
+    "file-worse-than-nominal",
+];
+
+/// Next step with its reason.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Action {
+    /// Kind of the step.
+    pub action: ActionKind,
+    /// Instruction, in English.
+    pub what: String,
+    /// Text of the catalogue that is `what` in English; absent if `message` has the text.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub what_phrase: Option<Phrase>,
+    /// Reason, in English.
+    pub reason: String,
+    /// Text of the catalogue that is `reason` in English; absent if `message` has the text.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason_phrase: Option<Phrase>,
+    /// Warning whose hint is the instruction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub message: Option<Box<Message>>,
+    /// File to load, or to change, relative to the output folder or the folder of the campaign.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Lines to add to `file`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub line: Option<String>,
+    /// Command to run in the folder of the campaign.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub command: Option<String>,
+    /// Expected decrease of the error (mm), which determines the order of actions; absent if
+    /// unknown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gain_mm: Option<f64>,
+}
+
+/// Kind of a next step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ActionKind {
+    /// Load a controller file.
+    Load,
+    /// Keep the nominal parameters: a controller file is hardly better than nominal.
+    KeepNominal,
+    /// Measure poses again that disagree with the others.
+    MeasureAgain,
+    /// Identify a further effect of the robot.
+    AddEffect,
+    /// Find the cause of errors beyond a limit.
+    MeetLimit,
+    /// Warm the robot up before the test.
+    WarmUp,
+    /// Measure with a smaller uncertainty.
+    ReduceUncertainty,
+    /// Measure the quantity of a limit.
+    MeasureQuantity,
+    /// Visit poses more often.
+    AddCycles,
+    /// Measure poses that validate the parameters.
+    AddValidation,
+    /// Decide on a warning.
+    Resolve,
+    /// State limits.
+    StateLimits,
+}
+
+/// Controller file that a run wrote.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrittenFile {
+    /// Name of the format.
+    pub format: String,
+    /// Name of the file in the output folder.
+    pub file: String,
+}
+
+/// Documents from which actions are derived.
+#[derive(Clone)]
+pub struct Evidence<'a> {
+    /// Documents that are judged.
+    pub judged: Judged<'a>,
+    /// Statements of the campaign.
+    pub campaign: &'a CampaignSummary,
+    /// Errors of single points.
+    pub errors: &'a [PointError],
+    /// Warnings of all documents.
+    pub messages: Vec<&'a Message>,
+}
+
+impl Action {
+    fn new(action: ActionKind, what: Phrase, reason: Phrase) -> Self {
+        Self {
+            action,
+            what: what.to_string(),
+            what_phrase: Some(what),
+            reason: reason.to_string(),
+            reason_phrase: Some(reason),
+            message: None,
+            file: None,
+            line: None,
+            command: None,
+            gain_mm: None,
+        }
+    }
+
+    fn file(self, file: impl Into<String>) -> Self {
+        Self { file: Some(file.into()), ..self }
+    }
+
+    fn line(self, line: impl Into<String>) -> Self {
+        Self { line: Some(line.into()), ..self }
+    }
+
+    fn command(self, command: impl Into<String>) -> Self {
+        Self { command: Some(command.into()), ..self }
+    }
+
+    fn gain(self, gain_mm: Option<f64>) -> Self {
+        Self { gain_mm: gain_mm.filter(|g| g.is_finite() && *g > 0.0), ..self }
+    }
+}
+
+/// Length with three significant digits, in µm below 0.1 mm.
+fn length(mm: f64) -> String {
+    let (value, unit) = if mm.abs() < 0.1 { (1e3 * mm, "µm") } else { (mm, "mm") };
+    let before = if value.abs() >= 1.0 { value.abs().log10().floor() as i32 } else { -1 };
+    format!("{value:.*} {unit}", (2 - before).clamp(0, 3) as usize)
+}
+
+fn listed(poses: &[PoseName]) -> String {
+    poses.iter().take(POSES).map(PoseName::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// Values of a limit in its unit.
+fn in_unit(value: f64, limit: &LimitVerdict) -> String {
+    if limit.unit == "mm" { length(value) } else { format!("{value:.4} {}", limit.unit) }
+}
+
+impl Evidence<'_> {
+    /// Verdict with the next steps.
+    pub fn verdict(&self) -> VerdictDocument {
+        let verdict = self.judged.verdict();
+        VerdictDocument { actions: self.actions(&verdict), ..verdict }
+    }
+
+    /// Next steps, those with the largest gain first.
+    fn actions(&self, verdict: &VerdictDocument) -> Vec<Action> {
+        let mut all: Vec<Action> = self.load(verdict).into_iter().chain(self.measure_again()).collect();
+        let effects = self.judged.accuracy.into_iter().flat_map(|a| &a.effects);
+        all.extend(effects.filter(|e| !e.is_identified).map(add_effect));
+        all.extend(verdict.reasons.iter().filter_map(|reason| self.of_reason(reason, verdict)));
+        all.extend(self.add_validation());
+        all.extend(self.messages.iter().filter_map(|m| resolve(m)));
+        let judges = self.judged.accuracy.is_some() || self.judged.tested.poses.is_some();
+        if verdict.limits.is_empty() && judges {
+            let what = phrase!("action-state-limits");
+            let action = Action::new(ActionKind::StateLimits, what, phrase!("action-state-limits-reason"));
+            all.push(action.file("campaign.toml"));
+        }
+        // stable: steps without a known gain keep the order of the verdict
+        all.sort_by(|a, b| b.gain_mm.unwrap_or(0.0).total_cmp(&a.gain_mm.unwrap_or(0.0)));
+        all.truncate(MOST);
+        all
+    }
+
+    /// The best controller file, if the verdict allows it to be loaded.
+    fn load(&self, verdict: &VerdictDocument) -> Option<Action> {
+        let accuracy = self.judged.accuracy?;
+        let plausible = self.judged.parameters.is_some_and(|p| p.is_plausible());
+        if !verdict.passes() || !plausible {
+            return None;
+        }
+        let set = accuracy.sets.iter().rfind(|s| s.count > 0)?;
+        let files = self.campaign.controller_files.iter();
+        let of = |file: &WrittenFile| {
+            let of_format = |c: &&crate::ControllerFiles| c.formats.contains(&file.format);
+            let left_out = self.judged.controllers.and_then(|c| c.files.iter().find(of_format));
+            left_out.map_or_else(|| ControllerErrors::of(set, None), |c| c.deciding().cloned())
+        };
+        let better = |e: &ControllerErrors| !e.is_hardly_better_than_nominal();
+        let known: Vec<(&WrittenFile, ControllerErrors)> =
+            files.filter_map(|f| Some((f, of(f).filter(better)?))).collect();
+        let best = known.iter().map(|(_, e)| e.written).min_by(|a, b| a.rms_mm.total_cmp(&b.rms_mm))?;
+        let alike: Vec<_> = known.iter().filter(|(_, e)| e.written == best).collect();
+        let (first, errors) = alike.first()?;
+        let names: Vec<&str> = alike.iter().map(|(f, _)| f.file.as_str()).collect();
+        let others = names[1..].join(", ");
+        let what = match self.campaign.synthetic.is_some() {
+            true => phrase!("action-load-synthetic", file = first.file, count = names.len() - 1, others),
+            false => phrase!("action-load", file = first.file, count = names.len() - 1, others),
+        };
+        let PositionErrors { rms_mm: nominal, .. } = errors.nominal;
+        let reason = phrase!(
+            "action-load-reason",
+            expected = length(best.rms_mm),
+            nominal = length(nominal),
+            count = set.poses,
+            set = set.name.name()
+        );
+        let action = Action::new(ActionKind::Load, what, reason).file(first.file.as_str());
+        Some(action.gain(Some(nominal - best.rms_mm)))
+    }
+
+    /// Calibration poses that a robust fit finds to disagree with the others.
+    fn measure_again(&self) -> Option<Action> {
+        let robust = self.judged.parameters?.robust.as_ref()?;
+        let mut poses: Vec<_> =
+            robust.poses.iter().filter(|p| p.residual_over_sigma > robust.critical_residual).collect();
+        poses.sort_by(|a, b| b.residual_over_sigma.total_cmp(&a.residual_over_sigma));
+        let worst = poses.first()?;
+        let names: Vec<PoseName> = poses.iter().map(|p| p.pose).collect();
+        // a fit names its worst poses only
+        let more = robust.disagreeing.max(names.len()) - names.len().min(POSES);
+        let what = phrase!("action-measure-again", count = names.len().min(POSES), poses = listed(&names), more);
+        let reason = phrase!(
+            "action-measure-again-reason",
+            pose = worst.pose,
+            error = length(worst.residual_over_sigma * robust.sigma_mm),
+            times = format!("{:.1}", worst.residual_over_sigma)
+        );
+        Some(Action::new(ActionKind::MeasureAgain, what, reason).gain(self.without(&names)))
+    }
+
+    /// Decrease of the root mean square error of the calibration if these poses are left out.
+    fn without(&self, poses: &[PoseName]) -> Option<f64> {
+        let all = self.errors.iter().filter(|e| e.set == PoseSet::Calibration);
+        let rms = |sizes: Vec<f64>| (sizes.iter().map(|s| s * s).sum::<f64>() / sizes.len() as f64).sqrt();
+        let size = |e: &PointError| norm(e.after_mm);
+        let kept = rms(all.clone().filter(|e| !poses.contains(&e.pose)).map(size).collect());
+        Some(rms(all.map(size).collect()) - kept).filter(|gain| gain.is_finite())
+    }
+
+    /// Step that removes a reason of the verdict.
+    fn of_reason(&self, reason: &Reason, verdict: &VerdictDocument) -> Option<Action> {
+        let limit = |name: &LimitQuantity| verdict.limits.iter().find(|l| l.name == *name);
+        match reason {
+            Reason::LimitNotMet { limit: name } => self.meet(limit(name)?),
+            Reason::LimitUndecided { limit: name } => self.decide(limit(name)?),
+            Reason::NotAssessable { limit: name } => {
+                let what = phrase!("action-measure-quantity", limit = name.to_string());
+                let reason = phrase!("action-measure-quantity-reason");
+                Some(Action::new(ActionKind::MeasureQuantity, what, reason).file("campaign.toml"))
+            }
+            Reason::InstrumentTooCoarse { poses } => self.finer_instrument(poses),
+            // the drift of a cold robot has one remedy
+            Reason::NoWarmUp if !verdict.reasons.iter().any(|r| matches!(r, Reason::DriftNotSettled { .. })) => {
+                let (what, reason) = (phrase!("action-warm-up"), phrase!("action-warm-up-cold"));
+                Some(Action::new(ActionKind::WarmUp, what, reason))
+            }
+            Reason::DriftNotSettled { dap_mm, .. } => {
+                let cycles = self.judged.tested.poses.as_ref()?.poses.iter().map(|p| p.cycles).max()?;
+                let reason = phrase!("action-warm-up-drift", change = length(*dap_mm), cycles);
+                Some(Action::new(ActionKind::WarmUp, phrase!("action-warm-up"), reason).gain(Some(*dap_mm)))
+            }
+            Reason::FewCycles { poses, required } => {
+                let what = phrase!("action-add-cycles", count = poses.len(), poses = listed(poses), required);
+                let least = self.judged.tested.poses.as_ref()?.poses.iter().map(|p| p.cycles).min()?;
+                Some(Action::new(ActionKind::AddCycles, what, phrase!("action-add-cycles-reason", least)))
+            }
+            Reason::HardlyBetter { formats, nominal, written } => {
+                let what = phrase!("action-keep-nominal", count = formats.len(), formats = formats.join(", "));
+                let reason = phrase!(
+                    "action-keep-nominal-reason",
+                    rms = length(written.rms_mm),
+                    max = length(written.max_mm),
+                    nominal_rms = length(nominal.rms_mm),
+                    nominal_max = length(nominal.max_mm)
+                );
+                Some(Action::new(ActionKind::KeepNominal, what, reason).command("etalon recommend ."))
+            }
+            _ => None,
+        }
+    }
+
+    /// Search for the cause of errors beyond a limit, which begins at the worst pose.
+    fn meet(&self, limit: &LimitVerdict) -> Option<Action> {
+        let (value, beyond) = (limit.value?, limit.value? - limit.limit);
+        let worst = limit.name.of_errors().and_then(|(quantity, _)| {
+            let deciding = self.judged.accuracy?.sets.iter().rfind(|s| s.count > 0)?.name;
+            let all = self.errors.iter().filter(|e| e.set == deciding && e.quantity == quantity);
+            all.max_by(|a, b| norm(a.after_mm).total_cmp(&norm(b.after_mm)))
+        });
+        let name = limit.name.to_string();
+        let what = match worst {
+            Some(worst) => phrase!("action-meet-limit-at-pose", limit = name, pose = worst.pose),
+            None => phrase!("action-meet-limit", limit = name),
+        };
+        let reason = phrase!(
+            "action-meet-limit-reason",
+            value = in_unit(value, limit),
+            limit = in_unit(limit.limit, limit),
+            beyond = in_unit(beyond, limit)
+        );
+        let action = Action::new(ActionKind::MeetLimit, what, reason);
+        // parameters of effects are chosen at poses that are left out
+        Some(if self.judged.parameters.is_some() { action.command("etalon recommend .") } else { action })
+    }
+
+    /// Uncertainty that would decide on a limit, and its largest source.
+    fn decide(&self, limit: &LimitVerdict) -> Option<Action> {
+        let (value, u) = (limit.value?, limit.expanded_uncertainty?);
+        let enough = (limit.limit - value).abs();
+        let what = phrase!("action-reduce-uncertainty", limit = limit.name.to_string());
+        let (present, required) = (in_unit(u, limit), in_unit(enough, limit));
+        let source = limit.name.of_errors().and_then(|of| largest_source(self.judged.accuracy?, of));
+        let reason = match source {
+            Some((source, share)) => phrase!(
+                "action-reduce-uncertainty-by-source",
+                present,
+                required,
+                source = source.phrase(),
+                percent = format!("{:.0}", 100.0 * share)
+            ),
+            None => phrase!("action-reduce-uncertainty-reason", present, required),
+        };
+        Some(Action::new(ActionKind::ReduceUncertainty, what, reason))
+    }
+
+    /// Uncertainty of the instrument that the 25 % rule requires (ISO 9283:1998, 6).
+    fn finer_instrument(&self, coarse: &[PoseName]) -> Option<Action> {
+        let poses = self.judged.tested.poses.as_ref()?.poses.iter().filter(|p| coarse.contains(&p.pose));
+        // U over the characteristic, with the characteristic
+        let ratios = poses.flat_map(|p| [(p.uncertainty_over_rp, p.rp_mm), (p.uncertainty_over_ap, p.ap_mm)]);
+        let known = ratios.filter_map(|(ratio, mm)| Some((ratio?, mm?))).filter(|(ratio, _)| *ratio > 0.25);
+        let (ratio, mm) = known.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let what = phrase!("action-finer-instrument", uncertainty = length(0.25 * mm));
+        let reason = phrase!(
+            "action-finer-instrument-reason",
+            count = coarse.len(),
+            poses = listed(coarse),
+            uncertainty = length(ratio * mm),
+            percent = format!("{:.0}", 100.0 * ratio)
+        );
+        Some(Action::new(ActionKind::ReduceUncertainty, what, reason))
+    }
+
+    /// Validation, without which errors are too small.
+    fn add_validation(&self) -> Option<Action> {
+        let sets = &self.judged.accuracy.filter(|a| a.given.is_none())?.sets;
+        let counted = |name| sets.iter().any(|s| s.name == name && s.count > 0);
+        (counted(PoseSet::Calibration) && !counted(PoseSet::Validation)).then(|| {
+            let (what, reason) = (phrase!("action-add-validation"), phrase!("action-add-validation-reason"));
+            Action::new(ActionKind::AddValidation, what, reason).file("campaign.toml")
+        })
+    }
+}
+
+/// Effect that proves itself at poses that are left out.
+fn add_effect(proof: &EffectProof) -> Action {
+    let reason = phrase!("action-add-effect-reason", without = length(proof.without_mm), with = length(proof.with_mm));
+    let (file, line) = match &proof.robot_key {
+        Some(key) => ("robot.toml", key.clone()),
+        None => ("campaign.toml", "effects = \"proven\"".to_owned()),
+    };
+    let what = match &proof.robot_key {
+        Some(key) => phrase!("action-add-effect", line = key),
+        None => phrase!("action-prove-effects", line),
+    };
+    let gain = Some(proof.without_mm - proof.with_mm);
+    Action::new(ActionKind::AddEffect, what, reason).file(file).line(line).gain(gain)
+}
+
+/// Source with the largest share of the variance of a figure.
+fn largest_source(
+    accuracy: &AccuracyDocument,
+    (quantity, figure): (crate::ErrorQuantity, Figure),
+) -> Option<(UncertaintySource, f64)> {
+    let budget = accuracy.budget.iter().find(|b| b.quantity == quantity && b.figure == figure)?;
+    let square = |u: f64| u * u;
+    let whole: f64 = budget.contributions.iter().map(|c| square(c.standard_uncertainty_mm)).sum();
+    let of = |c: &crate::FigureContribution| (c.source, square(c.standard_uncertainty_mm) / whole);
+    budget.contributions.iter().map(of).filter(|(_, s)| s.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// Warning on which somebody has to decide.
+fn resolve(message: &Message) -> Option<Action> {
+    if message.rank != Rank::Decide || message.id.is_empty() || COVERED.contains(&&*message.id) {
+        return None;
+    }
+    let what = message.hint.clone().unwrap_or_else(|| phrase!("action-resolve").to_string());
+    Some(Action {
+        action: ActionKind::Resolve,
+        what,
+        what_phrase: message.hint.is_none().then(|| phrase!("action-resolve")),
+        reason: message.what.clone(),
+        reason_phrase: None,
+        message: Some(Box::new(message.clone())),
+        file: message.place.as_ref().map(|p| p.file.clone()),
+        line: None,
+        command: Some(format!("etalon explain {}", message.id)),
+        gain_mm: None,
+    })
+}

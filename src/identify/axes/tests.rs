@@ -1,0 +1,311 @@
+use super::*;
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Pose, dot, minus, norm, unit};
+use etalon_robots::AxisLine;
+
+const NOISE_MM: f64 = 0.02;
+
+/// A drawn arm in the world: axes at joint values zero, targets there.
+struct Arm {
+    axes: Vec<AxisLine>,
+    targets: Vec<Vector>,
+}
+
+impl Arm {
+    fn drawn(noise: &mut Noise, joints: usize, targets: usize, sliding: bool) -> Self {
+        let vector = |noise: &mut Noise, size: f64| [0; 3].map(|_| noise.uniform(size));
+        let mut axes: Vec<AxisLine> = Vec::new();
+        while axes.len() < joints {
+            let i = axes.len();
+            let direction = match axes.last() {
+                Some(last) if i == 2 => last.direction,
+                _ => unit(vector(noise, 1.0)).unwrap(),
+            };
+            axes.push(AxisLine { direction, point_mm: vector(noise, 600.0), prismatic: sliding && i == 3 });
+        }
+        let far = |t: &Vector| axes.iter().all(|a| a.prismatic || norm(minus(*t, a.foot(*t))) > 150.0);
+        let mut all = Vec::new();
+        while all.len() < targets {
+            all.extend(Some(vector(noise, 900.0)).filter(far));
+        }
+        Self { axes, targets: all }
+    }
+
+    fn position(&self, joints: &[f64], target: usize) -> Vector {
+        let chain = self.axes.iter().zip(joints);
+        chain.fold(Pose::identity(), |pose, (axis, q)| pose.then(&axis.motion(*q))).apply(self.targets[target])
+    }
+
+    /// Readings of one joint from rest values.
+    fn sweep(&self, noise: &mut Noise, rest: &[f64], joint: usize, span: f64, count: usize) -> Sweep {
+        let mut readings = Vec::new();
+        let start = if self.axes[joint].prismatic { 0.0 } else { noise.uniform(1.0) };
+        for i in 0..count {
+            let mut joints = rest.to_vec();
+            joints[joint] = start + span * i as f64 / (count - 1) as f64;
+            for target in 0..self.targets.len() {
+                let p = self.position(&joints, target).map(|v| v + noise.gaussian(NOISE_MM));
+                readings.push(SweepReading { row: readings.len() + 1, target, position_mm: p, joints: joints.clone() });
+            }
+        }
+        Sweep { joint, readings }
+    }
+
+    /// The true axis of a joint at rest values.
+    fn axis(&self, rest: &[f64], joint: usize) -> AxisLine {
+        let before = self.axes.iter().zip(rest).take(joint);
+        let pose = before.fold(Pose::identity(), |pose, (axis, q)| pose.then(&axis.motion(*q)));
+        self.axes[joint].moved(&pose)
+    }
+}
+
+/// Errors of an axis over their standard uncertainties, in the frame of its fit.
+fn normalised(axis: &JointAxis, truth: &AxisLine) -> Vec<f64> {
+    let inverse = axis.fit.frame.inverse();
+    let d = inverse.rotate(truth.direction);
+    let (a, b) = (d[0] / d[2], d[1] / d[2]);
+    let (of_direction, of_point) = axis.standard_uncertainties();
+    let mut all = vec![a / of_direction[0], b / of_direction[1]];
+    if !axis.fit.prismatic {
+        let p = inverse.apply(truth.point_mm);
+        all.extend([(p[0] - a * p[2]) / of_point[0], (p[1] - b * p[2]) / of_point[1]]);
+    }
+    all
+}
+
+fn settings(arm: &Arm) -> AxesSettings {
+    AxesSettings { prismatic: arm.axes.iter().map(|a| Some(a.prismatic)).collect(), ..AxesSettings::default() }
+}
+
+#[test]
+fn axes_of_drawn_arms_are_found_within_their_uncertainty() {
+    let (mut counts, mut inside, mut far) = (0, 0, 0);
+    for trial in 0..60 {
+        let mut noise = Noise::new(45, trial);
+        let arm = Arm::drawn(&mut noise, 6, 1 + trial as usize % 3, trial % 4 == 0);
+        let rest: Vec<f64> = arm.axes.iter().map(|_| noise.uniform(0.8)).collect();
+        for joint in 0..6 {
+            let degrees = 165.0 + noise.uniform(135.0);
+            let span = if arm.axes[joint].prismatic { 500.0 } else { degrees.to_radians() };
+            let sweep = arm.sweep(&mut noise, &rest, joint, span, 40);
+            let axis = joint_axis(&sweep, &settings(&arm)).unwrap();
+            for z in normalised(&axis, &arm.axis(&rest, joint)) {
+                counts += 1;
+                inside += usize::from(z.abs() < 1.97);
+                far += usize::from(z.abs() > 3.0);
+            }
+        }
+    }
+    let share = |n: usize| n as f64 / counts as f64;
+    eprintln!("{counts} parameters: {:.4} within 95 %, {:.4} beyond 3 u", share(inside), share(far));
+    assert!(share(far) < 0.01 && (share(inside) - 0.95).abs() < 0.02);
+}
+
+fn model_of(arm: &Arm, sweeps: &[Sweep]) -> AxesModel {
+    let axes = sweeps.iter().map(|s| joint_axis(s, &settings(arm)).unwrap()).collect();
+    AxesModel::new(axes, arm.targets.len()).unwrap()
+}
+
+fn sweeps_of(arm: &Arm, noise: &mut Noise) -> Vec<Sweep> {
+    let sweep = |noise: &mut Noise, joint: usize| {
+        let rest: Vec<f64> = arm.axes.iter().map(|_| noise.uniform(0.8)).collect();
+        let span = if arm.axes[joint].prismatic { 500.0 } else { (165.0 + noise.uniform(135.0)).to_radians() };
+        arm.sweep(noise, &rest, joint, span, 40)
+    };
+    (0..arm.axes.len()).map(|joint| sweep(noise, joint)).collect()
+}
+
+#[test]
+fn the_derived_model_predicts_new_poses_within_its_uncertainty() {
+    let (mut counts, mut inside) = (0, 0);
+    for trial in 0..60 {
+        let mut noise = Noise::new(46, trial);
+        let arm = Arm::drawn(&mut noise, 6, 1 + trial as usize % 2, trial % 3 == 0);
+        let sweeps = sweeps_of(&arm, &mut noise);
+        let model = model_of(&arm, &sweeps);
+        let joints: Vec<f64> = arm.axes.iter().map(|_| noise.uniform(2.0)).collect();
+        let predicted = model.predict(&joints, 0);
+        let truth = arm.position(&joints, 0);
+        for k in 0..3 {
+            counts += 1;
+            let z = (predicted.position_mm[k] - truth[k]) / predicted.covariance_mm2[k][k].sqrt();
+            inside += usize::from(z.abs() < 1.97);
+        }
+        // the robot in its base frame moves alike
+        let arm = etalon_robots::Serial::of_axes(&model.axes, &model.flange, &["T".to_owned()]);
+        let flange = etalon_robots::Robot::kinematics(&arm).unwrap();
+        let pose = flange.tool_pose(&etalon_robots::Robot::nominal(&arm), &joints).unwrap();
+        let same = model.world_T_base.then(&pose).apply(model.targets_mm[0]);
+        assert!(norm(minus(same, predicted.position_mm)) < 1e-6, "{same:?} {predicted:?}");
+    }
+    let share = inside as f64 / counts as f64;
+    eprintln!("{counts} coordinates: {share:.4} within 95 %");
+    assert!((share - 0.95).abs() < 0.04);
+}
+
+#[test]
+fn without_joint_values_home_is_the_start_of_every_sweep() {
+    let (mut counts, mut inside) = (0, 0);
+    for trial in 0..40 {
+        let mut noise = Noise::new(47, trial);
+        let arm = Arm::drawn(&mut noise, 6, 1, trial % 3 == 0);
+        let home = vec![0.0; 6];
+        let mut sweeps = Vec::new();
+        for joint in 0..6 {
+            let mut sweep =
+                arm.sweep(&mut noise, &home, joint, if arm.axes[joint].prismatic { 400.0 } else { 2.0 }, 40);
+            let first = sweep.readings[0].joints[joint];
+            for r in &mut sweep.readings {
+                let mut joints = home.clone();
+                joints[joint] = r.joints[joint] - first;
+                r.position_mm = arm.position(&joints, 0).map(|v| v + noise.gaussian(NOISE_MM));
+                r.joints.clear();
+            }
+            sweeps.push(sweep);
+        }
+        assert!(start_gap(&sweeps).unwrap().0 < 0.2);
+        let model = model_of(&arm, &sweeps);
+        let joints: Vec<f64> = (0..6).map(|_| noise.uniform(1.5)).collect();
+        let (predicted, truth) = (model.predict(&joints, 0), arm.position(&joints, 0));
+        for k in 0..3 {
+            counts += 1;
+            let z = (predicted.position_mm[k] - truth[k]) / predicted.covariance_mm2[k][k].sqrt();
+            inside += usize::from(z.abs() < 1.97);
+        }
+        // a check pose shows a joint that was swept backwards
+        let mut reversed = AxesSettings { backwards: vec![false; 6], ..settings(&arm) };
+        reversed.backwards[2] = true;
+        let axes = sweeps.iter().map(|s| joint_axis(s, &reversed).unwrap()).collect();
+        let model = AxesModel::new(axes, 1).unwrap();
+        let checks: Vec<SweepReading> = (0..4)
+            .map(|row| {
+                let joints: Vec<f64> = (0..6).map(|_| noise.uniform(1.0)).collect();
+                let p = arm.position(&joints, 0).map(|v| v + noise.gaussian(NOISE_MM));
+                SweepReading { row, target: 0, position_mm: p, joints }
+            })
+            .collect();
+        let found = model.agreement(&checks, NOISE_MM);
+        assert!(matches!(found.explained, Some((Change::Reversed(2), _))), "{trial}: {found:?}");
+    }
+    let share = inside as f64 / counts as f64;
+    eprintln!("{counts} coordinates: {share:.4} within 95 %");
+    assert!((share - 0.95).abs() < 0.05);
+}
+
+#[test]
+fn foreign_points_are_set_aside_and_sound_ones_are_not() {
+    let mut lost = 0;
+    for trial in 0..100 {
+        let mut noise = Noise::new(48, trial);
+        let arm = Arm::drawn(&mut noise, 3, 2, false);
+        let mut sweep = arm.sweep(&mut noise, &[0.0; 3], 1, 1.5, 30);
+        lost += joint_axis(&sweep, &settings(&arm)).unwrap().fit.used.iter().filter(|u| !**u).count();
+        for i in [7, 23, 41] {
+            sweep.readings[i].position_mm[i % 3] += 0.4 + 20.0 * (i % 2) as f64;
+        }
+        let axis = joint_axis(&sweep, &settings(&arm)).unwrap();
+        // an error along the path is invisible: only those across count
+        let fit = &axis.fit;
+        for i in [7, 23, 41] {
+            let e = fit.frame.inverse().rotate({
+                let mut e = [0.0; 3];
+                e[i % 3] = 1.0;
+                e
+            });
+            let p = fit.frame.inverse().apply(sweep.readings[i].position_mm);
+            let along = (p[0] * e[1] - p[1] * e[0]) / p[0].hypot(p[1]);
+            assert!(!fit.used[i] || along.abs() > 0.9, "{trial}, {i}");
+        }
+        assert!(normalised(&axis, &arm.axis(&[0.0; 3], 1)).iter().all(|z| z.abs() < 5.0));
+    }
+    assert!(lost < 5, "{lost} sound readings of 6000 were set aside");
+}
+
+#[test]
+fn a_target_near_the_axis_has_its_uncertainty() {
+    let mut noise = Noise::new(49, 0);
+    let axes = vec![AxisLine { direction: [0.0, 0.0, 1.0], point_mm: [10.0, 20.0, 0.0], prismatic: false }];
+    let arm = Arm { axes, targets: vec![[12.0, 20.0, 300.0]] };
+    let sweep = arm.sweep(&mut noise, &[0.0], 0, 5.5, 40);
+    let axis = joint_axis(&sweep, &AxesSettings { prismatic: vec![Some(false)], ..AxesSettings::default() }).unwrap();
+    let (of_direction, of_point) = axis.standard_uncertainties();
+    // by hand: a plane through points at 2 mm: u = σ / (r √(n/2))
+    let expected = NOISE_MM / (2.0 * 20f64.sqrt());
+    assert!((of_direction[0] / expected - 1.0).abs() < 0.5, "{of_direction:?} {expected}");
+    assert!(of_point[0] < NOISE_MM, "{of_point:?}");
+    assert!(normalised(&axis, &arm.axes[0]).iter().all(|z| z.abs() < 4.0));
+}
+
+#[test]
+fn slips_are_named_and_sound_sweeps_are_not() {
+    for trial in 0..6 {
+        let mut noise = Noise::new(50, trial);
+        let arm = Arm::drawn(&mut noise, 4, 2, false);
+        let rest = [0.2, -0.3, 0.1, 0.4];
+        let sound = arm.sweep(&mut noise, &rest, 1, 1.4, 40);
+        let axis = joint_axis(&sound, &settings(&arm)).unwrap();
+        assert_eq!((joint_slip(&sound), axis_slip(&sound, &axis), smooth(&sound, &axis.fit)), (None, None, None));
+        // the sweep of joint 3 under the name of joint 2
+        let other = Sweep { joint: 1, ..arm.sweep(&mut noise, &rest, 2, 1.0, 20) };
+        assert_eq!(joint_slip(&other), Some(Slip::OtherJoint { moved: 2 }));
+        // another joint creeps
+        let mut two = sound.clone();
+        for (i, r) in two.readings.iter_mut().enumerate() {
+            r.joints[0] += 0.001 * i as f64;
+            r.position_mm = arm.position(&r.joints, r.target);
+        }
+        assert!(matches!(joint_slip(&two), Some(Slip::TwoJoints { also: 0, .. })));
+        two.readings.iter_mut().for_each(|r| r.joints.clear());
+        let axis = joint_axis(&two, &settings(&arm)).unwrap();
+        assert!(smooth(&two, &axis.fit).is_some() || axis_slip(&two, &axis).is_some(), "{trial}");
+        // degrees read as radians
+        let mut degrees = sound.clone();
+        degrees.readings.iter_mut().for_each(|r| r.joints[1] *= 180.0 / std::f64::consts::PI);
+        let axis = joint_axis(&degrees, &settings(&arm)).unwrap();
+        let slip = axis_slip(&degrees, &axis);
+        assert!(matches!(slip, Some(Slip::Ratio { unit: Some("deg-as-rad"), .. })), "{trial}: {slip:?}");
+        // a target that slipped by a millimetre across its path
+        let mut moved = sound.clone();
+        let z = arm.axis(&rest, 1).direction;
+        for r in moved.readings.iter_mut().filter(|r| r.target == 1 && r.row > 44) {
+            r.position_mm = [0, 1, 2].map(|i| r.position_mm[i] + z[i]);
+        }
+        let axis = joint_axis(&moved, &settings(&arm)).unwrap();
+        let slip = axis_slip(&moved, &axis);
+        assert!(matches!(slip, Some(Slip::TargetMoved { target: 1, row: 45..=47, .. })), "{trial}: {slip:?}");
+    }
+}
+
+#[test]
+fn exchanged_joints_are_named_by_the_sweeps_themselves() {
+    for trial in 0..10 {
+        let mut noise = Noise::new(51, trial);
+        let arm = Arm::drawn(&mut noise, 5, 1, false);
+        let mut sweeps = sweeps_of(&arm, &mut noise);
+        let sound = model_of(&arm, &sweeps);
+        let found = sound.agreement(&compared(&sweeps, &sound.measured), NOISE_MM);
+        assert!(found.worst < 5.0 && found.explained.is_none(), "{trial}: {}", found.worst);
+        sweeps.swap(0, 3);
+        for (joint, sweep) in sweeps.iter_mut().enumerate() {
+            sweep.joint = joint;
+            sweep.readings.iter_mut().for_each(|r| r.joints.swap(0, 3));
+        }
+        let wrong = model_of(&arm, &sweeps);
+        let found = wrong.agreement(&compared(&sweeps, &wrong.measured), NOISE_MM);
+        assert!(matches!(found.explained, Some((Change::Exchanged([0, 3]), _))), "{trial}: {found:?}");
+    }
+}
+
+#[test]
+fn turning_and_sliding_are_told_by_the_path() {
+    for trial in 0..20 {
+        let mut noise = Noise::new(52, trial);
+        let arm = Arm::drawn(&mut noise, 4, 1 + trial as usize % 2, true);
+        for (joint, span) in [(2, 0.52), (3, 300.0), (1, 6.2)] {
+            let sweep = arm.sweep(&mut noise, &[0.0; 4], joint, span, 20);
+            let axis = joint_axis(&sweep, &AxesSettings::default()).unwrap();
+            assert_eq!(axis.fit.prismatic, joint == 3, "{trial} {joint}");
+            assert!(dot(axis.fit.axis().direction, arm.axis(&[0.0; 4], joint).direction) > 0.99);
+        }
+    }
+}

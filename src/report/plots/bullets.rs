@@ -1,0 +1,208 @@
+//! Page one in figures: each limit with its value, uncertainty, guard band and risk as a bullet
+//! graph (S. Few, Bullet Graph Design Specification, 2013), and errors before and after on one
+//! axis.
+
+use super::layer::*;
+use super::svg::{LETTER, width};
+use crate::model::Headline;
+use crate::number::Shown;
+use crate::sections::limits::judged;
+use etalon_documents::Conformity;
+
+/// Height of a row with a line of text above and below its bar.
+const ROW_HEIGHT: f64 = 62.0;
+/// Height of a bar.
+const BAR: f64 = 14.0;
+/// Width of a bold letter.
+const BOLD: f64 = 1.1 * LETTER;
+/// Margin at both sides.
+const SIDE: f64 = 10.0;
+/// Smallest right end of the scale, over the limit.
+const LEAST: f64 = 1.25;
+/// Largest right end of the scale, over the limit; a larger value ends there with an arrow.
+const MOST: f64 = 2.5;
+
+/// Bullet graph of all limits on one scale: value over limit.
+pub(crate) fn limits(all: &[&LimitVerdict], words: &Words) -> Option<Figure> {
+    let positive: Vec<&&LimitVerdict> = all.iter().filter(|l| l.limit > 0.0).collect();
+    if positive.is_empty() {
+        return None;
+    }
+    let reach = |l: &LimitVerdict| (l.value.unwrap_or(0.0) + l.expanded_uncertainty.unwrap_or(0.0)) / l.limit;
+    let end = (1.05 * largest(positive.iter().map(|l| reach(l)))).clamp(LEAST, MOST);
+    let mut svg = Svg::new(NARROW, ROW_HEIGHT * positive.len() as f64);
+    for (i, l) in positive.iter().enumerate() {
+        limit(&mut svg, l, (ROW_HEIGHT * i as f64, end), words);
+    }
+    svg.legend(Look::new(Shape::Square, "value"), &tr!(words, "bullet-value"));
+    svg.legend(Look::new(Shape::Square, "zone-pass"), &tr!(words, "bullet-accepted"));
+    svg.legend(Look::new(Shape::Square, "zone-guard"), &tr!(words, "bullet-guard-band"));
+    svg.legend(Look::new(Shape::Square, "zone-fail"), &tr!(words, "bullet-beyond"));
+    svg.legend_line("limit", &tr!(words, "limit"));
+    let (title, description) = (tr!(words, "limits"), tr!(words, "bullet-description"));
+    Some(svg.figure("bullets", title, description))
+}
+
+/// One limit at the height `top`, on a scale from zero to `end` times the limit.
+fn limit(svg: &mut Svg, l: &LimitVerdict, (top, end): (f64, f64), words: &Words) {
+    let at = |share: f64| SIDE + (NARROW - 2.0 * SIDE) * (share / end).clamp(0.0, 1.0);
+    let y = top + 20.0;
+    let u = l.expanded_uncertainty.unwrap_or(0.0) / l.limit;
+    let guard = (1.0 - u).max(0.0);
+    let text = stated(l, words);
+    for (class, from, to) in [("zone-pass", 0.0, guard), ("zone-guard", guard, 1.0), ("zone-fail", 1.0, end)] {
+        if at(to) > at(from) {
+            svg.rect(Look::new(Shape::Square, class), (at(from), y), (at(to) - at(from), BAR), "");
+        }
+    }
+    if let Some(value) = l.value {
+        let value = value / l.limit;
+        let thin = (at(0.0), y + 0.3 * BAR);
+        svg.rect(Look::new(Shape::Square, "value"), thin, ((at(value) - at(0.0)).max(1.5), 0.4 * BAR), &text);
+        if u > 0.0 {
+            let middle = y + 0.5 * BAR;
+            svg.line("mean", (at(value - u), middle), (at(value + u), middle));
+            for x in [at(value - u), at(value + u)] {
+                svg.line("mean", (x, middle - 4.0), (x, middle + 4.0));
+            }
+        }
+        if value > end {
+            svg.arrows("arrow-scale", &[[(at(end) - 12.0, y + 0.5 * BAR), (at(end), y + 0.5 * BAR)]]);
+        }
+    }
+    svg.line("limit", (at(1.0), y - 4.0), (at(1.0), y + BAR + 4.0));
+    let verdict = judged(l, words).shown().plain();
+    let room = NARROW - 2.0 * SIDE - width(&verdict) - 10.0;
+    svg.text("start name-of", (SIDE, top + 12.0), &cut(&words.tr(&names::limit(l.name)), room, BOLD));
+    svg.text("end name-of", (NARROW - SIDE, top + 12.0), &verdict);
+    svg.text("start", (SIDE, y + BAR + 15.0), &cut(&text, NARROW - 2.0 * SIDE, LETTER));
+}
+
+/// Shortens a text to a width; letters of names are bold.
+fn cut(text: &str, room: f64, letter: f64) -> String {
+    let most = (room / letter) as usize;
+    if text.chars().count() <= most {
+        return text.to_owned();
+    }
+    text.chars().take(most.saturating_sub(1)).chain(['…']).collect()
+}
+
+/// Value with its uncertainty, limit, and risk.
+fn stated(l: &LimitVerdict, words: &Words) -> String {
+    let Shown { unit, factor } = number::shown(&l.unit, l.limit);
+    let allowed = number::derived(l.limit * factor);
+    let Some(value) = l.value.filter(|_| l.conformity != Conformity::NotAssessable) else {
+        return tr!(words, "bullet-not-measured", limit = allowed, unit);
+    };
+    let u = l.expanded_uncertainty.map(|u| u * factor);
+    let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(value * factor, 3)).unwrap_or(1);
+    let reached = number::apart(value * factor, l.limit * factor, decimals);
+    let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
+    match l.risk() {
+        Some(risk) => {
+            let risk = number::percent(100.0 * risk);
+            tr!(words, "bullet-value-limit-risk", value = reached, unit, limit = allowed, risk)
+        }
+        None => tr!(words, "bullet-value-limit", value = reached, unit, limit = allowed),
+    }
+}
+
+/// Errors before and after calibration; errors of the same unit are on one axis.
+pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Option<Figure> {
+    let units = ["mm", "deg"].into_iter().filter(|unit| all.iter().any(|h| h.in_documents.0 == *unit));
+    if all.is_empty() {
+        return None;
+    }
+    let rows = |unit: &str| all.iter().filter(|h| h.in_documents.0 == unit).count() as f64;
+    let height = units.clone().map(|unit| 40.0 * rows(unit) + 44.0).sum();
+    let mut svg = Svg::new(NARROW, height);
+    let mut top = 0.0;
+    for unit in units {
+        let of_unit: Vec<&Headline> = all.iter().filter(|h| h.in_documents.0 == unit).collect();
+        let values = of_unit.iter().flat_map(|h| h.in_documents.1);
+        let axis = Axis::from_zero(unit, largest(values));
+        let at = |v: f64| SIDE + axis.share(v) * (NARROW - 2.0 * SIDE);
+        let bottom = top + 40.0 * of_unit.len() as f64 + 6.0;
+        for (v, label) in axis.ticks(5) {
+            svg.line("grid", (at(v), top + 18.0), (at(v), bottom));
+            let half = 0.5 * width(&label) + 2.0;
+            let inside = at(v).clamp(half, NARROW - half);
+            svg.text("mid", (inside, bottom + 14.0), &label);
+        }
+        svg.line("axis", (SIDE, bottom), (NARROW - SIDE, bottom));
+        let shown = if axis.shown().unit.is_empty() { unit } else { axis.shown().unit };
+        svg.text("mid", (0.5 * NARROW, bottom + 30.0), &tr!(words, "error-in-unit", unit = shown));
+        for (i, h) in of_unit.iter().enumerate() {
+            let ([before, after], y) = (h.in_documents.1, top + 40.0 * i as f64 + 28.0);
+            let numbers = format!("{} → {} {}", h.before, h.after, h.unit);
+            svg.text("start name-of", (SIDE, y - 14.0), &cut(&h.what, NARROW - 30.0 - width(&numbers), BOLD));
+            svg.text("end", (NARROW - SIDE, y - 14.0), &numbers);
+            svg.line("leader", (at(before), y), (at(after), y));
+            svg.mark(Look::new(Shape::Circle, "before"), (at(before), y), 5.0, &numbers);
+            svg.mark(CALIBRATION, (at(after), y), 5.0, &numbers);
+        }
+        top = bottom + 38.0;
+    }
+    svg.legend(Look::new(Shape::Circle, "before"), &tr!(words, "before"));
+    svg.legend(CALIBRATION, &tr!(words, "after"));
+    Some(svg.figure("before-after", title.to_owned(), tr!(words, "before-after-description")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::svg::numbers;
+    use super::*;
+    use etalon_documents::{DecisionRule, LimitQuantity};
+
+    fn of(limit: f64, value: f64, u: f64) -> LimitVerdict {
+        LimitVerdict::of(LimitQuantity::PositionMaxMm, limit, value, Some(u), DecisionRule::Guarded)
+    }
+
+    /// Value 0.8 of the limit, U = 0.1: accepted to 0.9 of it on a scale that ends at 1.25.
+    #[test]
+    fn bar_zones_and_limit_are_on_one_scale() {
+        let l = of(0.1, 0.08, 0.01);
+        let svg = limits(&[&l], &Words::default()).unwrap().svg;
+        let room = NARROW - 2.0 * SIDE;
+        let widths = numbers(&svg, "rect", "width");
+        for (i, share) in [0.9, 0.1, 0.25, 0.8].into_iter().enumerate() {
+            assert!((widths[i] - room * share / LEAST).abs() < 0.11, "{i}: {widths:?}");
+        }
+        assert!(svg.contains("80 ± 10 µm, limit 100 µm, risk &lt; 0.1 %"), "{svg}");
+        // twice as much moves the bar and no zone
+        let larger = limits(&[&of(0.1, 0.082, 0.01)], &Words::default()).unwrap().svg;
+        assert!(numbers(&larger, "rect", "width")[3] > widths[3]);
+    }
+
+    #[test]
+    fn a_value_far_beyond_its_limit_ends_with_an_arrow_and_an_unmeasured_one_has_no_bar() {
+        let svg = limits(&[&of(0.1, 3.0, 0.01)], &Words::default()).unwrap().svg;
+        assert!(svg.contains("arrow-scale"), "{svg}");
+        let l = LimitVerdict::not_assessable(LimitQuantity::DistanceMaxMm, 0.1, DecisionRule::Guarded);
+        let svg = limits(&[&l], &Words::default()).unwrap().svg;
+        // the legend alone
+        assert_eq!(svg.matches("class=\"value\"").count(), 1, "{svg}");
+        assert!(svg.contains("not measured, limit 100 µm"), "{svg}");
+        assert!(limits(&[], &Words::default()).is_none());
+    }
+
+    /// Two lengths and an angle: one axis for each unit, and two marks for each error.
+    #[test]
+    fn errors_of_one_unit_share_an_axis() {
+        let of = |unit: &'static str, before, after| Headline {
+            what: "error".to_owned(),
+            before: "1".to_owned(),
+            after: "2".to_owned(),
+            unit,
+            in_documents: (unit, [before, after]),
+        };
+        let all = [of("mm", 0.4, 0.1), of("deg", 0.2, 0.1), of("mm", 0.2, 0.1)];
+        let svg = before_after(&all, "title", &Words::default()).unwrap().svg;
+        assert_eq!(svg.matches("class=\"axis\"").count(), 2, "{svg}");
+        let places = numbers(&svg, "circle", "cx");
+        // 0.4 and 0.1, 0.2 and 0.1 mm on one scale; then the angle, then the legend
+        let share = |k: usize| places[k] - SIDE;
+        assert!((share(0) / share(1) - 4.0).abs() < 0.02 && (share(2) / share(3) - 2.0).abs() < 0.02, "{places:?}");
+        assert_eq!(places.len(), 8);
+    }
+}

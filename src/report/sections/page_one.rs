@@ -1,0 +1,45 @@
+//! Page one below the verdict: limits and errors in figures, next steps, and fields to complete
+//! before signing.
+
+use super::checklist;
+use crate::Report;
+use crate::model::{Step, Text, ToComplete, Verdict, sentence};
+use crate::plots::bullets;
+use crate::words::{Words, tr};
+use etalon_documents::{Action, LimitVerdict, VerdictDocument};
+
+/// Verdict with the contents of page one.
+pub(crate) fn complete(report: &Report, judgement: &VerdictDocument, verdict: Verdict, words: &Words) -> Verdict {
+    let steps = judgement.actions.iter().map(|a| step(a, words)).collect();
+    let limits: Vec<&LimitVerdict> = judgement.limits.iter().collect();
+    let to_complete = Some(to_complete(report, words)).filter(|t| !t.fields.is_empty());
+    Verdict { steps, to_complete, ..with_figures(verdict, &limits, words) }
+}
+
+/// Verdict with its limits and headlines in figures.
+pub(crate) fn with_figures(verdict: Verdict, limits: &[&LimitVerdict], words: &Words) -> Verdict {
+    let before_after =
+        bullets::before_after(&verdict.headlines, verdict.about.trim_end_matches([':', ' ', '\u{a0}']), words);
+    let graphs = bullets::limits(limits, words).into_iter().chain(before_after).collect();
+    Verdict { graphs, ..verdict }
+}
+
+/// A next step in the language of the report.
+fn step(action: &Action, words: &Words) -> Step {
+    let texts = action.message.as_ref().map(|m| m.texts(words.code()));
+    let what = match (&action.what_phrase, texts.as_ref().and_then(|t| t.hint.clone())) {
+        (Some(phrase), _) => words.tr(phrase),
+        (None, hint) => hint.unwrap_or_else(|| action.what.clone()),
+    };
+    let reason = match (&action.reason_phrase, texts) {
+        (Some(phrase), _) => words.tr(phrase),
+        (None, texts) => texts.map_or_else(|| action.reason.clone(), |t| t.what),
+    };
+    Step { what: Text::from(sentence(&what)), reason: Text::from(sentence(&reason)), command: action.command.clone() }
+}
+
+/// Fields without which the report is a draft.
+fn to_complete(report: &Report, words: &Words) -> ToComplete {
+    let fields: Vec<String> = checklist::missing(report, words).into_iter().map(|m| m.field).collect();
+    ToComplete { title: tr!(words, "to-complete-count", count = fields.len()), fields }
+}

@@ -1,0 +1,86 @@
+//! Next steps of reports: their files exist, and their commands run.
+
+use crate::support::samples::{Ran, ran};
+use crate::support::scratch::{copy_sample, ends};
+use serde_json::Value;
+use std::path::Path;
+use std::process::Command;
+
+/// Checks the files of the actions in a campaign's folder, and runs their commands.
+fn check(name: &str, folder: &Path, verdict: &Value) -> usize {
+    let none = Vec::new();
+    let actions = verdict["actions"].as_array().unwrap_or(&none);
+    assert!(actions.len() <= 5, "{name}: {actions:#?}");
+    let mut commands = 0;
+    for action in actions {
+        assert!(action["what"].as_str().is_some_and(|t| !t.is_empty()), "{name}: {action}");
+        assert!(action["reason"].as_str().is_some_and(|t| !t.is_empty()), "{name}: {action}");
+        if action["action"] == "load" {
+            let file = folder.join("out").join(action["file"].as_str().unwrap());
+            assert!(file.is_file(), "{name}: {action}");
+        }
+        let Some(command) = action["command"].as_str() else { continue };
+        let mut words = command.split(' ');
+        assert_eq!(words.next(), Some("etalon"), "{name}: {action}");
+        let ended = Command::new(crate::support::program()).args(words).current_dir(folder).output().unwrap();
+        assert!(ended.status.code() < Some(2), "{name}: {command}: {}", String::from_utf8_lossy(&ended.stderr));
+        commands += 1;
+    }
+    commands
+}
+
+#[test]
+fn steps_of_every_sample_are_true_and_their_commands_run() {
+    let mut loaded = 0;
+    for Ran { name, folder } in ran() {
+        let of = Ran { name: name.clone(), folder: folder.clone() };
+        let verdict = of.document("verdict.json");
+        check(name, folder, &verdict);
+        let steps = verdict["actions"].as_array().cloned().unwrap_or_default();
+        loaded += steps.iter().filter(|a| a["action"] == "load").count();
+        // the numbers of the step are those of the errors
+        for step in steps.iter().filter(|a| a["action"] == "load") {
+            let accuracy = of.document("accuracy.json");
+            let sets = accuracy["sets"].as_array().unwrap();
+            let errors = &sets.last().unwrap()["errors"][0];
+            let gain = errors["before"]["rms"].as_f64().unwrap() - errors["after"]["rms"].as_f64().unwrap();
+            // a format may leave parameters out
+            assert!(step["gain_mm"].as_f64().unwrap() <= gain + 1e-9, "{name}: {step}");
+        }
+    }
+    assert!(ran().len() >= 18 && loaded >= 10, "{} samples, {loaded} to load", ran().len());
+}
+
+/// A limit far below what the sample reaches: nothing is to be loaded, and the search for the cause
+/// begins with a command.
+#[test]
+fn the_steps_of_a_failed_calibration_run() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = 0.001");
+    ends(&scratch, "run", 1, &[]);
+    let verdict: Value =
+        serde_json::from_slice(&std::fs::read(scratch.path().join("out/verdict.json")).unwrap()).unwrap();
+    let actions = verdict["actions"].as_array().unwrap();
+    assert!(actions.iter().all(|a| a["action"] != "load"), "{actions:#?}");
+    assert!(actions.iter().any(|a| a["action"] == "meet_limit"), "{actions:#?}");
+    assert!(check("prexyt-cmm", &scratch.path(), &verdict) > 0);
+}
+
+/// A last day of validity is a date that follows the measurements.
+#[test]
+fn a_last_day_of_validity_is_a_date_after_the_measurements() {
+    let name = "name = \"PreXYT, CMM (synthetic)\"";
+    for (stated, id) in [
+        ("valid_until = \"next year\"", "valid-until-no-date"),
+        ("date = \"2026-03-02\"\nvalid_until = \"2026-03-01\"", "valid-until-before-measurements"),
+    ] {
+        let scratch = copy_sample("prexyt-cmm");
+        scratch.replace("campaign.toml", name, &format!("{name}\n{stated}"));
+        ends(&scratch, "check", 2, &[id]);
+    }
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", name, &format!("{name}\ndate = \"2026-03-02\"\nvalid_until = \"2027-03-02\""));
+    ends(&scratch, "run", 0, &[]);
+    let campaign = std::fs::read_to_string(scratch.path().join("out/campaign.json")).unwrap();
+    assert!(campaign.contains("\"valid_until\": \"2027-03-02\""), "{campaign}");
+}

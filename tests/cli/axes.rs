@@ -1,0 +1,147 @@
+//! `etalon axes`: sweeps of one joint at a time give axes and a robot without a nominal model.
+
+use super::{etalon, text};
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, minus, norm};
+use etalon::campaign::read_robot;
+use etalon::documents::AxesDocument;
+use etalon::robots::AxisLine;
+use std::fmt::Write;
+use std::path::Path;
+
+/// Four axes of an arm whose base is turned in the world (synthetic).
+fn arm() -> Vec<AxisLine> {
+    let axis = |direction, point_mm, prismatic| AxisLine { direction, point_mm, prismatic };
+    let base = Pose::from_xyz_rpy([1500.0, -400.0, 250.0], [0.02, -0.03, 0.7]);
+    let axes = [
+        axis([0.0, 0.0, 1.0], [0.0, 0.0, 0.0], false),
+        axis([0.0, 1.0, 0.0], [60.0, 0.0, 290.0], false),
+        axis([0.001, 1.0, 0.0].map(|v: f64| v / 1.000_000_5), [60.0, 0.0, 560.0], false),
+        axis([1.0, 0.0, 0.0], [300.0, 0.0, 600.0], true),
+    ];
+    axes.iter().map(|a| a.moved(&base)).collect()
+}
+
+const TARGET: Vector = [1950.0, -100.0, 900.0];
+
+fn position(joints: &[f64]) -> Vector {
+    arm().iter().zip(joints).fold(Pose::identity(), |pose, (a, q)| pose.then(&a.motion(*q))).apply(TARGET)
+}
+
+/// Rows of the four sweeps: swept joint, position, joint values (rad, mm).
+fn rows() -> Vec<(usize, Vector, [f64; 4])> {
+    let mut noise = Noise::new(7, 0);
+    let mut rows = Vec::new();
+    for joint in 0..4 {
+        for i in 0..24 {
+            let mut q = [0.0; 4];
+            q[joint] = f64::from(i) * if joint == 3 { 20.0 } else { 0.06 };
+            rows.push((joint, position(&q).map(|v| v + noise.gaussian(0.01)), q));
+        }
+    }
+    rows
+}
+
+fn table(rows: &[(usize, Vector, [f64; 4])], values: bool) -> String {
+    let mut out = "joint,x_mm,y_mm,z_mm".to_owned() + if values { ",q1_deg,q2_deg,q3_deg,q4_mm\n" } else { "\n" };
+    for (joint, p, q) in rows {
+        let name = if *joint < 4 { format!("q{}", joint + 1) } else { String::new() };
+        let _ = write!(out, "{name},{:.5},{:.5},{:.5}", p[0], p[1], p[2]);
+        if values {
+            let [a, b, c] = [0, 1, 2].map(|k| q[k].to_degrees());
+            let _ = write!(out, ",{a:.9},{b:.9},{c:.9},{}", q[3]);
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn run(table: &str, arguments: &[&str]) -> (Option<i32>, Vec<u8>, String) {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("sweeps.csv"), table).unwrap();
+    let output = etalon(folder.path(), &[&["axes", "sweeps.csv"], arguments].concat());
+    (output.status.code(), output.stdout, text(&output.stderr))
+}
+
+fn document(table: &str, arguments: &[&str]) -> AxesDocument {
+    let (code, out, err) = run(table, &[arguments, &["--json"]].concat());
+    assert_eq!(code, Some(0), "{err}");
+    serde_json::from_slice(&out).unwrap()
+}
+
+/// Distance of the robot of a document from the truth at joint values, mm.
+fn miss_mm(document: &AxesDocument, joints: &[f64]) -> f64 {
+    let robot = document.robot.as_ref().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("robot.toml");
+    std::fs::write(&path, &robot.robot_toml).unwrap();
+    let built = read_robot(Path::new(&path)).unwrap().build(&["tool".to_owned()]).unwrap();
+    let pose = built.kinematics().unwrap().tool_pose(&built.nominal(), joints).unwrap();
+    let base = Pose { translation_mm: robot.base_xyz_mm, ..Pose::from_quaternion(robot.base_quaternion) };
+    norm(minus(base.then(&pose).apply(robot.targets[0].xyz_mm), position(joints)))
+}
+
+#[test]
+fn sweeps_give_a_robot_that_reaches_where_the_truth_does() {
+    let with = document(&table(&rows(), true), &[]);
+    assert!(with.messages.is_empty() && with.joint_values, "{:?}", with.messages);
+    assert_eq!(with.axes.iter().map(|a| a.prismatic).collect::<Vec<_>>(), [false, false, false, true]);
+    for (axis, truth) in with.axes.iter().zip(arm()) {
+        let off = norm(minus(axis.direction, truth.direction)).to_degrees();
+        assert!(off < 4.0 * axis.direction_standard_uncertainty_deg, "{} {off}", axis.joint);
+    }
+    let without = document(&table(&rows(), false), &["--prismatic", "q4"]);
+    assert!(without.messages.is_empty() && !without.joint_values, "{:?}", without.messages);
+    for found in [&with, &without] {
+        let miss = miss_mm(found, &[-0.5, 0.9, 0.4, 150.0]);
+        assert!(miss > 1e-6 && miss < 0.2, "{miss}");
+    }
+    // a table loses the tilt of axis 3 against axis 2, 1 mrad, and says so
+    let table = document(&table(&rows(), true), &["--convention", "mdh"]);
+    assert!(table.messages.iter().any(|m| m.id == "table-tilt-not-held"), "{:?}", table.messages);
+    let miss = miss_mm(&table, &[-0.5, 0.9, 0.4, 150.0]);
+    assert!(miss > 0.05 && miss < 1.0, "{miss}");
+}
+
+#[test]
+fn check_poses_test_order_and_signs() {
+    let mut rows = rows();
+    for q in [[0.3, -0.4, 0.5, 100.0], [-0.6, 0.7, -0.2, 300.0], [1.0, 0.1, 0.8, 30.0]] {
+        rows.push((9, position(&q), q));
+    }
+    let sound = document(&table(&rows, true), &[]);
+    assert_eq!(sound.checks.len(), 3);
+    assert!(sound.checks.iter().all(|c| c.distance_mm < 6.0 * c.standard_uncertainty_mm) && sound.messages.is_empty());
+    // joints 2 and 3 named the other way round: at rest zero only the check poses show it
+    let exchanged: Vec<_> = rows
+        .iter()
+        .map(|(joint, p, q)| (*[0, 2, 1, 3].get(*joint).unwrap_or(&9), *p, [q[0], q[2], q[1], q[3]]))
+        .collect();
+    let (code, _, err) = run(&table(&exchanged, true), &[]);
+    assert!(code == Some(2) && err.contains("error[sweeps-exchanged]: `q2` and `q3`"), "{err}");
+}
+
+#[test]
+fn slips_in_a_table_are_named() {
+    let refused = |table: String, arguments: &[&str], id: &str| {
+        let (code, out, err) = run(&table, arguments);
+        assert!(code == Some(2) && out.is_empty() && err.contains(&format!("error[{id}]")), "{id}: {err}");
+    };
+    let sound = table(&rows(), true);
+    refused(sound.replace("q1_deg", "q1_rad"), &[], "sweep-ratio");
+    refused(sound.replace("q4_mm", "q4_m"), &[], "sweep-ratio");
+    refused(sound.replace("q1_deg,q2_deg", "q2_deg,q1_deg"), &[], "sweep-other-joint");
+    refused(sound.replace("q1,", "X,").replace("q2,", "Y,"), &[], "sweep-order-missing");
+    refused(sound.clone(), &["--backwards", "q2"], "sweep-sign-by-values");
+    refused(sound.clone(), &["--prismatic", "q7"], "sweep-joint-unknown");
+    // a sweep that starts elsewhere has no zero
+    let moved: Vec<_> = rows().into_iter().filter(|(joint, _, q)| *joint != 2 || q[2] > 0.0).collect();
+    let (code, out, err) = run(&table(&moved, false), &["--prismatic", "q4", "--toml"]);
+    assert!(code == Some(2) && out.is_empty() && err.contains("warning[sweep-starts-apart]"), "{err}");
+    // one foreign reading
+    let mut foreign = rows();
+    foreign[30].1[2] += 3.0;
+    let found = document(&table(&foreign, true), &[]);
+    assert!(found.messages.iter().any(|m| m.id == "sweep-foreign"), "{:?}", found.messages);
+    assert_eq!(found.axes[1].set_aside, [32]);
+}

@@ -1,0 +1,153 @@
+//! Messages about options and inputs of commands.
+
+use super::{Case, hold};
+
+const POSES: &str = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n";
+const POINTS: &str = "1 0 0\n0 1 0\n-1 0 0\n0 -1 0.1\n";
+const FLAT: &str = "0 0 0.001\n1 0 0\n0 1 0\n1 1 0.001\n2 0 0\n0 2 0.001\n2 2 0\n1 2 0\n2 1 0.001\n";
+/// Points of a cylinder of radius 10 mm about z, 1 um off.
+const CYLINDER: &str = "10.001 0 0\n0 9.999 0\n-10.001 0 0\n0 -9.999 0\n9.999 0 20\n0 10.001 20\n-9.999 0 20\n0 -10.001 20\n7.071 7.072 10\n-7.072 -7.071 10\n";
+
+const OPTIONS: &[Case] = &[
+    ("message-unknown id=parameter-twise", "", &[], "explain parameter-twise"),
+    ("schema-unknown name=parameter", "", &[], "schema parameter"),
+    ("not-an-output-folder", "prexyt-cmm", &[], "report @/exports"),
+    ("robot-not-in-table name=ur99", "", &[], "init @/new --robot ur99"),
+    ("from-needs-robot", "", &[("p.csv", "", "x_mm,y_mm,z_mm\n1,2,3\n")], "init @/new --from @/p.csv"),
+    (
+        "two-files-of-one-name name=p.csv",
+        "",
+        &[("a/p.csv", "", "x_mm,y_mm,z_mm\n1,2,3\n"), ("b/p.csv", "", "x_mm,y_mm,z_mm\n1,2,3\n")],
+        "init @/new --robot ur5e --from @/a/p.csv @/b/p.csv",
+    ),
+    ("fit-element-missing", "", &[("p.txt", "", POINTS)], "fit @/p.txt"),
+    ("fit-file-missing element=plane", "", &[], "fit plane"),
+    ("element-unknown name=cylindre", "", &[("p.txt", "", POINTS)], "fit cylindre @/p.txt --unit mm"),
+    ("enclosing-minimum-zone", "", &[("p.txt", "", POINTS)], "fit enclosing-circle @/p.txt --unit mm --minimum-zone"),
+    (
+        "enclosing-with-probe",
+        "",
+        &[("p.txt", "", POINTS)],
+        "fit enclosing-sphere @/p.txt --unit mm --probe-radius-mm 2.5 --probe-side inside",
+    ),
+    (
+        "uncertainty-implausible",
+        "draw-wire",
+        &[],
+        "identify --robot @/robot.toml --observations @/observations.csv --standard-uncertainty-um 0.0027",
+    ),
+    (
+        "table-value-missing",
+        "draw-wire",
+        &[("t.csv", "", "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,,0,0,0,0,0\n")],
+        "kinematics direct @/t.csv --robot @/robot.toml",
+    ),
+    (
+        "too-many-positions",
+        "draw-wire",
+        &[("t.csv", "", POSES)],
+        "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 40",
+    ),
+    (
+        "targets-format-unknown",
+        "draw-wire",
+        &[("t.csv", "", POSES)],
+        "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1 --targets @/targets.txt",
+    ),
+    ("document-unreadable", "", &[("p.json", "", "{\"schema\": \"etalon/parameters/2\"}")], "export @/p.json"),
+    ("document-unreadable", "", &[("p.json", "", "{\"schema\": ")], "export @/p.json"),
+    ("cannot-write-file", "", &[("p.txt", "", "")], "man @/p.txt/man"),
+    (
+        "column-option-malformed text=q1_deg",
+        "draw-wire",
+        &[],
+        "identify --robot @/robot.toml --observations @/observations.csv --column q1_deg",
+    ),
+    (
+        "option-refused",
+        "draw-wire",
+        &[],
+        "identify --robot @/robot.toml --observations @/observations.csv --delimiter comma2",
+    ),
+    ("iso230-row-incomplete", "", &[("t.csv", "", "position_mm,measured_mm,direction\n0,0.001,0\n")], "iso230 @/t.csv"),
+    (
+        "pose-unreachable",
+        "probe-poses",
+        &[("t.csv", "", "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n1,9000,0,0,1,0,0,0\n")],
+        "kinematics inverse @/t.csv --robot @/robot.toml",
+    ),
+    (
+        "joint-column-twice joint=q1",
+        "draw-wire",
+        &[("t.csv", "", "pose,q1_deg,q1_rad,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0,0\n")],
+        "kinematics direct @/t.csv --robot @/robot.toml",
+    ),
+    ("kind-unknown name=points", "draw-wire", &[("observations.csv", "\ndistance,1,", "\npoints,1,")], "check @"),
+    ("target-repeated target=SMR_1", "turntable", &[("observations.csv", "\n1,SMR_2,", "\n1,SMR_1,")], "check @"),
+    (
+        "joints-of-pose-differ",
+        "turntable",
+        &[("observations.csv", "\n1,SMR_2,-72.748301,", "\n1,SMR_2,-71.748301,")],
+        "check @",
+    ),
+    (
+        "orientations-twice",
+        "probe-poses",
+        &[(
+            "observations.csv",
+            "",
+            "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,a_deg,b_deg,c_deg\n1,probe,1,2,3,4,5,6,100,100,100,1,0,0,0,0,0,0\n",
+        )],
+        "check @",
+    ),
+    (
+        "uncertainties-twice",
+        "probe-poses",
+        &[(
+            "observations.csv",
+            "",
+            "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,ux_mm,uy_mm,uz_mm,cxx_mm2,cyy_mm2,czz_mm2,cxy_mm2,cxz_mm2,cyz_mm2\n1,probe,1,2,3,4,5,6,100,100,100,1,1,1,1,1,1,0,0,0\n",
+        )],
+        "check @",
+    ),
+    (
+        "rotation-not-orthonormal",
+        "probe-poses",
+        &[(
+            "observations.csv",
+            "",
+            "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,probe,1,2,3,4,5,6,100,100,100,2,0,0,0,1,0,0,0,1\n",
+        )],
+        "check @",
+    ),
+    (
+        "rotation-mirrors",
+        "probe-poses",
+        &[(
+            "observations.csv",
+            "",
+            "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,probe,1,2,3,4,5,6,100,100,100,-1,0,0,0,1,0,0,0,1\n",
+        )],
+        "check @",
+    ),
+];
+
+const FITS: &[Case] = &[
+    ("zone-flat", "", &[("p.txt", "", FLAT)], "fit sphere @/p.txt --unit mm --minimum-zone"),
+    ("too-few-points", "", &[("p.txt", "", "0 0 0\n1 0 0\n")], "fit plane @/p.txt --unit mm"),
+    ("points-degenerate", "", &[("p.txt", "", "0 0 0\n1 0 0\n2 0 0\n3 0 0\n")], "fit plane @/p.txt --unit mm"),
+    ("point-not-finite", "", &[("p.txt", "", "0 0 0\n1 0 0\n0 1 0\n1e300 0 0\n")], "fit plane @/p.txt --unit mm"),
+    ("held-radius-not-positive", "", &[("p.txt", "", POINTS)], "fit sphere @/p.txt --unit mm --radius-mm 0"),
+    ("held-radius-unsupported", "", &[("p.txt", "", POINTS)], "fit plane @/p.txt --unit mm --radius-mm 10"),
+    ("cone-is-cylinder", "", &[("p.txt", "", CYLINDER)], "fit cone @/p.txt --unit mm"),
+];
+
+#[test]
+fn of_options_and_files() {
+    hold(OPTIONS);
+}
+
+#[test]
+fn of_fits() {
+    hold(FITS);
+}

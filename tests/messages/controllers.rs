@@ -1,0 +1,113 @@
+//! Messages about files for controllers, and about results of runs.
+
+use super::{Case, hold};
+
+const ARM: &str = "draw-wire+out";
+const TABLE: &str = "prexyt-cmm+out";
+const COMMENT: &str = "! approach\nMoveL p1";
+const LEADS: &str = "prexyt-geometric+out";
+const RAPID: &str = "MODULE m\nCONST robtarget p1 := [[300,0,400],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\nPROC main()\nMoveL p1, v10, fine, tGrip;\nENDPROC\nENDMODULE\n";
+
+const CASES: &[Case] = &[
+    ("controller-format-unknown name=jsn", ARM, &[], "export @/out/parameters.json --format jsn"),
+    ("robot-option-missing", ARM, &[], "axis-table @/out/parameters.json --axis q1_deg=0:100:10"),
+    (
+        "table-of-turning-joints",
+        ARM,
+        &[],
+        "axis-table @/out/parameters.json --robot @/robot.toml --axis q1_deg=0:90:10 --corrected q2_deg",
+    ),
+    ("lead-of-one-axis", LEADS, &[], "axis-table @/out/geometric.json --axis rho1_mm=0:100:10 --corrected rho2_mm"),
+    ("deviation-unknown", LEADS, &[], "axis-table @/out/geometric.json --axis rho1_mm=0:500:10"),
+    ("file-changed-since-run", TABLE, &[("out/parameters.json", "+", " ")], "report @"),
+    (
+        "counts-missing",
+        TABLE,
+        &[("t.csv", "", "pose,rho1_mm,rho2_mm,rho3_mm\n1,10,20,20\n")],
+        "compensate @/t.csv --robot @/robot.toml --parameters @/out/parameters.json --format galil",
+    ),
+    (
+        "joints-in-world",
+        TABLE,
+        &[("t.csv", "", "pose,rho1_mm,rho2_mm,rho3_mm\n1,10,20,20\n")],
+        "compensate @/t.csv --robot @/robot.toml --parameters @/out/parameters.json --frame world",
+    ),
+    (
+        "target-unreachable",
+        ARM,
+        &[("p.mod", "", RAPID), ("p.mod", "tGrip", "tool0"), ("p.mod", "[300,0,400]", "[9300,0,400]")],
+        "compensate @/p.mod --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "program-frames",
+        ARM,
+        &[("p.mod", "", RAPID)],
+        "compensate @/p.mod --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "program-frames",
+        ARM,
+        &[("p.mod", "", RAPID), ("p.mod", "MoveL p1", COMMENT)],
+        "compensate @/p.mod --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "working-mode-missing",
+        "dextar+out",
+        &[("p.ngc", "", "G1 X300 Y300 F100\n")],
+        "compensate @/p.ngc --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "nominal-pose-unreachable",
+        "dextar+out",
+        &[("t.csv", "", "pose,theta1_deg,theta2_deg,assembly\n1,180,0,1\n")],
+        "compensate @/t.csv --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "calibrated-targets-missing",
+        "delta+out",
+        &[(
+            "t.csv",
+            "",
+            "pose,target,theta1_deg,theta2_deg,theta3_deg,x_mm,y_mm,z_mm\n1,NEW,10,20,30,100,100,100\n2,NEW,20,20,30,100,110,100\n",
+        )],
+        "verify @/t.csv --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    ("prior-of-conditions", ARM, &[], "validate @ --parameters @/out/parameters.json --frames prior"),
+    ("hash-of-other-format", ARM, &[], "export @/out/parameters.json --format json --controller-hash calib_1"),
+    (
+        "program-in-world",
+        ARM,
+        &[("p.mod", "", RAPID), ("p.mod", "tGrip", "tool0")],
+        "compensate @/p.mod --robot @/robot.toml --parameters @/out/parameters.json --frame world",
+    ),
+    (
+        "subroutine-not-compensated",
+        ARM,
+        &[("p.ngc", "", "#1 = 10\nG1 X1 Y1 Z1 F100\n")],
+        "compensate @/p.ngc --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "kinds-without-uncertainty",
+        "probe-poses",
+        &[],
+        "identify --robot @/robot.toml --observations @/observations.csv --rotation-uncertainty-deg 0.02",
+    ),
+    (
+        "pose-residuals-without-uncertainty",
+        "prexyt-cmm+out",
+        &[],
+        "identify --robot @/robot.toml --observations @/out/observations.csv --pose-residuals",
+    ),
+    ("campaign-twice", TABLE, &[], "compare @ @"),
+    (
+        "verify-other-column",
+        "draw-wire+out",
+        &[],
+        "verify @/observations.csv --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+];
+
+#[test]
+fn of_results() {
+    hold(CASES);
+}

@@ -1,0 +1,98 @@
+//! Messages of tests by ISO 9283 and ISO 230-2.
+
+use super::{Case, hold};
+
+const C: &str = "campaign.toml";
+const LOADS: &str = "iso9283 compliance @/t.csv";
+const POSES: &str = "iso9283 pose @/t.csv --all";
+const MOTION: &str = "iso9283 path @/t.csv --path @/path.csv --near-mm 5";
+const PATH: (&str, &str, &str) = ("path.csv", "", "x_mm,y_mm,z_mm\n0,0,0\n100,0,0\n");
+const TEST: &str = "prexyt-repeatability";
+
+const CASES: &[Case] = &[
+    ("force-missing", "", &[("t.csv", "", "direction,cycle,force_n,x_mm,y_mm,z_mm\n+x,1,0,0,0,0\n")], LOADS),
+    (
+        "unloaded-position-missing cycle=1",
+        "",
+        &[("t.csv", "", "direction,cycle,force_n,x_mm,y_mm,z_mm\n+x,1,50,0.1,0,0\n")],
+        LOADS,
+    ),
+    (
+        "few-cycles-of-direction",
+        "",
+        &[("t.csv", "", "direction,cycle,force_n,x_mm,y_mm,z_mm\n+x,1,0,0,0,0\n+x,1,50,0.1,0,0\n")],
+        LOADS,
+    ),
+    (
+        "robot-without-pose robot=B pose=2",
+        "",
+        &[(
+            "t.csv",
+            "",
+            "pose,cycle,robot,x_mm,y_mm,z_mm\n1,1,A,0,0,0\n1,2,A,0,0,0.1\n2,1,A,9,0,0\n2,2,A,9,0,0.1\n1,1,B,0,0,0\n1,2,B,0,0,0.1\n",
+        )],
+        POSES,
+    ),
+    (
+        "limits-for-several-robots",
+        "",
+        &[("t.csv", "", "pose,cycle,robot,x_mm,y_mm,z_mm\n1,1,A,0,0,0\n1,2,A,0,0,0.1\n1,1,B,0,0,0\n1,2,B,0,0,0.1\n")],
+        "iso9283 pose @/t.csv --rp-limit-mm 0.05",
+    ),
+    (
+        "commanded-pose-not-measured pose=2",
+        "",
+        &[
+            ("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,0,0,0\n1,2,0,0,0.1\n"),
+            ("c.csv", "", "pose,x_mm,y_mm,z_mm\n1,0,0,0\n2,9,0,0\n"),
+        ],
+        "iso9283 pose @/t.csv --commanded @/c.csv",
+    ),
+    ("few-cycles", "", &[("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,0,0,0\n1,2,0,0,0.1\n")], POSES),
+    (
+        "central-part-too-large",
+        "",
+        &[("t.csv", "", "time_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,100,0,0\n"), PATH],
+        "iso9283 path @/t.csv --path @/path.csv --central-percent 150",
+    ),
+    (
+        "passes-incomplete",
+        "",
+        &[("t.csv", "", "time_s,x_mm,y_mm,z_mm\n0,-1,0,0\n1,50,0,0\n2,101,0,0\n3,50,30,0\n4,-1,0,0\n5,40,0,0\n"), PATH],
+        MOTION,
+    ),
+    (
+        "weave-velocity-not-compared",
+        "",
+        &[
+            (
+                "t.csv",
+                "",
+                "time_s,x_mm,y_mm,z_mm\n0,-1,0,0\n1,20,5,0\n2,40,-5,0\n3,60,5,0\n4,80,-5,0\n5,85,5,0\n6,90,-5,0\n7,93,5,0\n8,96,-5,0\n9,101,0,0\n",
+            ),
+            PATH,
+        ],
+        "iso9283 path @/t.csv --path @/path.csv --near-mm 20 --velocity-mm-s 20 --weave-stroke-mm 10 --weave-hz 0.5 --weave-across 0,1,0",
+    ),
+    ("iso230-few-runs", "", &[("t.csv", "", "position_mm,measured_mm,direction\n0,0.001,1\n")], "iso230 @/t.csv"),
+    (
+        "commanded-pose-unmeasured pose=6",
+        TEST,
+        &[
+            (C, "[repeatability]\n", "[repeatability]\ncommanded = \"c.csv\"\n"),
+            ("c.csv", "", "pose,x_mm,y_mm\n1,86,137.5\n2,161,250\n3,11,250\n4,11,25\n5,161,25\n6,0,0\n"),
+        ],
+        "run @",
+    ),
+    (
+        "table-options-refused fault=sign-missing",
+        "",
+        &[("t.csv", "", "x_mm,deviation\n0,0.001\n10,0.002\n")],
+        "axis-table @/t.csv --axis x_mm --to sinumerik-cec",
+    ),
+];
+
+#[test]
+fn of_standards() {
+    hold(CASES);
+}
