@@ -2,6 +2,7 @@
 //! that they give. Numbers that are expected stand in the files themselves.
 
 use crate::support::scratch::copy_sample;
+use etalon::base::phrase;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
 use etalon::documents::Source;
