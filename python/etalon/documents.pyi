@@ -34,6 +34,29 @@ class AccuracySet(Record):
     poses: int
     """Number of poses."""
 
+class Action(Record):
+    """Next step with its reason."""
+    action: Any
+    """Kind of the step."""
+    command: str | None
+    """Command to run in the folder of the campaign."""
+    file: str | None
+    """File to load, or to change, relative to the output folder or the folder of the campaign."""
+    gain_mm: float | None
+    """Expected decrease of the error (mm), which determines the order of actions; absent if unknown."""
+    line: str | None
+    """Lines to add to `file`."""
+    message: Message | None
+    """Warning whose hint is the instruction."""
+    reason: str
+    """Reason, in English."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English; absent if `message` has the text."""
+    what: str
+    """Instruction, in English."""
+    what_phrase: Phrase | None
+    """Text of the catalogue that is `what` in English; absent if `message` has the text."""
+
 class Approach(Record):
     """Runs to one position from one direction."""
     estimator_mm: float
@@ -44,6 +67,109 @@ class Approach(Record):
     """Unidirectional positioning repeatability Ri = 4 si."""
     runs: int
     """Number of runs n."""
+
+class AxesCheck(Record):
+    """Comparison of a reading with the position of the robot at its joint values."""
+    distance_mm: float
+    """Distance of the reading from the predicted position."""
+    line: int
+    """Line of the reading."""
+    standard_uncertainty_mm: float
+    """Standard uncertainty of a component of the difference."""
+    target: str
+    """Name of the target."""
+
+class AxesRobot(Record):
+    """Robot from its axes alone."""
+    axes: list[ZeroAxis]
+    """Axes at joint values zero in the base."""
+    base_quaternion: list[float]
+    """Orientation of the base in the frame of the measurements: unit quaternion w, x, y, z."""
+    base_rule: str
+    """Rule of the base: `common-normal`, `meeting`, `parallel`, `sliding` or `target`."""
+    base_xyz_mm: list[float]
+    """Position of the base in the frame of the measurements."""
+    convention: str
+    """Convention of the robot file: `poe`, `dh` or `mdh`."""
+    flange_quaternion: list[float]
+    """Orientation of the flange at joint values zero in the base: unit quaternion w, x, y, z."""
+    flange_xyz_mm: list[float]
+    """Position of the flange at joint values zero in the base."""
+    robot_toml: str
+    """Text of robot.toml."""
+    targets: list[AxesTarget]
+    """Targets in the frame of the flange."""
+
+class AxesTarget(Record):
+    """Target on the flange."""
+    standard_uncertainty_mm: list[float]
+    """Standard uncertainties of the components."""
+    target: str
+    """Name of the target."""
+    xyz_mm: list[float]
+    """Position in the frame of the flange."""
+
+class AxisEntry(Record):
+    """Axis of one joint in the frame of the measurements, at the pose of its sweep."""
+    axial_error_motion_mm: float | None
+    """Axial error motion (ISO 230-7), peak to valley; from three targets."""
+    coordinate_standard_uncertainty_mm: float
+    """Standard uncertainty of a coordinate: as stated, or from the residuals."""
+    covariance: list[list[float]]
+    """Covariance of point (mm) and direction, 6 × 6, in this order."""
+    degrees_of_freedom: int | None
+    """Degrees of freedom of that uncertainty; absent if it is stated."""
+    direction: list[float]
+    """Unit direction of positive motion."""
+    direction_standard_uncertainty_deg: float
+    """Standard uncertainty of the direction: the larger of those about two perpendicular axes."""
+    joint: str
+    """Name of the joint."""
+    motion_rms: float | None
+    """Root mean square of motion minus joint value (deg or mm); absent without joint values."""
+    paths: list[AxisPath]
+    """Paths of the targets."""
+    point_mm: list[float]
+    """Point of the axis nearest to the centroid of the readings; for a prismatic joint the centroid."""
+    point_standard_uncertainty_mm: float | None
+    """Standard uncertainty of the point across the axis: the larger of two perpendicular directions; absent for a
+    prismatic joint.
+    """
+    prismatic: bool
+    """`true` if the joint slides."""
+    ratio: float | None
+    """Motion per unit of the joint value; absent without joint values."""
+    readings: int
+    """Number of readings."""
+    set_aside: list[int]
+    """Lines of readings that are set aside."""
+    tilt_error_motion_deg: float | None
+    """Tilt error motion (ISO 230-7), largest angle from the mean axis; from three targets."""
+
+class AxisPath(Record):
+    """Path of a target about or along an axis."""
+    arc_deg: float | None
+    """Arc that the readings cover; absent for a prismatic joint."""
+    face_error_motion_mm: float
+    """Face error motion (ISO 230-7) at this radius, peak to valley, including the noise of the measuring system. For
+    a prismatic joint: straightness in the other transverse direction.
+    """
+    height_mm: float | None
+    """Height relative to the point of the axis; absent for a prismatic joint."""
+    length_mm: float | None
+    """Length that the readings cover; absent for a revolute joint."""
+    radial_error_motion_mm: float
+    """Radial error motion (ISO 230-7) at this target, peak to valley, including the noise of the measuring system.
+    For a prismatic joint: straightness in one transverse direction.
+    """
+    radius_mm: float | None
+    """Radius; absent for a sliding joint."""
+    radius_standard_uncertainty_mm: float | None
+    """Standard uncertainty of the radius."""
+    readings: int
+    """Number of readings used."""
+    target: str
+    """Name of the target."""
 
 class AxisPosition(Record):
     """One position of the axis, approached from both directions."""
@@ -129,6 +255,8 @@ class BatchEntry(Record):
     """Output folder of the campaign."""
     robot: str | None
     """Name of the robot, or of its model."""
+    valid_until: str | None
+    """Last day on which the calibration is valid, as stated: year-month-day."""
     verdict: Any
     """Verdict on the result; null if it was not judged or the campaign did not run."""
 
@@ -709,10 +837,14 @@ class FormatsColumn(Record):
     """Number of the column, from 1."""
     taken_for: str
     """Proposed contents of the column."""
+    taken_for_phrase: Phrase | None
+    """Text of the catalogue that is `taken_for` in English."""
     unit: str | None
     """Unit in the heading."""
     why: str
     """Evidence for the contents."""
+    why_phrase: Phrase | None
+    """Text of the catalogue that is `why` in English."""
 
 class FormatsJoin(Record):
     """Proposed join of an export with a log."""
@@ -1373,7 +1505,7 @@ class Message(Record):
     id: str
     """Id in the catalogue; `etalon explain ID` explains it."""
     place: Place | None
-    """Where."""
+    """Place of the problem."""
     rank: Any
     """Importance for a reader."""
     severity: Any
@@ -1483,6 +1615,21 @@ class ParameterEntry(Record):
     """`mm`, `deg` or `1`."""
     value: float
     """Identified value, or value at which the parameter is held."""
+
+class ParameterInfluence(Record):
+    """Effect of a parameter at the measured point that it moves most, with all other parameters, base and targets
+    unchanged.
+    """
+    change_mm: float
+    """Displacement of the point by identified minus nominal value (mm), with the sign of the change."""
+    name: str
+    """Name of the parameter."""
+    pose: int | str
+    """Pose of the point."""
+    standard_uncertainty_mm: float | None
+    """Displacement of the point by the standard uncertainty of the parameter (mm, k = 1)."""
+    tolerance_mm: float | None
+    """Displacement of the point by the stated tolerance of the parameter (mm)."""
 
 class ParameterVerdict(Record):
     """Verdict on whether a parameter should be loaded."""
@@ -2188,6 +2335,13 @@ class WrittenController(Record):
     messages: list[Message]
     """Warnings about this file."""
 
+class WrittenFile(Record):
+    """Controller file that a run wrote."""
+    file: str
+    """Name of the file in the output folder."""
+    format: str
+    """Name of the format."""
+
 class WrittenParameter(Record):
     """A parameter as written to a file."""
     name: str
@@ -2199,10 +2353,25 @@ class WrittenParameter(Record):
     value: float
     """Value."""
 
+class ZeroAxis(Record):
+    """Axis in the base at joint values zero."""
+    direction: list[float]
+    """Unit direction of positive motion."""
+    direction_standard_uncertainty_deg: float
+    """Standard uncertainty of the direction: root of the sum of squares of its components."""
+    joint: str
+    """Name of the joint."""
+    point_mm: list[float] | None
+    """Point of the axis nearest to the origin of the base; absent for a prismatic joint."""
+    point_standard_uncertainty_mm: float | None
+    """Standard uncertainty of the point: root of the sum of squares of its components."""
+
 class AccuracyDocument(Document):
     """Errors before and after calibration, separately for calibration and validation poses."""
     budget: list[FigureBudget]
-    """Standard uncertainties of the limited errors after calibration: of the validation poses, or of the calibration poses in a campaign without validation. The parameters are under test and contribute nothing. Empty if no uncertainty is stated.
+    """Standard uncertainties of the limited errors after calibration: of the validation poses, or of the calibration
+    poses in a campaign without validation. The parameters are under test and contribute nothing. Empty if no
+    uncertainty is stated.
     """
     campaign: CampaignReference | None
     """Campaign whose data judge given parameters; absent in the output folder of a run."""
@@ -2224,6 +2393,8 @@ class AccuracyDocument(Document):
     """Expected error at the tool point over the workspace. Absent without `tool`, without inverse kinematics, or if
     the robot reaches too few places between the poses.
     """
+    parameter_influences: list[ParameterInfluence]
+    """Effects of the identified parameters of the robot at the measured points, the largest change first."""
     placed_apart: list[PlacedApart]
     """Targets and fixtures that no calibration pose shows. They are placed by their own readings at validation
     poses, with all identified parameters held.
@@ -2248,6 +2419,23 @@ class AccuracyDocument(Document):
     """Distances of the validation poses from the calibration poses. The errors apply within the region that these
     poses cover.
     """
+
+class AxesDocument(Document):
+    """Axes of joints from sweeps of one joint at a time (circle-point analysis)."""
+    axes: list[AxisEntry]
+    """One axis for each joint, in the order of the joints."""
+    checks: list[AxesCheck]
+    """Readings that belong to no sweep, compared with the robot."""
+    joint_values: bool
+    """`true` if joint values are known; otherwise joint values zero are the start of the sweeps."""
+    messages: list[Message]
+    """Warnings."""
+    provenance: "Provenance"
+    """Version and inputs."""
+    robot: AxesRobot | None
+    """Robot that follows from the axes; absent if joints have no sweep."""
+    schema: str
+    """Schema and version: `etalon/axes/1`."""
 
 class AxisDocument(Document):
     """Positioning of a linear axis (ISO 230-2:2014)."""
@@ -2279,6 +2467,8 @@ class CampaignSummary(Document):
     """Conditions of a test."""
     contact: ContactSummary | None
     """Repeatability of the robot in returning to a measured point, if stated."""
+    controller_files: list[WrittenFile]
+    """Controller files that the run wrote."""
     coverage_factor: float | None
     """Coverage factor of `expanded_uncertainty_um`."""
     date: str | None
@@ -2307,6 +2497,10 @@ class CampaignSummary(Document):
     """Explanation of synthetic data; absent for measured data."""
     temperature_c: float | None
     """Temperature during the campaign."""
+    temperature_range_c: list[float] | None
+    """Lowest and highest temperature (°C) that rows of the exports state."""
+    valid_until: str | None
+    """Last day on which the calibration is valid, as stated: year-month-day."""
 
 class CheckDocument(Document):
     """Findings of `etalon check`. The exit code is 2 if there are errors, otherwise 0."""
@@ -2432,6 +2626,8 @@ class FitDocument(Document):
     """Root mean square of the orthogonal distances."""
     schema: str
     """Schema and version: `etalon/fit/1`."""
+    set_aside: list[int] | None
+    """Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`."""
     solver: "FitSolver"
     """Solver and its termination."""
     standard_uncertainty: FitUncertainty | None
@@ -2443,6 +2639,8 @@ class FormatsDocument(Document):
     """Proposals of `etalon formats` for reading a file."""
     columns: list[FormatsColumn]
     """Proposed contents of each column of the first reading, with reasons."""
+    doubt_phrases: list[Phrase]
+    """Texts of the catalogue that are `doubts` in English."""
     doubts: list[str]
     """Doubts about the first proposal."""
     file: str
@@ -2455,10 +2653,14 @@ class FormatsDocument(Document):
     """Proposed use of the file: `export`, `export with joints`, `log`, `observations`, `poses`, `commanded`,
     `recording` ...
     """
+    question_phrases: list[Phrase]
+    """Texts of the catalogue that are `questions` in English."""
     questions: list[str]
     """Facts that the file cannot state and the campaign must."""
     readings: list[Reading]
     """Readings that explain the file, the proposed one first."""
+    reason_phrases: list[Phrase]
+    """Texts of the catalogue that are `reasons` in English."""
     reasons: list[str]
     """Reasons for the first proposal."""
     rows: int
@@ -2815,6 +3017,8 @@ class UncertaintyDocument(Document):
 
 class VerdictDocument(Document):
     """`verdict.json`: verdict of a run, with its reasons."""
+    actions: list[Action]
+    """Next steps, at most five, those with the largest gain first."""
     exit_code: int
     """Exit code of the run: 0 if the answer may be loaded, otherwise 1."""
     limits: list[LimitVerdict]

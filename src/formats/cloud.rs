@@ -3,6 +3,7 @@
 
 use super::exports::{Format, Plain};
 use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
+use super::points::{Line, Point, SharedText};
 use crate::dialect::Unit;
 use etalon_base::message::{Problems, Result};
 use etalon_base::{error, files};
@@ -37,6 +38,9 @@ struct Part {
     xyz: [Vec<f64>; 3],
     /// All rows look like two angles and a distance.
     angles: bool,
+    /// Number of lines, and the line (from 0) and the bytes of each row, if wanted.
+    lines: u32,
+    located: Vec<[u32; 3]>,
 }
 
 /// Reads a table of plain rows on all threads; `None` if only the strict reader can read the table
@@ -76,7 +80,7 @@ fn read<T: Send>(path: &Path, format: &Format, unit: Unit, made: impl Fn(Part) -
     let Some(plain) = format.plain(&start) else { return Ok(None) };
     let part = |bytes: &mut Vec<u8>, k: u64| {
         read_block(path, k * BLOCK, bytes)?;
-        let part = plain.part(bytes, k * BLOCK, size, unit);
+        let part = plain.part(bytes, [k * BLOCK, size], unit, false);
         Ok(part.map(|part| (part.angles, made(part))))
     };
     let parts: std::io::Result<Vec<Option<(bool, T)>>> =
@@ -86,6 +90,51 @@ fn read<T: Send>(path: &Path, format: &Format, unit: Unit, made: impl Fn(Part) -
         return Ok(None);
     }
     Ok(Some(parts.into_iter().map(|(_, made)| made).collect()))
+}
+
+/// Length of a text (bytes) that is worth the fast reader.
+const LONG: usize = 1 << 20;
+
+/// Rows of a text like [`Format::read`]; a long table of plain rows is read on all threads.
+pub fn rows(format: &Format, file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
+    let plain = format.plain(text.as_bytes()).filter(|_| text.len() >= LONG);
+    match plain.and_then(|plain| points(text, plain, unit)) {
+        Some(points) if !points.is_empty() => (points, Problems::default()),
+        _ => format.read(file, text, unit),
+    }
+}
+
+/// Points of a text of plain rows, read on all threads; `None` if only the strict reader can read
+/// the text or report its problems.
+fn points(text: &SharedText, plain: Plain, unit: Unit) -> Option<Vec<Point>> {
+    let (bytes, size) = (text.as_bytes(), text.len() as u64);
+    u32::try_from(size).ok()?;
+    let part = |k: u64| -> Option<(u32, bool, Vec<Point>)> {
+        let from = first_byte(k * BLOCK) as usize;
+        let block = &bytes[from..bytes.len().min(from + BLOCK as usize + LONGEST_LINE + 1)];
+        let part = plain.part(block, [k * BLOCK, size], unit, true)?;
+        let labels: Vec<SharedText> = part.labels.split_terminator('\n').map(SharedText::from).collect();
+        let none = SharedText::default();
+        let point = |(i, [line, start, end]): (usize, &[u32; 3])| Point {
+            line: *line,
+            text: Line::at(text, from as u32 + start, from as u32 + end),
+            label: labels.get(part.label[i] as usize).unwrap_or(&none).clone(),
+            xyz_mm: [0, 1, 2].map(|axis| part.xyz[axis][i] * unit.in_mm()),
+            ..Point::default()
+        };
+        Some((part.lines, part.angles, part.located.iter().enumerate().map(point).collect()))
+    };
+    let parts: Vec<_> = (0..size.div_ceil(BLOCK)).into_par_iter().map(part).collect::<Option<_>>()?;
+    if plain.may_be_angles && parts.iter().all(|(_, angles, _)| *angles) {
+        return None;
+    }
+    let mut points = Vec::with_capacity(parts.iter().map(|(.., points)| points.len()).sum());
+    let mut before = 1;
+    for (lines, _, part) in parts {
+        points.extend(part.into_iter().map(|point| Point { line: before + point.line, ..point }));
+        before += lines;
+    }
+    Some(points)
 }
 
 /// The parts one after the other, without copying their coordinates.
@@ -142,7 +191,7 @@ fn read_block(path: &Path, start: u64, bytes: &mut Vec<u8>) -> std::io::Result<(
 impl Plain {
     /// Points of the lines that begin in the block from `start` of a file of `size` bytes; `None`
     /// if one of them is not plain.
-    fn part(self, bytes: &[u8], start: u64, size: u64, unit: Unit) -> Option<Part> {
+    fn part(self, bytes: &[u8], [start, size]: [u64; 2], unit: Unit, located: bool) -> Option<Part> {
         let (from, in_mm) = (first_byte(start), unit.in_mm());
         let last = from + bytes.len() as u64 == size;
         let mut at = match start {
@@ -166,6 +215,7 @@ impl Plain {
                     return None;
                 }
                 at = line.at;
+                part.lines += 1;
                 continue;
             };
             if self.labelled && label != before.0 || before.1 == u32::MAX {
@@ -182,6 +232,13 @@ impl Plain {
             for (column, value) in part.xyz.iter_mut().zip(xyz) {
                 column.push(value);
             }
+            if located {
+                let text = &bytes[at..line.at];
+                let text = text.strip_suffix(b"\n").unwrap_or(text);
+                let length = text.strip_suffix(b"\r").unwrap_or(text).len();
+                part.located.push([part.lines, at as u32, (at + length) as u32]);
+            }
+            part.lines += 1;
             at = line.at;
         }
         Some(part)
@@ -241,7 +298,13 @@ mod tests {
             let label = |i: usize| cloud.labels.get(labels[i] as usize).cloned().unwrap_or_default();
             (0..labels.len()).map(|i| (label(i), bits([xyz[0][i], xyz[1][i], xyz[2][i]]))).collect()
         });
-        let strict = crate::read_file(file.path(), None, format, unit).ok();
+        let decoded = crate::into_text(file.path(), text.into(), None, format).unwrap_or_default().into();
+        let (strict, problems) = format.read("f", &decoded, unit);
+        let fast_points = format.plain(text.as_bytes()).and_then(|plain| points(&decoded, plain, unit));
+        if let Some(points) = fast_points {
+            assert!(problems.0.is_empty() && points == strict, "{format}: {text:?}: {points:?}");
+        }
+        let strict = problems.0.is_empty().then_some(strict);
         let plain = strict.filter(|points| points.iter().all(|p| p.refused.is_none()));
         (fast, plain.map(|points| points.into_iter().map(|p| (p.label.to_string(), bits(p.xyz_mm))).collect()))
     }

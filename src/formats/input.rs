@@ -21,15 +21,20 @@ pub fn read_text(path: &Path, encoding: Option<Encoding>, place: &Place) -> Read
 /// Text of a file in a format: of a sheet of a workbook, of a topic of a recording, or of a binary
 /// file with one character for each byte.
 pub fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &Format) -> Read<String> {
+    into_text(path, bytes.to_vec(), encoding, format)
+}
+
+/// Text of a file like [`text_of`], in the memory of its bytes where they are text already.
+pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format: &Format) -> Read<String> {
     let text = match &format.dialect.sheet {
         _ if format.about().binary => return Ok(bytes.iter().map(|byte| char::from(*byte)).collect()),
-        Some(topic) if ros_bag::is_recording(bytes) => ros_bag::text(bytes, topic),
+        Some(topic) if ros_bag::is_recording(&bytes) => ros_bag::text(&bytes, topic),
         Some(topic) if ros_bag::is_topic(topic) => Err(error!("recording-missing", topic)),
-        Some(sheet) => workbook::text(bytes, sheet),
-        None if magic::arrays(bytes).is_some() => return Err(arrays_not_text(path, bytes).into()),
-        None if ros_bag::is_recording(bytes) => Err(topic_not_stated(bytes)),
-        None if workbook::is_workbook(bytes) => Err(sheet_not_stated(bytes)),
-        None => decode(bytes.to_vec(), encoding),
+        Some(sheet) => workbook::text(&bytes, sheet),
+        None if magic::arrays(&bytes).is_some() => return Err(arrays_not_text(path, &bytes).into()),
+        None if ros_bag::is_recording(&bytes) => Err(topic_not_stated(&bytes)),
+        None if workbook::is_workbook(&bytes) => Err(sheet_not_stated(&bytes)),
+        None => decode(bytes, encoding),
     };
     Ok(text.map_err(|message| message.within(phrase!("in-file", file = path.display().to_string())))?)
 }

@@ -9,6 +9,7 @@ mod cloud;
 pub mod dialect;
 mod export;
 pub mod exports;
+mod filter;
 mod guess;
 mod input;
 mod lexer;
@@ -23,14 +24,14 @@ mod workbook;
 pub mod xacro;
 pub mod xml;
 
-pub use cloud::{Cloud, cloud, packed_points};
+pub use cloud::{Cloud, cloud, packed_points, rows};
 pub use export::Export;
 pub use export::{LabelNames, Pattern as LabelPattern};
 pub use exports::{Format, qif};
-pub use input::{bytes_of, read_text, text_of};
+pub use input::{bytes_of, into_text, read_text, text_of};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
-pub use points::{Line, Names, Point, table, to_parquet};
+pub use points::{Line, Names, Point, SharedText, Stated, table, to_parquet};
 pub use propose::{FilesProposal, JOINTS_REMARK, label_form, propose, propose_file, propose_file_for, propose_files};
 pub use tables::observations::{TableLayout, observations, observations_with};
 
@@ -50,8 +51,8 @@ use std::path::Path;
 pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
     let name = path.display().to_string();
     let here = |problems: Problems| problems.at(&Place::file(name.as_str()));
-    let text = bytes_of(path).and_then(|bytes| text_of(path, &bytes, encoding, format)).map_err(here)?;
-    let (points, problems) = format.read(&name, &text.into(), unit);
+    let text = bytes_of(path).and_then(|bytes| into_text(path, bytes, encoding, format)).map_err(here)?;
+    let (points, problems) = rows(format, &name, &text.into(), unit);
     here(problems).check()?;
     Ok(points)
 }
@@ -76,16 +77,14 @@ pub fn points_and_refused(
 ) -> Result<(Vec<Labelled>, Option<Message>)> {
     let (rows, mut problems) = format.read(file, &text.into(), unit);
     if format.about().points_only {
-        let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
-        problems.0.extend(
-            refused.map(|(row, reason)| error!("row-without-point", reason).at(Place::line(file, row.line, &row.text))),
-        );
+        let refused = rows.iter().filter(|row| !row.is_left_out).filter_map(|row| Some((row, row.refused.as_ref()?)));
+        problems.0.extend(refused.map(|(row, reason)| error!("row-without-point", reason).at(row.place_in(file))));
     }
     problems.check()?;
-    let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some()).collect();
+    let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some() && !row.is_left_out).collect();
     let said = refused.first().map(|first| {
         let reason = first.refused.as_deref().map_or_else(|| "".argument(), IntoArgument::argument);
-        warning!("rows-left-out", count = refused.len(), reason).at(Place::line(file, first.line, &first.text))
+        warning!("rows-left-out", count = refused.len(), reason).at(first.place_in(file))
     });
     let points = rows.iter().filter(|row| row.refused.is_none()).map(|row| (row.label.to_string(), row.xyz_mm));
     Ok((points.collect(), said))
@@ -94,7 +93,7 @@ pub fn points_and_refused(
 /// Reads the text of a file in a format; for a binary format, one character for each byte.
 pub fn text_in(path: &Path, format: &Format) -> Result<String> {
     match format.about().binary {
-        true => text_of(path, &bytes_of(path)?, None, format),
+        true => into_text(path, bytes_of(path)?, None, format),
         false => files::text(path, files::read(path)?),
     }
 }
@@ -105,11 +104,10 @@ pub fn text_in(path: &Path, format: &Format) -> Result<String> {
 /// Reports all rows that cannot be read or were not measured.
 pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
     let (points, mut problems) = format.read(file, &text.into(), unit);
-    let refused = points.iter().filter_map(|point| Some((point, point.refused.as_ref()?)));
-    problems.0.extend(
-        refused
-            .map(|(point, reason)| error!("row-without-point", reason).at(Place::line(file, point.line, &point.text))),
-    );
+    let refused =
+        points.iter().filter(|point| !point.is_left_out).filter_map(|point| Some((point, point.refused.as_ref()?)));
+    problems.0.extend(refused.map(|(point, reason)| error!("row-without-point", reason).at(point.place_in(file))));
     problems.check()?;
+    let points: Vec<Point> = points.into_iter().filter(|point| point.refused.is_none()).collect();
     points::table(&points)
 }

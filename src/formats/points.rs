@@ -2,63 +2,179 @@
 
 use crate::table::{RowGroups, frame, pose_column_as};
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::Result;
+use etalon_base::message::{Place, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use indexmap::IndexSet;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
-use std::fmt::{self, Debug, Formatter};
-use std::ops::Deref;
-use std::sync::Arc;
+use std::borrow::Borrow;
+use std::fmt::{self, Debug, Display, Formatter};
+use std::ops::{Deref, DerefMut};
+use std::sync::{Arc, LazyLock};
 
 /// Row of an export. The reader fills in the contents of the row; statements of the campaign
-/// follow.
+/// follow. Exports have millions of rows, most of which state a label and a place only: what else
+/// a row states is in [`Stated`], to which a point dereferences.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File as named in the campaign.
-    pub export: Arc<str>,
+    pub export: SharedText,
     /// Number of the data row in its export, from 1; rejected rows count.
-    pub row: i64,
+    pub row: u32,
     /// Line of the file, from 1.
-    pub line: usize,
+    pub line: u32,
     /// The line itself.
     pub text: Line,
     /// Label in the row; several parts are joined by `::`.
-    pub label: Arc<str>,
+    pub label: SharedText,
+    /// Position; NaN if a coordinate cannot be read.
+    pub xyz_mm: Vector,
+    /// Further statements of the row; `None` if there are none.
+    pub more: Option<Box<Stated>>,
+}
+
+/// What a row of an export may state beside label and position.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stated {
     /// Name of the target.
-    pub target: Option<Arc<str>>,
+    pub target: Option<SharedText>,
     /// Name of the pose.
     pub pose: Option<PoseName>,
     /// Number of the repeat.
     pub cycle: Option<i64>,
     /// Time (s).
     pub time_s: Option<f64>,
-    /// Position; NaN if a coordinate cannot be read.
-    pub xyz_mm: Vector,
     /// Standard uncertainties of x, y and z, if the file states them.
-    pub standard_uncertainty_mm: Option<Box<Vector>>,
+    pub standard_uncertainty_mm: Option<Vector>,
     /// Direction of surface or probe (unit vector), if the file states it.
-    pub direction: Option<Box<Vector>>,
+    pub direction: Option<Vector>,
     /// Orientation of the measured body in the frame of the file (quaternion, scalar first), if the
     /// file states it.
-    pub orientation: Option<Box<[f64; 4]>>,
+    pub orientation: Option<[f64; 4]>,
     /// Temperature during the measurement (°C), if the file states it.
     pub temperature_c: Option<f64>,
     /// Rule that rejects the row.
     pub refused: Option<Box<Phrase>>,
+    /// `true` if the campaign leaves the row out: by a filter, or as marked as deleted.
+    pub is_left_out: bool,
+}
+
+impl Stated {
+    const NOTHING: Self = Self {
+        target: None,
+        pose: None,
+        cycle: None,
+        time_s: None,
+        standard_uncertainty_mm: None,
+        direction: None,
+        orientation: None,
+        temperature_c: None,
+        refused: None,
+        is_left_out: false,
+    };
+
+    /// The statements in the memory that they need: none if there are none.
+    pub fn boxed(self) -> Option<Box<Self>> {
+        (self != Self::NOTHING).then(|| Box::new(self))
+    }
+}
+
+impl Point {
+    /// The line in the export.
+    pub fn place(&self) -> Place {
+        self.place_in(&*self.export)
+    }
+
+    /// The line in a file of this name.
+    pub fn place_in(&self, file: impl Into<String>) -> Place {
+        let line = self.line as usize;
+        match self.text.is_empty() {
+            true => Place { line: Some(line), ..Place::file(file) },
+            false => Place::line(file, line, &*self.text),
+        }
+    }
+}
+
+impl Deref for Point {
+    type Target = Stated;
+
+    fn deref(&self) -> &Stated {
+        static NOTHING: Stated = Stated::NOTHING;
+        self.more.as_deref().unwrap_or(&NOTHING)
+    }
+}
+
+impl DerefMut for Point {
+    fn deref_mut(&mut self) -> &mut Stated {
+        self.more.get_or_insert_default()
+    }
+}
+
+/// A text that many rows share; a reference to it is as small as a pointer.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SharedText(Arc<Box<str>>);
+
+impl Deref for SharedText {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.0
+    }
+}
+
+impl Borrow<str> for SharedText {
+    fn borrow(&self) -> &str {
+        self
+    }
+}
+
+impl From<&str> for SharedText {
+    fn from(text: &str) -> Self {
+        Self(Arc::new(text.into()))
+    }
+}
+
+impl From<String> for SharedText {
+    fn from(text: String) -> Self {
+        Self(Arc::new(text.into_boxed_str()))
+    }
+}
+
+impl Default for SharedText {
+    fn default() -> Self {
+        static EMPTY: LazyLock<SharedText> = LazyLock::new(|| "".into());
+        EMPTY.clone()
+    }
+}
+
+impl Display for SharedText {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(self)
+    }
+}
+
+impl Debug for SharedText {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        Debug::fmt(&**self, f)
+    }
 }
 
 /// Line of a text that shares the memory of the text: exports have millions of lines.
-#[derive(Clone, PartialEq)]
+#[derive(Clone, Default, PartialEq)]
 pub struct Line {
-    whole: Arc<str>,
+    whole: SharedText,
     from: u32,
     to: u32,
 }
 
 impl Line {
+    /// Bytes of a text.
+    pub(super) fn at(whole: &SharedText, from: u32, to: u32) -> Self {
+        Self { whole: whole.clone(), from, to }
+    }
+
     /// Returns a part of a text; another string is copied.
-    pub fn of(whole: &Arc<str>, part: &str) -> Self {
+    pub fn of(whole: &SharedText, part: &str) -> Self {
         let from = (part.as_ptr() as usize).checked_sub(whole.as_ptr() as usize);
         let range = from.and_then(|from| Some((u32::try_from(from).ok()?, u32::try_from(from + part.len()).ok()?)));
         match range.filter(|&(from, to)| whole.get(from as usize..to as usize) == Some(part)) {
@@ -89,21 +205,15 @@ impl From<String> for Line {
     }
 }
 
-impl Default for Line {
-    fn default() -> Self {
-        String::new().into()
-    }
-}
-
 impl Debug for Line {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        (**self).fmt(f)
+        Debug::fmt(&**self, f)
     }
 }
 
 /// Names of many rows, stored once each.
 #[derive(Debug, Default)]
-pub struct Names(IndexSet<Arc<str>>);
+pub struct Names(IndexSet<SharedText>);
 
 impl Names {
     /// Maximum number of stored names. Beyond it names probably differ from row to row, and storing
@@ -111,11 +221,11 @@ impl Names {
     const MOST: usize = 4096;
 
     /// Returns the name, sharing the memory of an equal name before it.
-    pub fn shared(&mut self, name: &str) -> Arc<str> {
+    pub fn shared(&mut self, name: &str) -> SharedText {
         if let Some(known) = self.0.get(name) {
             return known.clone();
         }
-        let name: Arc<str> = name.into();
+        let name: SharedText = name.into();
         if self.0.len() < Self::MOST {
             self.0.insert(name.clone());
         }
@@ -126,7 +236,7 @@ impl Names {
 /// Returns points as a table `export row line label target pose cycle time_s x_mm y_mm z_mm`, with
 /// uncertainties and directions if a point has them.
 pub fn table(points: &[Point]) -> Result<DataFrame> {
-    Stated::of(points).table(points)
+    OptionalColumns::of(points).table(points)
 }
 
 /// Number of rows that are written at a time.
@@ -134,7 +244,7 @@ const PIECE: usize = 100_000;
 
 /// Returns the table of points as Parquet, written piece by piece: exports have millions of rows.
 pub fn to_parquet(points: &[Point]) -> Result<Vec<u8>> {
-    let (stated, mut bytes) = (Stated::of(points), Vec::new());
+    let (stated, mut bytes) = (OptionalColumns::of(points), Vec::new());
     let mut written = RowGroups::new(&mut bytes, &stated.table(&[])?)?;
     points.chunks(PIECE).try_for_each(|piece| written.add(&stated.table(piece)?))?;
     written.finish()?;
@@ -142,14 +252,14 @@ pub fn to_parquet(points: &[Point]) -> Result<Vec<u8>> {
 }
 
 /// Optional columns of a table of points.
-struct Stated {
+struct OptionalColumns {
     /// `true` if all names of poses are numbers.
     numbered_poses: bool,
     uncertainties: bool,
     directions: bool,
 }
 
-impl Stated {
+impl OptionalColumns {
     fn of(points: &[Point]) -> Self {
         Self {
             numbered_poses: points.iter().filter_map(|p| p.pose).all(|pose| pose.number().is_some()),
@@ -170,8 +280,8 @@ impl Stated {
         };
         let mut columns = vec![
             strings("export", &|p| Some(&p.export)),
-            whole("row", &|p| Some(p.row)),
-            whole("line", &|p| Some(p.line as i64)),
+            whole("row", &|p| Some(i64::from(p.row))),
+            whole("line", &|p| Some(i64::from(p.line))),
             strings("label", &|p| Some(&p.label)),
             strings("target", &|p| p.target.as_deref()),
             pose_column_as("pose", &p.iter().map(|p| p.pose).collect::<Vec<_>>(), self.numbered_poses),

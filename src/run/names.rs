@@ -130,7 +130,7 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
     }
 }
 
-/// Errors of a robot without targets: with the line that states those that the labels name, and
+/// Errors of a robot without targets: with the line that states the targets that labels name, and
 /// none if the table that names them does not read.
 pub(super) fn targets_to_state(mut problems: Problems, imported: &Gathered, unread: bool) -> Problems {
     problems.0.retain(|message| !unread || message.id != "no-target");

@@ -127,7 +127,7 @@ fn is_meant(row: &Row, point: &etalon_formats::Point) -> bool {
     // without a cycle, numbers of rows and times continue from one round to the next
     let told = match point.pose {
         Some(pose) if pose == row.turn.pose && point.cycle == Some(row.turn.cycle) => true,
-        Some(pose) => pose == row.turn.number && pose == point.row,
+        Some(pose) => pose == row.turn.number && pose == i64::from(point.row),
         None => point.time_s.is_some(),
     };
     target && told

@@ -35,7 +35,11 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
-        let chosen: Vec<Vector> = labels.iter().flat_map(|l| labelled.named([l])).collect();
+        let chosen: Vec<Vector> = match labels {
+            // a scan may have millions of points
+            [label] => labelled.named([label]),
+            labels => labels.iter().flat_map(|l| labelled.named([l])).collect(),
+        };
         let fitted = match fitted(element, &chosen, &settings) {
             Ok(fitted) => fitted,
             Err(more) => {
@@ -291,7 +295,7 @@ impl Basis {
             let weight = group.len() as f64 / chosen.len().max(1) as f64;
             for point in chosen {
                 let instrument = || campaign.file.instrument.standard_uncertainties_mm(point.xyz_mm);
-                let u_mm = point.standard_uncertainty_mm.as_deref().copied().unwrap_or_else(instrument);
+                let u_mm = point.standard_uncertainty_mm.unwrap_or_else(instrument);
                 basis.points.push(point.xyz_mm);
                 basis.weights.push(weight);
                 basis.u_mm.push(u_mm.map(|u| u / weight.sqrt()));

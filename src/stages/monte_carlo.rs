@@ -279,7 +279,7 @@ impl<'a> Trials<'a> {
         }
         let mut points = self.points.clone();
         for p in &mut points {
-            let u = p.standard_uncertainty_mm.as_deref().copied();
+            let u = p.standard_uncertainty_mm;
             let u = u.unwrap_or_else(|| self.campaign.file.instrument.standard_uncertainties_mm(p.xyz_mm));
             p.xyz_mm = std::array::from_fn(|i| p.xyz_mm[i] + noise.gaussian(u[i]));
         }

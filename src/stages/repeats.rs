@@ -2,7 +2,7 @@
 //! disagree.
 
 use crate::stages::shown;
-use etalon_base::message::{Message, Place};
+use etalon_base::message::Message;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, phrase, warning};
@@ -75,6 +75,21 @@ pub fn stale(robot: &dyn Robot, observations: &[Observation]) -> Vec<Message> {
     messages
 }
 
+/// Number of points of a label that show whether it is a scan.
+const MOST_OF_SCAN: usize = 1000;
+
+/// Median of each coordinate.
+fn middle(points: &[&Point]) -> Vector {
+    [0, 1, 2].map(|i| middle_pair(points.iter().map(|p| p.xyz_mm[i])).map_or(0.0, |[low, high]| 0.5 * (low + high)))
+}
+
+/// `true` if most points are further than `near_mm` from their middle, some of them far.
+fn is_scan(points: &[&Point], near_mm: f64) -> bool {
+    let middle = middle(points);
+    let off = || points.iter().map(|p| norm(minus(p.xyz_mm, middle))).filter(|off| *off > near_mm);
+    2 * off().count() > points.len() && off().fold(0.0, f64::max) > SEVERAL_MM
+}
+
 /// Messages about points of the same label whose repeats scatter more than the instrument explains,
 /// for the labels of features and frames; `names` are those labels. An error if one repeat
 /// falsifies the results.
@@ -87,9 +102,12 @@ pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Ve
     }
     let mut messages = Vec::new();
     for (label, all) in repeats {
-        let places: Vec<Vector> = all.iter().map(|p| p.xyz_mm).collect();
-        let middle =
-            [0, 1, 2].map(|i| middle_pair(places.iter().map(|p| p[i])).map_or(0.0, |[low, high]| 0.5 * (low + high)));
+        // a part of a long scan shows that it is one
+        let some: Vec<&Point> = all.iter().step_by(all.len().div_ceil(MOST_OF_SCAN)).copied().collect();
+        if some.len() < all.len() && is_scan(&some, APART * instrument.standard_uncertainty_at_mm(middle(&some))) {
+            continue;
+        }
+        let middle = middle(&all);
         let u_mm = instrument.standard_uncertainty_at_mm(middle);
         let off = |p: &&&Point| norm(minus(p.xyz_mm, middle)) > APART * u_mm;
         let away: Vec<&&Point> = all.iter().filter(off).collect();
@@ -106,7 +124,7 @@ pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Ve
             }
             false => warning!("repeat-off", label, count, away = away.len(), off_mm, u_mm),
         };
-        messages.push(message.at(Place::line(&*away[0].export, away[0].line, &away[0].text)));
+        messages.push(message.at(away[0].place()));
     }
     messages
 }

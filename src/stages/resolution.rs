@@ -105,6 +105,9 @@ pub fn of_table<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) ->
 pub(super) fn of_export(campaign: &Campaign, export: &Export, rows: &mut [Point]) -> Vec<Message> {
     let (mut messages, in_mm) = (Vec::new(), export.unit.in_mm());
     let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();
+    if rows.iter().all(|p| p.standard_uncertainty_mm.is_none()) {
+        return messages;
+    }
     for (axis, name) in ["u1", "u2", "u3"].into_iter().enumerate() {
         let of = |p: &Point| p.standard_uncertainty_mm.as_ref().map_or(f64::NAN, |u| u[axis] / in_mm);
         let values: Vec<f64> = rows.iter().map(of).collect();

@@ -16,7 +16,7 @@ fn arm() -> Vec<AxisLine> {
     let axes = [
         axis([0.0, 0.0, 1.0], [0.0, 0.0, 0.0], false),
         axis([0.0, 1.0, 0.0], [60.0, 0.0, 290.0], false),
-        axis([0.001, 1.0, 0.0].map(|v: f64| v / 1.000_000_5), [60.0, 0.0, 560.0], false),
+        axis([0.0, 1.0, 0.001].map(|v: f64| v / 1.000_000_5), [60.0, 0.0, 560.0], false),
         axis([1.0, 0.0, 0.0], [300.0, 0.0, 600.0], true),
     ];
     axes.iter().map(|a| a.moved(&base)).collect()
@@ -100,7 +100,7 @@ fn sweeps_give_a_robot_that_reaches_where_the_truth_does() {
     let table = document(&table(&rows(), true), &["--convention", "mdh"]);
     assert!(table.messages.iter().any(|m| m.id == "table-tilt-not-held"), "{:?}", table.messages);
     let miss = miss_mm(&table, &[-0.5, 0.9, 0.4, 150.0]);
-    assert!(miss > 0.05 && miss < 1.0, "{miss}");
+    assert!(miss > 0.1 && miss < 2.0, "{miss}");
 }
 
 #[test]

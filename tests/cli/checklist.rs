@@ -117,7 +117,7 @@ fn page_of(sample: &str, stated: &str, synthetic: bool) -> (Scratch, String) {
 }
 
 fn section<'a>(html: &'a str, id: &str) -> &'a str {
-    let from = html.split_once(&format!("<section id=\"{id}\">")).map(|(_, rest)| rest);
+    let from = html.split_once(&format!("<section id=\"{id}\"")).map(|(_, rest)| rest);
     from.and_then(|rest| rest.split_once("</section>")).map_or("", |(section, _)| section)
 }
 

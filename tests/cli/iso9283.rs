@@ -329,7 +329,7 @@ fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
     assert_eq!(outside.status.code(), Some(1));
     let document: Iso9283PlanDocument = serde_json::from_slice(&outside.stdout).unwrap();
     assert!(document.unreached.iter().any(|u| u.places == "poses" && u.point == 5), "{:?}", document.unreached);
-    assert!(text_of(&outside).contains("is not reached"));
+    assert!(text_of(&outside).contains("warning[test-point-unreached]"));
 
     let prexyt = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/prexyt-cmm/robot.toml");
     let table = answer(prexyt, "150,50,1150,1050");

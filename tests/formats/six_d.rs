@@ -124,6 +124,12 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
     let vector = "{ delimiter = \",\", header = 1, columns = [\"pose\", \"x\", \"y\", \"z\", \"rx_rad\", \"ry_rad\", \"rz_rad\"] }";
     let label =
         "{ delimiter = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\"] }";
+    let by_label =
+        export("labels.csv", "mm", label, "", "label = \"label\", ", "by = \"label\"\ntargets = [\"probe\"]").replacen(
+            "target = \"probe\"\n",
+            "",
+            1,
+        );
     // seconds from 1970 to the first log time: the stamps count from 15:00:10.25, the log from 1010 s
     let offset = 1_665_500_400.0 + 10.25 - 1010.0;
     let time = format!("by = \"time\"\nclock_offset_s = {offset}\ntolerance_s = 0.01");
@@ -133,7 +139,7 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
         export("matrices.csv", "mm", matrix, "", "pose = \"pose\", ", pose),
         export("vectors.csv", "m", vector, "", "pose = \"pose\", ", pose),
         export("angles.csv", "mm", angle, row, "time_s = \"t\", ", &time),
-        export("labels.csv", "mm", label, "", "label = \"label\", ", "by = \"label\""),
+        by_label.clone(),
     ] {
         let (code, said, found) = run(at, &body);
         assert_eq!(code, Some(0), "{body}\n{said}");
@@ -181,7 +187,7 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
     // a label that the log names again is a place: its orientation is not that of the body
     let log = std::fs::read_to_string(at.join("c/log.csv")).unwrap();
     std::fs::write(at.join("c/log.csv"), log.replace(",M2,", ",M1,")).unwrap();
-    let (_, said, _) = run(at, &export("labels.csv", "mm", label, "", "label = \"label\", ", "by = \"label\""));
+    let (_, said, _) = run(at, &by_label);
     assert!(said.contains("warning[label-orientations-unused]"), "{said}");
     std::fs::write(at.join("c/log.csv"), log).unwrap();
     refused_statements(at, &|format| export("at960.csv", "mm", format, row, "", "by = \"row\""));

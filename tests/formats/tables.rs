@@ -364,3 +364,27 @@ fn points_are_fitted_from_any_form() {
     let (code, said) = answer(&scratch, &both);
     assert!(code == Some(2) && said.contains("[option-columns-twice]"), "{said}");
 }
+
+/// Rows of a log are left out by their cells, are listed, and keep their numbers.
+#[test]
+fn rows_of_a_log_are_left_out_by_filters() {
+    let plain = copy_sample("prexyt-cmm");
+    ends(&plain, "run", 0, &[]);
+    let own = copy_sample("prexyt-cmm");
+    let log = std::fs::read_to_string(own.path().join("encoders.csv")).unwrap();
+    let (head, rows) = log.split_once('\n').unwrap();
+    let marked: String = rows.lines().map(|row| format!("{row},0\n")).collect();
+    // a row that the controller marks as faulty has no values
+    let text = format!("{head},fault\n1,1,?,?,?,1\n{marked}");
+    std::fs::write(own.path().join("encoders.csv"), text).unwrap();
+    ends(&own, "check", 2, &["[not-a-number]"]);
+    own.replace("campaign.toml", "file = \"encoders.csv\"\n", "file = \"encoders.csv\"\nwithout = { fault = 1 }\n");
+    ends(&own, "run", 0, &[]);
+    assert_eq!(parameters(&own).parameters, parameters(&plain).parameters);
+    let import = std::fs::read_to_string(own.path().join("out/import.json")).unwrap();
+    assert!(import.contains("row-left-out-by-cell"), "{import}");
+    own.replace("campaign.toml", "without = { fault = 1 }", "only = { mode = 1 }");
+    ends(&own, "check", 2, &["[column-unknown]", "encoders.csv:1"]);
+    own.replace("campaign.toml", "only = { mode = 1 }", "only = { fault = 7 }");
+    ends(&own, "check", 2, &["[no-row-selected]"]);
+}

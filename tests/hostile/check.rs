@@ -208,7 +208,7 @@ fn what_every_row_repeats_is_one_error_with_its_count() {
     let letters = |row: &str| format!("{row}e");
     type Change<'a> = &'a dyn Fn(&str) -> String;
     let cases: [(&str, usize, Change, &str); 3] = [
-        ("encoders.csv", 1, &quote, "[quote-unmatched]"),
+        ("encoders.csv", 1, &quote, "text follows a closing quote"),
         ("encoders.csv", 1, &letters, "is not a number"),
         ("exports/poses.txt", 0, &letters, "is not a number"),
     ];

@@ -110,7 +110,7 @@ fn an_unknown_parameter_in_hold_and_in_nominal() {
         "campaign.toml",
         "[limits]",
         "hold = [\"gama\"]\n[limits]",
-        &["[nominal-unknown]", "`gama`", "did you mean `gamma`?"],
+        &["[parameter-unknown]", "`gama`", "did you mean `gamma`?"],
     );
     broken("robot.toml", "delta2 = 1.0", "delt2 = 1.0", &["[nominal-unknown]", "`delt2`", "did you mean `delta2`?"]);
 }
@@ -359,7 +359,7 @@ fn a_wrong_key_does_not_hide_a_wrong_label_or_file() {
     scratch.replace("robot.toml", "model = \"prexyt\"", "model = \"prexyt\"\nsize = 3");
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(2));
-    for part in ["[unknown-key]", "[unknown-key]", "`rail2_x`", "[nominal-unknown]"] {
+    for part in ["[unknown-key]", "`colour`", "`size`", "`rail2_x`", "[parameter-unknown]", "`gama`"] {
         assert!(said.contains(part), "{part}:\n{said}");
     }
 }

@@ -133,7 +133,7 @@ fn outliers_are_left_out_where_the_campaign_says_so() {
 fn a_tolerance_is_checked_and_kept() {
     for (text, said) in [
         ("tolerance = { length_mm = -1 }", "[tolerance-not-positive]"),
-        ("tolerance = { a_99 = 1 }", "[nominal-unknown]"),
+        ("tolerance = { a_99 = 1 }", "[tolerance-unknown]"),
     ] {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("robot.toml", "model = \"prexyt\"", &format!("model = \"prexyt\"\n{text}"));

@@ -9,6 +9,22 @@ const FLAT: &str = "0 0 0.001\n1 0 0\n0 1 0\n1 1 0.001\n2 0 0\n0 2 0.001\n2 2 0\
 const CYLINDER: &str = "10.001 0 0\n0 9.999 0\n-10.001 0 0\n0 -9.999 0\n9.999 0 20\n0 10.001 20\n-9.999 0 20\n0 -10.001 20\n7.071 7.072 10\n-7.072 -7.071 10\n";
 
 const OPTIONS: &[Case] = &[
+    ("enclosing-robust", "", &[("p.txt", "", POINTS)], "fit enclosing-circle @/p.txt --unit mm --robust"),
+    ("robust-few-points needed=9", "", &[("p.txt", "", POINTS)], "fit plane @/p.txt --unit mm --robust"),
+    (
+        "points-set-aside points=10",
+        "",
+        &[("p.txt", "", FLAT), ("p.txt", "+", "1 2 3\n")],
+        "fit plane @/p.txt --unit mm --robust",
+    ),
+    ("sweep-few joint=q1", "", &[("s.csv", "", "joint,x_mm,y_mm,z_mm\nq1,1,0,0\nq1,0,1,0\n")], "axes @/s.csv"),
+    (
+        "sweep-joint-column-twice joint=q1",
+        "",
+        &[("s.csv", "", "joint,x_mm,y_mm,z_mm,q1_deg,q1_rad\nq1,1,0,0,0,0\n")],
+        "axes @/s.csv",
+    ),
+    ("sweep-values-partial", "", &[("s.csv", "", "joint,x_mm,y_mm,z_mm,q1_deg,q2_deg\nq1,1,0,0,0,\n")], "axes @/s.csv"),
     ("message-unknown id=parameter-twise", "", &[], "explain parameter-twise"),
     ("schema-unknown name=parameter", "", &[], "schema parameter"),
     ("not-an-output-folder", "prexyt-cmm", &[], "report @/exports"),

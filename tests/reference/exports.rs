@@ -226,7 +226,7 @@ fn leica_rows_of_both_kinds_become_points() {
     // the first row is spherical: the distance is its third number, all others are Cartesian as they stand
     let distance = etalon::base::pose::norm(all[0].xyz_mm);
     assert!((distance - 9928.352440561106).abs() < 1e-8, "{distance}");
-    let u = all[0].standard_uncertainty_mm.as_deref().unwrap();
+    let u = all[0].standard_uncertainty_mm.as_ref().unwrap();
     let total = etalon::base::pose::norm(*u);
     // stdTotal of the file is 0.0204
     assert!((total - 0.02043).abs() < 0.0003, "{u:?}");

@@ -1,11 +1,11 @@
 //! Command `etalon iso9283 plan`.
 
-use super::super::{Verdict, pose_table, print, print_written, say};
-use etalon_base::error;
+use super::super::{Verdict, pose_table, print, print_written, remark};
 use etalon_base::files;
 use etalon_base::message::Problems;
+use etalon_base::{error, warning};
 use etalon_campaign::read_robot;
-use etalon_documents::{Iso9283Places, Iso9283PlanDocument, to_json};
+use etalon_documents::{Iso9283Places, Iso9283PlanDocument, Iso9283Unreached, to_json};
 use etalon_formats::table::{ANGLES, XYZ};
 use etalon_standards::iso9283::plan::{PlanError, TestRequest, UnknownReach, plan, reach};
 use std::fmt::Write;
@@ -61,9 +61,10 @@ impl PlanOptions {
                 Iso9283PlanDocument::new(&plan, Some((robot.as_ref(), &reach)))
             }
         };
-        for u in &document.unreached {
-            say(format_args!("warning: {} {} is not reached: {}\n", u.places, u.point, u.reason));
-        }
+        let unreached = |u: &Iso9283Unreached| {
+            warning!("test-point-unreached", list = u.places, point = u.point, reason = u.reason)
+        };
+        remark(&document.unreached.iter().map(unreached).collect::<Vec<_>>());
         let verdict = if document.unreached.is_empty() { Verdict::Met } else { Verdict::LimitNotMet };
         if let Some(folder) = &self.write {
             let written = write(folder, &document)?;

@@ -3,12 +3,13 @@
 use super::stamps;
 use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
 use crate::dialect::{
-    Cells, ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
+    ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
     coordinate_type,
 };
+use crate::filter::Filter;
 use crate::lexer::pose_name;
-use crate::lexer::{self, Row, WHOLE, column_index, each_row, marked};
-use crate::points::{Line, Names, Point};
+use crate::lexer::{self, Row, WHOLE, each_row, marked};
+use crate::points::{Line, Names, Point, SharedText};
 use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::catalogue::Phrase;
@@ -18,14 +19,13 @@ use etalon_base::{error, phrase};
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
 
 /// Delimited text in a stated dialect.
 pub(super) struct Delimited;
 
 impl ExportFormat for Delimited {
     fn about(&self) -> About {
-        About { points_only: true, ..About::default() }
+        About { points_only: true, by_rows: true, ..About::default() }
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -122,7 +122,7 @@ pub(super) const TRACKER: NamedDialect = NamedDialect::simple("tracker-semicolon
 const DIRECTION: f64 = 0.01;
 
 /// Points of a text (mm), with its problems.
-pub(crate) fn point_rows(file: &str, text: &Arc<str>, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
+pub(crate) fn point_rows(file: &str, text: &SharedText, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
     let wrong = Problems(dialect.check());
     if !wrong.0.is_empty() {
         return (Vec::new(), wrong);
@@ -150,7 +150,7 @@ pub(crate) fn point_rows(file: &str, text: &Arc<str>, dialect: &Dialect, unit: U
 /// header stops the reading.
 fn points<'t>(
     file: &str,
-    text: &Arc<str>,
+    text: &SharedText,
     mut rows: impl Iterator<Item = Row<'t>>,
     dialect: &Dialect,
     unit: Unit,
@@ -158,7 +158,7 @@ fn points<'t>(
     let header = header(file, &mut rows, dialect)?;
     let mut rows = rows.peekable();
     let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, rows.peek())?;
-    let filter = Filter::of(file, dialect, header.as_ref())?;
+    let filter = Filter::of(file, [&dialect.only, &dialect.without], header.as_ref())?;
     let mut problems = Problems::default();
     if let Some(header) = &header {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
@@ -296,37 +296,6 @@ fn computed_cells(
     row.fields.extend(cells.into_iter().map(|text| Cow::Owned(mark(text))));
 }
 
-/// Rows that are excluded by the cells of their columns.
-#[derive(Default)]
-struct Filter<'a> {
-    /// Column, its name, its cells, and `true` if rows with one of these cells are read.
-    cells: Vec<(usize, &'a str, &'a Cells, bool)>,
-}
-
-impl<'a> Filter<'a> {
-    fn of(file: &str, dialect: &'a Dialect, header: Option<&Row>) -> Result<Self, Vec<Message>> {
-        let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
-        let (mut cells, mut wrong) = (Vec::new(), Vec::new());
-        for (stated, read) in [(&dialect.only, true), (&dialect.without, false)] {
-            for (name, of) in stated {
-                match column_index(name, header) {
-                    Ok(column) => cells.push((column, name.as_str(), of, read)),
-                    Err(message) => wrong.push(message.at(at())),
-                }
-            }
-        }
-        if wrong.is_empty() { Ok(Self { cells }) } else { Err(wrong) }
-    }
-
-    /// Reason for leaving out a row.
-    fn refuses(&self, row: &Row) -> Option<Phrase> {
-        let fails =
-            |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
-        let (column, name, ..) = self.cells.iter().find(fails)?;
-        Some(phrase!("row-left-out-by-cell", column = name, cell = row.field(*column)))
-    }
-}
-
 /// Numbers of a row with their roles; coordinates with their columns, in mm or rad.
 #[derive(Default)]
 struct Numbers {
@@ -339,7 +308,7 @@ struct Numbers {
 /// Reads rows of one file.
 struct Reader<'a> {
     file: &'a str,
-    text: &'a Arc<str>,
+    text: &'a SharedText,
     dialect: &'a Dialect,
     unit: Unit,
     roles: Vec<ColumnRole>,
@@ -365,7 +334,7 @@ impl Reader<'_> {
                 return None;
             }
         };
-        let mut point = Point { line: row.line, text: Line::of(self.text, row.text), ..Point::default() };
+        let mut point = Point { line: row.line as u32, text: Line::of(self.text, row.text), ..Point::default() };
         let before = problems.0.len();
         let mut wrong = |message: Message, cell: usize| problems.0.push(message.at(row.cell(self.file, cell)));
         let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_ref()));
@@ -378,10 +347,14 @@ impl Reader<'_> {
             read.map_err(|message| wrong(hinted(message), i)).unwrap_or(f64::NAN)
         };
         let left_out = self.filter.refuses(row);
-        point.refused = left_out
-            .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))))
-            .map(Box::new);
-        let unmeasured = point.refused.is_some();
+        let is_left_out = left_out.is_some();
+        let reason = left_out
+            .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))));
+        let unmeasured = reason.is_some();
+        if unmeasured {
+            point.refused = reason.map(Box::new);
+            point.is_left_out = is_left_out;
+        }
         let mut numbers = Numbers::default();
         let (mut names, mut stamp) = (Vec::new(), [None; 2]);
         for (i, role, field) in cells() {
@@ -397,6 +370,7 @@ impl Reader<'_> {
                 ColumnRole::TemperatureC => point.temperature_c = Some(value(i, field)),
                 ColumnRole::Deleted if is_deleted(field) => {
                     point.refused.get_or_insert_with(|| Box::new(phrase!("row-marked-deleted", cell = field)));
+                    point.is_left_out = true;
                 }
                 ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}
@@ -471,15 +445,19 @@ impl Reader<'_> {
         let uncertain: Vec<f64> =
             uncertain.iter().zip(&coordinates).map(|((_, u), (of, _))| u * self.factor(*of) / covered).collect();
         let (place, spread) = cartesian(&coordinates, Some(&uncertain[..]).filter(|u| !u.is_empty()));
-        (point.xyz_mm, point.standard_uncertainty_mm) = (place, spread.map(Box::new));
+        point.xyz_mm = place;
+        if spread.is_some() {
+            point.standard_uncertainty_mm = spread;
+        }
         match orientation(&mut turned, self.dialect.rotation.as_deref()) {
-            Ok(turned) => point.orientation = turned.map(Box::new),
+            Ok(None) => {}
+            Ok(turned) => point.orientation = turned,
             Err(message) => problems.0.push(message.at(row.place(self.file))),
         }
         direction.sort_by_key(|(role, _)| *role as usize);
         if let [(_, i), (_, j), (_, k)] = direction[..] {
             match unit_vector([i, j, k]) {
-                Ok(direction) => point.direction = Some(Box::new(direction)),
+                Ok(direction) => point.direction = Some(direction),
                 Err(message) => problems.0.push(message.at(row.place(self.file))),
             }
         }
@@ -542,9 +520,7 @@ impl Reader<'_> {
             // large
             x.abs() <= TAU && (0.0..=PI).contains(&y) && z > 100.0
         };
-        measured()
-            .all(angles)
-            .then(|| error!("coordinates-look-spherical").at(Place::line(self.file, first.line, &first.text)))
+        measured().all(angles).then(|| error!("coordinates-look-spherical").at(first.place_in(self.file)))
     }
 }
 

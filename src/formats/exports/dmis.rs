@@ -119,7 +119,7 @@ const KINDS: [Kind; 8] = [
 /// The measured features of a file; `unit` is the default of files without a unit.
 pub fn features(file: &str, text: &str, directions: DirectionNotation, unit: Unit) -> Result<Vec<DmisFeature>> {
     let text = text.into();
-    let (features, _, problems) = read(&Text::new(file, &text), directions, unit);
+    let (features, _, problems) = read(&Text::new(file, &text, false), directions, unit);
     problems.check().map(|_| features)
 }
 

@@ -24,7 +24,7 @@ mod stamps;
 mod vda_fs;
 
 use super::lexer::written;
-use super::points::{Line, Point};
+use super::points::{Line, Point, SharedText, Stated};
 use crate::dialect::{Decimal, Dialect, Unit};
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems};
@@ -36,7 +36,6 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::fmt;
-use std::sync::Arc;
 
 /// Every named format. To add one: its file, and its line here.
 const FORMATS: [&dyn ExportFormat; 21] = [
@@ -119,6 +118,8 @@ pub(crate) struct About {
     /// `true` if a row that is not a point is an error where points are needed; otherwise the row
     /// is left out with a warning.
     pub points_only: bool,
+    /// `true` if the format reads row by row, without the list of all lines.
+    pub by_rows: bool,
 }
 
 /// Evidence that a text is in a format.
@@ -218,8 +219,8 @@ impl Format {
     }
 
     /// Rows of a text, with their problems.
-    pub fn read(&self, file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
-        self.kind.read(&Text::new(file, text), &self.dialect, unit)
+    pub fn read(&self, file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
+        self.kind.read(&Text::new(file, text, self.about().by_rows), &self.dialect, unit)
     }
 
     /// The text of an export.
@@ -358,13 +359,13 @@ impl Writing<'_> {
 /// The text of an export by lines.
 pub(crate) struct Text<'a> {
     file: &'a str,
-    whole: &'a Arc<str>,
+    whole: &'a SharedText,
     lines: Vec<&'a str>,
 }
 
 impl<'a> Text<'a> {
-    fn new(file: &'a str, whole: &'a Arc<str>) -> Self {
-        Self { file, whole, lines: whole.lines().collect() }
+    fn new(file: &'a str, whole: &'a SharedText, by_rows: bool) -> Self {
+        Self { file, whole, lines: if by_rows { Vec::new() } else { whole.lines().collect() } }
     }
 
     /// A line, from 1.
@@ -386,7 +387,7 @@ impl<'a> Text<'a> {
     /// A row at a line, in millimetres.
     fn point(&self, line: usize, label: &str, xyz: Vector, unit: Unit) -> Point {
         Point {
-            line,
+            line: line as u32,
             text: Line::of(self.whole, self.shown(line)),
             label: label.into(),
             xyz_mm: xyz.map(|v| v * unit.in_mm()),
@@ -396,7 +397,10 @@ impl<'a> Text<'a> {
 
     /// A row at a line that is not a point, with the reason.
     fn no_point(&self, line: usize, label: &str, reason: Phrase) -> Point {
-        Point { refused: Some(Box::new(reason)), ..self.point(line, label, [0.0; 3], Unit::Millimetre) }
+        Point {
+            more: Stated { refused: Some(Box::new(reason)), ..Stated::default() }.boxed(),
+            ..self.point(line, label, [0.0; 3], Unit::Millimetre)
+        }
     }
 }
 

@@ -4,17 +4,16 @@ use super::delimited::columns_in;
 use super::{About, ExportFormat, ExportRow, Plain, Text, Writing};
 use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
 use crate::lexer::{self, each_row, number};
-use crate::points::{Line, Names, Point};
+use crate::points::{Line, Names, Point, SharedText};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
-use std::sync::Arc;
 
 /// Point text of PolyWorks.
 pub(super) struct Polyworks;
 
 impl ExportFormat for Polyworks {
     fn about(&self) -> About {
-        About { name: "polyworks", title: "PolyWorks text", points_only: true, ..About::default() }
+        About { name: "polyworks", title: "PolyWorks text", points_only: true, by_rows: true, ..About::default() }
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -39,7 +38,7 @@ impl ExportFormat for Polyworks {
 }
 
 /// Points of a PolyWorks text, and problems; directions are not read.
-fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     let mut names = Names::default();
@@ -68,7 +67,7 @@ fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
             }));
         }
         points.push(Point {
-            line: row.line,
+            line: row.line as u32,
             text: Line::of(text, row.text),
             label: names.shared(if named == 1 { row.field(0) } else { "" }),
             xyz_mm: [numbers[0], numbers[1], numbers[2]].map(|v| v * unit.in_mm()),
@@ -87,7 +86,7 @@ mod tests {
         let (points, problems) =
             rows("f", &"K_1_2 1.5 -2 3e1\n4 5 6 0 0 1\r\n\n\"ball N\" 7 8 9 1 0 0\n".into(), Unit::Millimetre);
         assert!(problems.0.is_empty());
-        let found: Vec<(&str, [f64; 3], usize)> = points.iter().map(|p| (&*p.label, p.xyz_mm, p.line)).collect();
+        let found: Vec<(&str, [f64; 3], u32)> = points.iter().map(|p| (&*p.label, p.xyz_mm, p.line)).collect();
         assert_eq!(found, [("K_1_2", [1.5, -2.0, 30.0], 1), ("", [4.0, 5.0, 6.0], 2), ("ball N", [7.0, 8.0, 9.0], 4)]);
     }
 

@@ -63,7 +63,7 @@ pub struct Control {
 /// Reads the controls of a report.
 pub fn controls(file: &str, text: &str, decimal: Decimal) -> Result<Vec<Control>> {
     let text = text.into();
-    let (controls, problems) = read(&Text::new(file, &text), decimal);
+    let (controls, problems) = read(&Text::new(file, &text, false), decimal);
     problems.check().map(|_| controls)
 }
 

@@ -4,11 +4,10 @@
 
 use super::delimited::point_rows;
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
-use crate::Point;
 use crate::dialect::{ColumnRole, Delimiter, Dialect, Unit};
+use crate::{Point, SharedText};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, phrase};
-use std::sync::Arc;
 
 /// ASCII points of SpatialAnalyzer.
 pub(super) struct SpatialAnalyzer;
@@ -50,7 +49,7 @@ const COMMENT: &str = "//";
 
 /// Points of the text, with their problems. If the file states its unit, the unit of the campaign
 /// must be the same.
-fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut columns = None;
     for (i, line) in text.lines().enumerate() {

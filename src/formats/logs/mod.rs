@@ -20,7 +20,7 @@ pub use joint_log::{JointLog, LogRow, is_joint_column};
 pub(crate) use sheet::{one_column, row_width, words_missing};
 pub use write::write;
 
-use super::dialect::{Column, ColumnAt, Decimal, Delimiter, Dialect, Encoding, FromRow, Header};
+use super::dialect::{Cells, Column, ColumnAt, Decimal, Delimiter, Dialect, Encoding, FromRow, Header, Thousands};
 use super::exports::{Format, Recognised};
 use super::input::{bytes_of, text_of};
 use crate::ros_bag;
@@ -61,6 +61,8 @@ pub struct Log {
     /// Decimal mark.
     #[serde(default)]
     pub decimal: Decimal,
+    /// Mark between groups of three digits.
+    pub thousands: Option<Thousands>,
     /// Sheet of a workbook with the log, or as `topic` the topic of a recording (MCAP);
     /// `delimiter` and `encoding` do not apply.
     #[serde(alias = "topic")]
@@ -72,6 +74,12 @@ pub struct Log {
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
+    /// Rows that are read: those with one of these cells in each of these columns.
+    #[serde(default)]
+    pub only: BTreeMap<String, Cells>,
+    /// Rows that are left out: those with one of these cells in one of these columns.
+    #[serde(default)]
+    pub without: BTreeMap<String, Cells>,
     /// Columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point
     /// touched), the joints with their units, and the directions from which joints came
     /// (`q1_direction`: +1 from below, -1 from above).
@@ -498,7 +506,12 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
         ("encoding", log.encoding.is_some()),
         ("comment", log.comment.is_some()),
         ("sheet", log.sheet.is_some()),
+        ("thousands", log.thousands.is_some()),
     ];
+    let filters = [("only", !log.only.is_empty()), ("without", !log.without.is_empty())];
+    for (key, _) in filters.iter().filter(|(_, stated)| *stated && log.kind().0.has_channels()) {
+        problems.0.push(here(inapplicable(key)));
+    }
     for (key, _) in text.iter().filter(|(_, stated)| *stated && log.kind().0.has_arrays()) {
         problems.0.push(here(inapplicable(key)));
     }

@@ -2,13 +2,15 @@
 
 use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
 use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header};
+use crate::filter::Filter;
 use crate::guess::{guesses, two_commas_in};
-use crate::lexer::{Row, WHOLE, number, parsed, pose_name, split as split_rows};
+use crate::lexer::{Row, WHOLE, marked, parsed, pose_name, split as split_rows};
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_base::{error, phrase};
-use etalon_documents::Source;
+use etalon_documents::{Refused, Source};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// Plain delimited text: the campaign states everything.
 pub(super) struct Delimited;
@@ -65,6 +67,9 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     }
     source.rows_read = sheet.rows.len();
     log.kind().0.name_columns(&mut sheet, &mut problems);
+    let numbers: BTreeMap<usize, i64> = (1..).zip(&sheet.rows).map(|(number, row)| (row.line, number)).collect();
+    let is_filtered = !(log.only.is_empty() && log.without.is_empty());
+    let left_out = if is_filtered { filtered(&mut sheet, log)? } else { Vec::new() };
     let mut placed = Vec::new();
     for wanted in wanted {
         match place_of(log, wanted, &sheet) {
@@ -75,8 +80,11 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     if problems.0.is_empty() {
         source.refused = log.kind().0.cut(&mut sheet, &placed, &mut problems);
     }
+    source.refused.extend(left_out);
+    source.refused.sort_by_key(|refused| refused.line);
+    let of_row = |(number, row): (i64, &Row)| if is_filtered { numbers.get(&row.line).copied() } else { Some(number) };
     let mut columns = Columns {
-        rows: (1..=sheet.rows.len() as i64).collect(),
+        rows: (1..).zip(&sheet.rows).filter_map(of_row).collect(),
         lines: sheet.rows.iter().map(|row| row.line as i64).collect(),
         ..Columns::default()
     };
@@ -84,9 +92,28 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
         let values = cells(&sheet, log, wanted, at, &mut problems);
         columns.columns.push((wanted.name.clone(), values));
     }
+    // row by row, so that one cause in many rows is one message
+    problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.file != sheet.file, p.line, p.column)));
     problems.check()?;
     columns.said.extend(log.kind().0.remark(sheet.file, &columns));
     Ok(columns)
+}
+
+/// Leaves out the rows that `only` and `without` refuse, and lists them.
+fn filtered(sheet: &mut Sheet, log: &Log) -> Result<Vec<Refused>> {
+    let filter = Filter::of(sheet.file, [&log.only, &log.without], sheet.header.as_ref()).map_err(Problems)?;
+    let mut left_out = Vec::new();
+    sheet.rows.retain(|row| match filter.refuses(row) {
+        Some(reason) => {
+            left_out.push(Refused::new(row.line, row.text, reason));
+            false
+        }
+        None => true,
+    });
+    if sheet.rows.is_empty() {
+        return Err(error!("no-row-selected").at(sheet.place()).into());
+    }
+    Ok(left_out)
 }
 
 /// Splits the text into a header and rows of one width.
@@ -216,7 +243,7 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     let mut read = Vec::with_capacity(sheet.rows.len());
     for row in &sheet.rows {
         let cell = row.field(at);
-        match if nanoseconds { seconds(cell) } else { number(cell, log.decimal) } {
+        match if nanoseconds { seconds(cell) } else { marked(cell, log.decimal, log.thousands) } {
             Ok(value) => read.push(value),
             Err(message) => {
                 let has_hint = message.hint.is_some();

@@ -49,6 +49,10 @@ pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<For
         _ => widest.parts.iter().collect(),
     };
     columns.extend((1..).zip(joints).map(|(number, part)| format!("q{number}_UNIT = {}", quoted(part))));
+    let parts = widest.parts.len();
+    if !(4..=8).contains(&parts) && parts > 1 {
+        document.doubt(phrase!("doubt-array-columns", array = widest.name, count = parts));
+    }
     document.ask(phrase!("ask-joints"));
     let mut lines = String::new();
     let _ = write!(

@@ -215,6 +215,18 @@ impl Interpretation {
                 () if i < leading => (Meaning::Label, phrase!("why-text-before")),
                 () => (Meaning::Text, phrase!("why-text-behind")),
             };
+            let number = |cell: &str| cell.trim().replace(',', ".").parse::<f64>().is_ok();
+            let count = column.cells.iter().filter(|cell| number(cell)).count();
+            if 2 * count > column.cells.len() {
+                let text = column.cells.iter().find(|cell| !number(cell)).map_or("", |cell| cell);
+                self.doubts.push(phrase!(
+                    "doubt-numbers-and-text",
+                    column = i + 1,
+                    count,
+                    rows = column.cells.len(),
+                    text
+                ));
+            }
             set(self, i, meaning, why);
         }
         let mut rest = numeric;

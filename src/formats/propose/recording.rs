@@ -55,7 +55,7 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
             &if is_log { log(file, topic, named.unwrap_or_else(|| joints(head))) } else { export(file, topic, *kind) };
     }
     if is_named {
-        document.because(phrase!("joints-named-as-robots"));
+        document.because(phrase!("because-joints-named"));
     } else if document.kind == "log" {
         document.ask(phrase!("ask-joint-states"));
     }

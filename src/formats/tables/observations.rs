@@ -3,6 +3,7 @@
 use crate::dialect::{
     Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
 };
+use crate::filter::Filter;
 use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, column_index, marked, parsed, pose_name, split};
 use crate::logs::{meaning, one_column, row_width, words_missing};
@@ -343,14 +344,8 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
 
 /// Applies the filters `only` and `without`: `true` for each row that is read.
 fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) -> Result<Vec<bool>> {
-    let mut kept = vec![true; rows.len()];
-    for (stated, read) in [(&layout.only, true), (&layout.without, false)] {
-        for (column, cells) in stated {
-            let at = column_index(column, header)
-                .map_err(|message| message.at(header.map_or_else(|| Place::file(file), |row| row.place(file))))?;
-            kept.iter_mut().zip(rows).for_each(|(kept, row)| *kept &= cells.contain(row.field(at)) == read);
-        }
-    }
+    let filter = Filter::of(file, [&layout.only, &layout.without], header).map_err(Problems)?;
+    let kept: Vec<bool> = rows.iter().map(|row| filter.refuses(row).is_none()).collect();
     if !rows.is_empty() && !kept.contains(&true) {
         return Err(error!("no-row-selected").at(Place::file(file)).into());
     }

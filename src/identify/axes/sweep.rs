@@ -21,8 +21,9 @@ const STARTS: u64 = 60;
 const LOST: f64 = 0.01;
 /// Minimum number of readings of a sweep at which outliers can be detected.
 const FEWEST_TO_JUDGE: usize = 8;
-/// Median of the length of a vector with two standard normal components, √(2 ln 2).
-const MEDIAN_LENGTH: f64 = 1.177_410_022_515_474_7;
+/// Ratio of the standard deviation of the nearest three quarters of residuals to that of all: of a
+/// component, where lengths have two, √(1 − (ln 4)/3).
+const OF_NEAREST: f64 = 0.733;
 /// Residuals below this share of the size are rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -165,11 +166,13 @@ pub fn fit_sweep(readings: &[SweepReading], prismatic: bool) -> Result<SweepFit,
         used = vec![true; readings.len()];
     }
     let mut fit = Fit { readings, targets: &targets, prismatic }.solve(start, &used)?;
+    let mut reduced = OF_NEAREST;
     for _ in 0..STEPS {
         if readings.len() < FEWEST_TO_JUDGE {
             break;
         }
-        let next = fit.near();
+        let next = fit.near(reduced);
+        reduced = 1.0;
         if next == used {
             break;
         }
@@ -180,17 +183,18 @@ pub fn fit_sweep(readings: &[SweepReading], prismatic: bool) -> Result<SweepFit,
 }
 
 impl SweepFit {
-    /// Readings within the noise, judged by the spread of the majority.
-    fn near(&self) -> Vec<bool> {
-        let lengths: Vec<f64> = self.residuals_mm.iter().map(|[a, b]| a.hypot(*b)).collect();
-        let n = lengths.len() as f64;
+    /// Readings that noise explains, by the standard deviation of those that are used, which is
+    /// `reduced` where only the nearest ones are.
+    ///
+    /// The tail of t with ν degrees of freedom is below (1 + k²/ν)^(−(ν + 1)/2), that of a normal
+    /// distribution, and of the length of two such components, below exp(−k²/2).
+    fn near(&self, reduced: f64) -> Vec<bool> {
+        let lengths = self.residuals_mm.iter().map(|[a, b]| a.hypot(*b));
         let size = norm(self.frame.translation_mm).max(1.0);
-        let parameters = self.cofactors.nrows() as f64;
-        // residuals are smaller than errors by the share of the parameters
-        let shrunk = (1.0 - parameters / (2.0 * n)).max(0.1).sqrt();
-        let deviation = median(lengths.iter().copied()).unwrap_or_default() / MEDIAN_LENGTH / shrunk;
-        let largest = (2.0 * (n / LOST).ln()).sqrt() * deviation;
-        lengths.iter().map(|length| *length <= largest.max(ROUNDING * size)).collect()
+        let square = 2.0 * (self.used.len() as f64 / LOST).ln();
+        let dof = self.degrees_of_freedom.max(1) as f64;
+        let largest = (dof * ((square / (dof + 1.0)).exp() - 1.0)).sqrt() * self.deviation_mm / reduced;
+        lengths.map(|length| length <= largest.max(ROUNDING * size)).collect()
     }
 }
 
@@ -480,7 +484,12 @@ const LARGEST_RADIUS_MM: f64 = 50_000.0;
 /// only with an implausible radius.
 pub(super) fn fit_any(readings: &[SweepReading]) -> Result<SweepFit, SweepFault> {
     let Ok(line) = fit_sweep(readings, true) else { return fit_sweep(readings, false) };
-    let Ok(circle) = fit_sweep(readings, false) else { return Ok(line) };
+    // too few readings for a circle do not make a line
+    let circle = match fit_sweep(readings, false) {
+        Ok(circle) => circle,
+        Err(SweepFault::Undetermined) => return Ok(line),
+        Err(few) => return Err(few),
+    };
     let large = circle.paths.iter().any(|path| path.radius_mm > LARGEST_RADIUS_MM);
     let [of_line, of_circle] = [&line, &circle].map(|fit| {
         let lengths = fit.residuals_mm.iter().map(|[a, b]| a.hypot(*b));

@@ -71,9 +71,9 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
             };
             let target = point.target.as_deref().unwrap_or("");
             let message = warning!("rigid-row-refused", row = point.row, target, reason);
-            problems.0.push(message.at(Place::line(&*point.export, point.line, &point.text)));
+            problems.0.push(message.at(point.place()));
             if let Some(source) = sources.iter_mut().find(|s| s.file == *point.export) {
-                source.refused.push(Refused::new(point.line, &point.text, reason));
+                source.refused.push(Refused::new(point.line as usize, &point.text, reason));
                 source.refused.sort_by_key(|r| r.line);
             }
         }
@@ -129,7 +129,7 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
     let mut measured = BTreeSet::new();
     for (i, point) in points.iter().enumerate() {
         let Some(k) = point.target.as_deref().and_then(|t| names.iter().position(|n| *n == t)) else { continue };
-        let at = || Place::line(&*point.export, point.line, &point.text);
+        let at = || point.place();
         let key = Together::of(point).ok_or_else(|| error!("rigid-row-without-pose", target = names[k]).at(at()))?;
         let slot = &mut groups.entry(key).or_insert_with(|| vec![None; names.len()])[k];
         if let Some(first) = slot.map(|first: usize| points[first].line) {

@@ -32,7 +32,7 @@ pub(super) fn leave_out(
             problems.0.push(error!("exclusion-file-unknown", file).at(place()).hint_names(file, names));
             continue;
         }
-        let excluded = match excluded_rows(rows, &rule.reason, of_file.map(|point| point.row)) {
+        let excluded = match excluded_rows(rows, &rule.reason, of_file.map(|point| point.row.into())) {
             Ok(excluded) => excluded,
             Err(message) => {
                 problems.0.push(message.at(place()));
@@ -44,12 +44,12 @@ pub(super) fn leave_out(
             sources.iter_mut().find(|source| source.file == *file && source.kind == SourceKind::Export)
         {
             let left_out =
-                columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row));
-            let refused = |p: &etalon_formats::Point| Refused::new(p.line, &p.text, reason.clone());
+                columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row.into()));
+            let refused = |p: &etalon_formats::Point| Refused::new(p.line as usize, &p.text, reason.clone());
             source.refused.extend(left_out.map(refused));
             source.refused.sort_by_key(|refused| refused.line);
         }
-        columns.points.retain(|point| *point.export != **file || !excluded.contains(&point.row));
+        columns.points.retain(|point| *point.export != **file || !excluded.contains(&point.row.into()));
         let message = warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason = rule.reason);
         problems.0.push(message.within(phrase!("of-name", name = file)).routine());
     }

@@ -1,18 +1,21 @@
 //! Points with the coordinates of another point, and reference targets that drift: reported, never
 //! dropped.
 
-use etalon_base::message::{Message, Place, Problems};
+use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, Fixed, JoinBy};
 use etalon_formats::Point;
 use etalon_math::statistics::median;
 use indexmap::IndexMap;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Number of blocks of a recording that are compared for drift, and minimum number of rows in each.
 const BLOCKS: usize = 10;
 const FEWEST: usize = 3;
+/// Fewest points of one name that can be a scan, and the number of points that are looked at.
+const FEWEST_OF_SCAN: usize = 20;
+const MOST_OF_SCAN: usize = 1000;
 
 /// Largest distance of two readings of one point: ten times the instrument's expanded uncertainty,
 /// from 0.1 to 1 mm.
@@ -40,8 +43,10 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         norm(minus(p.xyz_mm, place)) / spread
     };
     let stray = |p: &Point| strays(p, same.get(name(p)).map_or(&[], Vec::as_slice), near);
+    let scans: BTreeSet<&str> = same.iter().filter(|(_, own)| is_scan(own, near)).map(|(name, _)| *name).collect();
+    let placed = |p: &&Point| p.pose.is_some() || p.target.is_some() || !scans.contains(name(p));
     let mut found: BTreeMap<(&str, &str), Vec<&Point>> = BTreeMap::new();
-    for (a, b) in neighbours(points, near) {
+    for (a, b) in neighbours(points.iter().filter(placed), near) {
         let wrong = match (a.pose, b.pose) {
             (Some(p), Some(q)) if (p, a.cycle) == (q, b.cycle) => {
                 if off(a) >= off(b) {
@@ -70,19 +75,19 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
             return None;
         }
         let message = warning!("point-lies-at-another", row = first.row, point = wrong, other, rows = rows.len());
-        Some(message.to_decide().at(Place::line(&*first.export, first.line, &first.text)))
+        Some(message.to_decide().at(first.place()))
     };
     found.into_iter().filter_map(warning).collect()
 }
 
 /// Returns pairs of neighbouring points with different names. Cells are twice as wide as `near`, so
 /// that a neighbour is in the same cell or in the next cell on the nearer side of each axis.
-fn neighbours(points: &[Point], near: f64) -> Vec<(&Point, &Point)> {
-    let named = || points.iter().filter(|p| !name(p).is_empty() && p.xyz_mm[0].is_finite());
+fn neighbours<'a>(points: impl Iterator<Item = &'a Point>, near: f64) -> Vec<(&'a Point, &'a Point)> {
+    let named = points.filter(|p| !name(p).is_empty() && p.xyz_mm[0].is_finite());
     // by name: repeats of one point are many
     let mut cells: BTreeMap<[i64; 3], IndexMap<&str, Vec<&Point>>> = BTreeMap::new();
     let mut pairs = Vec::new();
-    for point in named() {
+    for point in named {
         let place = point.xyz_mm.map(|v| v / (2.0 * near));
         let own = place.map(|v| v.floor() as i64);
         let nearer = |v: f64| if v - v.floor() < 0.5 { v.floor() - 1.0 } else { v.floor() + 1.0 };
@@ -102,6 +107,16 @@ fn neighbours(points: &[Point], near: f64) -> Vec<(&Point, &Point)> {
         cells.entry(own).or_default().entry(name(point)).or_default().push(point);
     }
     pairs
+}
+
+/// `true` if the points of a name are scattered over a surface: none of them has a place of its own.
+fn is_scan(own: &[&Point], near: f64) -> bool {
+    if own.len() < FEWEST_OF_SCAN {
+        return false;
+    }
+    // a part of a long scan shows how far it reaches
+    let some: Vec<&Point> = own.iter().step_by(own.len().div_ceil(MOST_OF_SCAN)).copied().collect();
+    where_it_is(&some).1 > 10.0 * near
 }
 
 fn distance(a: &Point, b: &Point) -> f64 {
@@ -152,7 +167,7 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
             }
             let blocks = rows.chunks(rows.len().div_ceil(BLOCKS));
             let middle = |block: &[&Point]| middle(&block.iter().map(|p| p.xyz_mm).collect::<Vec<_>>());
-            let middles: Vec<(i64, i64, Vector)> =
+            let middles: Vec<(u32, u32, Vector)> =
                 blocks.filter_map(|b| Some((b.first()?.row, b.last()?.row, middle(b)?))).collect();
             let apart = |i: usize, j: usize| norm(minus(middles[i].2, middles[j].2));
             let pairs = (0..middles.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
@@ -179,19 +194,18 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
 mod tests {
     use super::*;
     use etalon_base::catalogue::IntoArgument;
+    use etalon_formats::Stated;
 
     fn point(row: i64, name: &str, pose: Option<i64>, xyz_mm: Vector) -> Point {
         let target = pose.map(|_| name.to_owned());
-        Point {
-            row,
-            line: row as usize,
-            label: name.into(),
-            target: target.map(Into::into),
+        let stated = Stated {
+            target: target.as_deref().map(Into::into),
             pose: pose.map(etalon_base::pose_name::PoseName::from),
             cycle: pose,
-            xyz_mm,
-            ..Point::default()
-        }
+            ..Stated::default()
+        };
+        let (row, label) = (row as u32, name.into());
+        Point { row, line: row, label, xyz_mm, more: stated.boxed(), ..Point::default() }
     }
 
     fn campaign(more: &str) -> Campaign {
@@ -256,6 +270,24 @@ mod tests {
         points.push(point(26, "shaft-2", None, [700.0, 0.0, 0.05]));
         let found = misplaced(&campaign(""), &points);
         assert!(is_at(&found, 26, "shaft-2", "D"), "{found:?}");
+    }
+
+    /// Synthetic: two scans of one surface cross each other everywhere.
+    #[test]
+    fn scans_of_one_surface_are_not_a_mistake() {
+        let mut noise = etalon_base::noise::Noise::new(5, 1);
+        let mut scan = |first: i64, label| -> Vec<Point> {
+            let place = |noise: &mut etalon_base::noise::Noise| [noise.uniform(3.0), noise.uniform(3.0), 0.0];
+            (0..400).map(|i| point(first + i, label, None, place(&mut noise))).collect()
+        };
+        let mut points = [scan(1, "scan-1"), scan(401, "scan-2")].concat();
+        assert!(misplaced(&campaign(""), &points).is_empty());
+        // a ball beside them is found as before
+        points.extend((0..3).map(|i| point(801 + i, "D", None, [700.0, 0.0, 0.0])));
+        points.extend((0..3).map(|i| point(811 + i, "E", None, [800.0, 0.0, 0.0])));
+        points.push(point(821, "E", None, [700.0, 0.0, 0.05]));
+        let found = misplaced(&campaign(""), &points);
+        assert!(is_at(&found, 821, "E", "D"), "{found:?}");
     }
 
     #[test]

@@ -21,10 +21,9 @@ use etalon_base::pose_name::two_spellings;
 use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, Source, SourceKind};
-use etalon_formats::{Export, JointLog, Log, LogRow, Point};
+use etalon_formats::{Export, JointLog, Line, Log, LogRow, Point, SharedText};
 use points::PointColumns;
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// Points, joint values and tables of a campaign's files.
 #[derive(Clone, Debug, Default)]
@@ -66,22 +65,22 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         if file.is_empty() {
             continue;
         }
+        let later = exports[i + 1..].iter().any(|later| later.file.get_ref() == file);
         let read = campaign.resolve(&export.file).and_then(|path| {
             let bytes = opened.remove(file).map_or_else(|| etalon_formats::bytes_of(&path), Ok)?;
-            let text = etalon_formats::text_of(&path, &bytes, export.encoding, &export.format)?;
-            Ok((Arc::<str>::from(text), bytes))
+            if later {
+                opened.insert(file, bytes.clone());
+            }
+            let stamp = Stamp::of(&bytes);
+            let text = etalon_formats::into_text(&path, bytes, export.encoding, &export.format)?;
+            Ok((SharedText::from(text), stamp))
         });
         match read.map_err(|problems| problems.at(&campaign.place(&export.file))) {
             // what it states of itself is reported already
             Ok(_) if !campaign.export_reads(i) => {}
-            Ok((text, bytes)) => {
-                let mut source = statement(SourceKind::Export, file, &Stamp::of(&bytes));
+            Ok((text, stamp)) => {
+                let mut source = statement(SourceKind::Export, file, &stamp);
                 let read = phrase!("read-in-unit", format = export.format.title(), unit = export.unit.name());
-                if exports[i + 1..].iter().any(|later| later.file.get_ref() == file) {
-                    opened.insert(file, bytes);
-                } else {
-                    drop(bytes);
-                }
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
                 let frame = export.format.frame(&text);
                 source.read_as(match frame {
@@ -113,6 +112,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
             Err(more) => problems.0.extend(more.0),
         }
+        forget_lines(&mut columns.points, &sources);
         // of the remaining points
         messages.extend(mislabelling::misplaced(campaign, &columns.points));
         messages.extend(mislabelling::drifting(campaign, &columns.points));
@@ -126,6 +126,19 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         unmatched: Vec::new(),
     };
     (Gathered { points: columns.points, logs, observations, document }, problems)
+}
+
+/// Size of an export (bytes) above which its text is released once it is read: later messages name
+/// the line without its text.
+const LARGE: usize = 16 << 20;
+
+/// Releases the texts of large exports.
+fn forget_lines(points: &mut [Point], sources: &[Source]) {
+    let large = sources.iter().filter(|source| source.kind == SourceKind::Export && source.bytes > LARGE);
+    let large: Vec<&str> = large.map(|source| source.file.as_str()).collect();
+    if !large.is_empty() {
+        points.iter_mut().filter(|p| large.contains(&&*p.export)).for_each(|p| p.text = Line::default());
+    }
 }
 
 /// Reads all readable rows of all logs, with remarks.
@@ -208,7 +221,7 @@ fn other_spelling(points: &[Point], logs: &[JointLog]) -> Option<Message> {
     let names = points.iter().map(|point| point.pose).chain(logged().map(|(_, row)| row.pose));
     let (message, at) = two_spellings(names)?;
     let of_log = |(log, row): (&JointLog, &LogRow)| Place { line: Some(row.line), ..Place::file(&log.file) };
-    let place = points.get(at).map(|point| Place::line(&*point.export, point.line, &point.text));
+    let place = points.get(at).map(|point| point.place());
     Some(message.at(place.or_else(|| logged().nth(at - points.len()).map(of_log)).unwrap_or_default()))
 }
 

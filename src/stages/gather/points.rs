@@ -2,14 +2,13 @@
 
 use crate::stages::resolution;
 use etalon_base::cell::is_formula;
-use etalon_base::message::{Message, Place, Problems};
+use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, JoinBy};
 use etalon_documents::{Refused, Source};
-use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point};
+use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point, SharedText};
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 /// All points of a campaign.
 #[derive(Clone, Debug, Default)]
@@ -21,9 +20,9 @@ pub(super) struct PointColumns {
 
 impl PointColumns {
     /// Adds the readable rows of the text of an export, and returns its errors.
-    pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &Arc<str>, source: &mut Source) -> Problems {
+    pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &SharedText, source: &mut Source) -> Problems {
         let file = export.file.get_ref();
-        let (mut rows, mut problems) = export.format.read(file, text, export.unit);
+        let (mut rows, mut problems) = etalon_formats::rows(&export.format, file, text, export.unit);
         if rows.is_empty() && problems.0.is_empty() {
             problems.0.push(error!("export-empty", file));
         }
@@ -48,14 +47,14 @@ impl PointColumns {
         let frame_targets = world.and_then(|world| world.targets.as_deref()).unwrap_or_default();
         let targets = known_targets(campaign);
         let known = |named: &LabelNames| named.target.as_ref().is_none_or(|target| targets.contains(target));
-        let file: Arc<str> = export.file.get_ref().as_str().into();
+        let file: SharedText = export.file.get_ref().as_str().into();
         let mut shared = Names::default();
         // in the memory of the rows: exports have millions
         let kept = rows.into_iter().enumerate().filter_map(|(i, row)| {
             let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
             let reason = row.refused.as_deref().cloned().or_else(|| zero.then(|| phrase!("row-at-origin")));
             if let Some(reason) = reason {
-                source.refused.push(Refused::new(row.line, &row.text, reason));
+                source.refused.push(Refused::new(row.line as usize, &row.text, reason));
                 return None;
             }
             let named = pattern.as_ref().and_then(|p| p.read(&row.label, known)).unwrap_or_default();
@@ -65,26 +64,24 @@ impl PointColumns {
             if target.as_ref().is_some_and(|t| is_formula(t)) {
                 let target = target.unwrap_or_default();
                 let message = error!("target-formula", target = &*target);
-                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, &row.text)));
+                problems.0.push(message.at(row.place_in(export.file.get_ref())));
                 return None;
             }
             let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|from| from.number(i as i64 + 1).into()));
             let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
-            let in_frame = |t: &Arc<str>| frame_targets.iter().any(|f| **f.get_ref() == **t);
+            let in_frame = |t: &SharedText| frame_targets.iter().any(|f| **f.get_ref() == **t);
             let placed = pose.is_some() || row.time_s.is_some() || unreadable;
             if target.is_some() && !placed && !target.as_ref().is_some_and(in_frame) {
                 let message = error!("target-without-pose");
-                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, &row.text)));
+                problems.0.push(message.at(row.place_in(export.file.get_ref())));
                 return None;
             }
-            Some(Point {
-                export: file.clone(),
-                row: i as i64 + 1,
-                cycle: row.cycle.or(named.cycle).or(target.as_ref().map(|_| 1)),
-                target,
-                pose,
-                ..row
-            })
+            let mut row = Point { export: file.clone(), row: i as u32 + 1, ..row };
+            let cycle = row.cycle.or(named.cycle).or(target.as_ref().map(|_| 1));
+            if target.is_some() || pose.is_some() || cycle.is_some() {
+                (row.target, row.pose, row.cycle) = (target, pose, cycle);
+            }
+            Some(row)
         });
         let kept: Vec<Point> = kept.collect();
         match self.points.is_empty() {
@@ -113,7 +110,7 @@ impl PointColumns {
                     line = before.line,
                     numbered = if several { "by-row" } else { "by-label" }
                 );
-                errors.push(message.at(Place::line(&*point.export, point.line, &point.text)));
+                errors.push(message.at(point.place()));
             }
         }
         errors
@@ -134,7 +131,7 @@ impl PointColumns {
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return Vec::new() };
         let message = warning!("labels-unused", count = idle.len(), label = &*first.label);
-        vec![message.at(Place::line(&*first.export, first.line, &first.text))]
+        vec![message.at(first.place())]
     }
 }
 

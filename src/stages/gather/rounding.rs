@@ -27,12 +27,18 @@ pub(super) fn coarse(campaign: &Campaign, export: &Export, rows: &[Point]) -> Op
     if dialect.angle_unit.is_some() || !dialect.types.is_empty() {
         return None;
     }
-    let measured: Vec<&Point> =
-        rows.iter().filter(|p| p.refused.is_none() && p.xyz_mm.iter().all(|v| v.is_finite())).collect();
+    let measured = || rows.iter().filter(|p| p.refused.is_none() && p.xyz_mm.iter().all(|v| v.is_finite()));
     let in_mm = export.unit.in_mm();
     let columns = ["x", "y", "z"].into_iter().enumerate().filter_map(|(axis, name)| {
-        let values = || measured.iter().map(move |p| p.xyz_mm[axis] / in_mm);
-        let different: BTreeSet<u64> = values().map(f64::to_bits).collect();
+        let values = || measured().map(move |p| p.xyz_mm[axis] / in_mm);
+        // more than are needed are not counted
+        let mut different = BTreeSet::new();
+        for bits in values().map(f64::to_bits) {
+            different.insert(bits);
+            if different.len() >= FEWEST {
+                break;
+            }
+        }
         // a constant column is no coordinate that was measured
         let all = || step(values(), ALL_DECIMALS).unwrap_or(LEAST_STEP);
         (different.len() > 1).then(|| (name, different.len(), step(values(), MOST_DECIMALS), all()))

@@ -32,7 +32,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     let keys = if several { &["row", "file"] } else { keys };
     let file = |name: &str| log.files.iter().position(|file| file == name).map_or(0, |i| i as i64 + 1);
     let measured = collected(keys, targets, |t: &Target, key| {
-        number(key, [t.point.row, file(&t.point.export)], t.point.pose, t.point.cycle)
+        number(key, [t.point.row.into(), file(&t.point.export)], t.point.pose, t.point.cycle)
     })?;
     let logged =
         collected(keys, &log.rows, |row, key| number(key, [row.row, row.file.unwrap_or(0)], row.pose, row.cycle))?;

@@ -119,7 +119,7 @@ fn means<'p>(campaign: &Campaign, points: &'p [Point]) -> BTreeMap<&'p str, Mean
 /// (Moakher 2002).
 fn mean_body(all: &[&Point]) -> Option<Pose> {
     let bodies: Vec<Pose> =
-        all.iter().filter_map(|point| point.orientation.as_deref()).map(|q| Pose::from_quaternion(*q)).collect();
+        all.iter().filter_map(|point| point.orientation.as_ref()).map(|q| Pose::from_quaternion(*q)).collect();
     let axes = bodies.iter().flat_map(|body| (0..3).map(|k| (Pose::identity().axis(k), body.axis(k))));
     (!bodies.is_empty()).then(|| Pose { rotation: rotation_onto(axes), translation_mm: [0.0; 3] })
 }

@@ -165,7 +165,7 @@ fn refuse_twice(targets: &[Target], times: &[i64], met: &[Option<Met>], clocks: 
     }
     let errors = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
         let (count, name) = (points.len(), &log.name);
-        let lines: Vec<usize> = points.iter().map(|&i| targets[i].point.line).collect();
+        let lines: Vec<usize> = points.iter().map(|&i| targets[i].point.line as usize).collect();
         let message = match clocks.interpolate {
             true => error!("target-time-twice", count, target, lines),
             false => error!("log-row-met-twice", row = key, log = name, count, target, lines),

@@ -305,7 +305,7 @@ fn targets_in_world<'a>(
         };
         let covariance_mm2 = own_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));
         let turned = |q: &[f64; 4]| world_T_export.then(&Pose::from_quaternion(*q)).quaternion();
-        let orientation = point.orientation.as_deref().map(turned);
+        let orientation = point.orientation.as_ref().map(turned);
         targets.push(Target {
             point,
             index,
@@ -323,7 +323,7 @@ fn targets_in_world<'a>(
 /// The covariance of a point along the axes of its export, if its row states one or the instrument
 /// measures range and angles.
 fn own_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
-    let Some(u) = point.standard_uncertainty_mm.as_deref() else {
+    let Some(u) = point.standard_uncertainty_mm.as_ref() else {
         return campaign.file.instrument.covariance_mm2(point.xyz_mm);
     };
     Some([0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { u[i] * u[i] } else { 0.0 })))

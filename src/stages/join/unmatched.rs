@@ -15,7 +15,7 @@ pub(super) struct At<'a> {
 impl<'a> At<'a> {
     /// Row of a measured point.
     pub fn point(point: &'a Point) -> Self {
-        Self { file: &point.export, line: point.line }
+        Self { file: &point.export, line: point.line as usize }
     }
 
     /// Row of a log.

@@ -56,16 +56,16 @@ set-up-origin = { $origin ->
 check-rigid-part = Einheit und Namen in `places_mm` prüfen und ob das Teil seit ihrer Bestimmung verändert wurde
 
 points-set-aside = { $count ->
-        [one] 1 Punkt ist beiseitegelegt
-       *[other] { $count } Punkte sind beiseitegelegt
+        [one] 1 Punkt ist ausgeschlossen
+       *[other] { $count } Punkte sind ausgeschlossen
     }: { $points }
-    .hint = sie liegen weiter vom Element aller anderen, als Rauschen erklärt
+    .hint = sie liegen weiter vom Element der anderen Punkte entfernt, als das Rauschen erklärt
 
 foreign-points = { $count ->
-        [one] 1 Punkt liegt weit vom Element aller anderen ({ $points }) und verschiebt
-       *[other] { $count } Punkte liegen weit vom Element aller anderen ({ $points }) und verschieben
-    } den Ausgleich um { FIXED($shift, 1) } Standardunsicherheiten
-    .hint = sie ansehen; `--robust` legt sie beiseite
+        [one] 1 Punkt liegt weit vom Element der anderen Punkte ({ $points }) und verschiebt
+       *[other] { $count } Punkte liegen weit vom Element der anderen Punkte ({ $points }) und verschieben
+    } die Anpassung um { FIXED($shift, 1) } Standardunsicherheiten
+    .hint = sie prüfen; `--robust` schließt sie aus
 plan-cube = { $shape ->
         [square] das größte Quadrat
        *[cube] der größte Würfel

@@ -139,8 +139,8 @@ radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $eleme
 cone-is-cylinder = der Kegelwinkel ist nicht signifikant von null verschieden (k = 2)
     .hint = einen Zylinder anpassen
 
-robust-few-points = ein robuster Ausgleich des Elements { $element } braucht { $needed } Punkte, nicht { $points }
-    .hint = mehr Punkte messen oder alle ausgleichen, ohne welche beiseitezulegen
+robust-few-points = eine robuste Anpassung des Elements { $element } braucht { $needed } Punkte, nicht { $points }
+    .hint = mehr Punkte messen oder an alle anpassen, ohne Punkte auszuschließen
 method-principal-directions = Hauptrichtungen der zentrierten Punkte
 method-orthogonal-distance = orthogonaler Abstand, Gauß-Newton mit Trust-Region
 method-circle-in-plane = Ebene nach kleinsten Quadraten, Projektion, Kreis in der Ebene nach orthogonalem Abstand

@@ -466,4 +466,6 @@ xacro-too-many-files = mehr als { $most_files } eingebundene Dateien oder mehr a
 xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte oder braucht mehr als { $most_depth } verschachtelte Eigenschaften
 
 xacro-too-large = der expandierte Text ist größer als { $most_mib } MiB
-joints-named-as-robots = die Gelenke heißen wie die des Roboters
+doubt-numbers-and-text = Spalte { $column } enthält in { $count } von { $rows } Zeilen Zahlen, und `{ $text }`: solche Zeilen weglassen (`header`, `comment`)
+
+doubt-array-columns = `{ $array }` hat { $count } Spalten: Gelenke, Koordinaten oder beides nebeneinander; Arrays werden nur als Protokolle gelesen

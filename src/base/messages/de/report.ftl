@@ -523,10 +523,7 @@ limited-error = { $quantity } an { $count ->
        *[other] { $count } Posen
     } ({ $set }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
 limits = Grenzwerte
-limits-all-met = { $count ->
-        [one] Der Grenzwert der Kampagne ist eingehalten.
-       *[other] Alle { $count } Grenzwerte der Kampagne sind eingehalten.
-    }
+limits-all-met = Alle { $count } Grenzwerte der Kampagne sind eingehalten.
 limits-both-met = Beide Grenzwerte der Kampagne sind eingehalten.
 limits-not-assessable = Nicht beurteilbar (Größe nicht gemessen): { $limits }.
 limits-not-met = { $count ->

@@ -139,7 +139,7 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die beiden nächsten Zeitpunkte liegen { FIXED($apart_s, 3) } s auseinander
     .hint = Wert und Vorzeichen von `clock_offset_s` prüfen: Zeit der Messung minus Zeit des Protokolls
 
-both-rows-near = ein Punkt zwischen zwei Zeilen braucht beide innerhalb von `tolerance_s`: mindestens die Zeit von Zeile zu Zeile angeben
+both-rows-near = ein Punkt zwischen zwei Zeilen braucht beide innerhalb von `tolerance_s`: mindestens den Zeitabstand zweier Zeilen angeben
 
 join-empty = kein Messpunkt hat eine zugehörige Zeile in Protokoll `{ $log }`: die erste Pose der Punkte ist `{ $measured }`, die erste des Protokolls `{ $logged }`
     .hint = Posen und Zyklen von Exporten und Protokoll vergleichen oder mit `by` in [join] einen anderen Schlüssel wählen
@@ -924,8 +924,8 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 
 clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
-limit-not-assessable = Grenze `{ $limit }` ist nicht beurteilbar: die entscheidenden Posen zeigen ihre Größe nicht
-    .hint = die Größe an diesen Posen messen oder die Grenze aus [limits] entfernen
+limit-not-assessable = der Grenzwert `{ $limit }` ist nicht beurteilbar: seine Größe ist an den entscheidenden Posen nicht gemessen
+    .hint = die Größe an diesen Posen messen oder den Grenzwert aus [limits] entfernen
 sweep-joint-unknown = `{ $joint }` ist kein Gelenk dieser Messreihen
     .expected = { $known }
 
@@ -1064,13 +1064,13 @@ temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte 
 temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Messunsicherheit der Längen ist zu klein
     .hint = eine `expanded_temperature_uncertainty_c` angeben, die den Bereich abdeckt
 
-axes-comment-method = Achsen durch Bewegung je eines Gelenks (etalon axes); ohne Nennmodell
+axes-comment-method = Achsen aus Messreihen mit je einem bewegten Gelenk (etalon axes); ohne nominales Modell
 
-axes-comment-base = Basis durch Achsen 1 und 2, Regel `{ $rule }`: z entlang Achse 1
+axes-comment-base = Basis aus den Achsen 1 und 2, Regel `{ $rule }`: z längs Achse 1
 
 axes-comment-joint = q{ $number } ist { $name }
 
-axes-comment-zero = die Gelenkwerte sind zu Beginn der Bewegungen null
+axes-comment-zero = die Gelenkwerte sind zu Beginn der Messreihen null
 
 axes-comment-target = Zielmarke { $name } am Flansch (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
 

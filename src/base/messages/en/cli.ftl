@@ -541,3 +541,10 @@ qif-robust = features of a QIF file are fitted to all their points
 axis-without-errors = the axis has no errors of its own in this model
 lead-not-measured-there = the lead was not measured at this position
 table-without-row = the table has no row for this position
+
+# Means: A point of the planned test is out of reach of the robot.
+# Matters: The test cannot be run with this point.
+# Do: Move or shrink the workspace, or state another orientation.
+# Example: a workspace that extends beyond the arm
+test-point-unreached = point { $point } of the list `{ $list }` is not reached: { $reason }
+    .hint = move or shrink the workspace (--workspace-mm), or state another orientation (--orientation-deg)

@@ -885,5 +885,6 @@ xacro-value-too-long = the value is longer than { $most_bytes } bytes, or refers
 # Do: Expand the file with xacro, and check its includes.
 # Example: a file that is included many times
 xacro-too-large = the expanded text is larger than { $most_mib } MiB
+doubt-numbers-and-text = column { $column } holds numbers in { $count } of { $rows } rows, and `{ $text }`: leave out such rows (`header`, `comment`)
 
-joints-named-as-robots = the joints have the names of the robot's joints
+doubt-array-columns = `{ $array }` has { $count } columns: joints, coordinates, or both beside each other; arrays are read as logs only

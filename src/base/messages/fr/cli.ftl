@@ -227,21 +227,21 @@ robot-file-of-run = relancer la campagne, ou indiquer le robot.toml avec lequel 
 convert-no-chain = `{ $model }` n’est pas une chaîne d’articulations et n’a pas d’autre convention
 
 convert-shared-joints = { $axes } axes partagent { $joints } valeurs articulaires
-    .hint = garder l’URDF, où `mimic` l’indique
+    .hint = conserver l’URDF, où `mimic` l’indique
 
 convert-left-out = { $count ->
         [one] 1 paramètre n’est pas de la géométrie et est omis
        *[other] { $count } paramètres ne sont pas de la géométrie et sont omis
-    } : { $names }
+    } : { $names }
     .hint = indiquer `bending`, `harmonics`, `backlash` et `coupling` dans le nouveau fichier, et les identifier de nouveau
 
-convert-gains-not-held = un URDF n’a pas de rapport de { $joints } : ses valeurs articulaires sont celles des axes
+convert-gains-not-held = un fichier URDF ne contient pas le gain de { $joints } : ses valeurs articulaires sont celles des axes
     .hint = multiplier les valeurs articulaires, ou convertir en `poe`
 
-convert-travel-unknown = la course de { $joints } n’est pas indiquée : l’URDF a 1 m de chaque côté
+convert-travel-unknown = la course de { $joints } n’est pas indiquée : le fichier URDF contient 1 m de chaque côté
     .hint = corriger `limit` dans le fichier, ou indiquer `travel_mm` dans robot.toml
 
-enclosing-robust = `{ $element }` est tenu par ses points extrêmes : aucun ne peut être écarté
+enclosing-robust = l’élément englobant `{ $element }` est déterminé par ses points extrêmes : aucun ne peut être écarté
     .hint = ajuster circle2d ou sphere avec --robust
 
 qif-robust = les éléments d’un fichier QIF sont ajustés à tous leurs points
@@ -249,3 +249,6 @@ qif-robust = les éléments d’un fichier QIF sont ajustés à tous leurs point
 axis-without-errors = l’axe n’a pas d’erreurs propres dans ce modèle
 lead-not-measured-there = le pas n’y a pas été mesuré
 table-without-row = le tableau n’y a pas de ligne
+
+test-point-unreached = le point { $point } de la liste `{ $list }` n’est pas atteint : { $reason }
+    .hint = déplacer ou réduire l’espace de travail (--workspace-mm), ou indiquer une autre orientation (--orientation-deg)

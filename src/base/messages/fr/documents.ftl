@@ -58,14 +58,14 @@ check-rigid-part = vérifier l’unité et les noms dans `places_mm`, et si la p
 points-set-aside = { $count ->
         [one] 1 point est écarté
        *[other] { $count } points sont écartés
-    } : { $points }
-    .hint = ils sont plus loin de l’élément de tous les autres que le bruit ne l’explique
+    } : { $points }
+    .hint = ils s’éloignent de l’élément ajusté à tous les autres plus que le bruit ne l’explique
 
 foreign-points = { $count ->
-        [one] 1 point est loin de l’élément de tous les autres ({ $points }) et décale
-       *[other] { $count } points sont loin de l’élément de tous les autres ({ $points }) et décalent
+        [one] 1 point est loin de l’élément ajusté à tous les autres ({ $points }) et décale
+       *[other] { $count } points sont loin de l’élément ajusté à tous les autres ({ $points }) et décalent
     } l’ajustement de { FIXED($shift, 1) } incertitudes-types
-    .hint = les examiner ; `--robust` les écarte
+    .hint = les examiner ; `--robust` les écarte
 plan-cube = le plus grand { $shape ->
         [square] carré
        *[cube] cube

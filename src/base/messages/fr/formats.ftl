@@ -466,4 +466,6 @@ xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $mo
 xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou exige plus de { $most_depth } propriétés imbriquées
 
 xacro-too-large = le texte développé dépasse { $most_mib } Mio
-joints-named-as-robots = les articulations portent les noms de celles du robot
+doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $count } des { $rows } lignes, et `{ $text }` : exclure ces lignes (`header`, `comment`)
+
+doubt-array-columns = `{ $array }` a { $count } colonnes : articulations, coordonnées, ou les deux côte à côte ; les tableaux ne sont lus que comme journaux

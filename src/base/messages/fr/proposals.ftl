@@ -1,197 +1,197 @@
 ### Proposals for reading a file: contents of columns, evidence, doubts and questions.
 
-ask-anchor = le point depuis lequel la distance est mesurée : `other` dans `constants`
-ask-angle-unit = l'unité des angles : `angle_unit` dans `format`
-ask-joint-states = quel axe du robot est chaque colonne ; JointState a rad pour les axes rotatifs, m pour les prismatiques : écrire `q1_m` pour un axe prismatique
-ask-joints = quel axe est chaque colonne, et son unité
-ask-joints-of-format = quel axe est chaque colonne, et son unité si elle n'est pas connue
-ask-log-of-format = si c'est { $what } (`[log]` avec `format = "{ $format }"`)
+ask-anchor = le point depuis lequel la distance est mesurée : `other` dans `constants`
+ask-angle-unit = l’unité des angles : `angle_unit` dans `format`
+ask-joint-states = à quelle articulation du robot correspond chaque colonne ; JointState est en rad pour les articulations rotoïdes, en m pour les prismatiques : écrire `q1_m` pour une articulation prismatique
+ask-joints = à quelle articulation correspond chaque colonne, et son unité
+ask-joints-of-format = à quelle articulation correspond chaque colonne, et son unité si elle n’est pas connue
+ask-log-of-format = s’il s’agit de ceci : { $what } (`[log]` avec `format = "{ $format }"`)
 ask-order-of-columns = si les colonnes sont x, y, z dans cet ordre, ou des angles et des distances
-ask-recorded-motion = si c'est un mouvement enregistré, comme proposé, ou des points avec des temps (alors [[export]])
-ask-rotation = si les trois sont un vecteur de rotation, ou des angles et dans quel ordre ils tournent
+ask-recorded-motion = s’il s’agit d’un mouvement enregistré, comme proposé, ou de points avec leurs instants (alors [[export]])
+ask-rotation = si les trois nombres sont un vecteur rotation, ou des angles, et dans quel ordre ceux-ci tournent
 ask-seconds = si `{ $name }` est en secondes (sinon `time_ms`, `time_ns`)
-ask-sign-of-difference = si la différence est commandé moins mesuré, comme proposé, ou mesuré moins commandé (alors `+`)
-ask-targets-of-topics = quelle cible est chaque sujet de poses ou de points
-ask-unit = l'unité des longueurs
-ask-unit-of-size = l'unité des longueurs : la plus grande est { $largest }, donc { $units ->
+ask-sign-of-difference = si la différence est valeur commandée moins valeur mesurée, comme proposé, ou l’inverse (alors `+`)
+ask-targets-of-topics = à quelle cible correspond chaque topic de poses ou de points
+ask-unit = l’unité des longueurs
+ask-unit-of-size = l’unité des longueurs : la plus grande est { $largest }, donc { $units ->
         [inch-or-mm] inch ou mm convient
        *[other] { $units } convient
     } à un robot
 because-arrays = il contient des tableaux de { $format }
-because-arrays-of-numbers = ses tableaux de nombres sont { $arrays }
-because-columns = { $read } de { $rows } lignes ont des nombres, dans { $columns ->
+because-arrays-of-numbers = ses tableaux de nombres sont : { $arrays }
+because-columns = { $read } lignes sur { $rows } contiennent des nombres, dans { $columns ->
         [one] 1 colonne
        *[other] { $columns } colonnes
     }
-because-columns-of = ses colonnes sont celles de : { $what }
+because-columns-of = ses colonnes sont celles de : { $what }
 because-comments = les lignes qui commencent par `{ $comment }` sont des commentaires
-because-decimal-marks = { $fractions } de { $numbers } nombres ont la marque décimale `{ $mark }`
+because-decimal-marks = { $fractions } nombres sur { $numbers } ont le séparateur décimal `{ $mark }`
 because-end = la dernière ligne est le mot `{ $end }`
-because-fields = { $read } de { $rows } lignes ont { $fields } champs séparés par `{ $delimiter }`
-because-it-is = c'est { $what }
+because-fields = { $read } lignes sur { $rows } ont { $fields } champs séparés par `{ $delimiter }`
+because-it-is = il s’agit de ceci : { $what }
 because-line = la ligne { $line } { $is ->
-        [header] nomme les colonnes
+        [header] indique le nom des colonnes
        *[last] est la dernière avant les données
     }
-because-log = un journal : { $reason }
-because-numbers = chaque ligne a { $count } nombres, et aucune direction parmi eux
-because-recording = c'est un enregistrement de ROS 2 : il commence comme un fichier MCAP
-because-sampled = les valeurs des { $rows } premières lignes ont été examinées ; le fichier en a davantage
-because-several-points = les en-têtes nomment { $count } points mesurés par ligne : chacun est un [[export]] du fichier
-because-topic = le sujet `{ $topic }` a { $count ->
+because-log = un journal : { $reason }
+because-numbers = chaque ligne a { $count } nombres, sans direction parmi eux
+because-recording = c’est un enregistrement de ROS 2 : il commence comme un fichier MCAP
+because-sampled = les valeurs des { $rows } premières lignes ont été examinées ; le fichier en a davantage
+because-several-points = les en-têtes mentionnent { $count } points mesurés par ligne : chacun est un [[export]] du fichier
+because-topic = le topic `{ $topic }` a { $count ->
         [one] 1 message
        *[other] { $count } messages
     } du type { $message_type }
-doubt-all-commanded = chaque coordonnée est dite commandée : ce n'est pas une mesure
-doubt-bare-metre = les en-têtes finissent par `_m` : mètres, ou « mesuré »
-doubt-columns-not-read = nombres non lus : colonne { $columns }
-doubt-coordinates-left = les coordonnées de { $left } ne sont pas prises : d'autres ont un en-tête plus proche
-doubt-dates = les dates avec `/` n'indiquent pas si le jour ou le mois vient d'abord : elles ne sont pas lues
-doubt-decimal-mark = aucun nombre n'a de marque décimale : que ce soit `{ $mark }` n'est pas prouvé
-doubt-direction-length = la direction n'est pas de longueur 1 à chaque ligne
-doubt-encoding = le fichier n'est pas en UTF-8 ; vérifier que ses lettres sont lisibles en { $encoding }
-doubt-first-increases = la colonne 1 augmente à chaque ligne : un temps, ou une coordonnée
-doubt-four-joints = quatre axes q0 à q3 auraient les mêmes en-têtes
-doubt-in-line = ligne { $line } : { $problem }
-doubt-joints-without-headings = { $count } nombres sans en-têtes : des axes, ou des coordonnées et des angles
-doubt-matrix-order = une matrice sans en-têtes : ligne par ligne, du corps vers le monde
+doubt-all-commanded = toutes les coordonnées portent le nom de valeurs commandées : ce ne sont pas des mesures
+doubt-bare-metre = les en-têtes se terminent par `_m` : mètres, ou « mesuré »
+doubt-columns-not-read = nombres non lus : colonne { $columns }
+doubt-coordinates-left = les coordonnées de { $left } ne sont pas utilisées : d’autres ont un en-tête plus proche
+doubt-dates = les dates avec `/` n’indiquent pas si le jour ou le mois est en premier : elles ne sont pas lues
+doubt-decimal-mark = aucun nombre n’a de séparateur décimal : rien ne prouve que ce soit `{ $mark }`
+doubt-direction-length = la direction n’a pas la norme 1 à toutes les lignes
+doubt-encoding = le fichier n’est pas en UTF-8 ; vérifier que ses lettres sont lisibles en { $encoding }
+doubt-first-increases = la colonne 1 augmente à chaque ligne : un instant, ou une coordonnée
+doubt-four-joints = quatre articulations q0 à q3 auraient les mêmes en-têtes
+doubt-in-line = ligne { $line } : { $problem }
+doubt-joints-without-headings = { $count } nombres sans en-têtes : des articulations, ou des coordonnées et des angles
+doubt-matrix-order = une matrice sans en-têtes : lue ligne par ligne, elle transforme les vecteurs du corps vers le référentiel atelier
 doubt-more-problems = et { $count ->
         [one] 1 autre problème
        *[other] { $count } autres problèmes
     } de ce genre
-doubt-order-of-joints = les axes sont sans ordre dans le fichier : ils sont pris dans l'ordre de leurs numéros
-doubt-origin = ligne { $line } : 0 0 0, pris comme « non mesuré » sauf indication contraire de `missing`
+doubt-order-of-joints = les articulations ne sont pas dans l’ordre dans le fichier : elles sont prises dans l’ordre de leurs numéros
+doubt-origin = ligne { $line } : 0 0 0, considéré comme « non mesuré » sauf indication contraire de `missing`
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 colonne
        *[other] { $columns } colonnes
-    } l'explique aussi : contrôler une ligne à l'œil
+    } l’explique aussi bien : vérifier une ligne à l’œil
 doubt-other-sheets = le classeur a { $count ->
         [one] 1 autre feuille
        *[other] { $count } autres feuilles
-    } : { $sheets }
-doubt-points-without-headings = { $count } nombres sans en-têtes : les trois premiers sont pris ; plusieurs points par ligne sont plusieurs [[export]] à colonnes par numéro
-doubt-polar = un azimut et une distance, sans angle zénithal ni élévation
-doubt-quaternion-length = le quaternion n'est pas de longueur 1 à chaque ligne
-doubt-quaternion-order = un quaternion sans en-têtes : scalaire à la fin, comme l'écrit ROS, ou au début
+    } : { $sheets }
+doubt-points-without-headings = { $count } nombres sans en-têtes : les trois premiers sont utilisés ; pour plusieurs points par ligne, indiquer plusieurs [[export]] avec les numéros des colonnes
+doubt-polar = un azimut et une distance, sans angle zénithal ni angle d’élévation
+doubt-quaternion-length = le quaternion n’a pas la norme 1 à toutes les lignes
+doubt-quaternion-order = un quaternion sans en-têtes : scalaire à la fin, comme l’écrit ROS, ou au début
 doubt-rows-not-read = { $count ->
         [one] 1 ligne non lue
        *[other] { $count } lignes non lues
-    } ainsi, la première est la ligne { $line }
-doubt-rows-refused = ligne { $line } : { $reason }, et { $more } de plus
-doubt-second-log = le sujet `{ $topic }` a aussi des valeurs articulaires
-doubt-sign-of-difference = le signe de la différence n'est pas indiqué : comparer une ligne avec la mesure
-doubt-six-without-headings = six nombres sans en-têtes : une position et trois angles, ou des axes dont trois coulissent
-doubt-thousands-mark = chaque `{ $mark }` précède trois chiffres : ce peut être un séparateur de milliers
-doubt-time-decreases = { $column } est dite un temps et diminue
-doubt-topic-unreadable = le sujet `{ $topic }` ne peut être lu : { $reason }
-doubt-two-families = { $names } pourraient aussi être des axes : `{ $kept }` est pris
-doubt-unnamed-joints = rien n'indique que { $names } sont des axes : rien d'autre ne convient
-doubt-words-of-header = la ligne { $line } a { $words } mots pour { $columns } colonnes : leur ordre est inconnu
-is-aqdef = un fichier au format de transfert ASCII de Q-DAS, d'après son premier champ
-is-attained-poses = poses atteintes d'un essai selon l'ISO 9283
-is-calypso = un tableau de Zeiss Calypso, d'après son en-tête
-is-commanded-poses = poses commandées, ou candidates pour `etalon plan`
-is-compliance-test = un essai de souplesse statique
-is-dmis = une sortie DMIS, d'après son premier enregistrement
-is-drilled-plate = un tableau de trous percés en colonnes de largeur fixe, d'après son en-tête
-is-galil-arrays = un téléversement de tableaux Galil : des entiers seuls, sous des noms en ordre alphabétique
-is-geopak-scan = un balayage de GEOPAK-Win, d'après son premier enregistrement
-is-kuka-rsi = un enregistrement de KUKA RSI : son en-tête nomme le compteur `IPOC`
-is-leica-at960 = un export d'un Leica AT960 ou AT930 à six degrés de liberté, d'après son en-tête
-is-leica-emscon = une liste de points stationnaires mesurés par l'interface emScon de Leica, d'après son en-tête
-is-observations = un tableau d'observations
-is-pcdmis = un fichier .xyz de PC-DMIS, d'après sa première ligne
-is-ply = un fichier PLY, d'après sa première ligne
-is-polyworks-project = une description de projet de PolyWorks|Inspector, d'après sa première ligne
-is-polyworks-report = un rapport de PolyWorks à une ligne par contrôle, d'après son en-tête
+    } de cette façon ; la première est la ligne { $line }
+doubt-rows-refused = ligne { $line } : { $reason } ; autres lignes : { $more }
+doubt-second-log = le topic `{ $topic }` a aussi des valeurs articulaires
+doubt-sign-of-difference = le signe de la différence n’est pas indiqué : comparer une ligne avec la mesure
+doubt-six-without-headings = six nombres sans en-têtes : une position et trois angles, ou des articulations dont trois sont prismatiques
+doubt-thousands-mark = chaque `{ $mark }` précède trois chiffres : ce peut être un séparateur de milliers
+doubt-time-decreases = { $column } porte le nom d’un temps, mais diminue
+doubt-topic-unreadable = impossible de lire le topic `{ $topic }` : { $reason }
+doubt-two-families = { $names } pourraient aussi être des articulations : `{ $kept }` est utilisé
+doubt-unnamed-joints = rien n’indique que { $names } soient des articulations, mais rien d’autre ne convient
+doubt-words-of-header = la ligne { $line } a { $words } mots pour { $columns } colonnes : leur ordre est inconnu
+is-aqdef = un fichier au format de transfert ASCII de Q-DAS, d’après son premier champ
+is-attained-poses = des poses atteintes d’un essai selon l’ISO 9283
+is-calypso = un tableau de Zeiss Calypso, d’après son en-tête
+is-commanded-poses = des poses commandées, ou candidates pour `etalon plan`
+is-compliance-test = un essai de compliance statique
+is-dmis = une sortie DMIS, d’après son premier enregistrement
+is-drilled-plate = un tableau de trous percés en colonnes de largeur fixe, d’après son en-tête
+is-galil-arrays = des tableaux lus dans une commande Galil (upload) : seulement des nombres entiers, sous des noms en ordre alphabétique
+is-geopak-scan = un scan de GEOPAK-Win, d’après son premier enregistrement
+is-kuka-rsi = un enregistrement de KUKA RSI : son en-tête contient le compteur `IPOC`
+is-leica-at960 = un export d’un Leica AT960 ou AT930 en six degrés de liberté, d’après son en-tête
+is-leica-emscon = une liste de points stationnaires mesurés par l’interface emScon de Leica, d’après son en-tête
+is-observations = un tableau d’observations
+is-pcdmis = un fichier .xyz de PC-DMIS, d’après sa première ligne
+is-ply = un fichier PLY, d’après sa première ligne
+is-polyworks-project = une description de projet de PolyWorks|Inspector, d’après sa première ligne
+is-polyworks-report = un rapport de PolyWorks à une ligne par contrôle, d’après son en-tête
 is-qif = un document QIF
 is-recorded-motion = un mouvement enregistré
-is-reference-targets = cibles de référence mesurées de temps en temps
-is-ros-messages = messages de ROS : son en-tête est celui de `rostopic echo -p`
-is-spatialanalyzer = un export de points de SpatialAnalyzer, d'après ses commentaires
-is-twincat = un export de Beckhoff TwinCAT 3 Scope : son en-tête indique le début de l'export
-is-ur-rtde = un enregistrement RTDE d'Universal Robots : son en-tête a les noms RTDE des positions articulaires
-is-vda-fs = un fichier VDA-FS, d'après son en-tête
+is-reference-targets = des cibles de référence mesurées de temps en temps
+is-ros-messages = des messages de ROS : l’en-tête est celui de `rostopic echo -p`
+is-spatialanalyzer = un export de points de SpatialAnalyzer, d’après ses commentaires
+is-twincat = un export de Beckhoff TwinCAT 3 Scope : son en-tête indique le début de l’export
+is-ur-rtde = un enregistrement RTDE d’Universal Robots : son en-tête contient les noms RTDE des positions articulaires
+is-vda-fs = un fichier VDA-FS, d’après son en-tête
 means-azimuth = azimut
 means-clock = date et heure
 means-commanded = { $axis } commandé
-means-count = un numéro courant
+means-count = un numéro d’ordre
 means-cycle = numéro de la répétition
 means-day = date
 means-deleted = marque des lignes supprimées
 means-difference = différence de { $axis }
 means-direction = direction { $component }
 means-distance = distance
-means-elevation = élévation
+means-elevation = angle d’élévation
 means-expanded-uncertainty = incertitude élargie de { $axis }
-means-joint = axe { $number }
+means-joint = articulation { $number }
 means-label = étiquette du point
 means-matrix = matrice de rotation r{ $row }{ $column }
-means-matrix-end = dernière ligne d'une matrice 4x4
+means-matrix-end = dernière ligne d’une matrice 4x4
 means-measured = { $axis } mesuré
 means-measured-of-point = { $axis } mesuré du point { $number }
 means-motion = vitesse, force ou courant
-means-other-joint = axe commandé
+means-other-joint = valeur articulaire commandée
 means-pose = nom de la pose
 means-quaternion = quaternion { $component }
-means-rotation = rotation, numéro { $number } de trois
+means-rotation = rotation, nombre { $number } sur trois
 means-target = nom de la cible
 means-temperature = température
-means-text = un texte que rien ne lit
-means-time = temps
+means-text = un texte qui n’est pas utilisé
+means-time = instant
 means-time-of-day = heure
 means-uncertainty = incertitude-type, numéro { $number }
 means-unknown = inconnu
 means-zenith = angle zénithal
-names-of-columns = { $said } : { $names }
-says-commanded-and-difference = l'en-tête nomme un point commandé et sa différence
-says-joints = l'en-tête nomme des axes
-says-joints-and-length = des axes et une longueur par ligne
-says-joints-beside = l'en-tête nomme des axes à côté des points
-says-orientations = l'en-tête nomme des orientations
-why-ambiguous-dates = des dates dont le jour et le mois pourraient être échangés
-why-as-many-as-joints = chaque ligne a autant de nombres qu'un bras a d'axes, et aucune direction parmi eux
-why-axes-differ = les en-têtes de trois colonnes ne diffèrent que par x, y, z
+names-of-columns = { $said } : { $names }
+says-commanded-and-difference = l’en-tête mentionne un point commandé et sa différence
+says-joints = l’en-tête mentionne des articulations
+says-joints-and-length = des articulations et une longueur par ligne
+says-joints-beside = l’en-tête mentionne des articulations à côté des points
+says-orientations = l’en-tête mentionne des orientations
+why-ambiguous-dates = des dates dont le jour et le mois pourraient être intervertis
+why-as-many-as-joints = chaque ligne a autant de nombres qu’un bras a d’articulations, sans direction parmi eux
+why-axes-differ = les en-têtes de trois colonnes ne diffèrent que par x, y et z
 why-behind-lengths = après trois longueurs plus grandes que tout angle
 why-commanded-heading = son en-tête indique une valeur commandée
 why-commanded-rotation = son en-tête indique une rotation commandée
-why-counts = des entiers qui augmentent de 1
-why-counts-first = des entiers qui augmentent de ligne en ligne, en début de ligne
+why-counts = des nombres entiers qui augmentent de 1
+why-counts-first = des nombres entiers qui augmentent d’une ligne à l’autre, en début de ligne
 why-dates = chaque cellule est une date ou une heure
 why-difference-heading = son en-tête indique une différence
 why-empty = elle est vide
-why-fits-without = le robot nominal convient sans elle
-why-four-of-length-one = les quatre sont de longueur 1 à chaque ligne
+why-fits-without = le robot nominal reproduit les données sans elle
+why-four-of-length-one = les quatre nombres ont la norme 1 à chaque ligne
 why-heading = son en-tête
-why-heading-and-four = son en-tête, et les quatre sont de longueur 1 à chaque ligne
-why-heading-and-three = son en-tête, et les trois sont de longueur 1 à chaque ligne
-why-heading-increases = son en-tête ; elle augmente à chaque ligne
-why-heading-ordered = son en-tête ; elle ne diminue jamais
-why-heading-unordered = son en-tête, bien qu'elle n'augmente pas
+why-heading-and-four = son en-tête, et les quatre nombres ont la norme 1 à chaque ligne
+why-heading-and-three = son en-tête, et les trois nombres ont la norme 1 à chaque ligne
+why-heading-increases = son en-tête ; elle augmente à chaque ligne
+why-heading-ordered = son en-tête ; elle ne diminue jamais
+why-heading-unordered = son en-tête, bien qu’elle n’augmente pas
 why-in-unit = { $why }, en { $unit }
-why-increases = elle augmente à chaque ligne, et les autres non
-why-kinematics-fit = la cinématique du robot nominal convient avec elle en { $unit }{ $way ->
-        [reversed] , qui compte dans le sens opposé
+why-increases = elle augmente à chaque ligne, les autres non
+why-kinematics-fit = la cinématique du robot nominal convient si elle est en { $unit }{ $way ->
+        [reversed] , comptée dans le sens opposé
        *[forward] {""}
     }
-why-last-of-matrix = dernière colonne d'une matrice 4x4 dont la rotation est orthonormée
+why-last-of-matrix = dernière colonne d’une matrice 4x4 dont la rotation est orthonormée
 why-measured-heading = son en-tête indique une valeur mesurée
-why-nine-orthonormal = les neuf forment une matrice orthonormée à chaque ligne
-why-nothing-known = son en-tête est inconnu
-why-orthonormal = orthonormée à chaque ligne, ligne par ligne
-why-other-family = les axes sont pris des colonnes `{ $kept }`
-why-others-measured = son en-tête indique une valeur commandée, et d'autres sont mesurées
-why-place = sa place : rien ne nomme les colonnes
-why-quaternion-not-joints = les quatre sont de longueur 1 à chaque ligne : un quaternion, scalaire d'abord, et non des axes
-why-range-of-deg = son en-tête ; de { $low } à { $high } : plus d'un tour en rad, donc deg ou mm convient
-why-range-of-rad = son en-tête ; de { $low } à { $high } : rad, ou m, convient
-why-repeats-as-texts = son en-tête nomme des répétitions, et elle contient des textes
-why-robot-computes = le robot nominal la calcule à l'arrondi près
+why-nine-orthonormal = les neuf nombres forment une matrice orthonormée à chaque ligne
+why-nothing-known = son en-tête n’a pas de signification connue
+why-orthonormal = orthonormée à chaque ligne, lue ligne par ligne
+why-other-family = les articulations sont prises dans les colonnes `{ $kept }`
+why-others-measured = son en-tête indique une valeur commandée, et d’autres colonnes sont mesurées
+why-place = sa place : rien n’indique le nom des colonnes
+why-quaternion-not-joints = les quatre nombres ont la norme 1 à chaque ligne : un quaternion, scalaire en premier, et non des articulations
+why-range-of-deg = son en-tête ; de { $low } à { $high } : plus d’un tour en rad, donc deg ou mm convient
+why-range-of-rad = son en-tête ; de { $low } à { $high } : rad, ou m, convient
+why-repeats-as-texts = son en-tête mentionne des répétitions, et elle contient des textes
+why-robot-computes = le robot nominal la calcule à l’arrondi près
 why-robot-reproduces = le robot nominal reproduit les trois colonnes
 why-row-0001 = la ligne 0 0 0 1
-why-targets-fit = avec une cible par valeur, le robot nominal convient
+why-targets-fit = avec une cible pour chacune de ses valeurs, le robot nominal convient
 why-text-before = un texte avant les nombres
 why-text-behind = un texte après des nombres
-why-texts-differ = des textes qui diffèrent de ligne en ligne, avant les nombres
-why-three-of-length-one = les trois sont de longueur 1 à chaque ligne
-why-whole-before-decimals = des entiers avant des nombres à marque décimale
+why-texts-differ = des textes différents d’une ligne à l’autre, avant les nombres
+why-three-of-length-one = les trois nombres ont la norme 1 à chaque ligne
+why-whole-before-decimals = des nombres entiers avant des nombres à séparateur décimal

@@ -376,7 +376,7 @@ expected = attendu
 expected-from-the-points = attendu d’après les points
 expected-label = attendu :
 expected-value = { $value }, attendu { $expected }
-expired = échu
+expired = périmé
 explained = expliqué
 explanations-of-messages = Explications de ces messages
 export = export
@@ -526,10 +526,7 @@ limited-error = { $quantity } sur { $count ->
        *[other] { $count } poses
     } ({ $set }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
 limits = Limites
-limits-all-met = { $count ->
-        [one] La limite de la campagne est respectée.
-       *[other] Les { $count } limites de la campagne sont toutes respectées.
-    }
+limits-all-met = Les { $count } limites de la campagne sont toutes respectées.
 limits-both-met = Les deux limites de la campagne sont respectées.
 limits-not-assessable = Non évaluable (grandeur non mesurée) : { $limits }.
 limits-not-met = { $count ->

@@ -139,7 +139,7 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : les deux instants les plus proches sont distants de { FIXED($apart_s, 3) } s
     .hint = vérifier la valeur et le signe de `clock_offset_s` : instant de la mesure moins instant du journal
 
-both-rows-near = un point entre deux lignes les demande toutes deux à moins de `tolerance_s` : indiquer au moins le temps d’une ligne à l’autre
+both-rows-near = un point entre deux lignes exige que les deux soient à moins de `tolerance_s` : indiquer au moins l’intervalle de temps entre deux lignes
 
 join-empty = aucun point mesuré n’a de ligne correspondante dans le journal `{ $log }` : la première pose des points est `{ $measured }`, celle du journal `{ $logged }`
     .hint = comparer les poses et cycles des exports et du journal, ou choisir une autre clé par `by` dans [join]
@@ -927,8 +927,8 @@ clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune 
 
 clock-rate-none = aucun décalage des horloges, même avec une dérive jusqu’à ± { $most_ppm } ppm, ne place tous les points mesurés dans des arrêts du journal
     .hint = vérifier si le journal est celui de cette mesure, et supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique
-limit-not-assessable = la limite `{ $limit }` ne peut être évaluée : les poses décisives ne montrent pas sa grandeur
-    .hint = mesurer la grandeur à ces poses, ou retirer la limite de [limits]
+limit-not-assessable = la limite `{ $limit }` ne peut pas être évaluée : sa grandeur n’est pas mesurée aux poses décisives
+    .hint = mesurer la grandeur à ces poses, ou supprimer la limite dans [limits]
 sweep-joint-unknown = `{ $joint }` n’est pas une articulation de ces balayages
     .expected = { $known }
 
@@ -1066,14 +1066,14 @@ temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des expor
 
 temperature-varies = les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, soit plus de ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
     .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre cette étendue
-axes-comment-method = axes par balayage d’une articulation à la fois (etalon axes) ; sans modèle nominal
+axes-comment-method = axes déterminés par balayage d’une articulation à la fois (etalon axes) ; sans modèle nominal
 
-axes-comment-base = base par les axes 1 et 2, règle `{ $rule }` : z le long de l’axe 1
+axes-comment-base = base définie par les axes 1 et 2, règle `{ $rule }` : z suivant l’axe 1
 
 axes-comment-joint = q{ $number } est { $name }
 
 axes-comment-zero = les valeurs articulaires sont nulles au début des balayages
 
-axes-comment-target = cible { $name } sur la bride (mm) : { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+axes-comment-target = cible { $name } sur la bride (mm) : { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
 
-axes-robot-name = Robot par ses axes
+axes-robot-name = Robot décrit par ses axes

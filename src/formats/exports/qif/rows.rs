@@ -1,8 +1,8 @@
 //! A QIF file as rows of a campaign's export.
 
 use super::{MeasuredFeature, Touch};
-use crate::Point;
 use crate::dialect::Unit;
+use crate::{Point, Stated};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Problems;
 use etalon_base::phrase;
@@ -21,11 +21,11 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
     let rows = read.features.iter().flat_map(|feature| {
         let place = &feature.place;
         let row = |xyz_mm: Vector, refused: Option<Phrase>| Point {
-            line: place.line.unwrap_or(0),
+            line: place.line.unwrap_or(0) as u32,
             text: place.text.clone().unwrap_or_default().into(),
             label: feature.label().into(),
             xyz_mm,
-            refused: refused.map(Box::new),
+            more: Stated { refused: refused.map(Box::new), ..Stated::default() }.boxed(),
             ..Point::default()
         };
         match located(feature) {
@@ -41,7 +41,8 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
     let said = read.messages.iter().map(|message| {
         let place = message.place.as_deref().cloned().unwrap_or_default();
         let (line, text) = (place.line.unwrap_or(0), place.text.unwrap_or_default());
-        Point { line, text: text.into(), refused: Some(Box::new(message.phrase())), ..Point::default() }
+        let more = Stated { refused: Some(Box::new(message.phrase())), ..Stated::default() }.boxed();
+        Point { line: line as u32, text: text.into(), more, ..Point::default() }
     });
     (rows.chain(said).collect(), Problems::default())
 }
