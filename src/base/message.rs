@@ -386,6 +386,9 @@ fn other_unit(wrong: &str, name: &str) -> Option<(&'static str, f64, &'static st
 /// Number of lines of a file in which a message may be repeated before one represents the others.
 const LISTED: usize = 3;
 
+/// Argument whose number is the fault of a row: a row of a single field is not divided at all.
+const FIELDS: &str = "fields";
+
 /// Shapes of texts: id and arguments without what differs from row to row, which is numbers, and
 /// names, which the sentence has between backticks.
 #[derive(Default)]
@@ -405,7 +408,10 @@ impl<'a> Shapes<'a> {
     fn of_text(&mut self, id: &'a str, arguments: &'a Arguments) -> String {
         let kept = self.0.entry(id).or_insert_with(|| unquoted(id));
         let kept: Vec<_> = arguments.iter().filter(|(name, _)| kept.contains(name.as_str())).collect();
-        let kept = kept.into_iter().map(|(name, value)| format!("{name}: {}", self.of_argument(value)));
+        let kept = kept.into_iter().map(|(name, value)| match value {
+            Argument::Whole(1) if name == FIELDS => format!("{name}: 1"),
+            _ => format!("{name}: {}", self.of_argument(value)),
+        });
         format!("{id}({})", kept.collect::<Vec<_>>().join("; "))
     }
 

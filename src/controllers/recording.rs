@@ -1,5 +1,5 @@
-//! A recording (MCAP) of the measured poses for Foxglove, Rerun and RViz: joint states, measured and
-//! predicted positions, errors as markers, and transforms.
+//! A recording (MCAP) of the measured poses for Foxglove, Rerun and RViz: joint states, measured
+//! and predicted positions, errors as markers, and transforms.
 //!
 //! Sources: MCAP specification; OMG DDS-XTypes 1.3, 7.4 (CDR version 1); definitions of
 //! `sensor_msgs`, `geometry_msgs`, `tf2_msgs` and `visualization_msgs` (ROS 2 Humble); REP 103 (m,

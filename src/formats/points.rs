@@ -33,7 +33,7 @@ pub struct Point {
     pub more: Option<Box<Stated>>,
 }
 
-/// What a row of an export may state beside label and position.
+/// Further statements of a row of an export, beside label and position.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stated {
     /// Name of the target.

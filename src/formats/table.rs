@@ -190,8 +190,12 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
         let names: Vec<&str> = names.collect();
         let foreign: Vec<&str> = names.iter().copied().filter(|name| !is_own(name)).collect();
         let message = error!("column-unknown", column = name);
+        // a column of the same quantity in another unit is not the column that is missing
+        let stem = |name: &'_ str| name.rsplit_once('_').map(|(stem, _)| stem.to_owned());
         match foreign[..] {
-            [heading] if !heading.contains('"') => message.hint(phrase!("state-column", column = name, heading)).into(),
+            [heading] if !heading.contains('"') && stem(heading).is_none_or(|s| stem(name) != Some(s)) => {
+                message.hint(phrase!("state-column", column = name, heading)).into()
+            }
             _ => message.hint_names(name, names).into(),
         }
     })

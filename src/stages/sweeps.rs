@@ -2,6 +2,7 @@
 
 use super::table_file::TableFile;
 use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::{Pose, Vector};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{RobotHead, screws_text, table_text};
 use etalon_documents::{AxesCheck, AxesDocument, AxesRobot, AxesTarget, AxisEntry, AxisPath, Provenance, ZeroAxis};
@@ -385,11 +386,16 @@ pub(crate) fn not_held(table: &AxisTable, joints: &[String]) -> Vec<Message> {
             });
         }
     }
-    for tilt in &table.tilts {
-        let joint = joints.get(tilt.row).map_or("none", String::as_str);
-        messages.push(warning!("table-tilt-not-held", joint, angle_mrad = 1000.0 * tilt.angle_rad));
-    }
+    messages.extend(tilts_not_held(table, joints));
     messages
+}
+
+/// Warnings of the angles between axes that a table cannot hold.
+fn tilts_not_held<'a>(table: &'a AxisTable, joints: &'a [String]) -> impl Iterator<Item = Message> + 'a {
+    table.tilts.iter().map(|tilt| {
+        let joint = joints.get(tilt.row).map_or("none", String::as_str);
+        warning!("table-tilt-not-held", joint, angle_mrad = 1000.0 * tilt.angle_rad)
+    })
 }
 
 /// The robot as a document, with its robot.toml.
@@ -403,40 +409,45 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
     if model.measured.iter().any(|m| m.rest.is_empty()) {
         comments.push(phrase!("axes-comment-zero").to_string());
     }
-    for (name, at) in table.targets.iter().zip(&model.targets_mm) {
+    let rows = match stated.convention {
+        TableConvention::Poe => None,
+        TableConvention::Mdh => Some(modified_table(&model.axes, &model.flange)),
+        TableConvention::Dh => Some(standard_table(&model.axes, &model.flange)),
+    };
+    // base and flange are free: those of the table, where it has its own
+    let (base, flange) = rows.as_ref().map_or((Pose::identity(), Pose::identity()), |rows| (rows.base, rows.flange));
+    let into_base = base.inverse();
+    let world_T_base = model.world_T_base.then(&base);
+    let base_T_flange = into_base.then(&model.flange).then(&flange.inverse());
+    let targets_mm: Vec<Vector> = model.targets_mm.iter().map(|at| flange.apply(*at)).collect();
+    for (name, at) in table.targets.iter().zip(&targets_mm) {
         let [x, y, z] = *at;
         comments.push(phrase!("axes-comment-target", name, x, y, z).to_string());
     }
     let name = phrase!("axes-robot-name").to_string();
     let head = RobotHead { name: &name, comments: &comments, limits: &[] };
-    let robot_toml = match stated.convention {
-        TableConvention::Poe => screws_text(head, &model.axes, &model.flange),
-        convention => {
-            let modified = convention == TableConvention::Mdh;
-            let rows = if modified {
-                modified_table(&model.axes, &model.flange)
-            } else {
-                standard_table(&model.axes, &model.flange)
-            };
-            messages.extend(not_held(&rows, &table.joints));
-            table_text(head, modified, &rows)
+    let robot_toml = match &rows {
+        None => screws_text(head, &model.axes, &model.flange),
+        Some(rows) => {
+            messages.extend(tilts_not_held(rows, &table.joints));
+            table_text(head, stated.convention == TableConvention::Mdh, rows)
         }
     };
     let zero = model.axes.iter().zip(&model.uncertainties).zip(&table.joints).map(|((axis, u), joint)| ZeroAxis {
         joint: joint.clone(),
-        direction: axis.direction,
-        point_mm: (!axis.prismatic).then_some(axis.point_mm),
+        direction: into_base.rotate(axis.direction),
+        point_mm: (!axis.prismatic).then(|| into_base.apply(axis.point_mm)),
         direction_standard_uncertainty_deg: u[0].to_degrees(),
         point_standard_uncertainty_mm: (!axis.prismatic).then_some(u[1]),
     });
-    let targets = table.targets.iter().zip(&model.targets_mm).zip(&model.target_uncertainties_mm);
+    let targets = table.targets.iter().zip(&targets_mm).zip(&model.target_uncertainties_mm);
     AxesRobot {
         base_rule: rule_name(model.rule).to_owned(),
-        base_xyz_mm: model.world_T_base.translation_mm,
-        base_quaternion: model.world_T_base.quaternion(),
+        base_xyz_mm: world_T_base.translation_mm,
+        base_quaternion: world_T_base.quaternion(),
         axes: zero.collect(),
-        flange_xyz_mm: model.flange.translation_mm,
-        flange_quaternion: model.flange.quaternion(),
+        flange_xyz_mm: base_T_flange.translation_mm,
+        flange_quaternion: base_T_flange.quaternion(),
         targets: targets
             .map(|((target, xyz), u)| AxesTarget { target: target.clone(), xyz_mm: *xyz, standard_uncertainty_mm: *u })
             .collect(),

@@ -61,7 +61,7 @@ fn a_file_with_joints_and_points_is_joined_by_its_rows() {
         (format!("{apart}\n{JOINTS}"), log, "[joints-twice]"),
         (format!("{apart}\n{JOINTS}"), "[join]\nby = [\"pose\"]\n", "[joints-joined-by-row]"),
         (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "error[column-unknown]"),
-        (format!("{apart}\n{}", JOINTS.replace("rho3_mm", "rho3_m m")), "", "all.csv"),
+        (format!("{apart}\n{}", JOINTS.replace("rho3_mm", "rho3_m m")), "", "[log-column-unknown]"),
         (format!("{apart}\n{}", JOINTS.replace(", rho3_mm = \"RP3\"", "")), "", "[log-joint-missing]"),
     ] {
         let scratch = campaign(&export.replace("rho3_m m", "\"rho3_m m\""), more, &rows);

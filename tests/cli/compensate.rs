@@ -256,7 +256,9 @@ fn programs_have_other_targets_and_nothing_else_changed() {
     }
     // what a program computes from a target is named
     let (name, program, _) = &irb120_programs()[0];
-    assert!(real.compensate(name, program, &[]).2.contains("warning[poses-computed-by-program]: poses of Offs "));
+    assert!(
+        real.compensate(name, program, &[]).2.contains("warning[poses-computed-by-program]: poses computed by Offs")
+    );
 }
 
 #[test]

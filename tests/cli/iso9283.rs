@@ -88,7 +88,7 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (good.clone(), "--path far.csv", "error[path-without-pass]"),
         (good.clone(), "--path spatial.csv", "error[coordinates-differ]"),
         (good.clone(), "--path point.csv", "error[commanded-point-repeated]"),
-        (good.clone(), "--path nowhere.csv", "error[input-missing]: there is no file `nowhere.csv`"),
+        (good.clone(), "--path nowhere.csv", "error[input-missing]: the file `nowhere.csv` does not exist"),
         (good.clone(), "--commanded twice.csv", "error[pose-commanded-twice]: pose 1"),
         (good.clone(), "--columns x,y --delimiter comma", "error[option-unit-missing]"),
         (

@@ -54,7 +54,7 @@ fn the_report_shows_every_characteristic_in_html_pdf_and_workbook() {
     let report = scratch.path().join("out/report.html");
     let html = std::fs::read_to_string(&report).unwrap();
     let ids = ["accuracy", "repeatability", "drift", "compliance"];
-    ids.iter().for_each(|id| assert!(html.contains(&format!("<section id=\"{id}\">")), "{id}"));
+    ids.iter().for_each(|id| assert!(html.contains(&format!(" id=\"{id}\"")), "{id}"));
     let parts = [
         "Positioning accuracy",
         "Orientation",
@@ -152,8 +152,9 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
             |(d, e): (&Iso9283Drift, &Iso9283Drift)| (d.dap_mm - e.dap_mm).abs() + (d.drp_mm - e.drp_mm).abs();
         assert!(found.drifts.iter().zip(&same.drifts).map(differs).all(|d| d < 1e-9), "{:?}", found.drifts);
         assert!(!found.coplanarity_of_four.is_empty() && found.visits[0].attained_mm[2].abs() > 1.0);
-        assert!(judged(&shown, "largest pose accuracy AP", "pass") && shown.contains("Largest vAP: "), "{shown}");
+        assert!(judged(&shown, "largest pose accuracy AP", "pass"), "{shown}");
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+        assert!(html.contains("Largest vAP: "));
         assert!(html.contains("Positioning accuracy") && html.contains("7.2.3") && html.contains("id=\"streams\""));
     }
 }

@@ -116,7 +116,7 @@ fn a_column_of_targets_is_found_by_the_kinematics() {
     }
     let document = proposed(at, arm.as_ref(), &text);
     assert_eq!(document.columns[0].taken_for, "name of the target", "{}", document.toml);
-    assert!(document.reasons.iter().any(|r| r.contains("a target for each value of `what`")), "{}", document.toml);
+    assert!(document.reasons.iter().any(|r| r.contains("each value of `what` is a target")), "{}", document.toml);
 }
 
 #[test]

@@ -65,10 +65,7 @@ fn the_lines_of_an_export_and_a_log_run_as_they_are() {
         "by = [\"pose\"]",
         "label = \"{target}-{pose}\"   # all 50 labels have this form",
         "targets = [\"SMR\"]",
-        "[coordinates-commanded]",
-        "`X`",
-        "`Y`",
-        "`Z`",
+        "`X`, `Y`, `Z`",
     ];
     run(at, &["log.csv", "points.csv"], &parts);
 }

@@ -163,7 +163,7 @@ fn counts_are_bounded_before_anything_is_allocated() {
             "count = 1000000 }",
             "error[counts-too-large]: too many positions in `workspace`: 3000000 poses",
         ),
-        ("draws = 100", "draws = 1000000", "too many calibrations: 1000000 draws x 5 runs"),
+        ("draws = 100", "draws = 1000000", "error[counts-too-large]: too many calibrations: 1000000 draws × 5 runs"),
     ] {
         let scratch = copy_sample("prexyt-cmm");
         assert!(study.contains(from), "{from}");

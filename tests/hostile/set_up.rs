@@ -21,7 +21,7 @@ fn the_world_export_in_another_unit_is_refused_and_named() {
     let scratch = copy_sample("prexyt-cmm");
     let world = "file = \"exports/world.txt\"\nformat = \"polyworks\"\nunit = ";
     scratch.replace("campaign.toml", &format!("{world}\"mm\""), &format!("{world}\"in\""));
-    let parts = ["[nominal-robot-far]", "with the world frame turned by", "`unit`"];
+    let parts = ["[nominal-robot-far]", "with the world frame rotated by", "`unit`"];
     ends(&scratch, "check", 2, &parts);
     ends(&scratch, "run", 1, &["`x_o` = -7829", "no controller file is written"]);
     assert!(!scratch.path().join("out/controller.json").exists());
@@ -247,8 +247,7 @@ fn reference_targets_that_make_poses_scatter_more_are_named() {
     std::fs::write(&path, text.lines().map(raised).collect::<String>()).unwrap();
     let (_, said) = etalon(&scratch, "run");
     assert!(
-        said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 lie 0.0")
-            && said.contains("[reference-targets-misshapen]"),
+        said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 deviate by 0.0"),
         "{said}"
     );
 }

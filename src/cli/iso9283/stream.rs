@@ -78,7 +78,9 @@ impl StreamOptions {
         let inputs = [Some(file), commanded, self.path.as_deref()].into_iter().flatten().map(Path::to_owned);
         files::refuse_overwriting(&self.write_poses, &inputs.collect::<Vec<_>>())?;
         let recording = self.recording(file)?;
-        let read = |path: &Path| self.form().read(path);
+        // columns or a format in the form of another program are those of the recording alone
+        let is_own = self.format.is_none() && !self.text.in_order();
+        let read = |path: &Path| if is_own { self.form().read(path) } else { TableFile::read(path) };
         let poses = commanded.map(|path| poses(&read(path)?)).transpose()?;
         let of = file.display().to_string();
         let path = self.path.as_deref().map(|path| stated_path(&read(path)?, &of, &recording)).transpose()?;

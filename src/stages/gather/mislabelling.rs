@@ -109,7 +109,8 @@ fn neighbours<'a>(points: impl Iterator<Item = &'a Point>, near: f64) -> Vec<(&'
     pairs
 }
 
-/// `true` if the points of a name are scattered over a surface: none of them has a place of its own.
+/// `true` if the points of a name are scattered over a surface: none of them has a place of its
+/// own.
 fn is_scan(own: &[&Point], near: f64) -> bool {
     if own.len() < FEWEST_OF_SCAN {
         return false;

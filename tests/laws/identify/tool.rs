@@ -199,7 +199,7 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
     assert_eq!(accuracy.point, "platform centre (from the balls)");
     for said in [
         "Errors of platform centre (from the balls) before → after",
-        "tool point, RMS: nominal minus identified → expected",
+        "tool point, RMS: nominal → expected",
         "At the tool point: 51 poses",
     ] {
         assert!(page.replace("&#39;", "'").replace("&#x27;", "'").contains(said), "{said}");

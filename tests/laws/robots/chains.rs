@@ -482,7 +482,8 @@ impl ProbeStations {
 #[test]
 fn poses_from_two_stations_come_back_with_intervals_that_hold() {
     let mut site = ProbeStations::new(47);
-    let own: Vec<usize> = (site.station..site.station + 6).chain(site.mounting..site.mounting + 3).collect();
+    // the mounting takes what errors of the last link are held: it is the truth's only up to these
+    let own: Vec<usize> = (site.station..site.station + 6).collect();
     let (observations, settings) = site.observed(40, 0.0);
     let found = identify(site.robot.as_ref(), &observations, &settings).unwrap();
     for &i in &own {

@@ -29,6 +29,7 @@ because-decimal-marks = { $fractions } von { $numbers } Zahlen haben das Dezimal
 because-end = die letzte Zeile ist das Wort `{ $end }`
 because-fields = { $read } von { $rows } Zeilen haben { $fields } Felder, getrennt durch `{ $delimiter }`
 because-it-is = es ist Folgendes: { $what }
+because-joints-named = die Gelenke heißen wie die des Roboters
 because-line = Zeile { $line } { $is ->
         [header] benennt die Spalten
        *[last] ist die letzte vor den Daten

@@ -1060,7 +1060,7 @@ to-pose = nach Pose
 tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
 tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
-tool-point-headline = Werkzeugpunkt, RMS: nominal minus identifiziert → erwartet
+tool-point-headline = Werkzeugpunkt, RMS: nominal → erwartet
 traceability = Rückführbarkeit
 trend = Trend
 trend-description = Eine Marke je Kampagne mit ihrem 95-%-Intervall; Rauten: signifikante Änderung.

@@ -29,6 +29,7 @@ because-decimal-marks = { $fractions } of { $numbers } numbers have the decimal 
 because-end = the last row is the word `{ $end }`
 because-fields = { $read } of { $rows } rows have { $fields } fields separated by `{ $delimiter }`
 because-it-is = it is { $what }
+because-joints-named = the joints have the names of the robot's joints
 because-line = line { $line } { $is ->
         [header] names the columns
        *[last] is the last before the data

@@ -994,7 +994,7 @@ to-pose = to pose
 tolerance = tolerance
 tool-error-definition = { $error }; nominal minus identified: difference between the positions predicted by the two parameter sets; expected: magnitude (k = 1) from the covariance of the parameters, the tolerance of parameters that the data cannot determine, the model error beyond the instrument's uncertainty, and the position of the point on the tool; the target errors exclude parameters that shift targets and tool alike
 tool-point-expected = Expected error, RMS (k = 1): parameters { $parameters } µm; parameters that the data cannot determine (tolerance) { $undetermined } µm; model error { $model } µm; position of the point on the tool { $point } µm. Largest expanded uncertainty of a pose (k = 2): { $largest } µm.
-tool-point-headline = tool point, RMS: nominal minus identified → expected
+tool-point-headline = tool point, RMS: nominal → expected
 traceability = traceability
 trend = trend
 trend-description = One mark per campaign with its 95 % interval; diamonds: significant change.

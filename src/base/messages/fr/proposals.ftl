@@ -29,6 +29,7 @@ because-decimal-marks = { $fractions } nombres sur { $numbers } ont le séparate
 because-end = la dernière ligne est le mot `{ $end }`
 because-fields = { $read } lignes sur { $rows } ont { $fields } champs séparés par `{ $delimiter }`
 because-it-is = il s’agit de ceci : { $what }
+because-joints-named = les articulations portent les noms de celles du robot
 because-line = la ligne { $line } { $is ->
         [header] indique le nom des colonnes
        *[last] est la dernière avant les données

@@ -1066,7 +1066,7 @@ to-pose = à la pose
 tolerance = tolérance
 tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d’après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l’erreur du modèle au-delà de l’incertitude de l’instrument et la position du point sur l’outil ; les erreurs des cibles excluent les paramètres qui déplacent cibles et outil de la même façon
 tool-point-expected = Erreur attendue, RMS (k = 1) : paramètres { $parameters } µm ; paramètres que les données ne peuvent pas déterminer (tolérance) { $undetermined } µm ; erreur du modèle { $model } µm ; position du point sur l’outil { $point } µm. Plus grande incertitude élargie d’une pose (k = 2) : { $largest } µm.
-tool-point-headline = point de l’outil, RMS : nominal moins identifié → attendue
+tool-point-headline = point outil, RMS : nominal → attendu
 traceability = traçabilité
 trend = tendance
 trend-description = Une marque par campagne avec son intervalle à 95 % ; losanges : changement significatif.
