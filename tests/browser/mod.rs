@@ -280,7 +280,7 @@ fn before_and_after_are_switched_without_a_script(browser: &mut Browser, reports
         assert_eq!(browser.evaluate(shown), json!(expected), "{side}");
     }
     browser.evaluate("document.querySelector('.switch input[value=after]').checked = true");
-    browser.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+    browser.media("print");
     assert_eq!(browser.evaluate(shown), json!([true, true]));
 }
 
@@ -296,7 +296,7 @@ fn printing_cuts_no_figure_and_no_row(browser: &mut Browser, reports: &Pages) {
     }
     for page in reports.pages.iter().filter(|page| **page != hostile(&reports.folder)) {
         browser.open(page);
-        browser.call("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+        browser.media("print");
         // letters with a rim are printed twice, as rim and as letters
         browser.evaluate("document.querySelectorAll('.over').forEach(letters => letters.style.stroke = 'none')");
         let whole = list(&browser.evaluate(
@@ -316,6 +316,6 @@ fn printing_cuts_no_figure_and_no_row(browser: &mut Browser, reports: &Pages) {
         let on_one_sheet = |text: &String| sheets.iter().any(|sheet| sheet.contains(&letters(text)));
         let cut: Vec<_> = whole.iter().filter(|text| !on_one_sheet(text)).collect();
         assert!(cut.is_empty(), "{}: {cut:#?}", page.display());
-        browser.call("Emulation.setEmulatedMedia", json!({ "media": "" }));
+        browser.media("");
     }
 }

@@ -34,9 +34,9 @@ fn the_evidence_of_every_sample_fits_on_six_screens_and_annexes_are_folded() {
         let shown = "[...document.querySelectorAll('.annex > details > :not(summary)')].some(c => \
             c.checkVisibility({ contentVisibilityAuto: true }) && c.getBoundingClientRect().height > 0)";
         assert_eq!(browser.evaluate(shown), false, "{}", sample.name);
-        browser.call("Emulation.setEmulatedMedia", serde_json::json!({ "media": "print" }));
+        browser.media("print");
         assert_eq!(browser.evaluate(shown), true, "{}: annexes are printed", sample.name);
-        browser.call("Emulation.setEmulatedMedia", serde_json::json!({ "media": "" }));
+        browser.media("");
         // an annex opens where it is named
         browser.evaluate("location.hash = '#provenance'");
         browser.evaluate("new Promise(done => setTimeout(done, 50))");

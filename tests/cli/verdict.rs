@@ -153,7 +153,7 @@ fn remarks_that_are_alike_are_one_and_routine_ones_are_in_their_section() {
     );
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     let section = |id: &str| {
-        let from = html.split_once(&format!("<section id=\"{id}\">")).unwrap().1;
+        let from = html.split_once(&format!("<section id=\"{id}\"")).unwrap().1;
         from.split_once("</section>").unwrap().0.to_owned()
     };
     let (messages, parameters) = (section("messages"), section("parameters"));

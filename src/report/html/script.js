@@ -111,6 +111,8 @@
   var named = {};
   function fileName(table) {
     var section = table.closest("section"), figure = table.closest("figure"), folded = table.closest("details"), heading = null;
+    // an annex has its words in its section
+    if (folded && folded.parentNode.classList.contains("annex")) folded = null;
     (section || document).querySelectorAll("h3").forEach(function (h) {
       if (h.compareDocumentPosition(table) & Node.DOCUMENT_POSITION_FOLLOWING) heading = h;
     });
@@ -255,7 +257,18 @@
     [[0.3, 0], [-0.3, 0], [0, 0.2], [0, -0.2]].forEach(function (way, i) { button(tools, words[4 + i], function () { all(way[0], way[1]); }); });
   }
 
-  // an annex opens where it is named, and when the page is printed
+  // annexes are printed: the style sheet unfolds them where a browser knows ::details-content
+  var unfolded = [];
+  addEventListener("beforeprint", function () {
+    unfolded = unfolded.concat(Array.from(document.querySelectorAll(".annex > details:not([open])")));
+    unfolded.forEach(function (annex) { annex.open = true; });
+  });
+  addEventListener("afterprint", function () {
+    unfolded.forEach(function (annex) { annex.open = false; });
+    unfolded = [];
+  });
+
+  // an annex opens where it is named
   function unfold() {
     var annex = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1))), folded = annex && annex.querySelector(":scope > details");
     if (folded) folded.open = true;

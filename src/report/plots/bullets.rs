@@ -3,7 +3,7 @@
 //! axis.
 
 use super::layer::*;
-use super::svg::{LETTER, width};
+use super::svg::{proportional, width};
 use crate::model::Headline;
 use crate::number::Shown;
 use crate::sections::limits::judged;
@@ -13,8 +13,8 @@ use etalon_documents::Conformity;
 const ROW_HEIGHT: f64 = 62.0;
 /// Height of a bar.
 const BAR: f64 = 14.0;
-/// Width of a bold letter.
-const BOLD: f64 = 1.1 * LETTER;
+/// Size of a bold letter, over that of others.
+const BOLD: f64 = 1.1;
 /// Margin at both sides.
 const SIDE: f64 = 10.0;
 /// Smallest right end of the scale, over the limit.
@@ -75,16 +75,18 @@ fn limit(svg: &mut Svg, l: &LimitVerdict, (top, end): (f64, f64), words: &Words)
     let room = NARROW - 2.0 * SIDE - width(&verdict) - 10.0;
     svg.text("start name-of", (SIDE, top + 12.0), &cut(&words.tr(&names::limit(l.name)), room, BOLD));
     svg.text("end name-of", (NARROW - SIDE, top + 12.0), &verdict);
-    svg.text("start", (SIDE, y + BAR + 15.0), &cut(&text, NARROW - 2.0 * SIDE, LETTER));
+    svg.text("start", (SIDE, y + BAR + 15.0), &cut(&text, NARROW - 2.0 * SIDE, 1.0));
 }
 
-/// Shortens a text to a width; letters of names are bold.
-fn cut(text: &str, room: f64, letter: f64) -> String {
-    let most = (room / letter) as usize;
-    if text.chars().count() <= most {
+/// Shortens a text to a width; `size` is the size of its letters over that of plain ones.
+fn cut(text: &str, room: f64, size: f64) -> String {
+    let fits = |text: &str| size * proportional(text) <= room;
+    if fits(text) {
         return text.to_owned();
     }
-    text.chars().take(most.saturating_sub(1)).chain(['…']).collect()
+    let letters: Vec<char> = text.chars().collect();
+    let shortened = |n: usize| letters[..n].iter().chain(&['…']).collect::<String>();
+    (0..letters.len()).rev().map(shortened).find(|text| fits(text)).unwrap_or_default()
 }
 
 /// Value with its uncertainty, limit, and risk.
@@ -172,6 +174,17 @@ mod tests {
         // twice as much moves the bar and no zone
         let larger = limits(&[&of(0.1, 0.082, 0.01)], &Words::default()).unwrap().svg;
         assert!(numbers(&larger, "rect", "width")[3] > widths[3]);
+    }
+
+    /// An angle to four decimals is shown to its last character; a text without end is cut.
+    #[test]
+    fn the_line_of_a_limit_is_shown_whole() {
+        let quantity = LimitQuantity::OrientationMaxDeg;
+        let l = LimitVerdict::of(quantity, 0.2525, 0.1376, Some(0.0062), DecisionRule::Guarded);
+        let svg = limits(&[&l], &Words::default()).unwrap().svg;
+        assert!(svg.contains("0.1376 ± 0.0062 deg, limit 0.2525 deg, risk &lt; 0.1 %<"), "{svg}");
+        let cut = cut(&"n".repeat(200), 100.0, 1.0);
+        assert!(cut.ends_with('…') && proportional(&cut) <= 100.0 && cut.len() > 10, "{cut}");
     }
 
     #[test]

@@ -9,15 +9,13 @@ const RATIO: f64 = 20.0;
 /// Number of decades below the largest error.
 const DECADES: u8 = 6;
 
-/// Figures of position and, if measured, orientation.
+/// Figures of position or other lengths and, if measured, orientation; one quantity a figure.
 pub(crate) fn pictures(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
     let position = |p: &PointError| Some([points::before_mm(p), points::after_mm(p)]);
     let orientation = |p: &PointError| Some([p.before_deg?.abs(), p.after_deg?.abs()]);
-    let all = [
-        picture(errors, ErrorQuantity::Position, position, limits, words),
-        picture(errors, ErrorQuantity::Orientation, orientation, limits, words),
-    ];
-    all.into_iter().flatten().collect()
+    let lengths = points::by_quantity(errors).into_iter();
+    let lengths = lengths.filter_map(|(quantity, errors)| picture(&errors, quantity, position, limits, words));
+    lengths.chain(picture(errors, ErrorQuantity::Orientation, orientation, limits, words)).collect()
 }
 
 fn picture(
@@ -43,9 +41,11 @@ fn picture(
     let unit = if is_angle { "deg" } else { "mm" };
     let axis = if logarithmic { Axis::decades(unit, ends, DECADES) } else { Axis::from_zero(unit, ends.1) };
     let (low, unit) = (axis.ends().0, axis.shown().unit);
-    let (title, name) = match is_angle {
-        true => (tr!(words, "orientation-error-by-pose"), tr!(words, "orientation-error-in", unit)),
-        false => (tr!(words, "position-error-by-pose"), tr!(words, "position-error-in", unit)),
+    let of_quantity = || tr!(words, "error-by-pose", quantity = words.tr(&quantity.phrase()));
+    let (title, name) = match quantity {
+        ErrorQuantity::Orientation => (tr!(words, "orientation-error-by-pose"), tr!(words, "orientation-error-in", unit)),
+        ErrorQuantity::Position => (tr!(words, "position-error-by-pose"), tr!(words, "position-error-in", unit)),
+        _ => (of_quantity(), tr!(words, "error-in-unit", unit)),
     };
     let poses = poses(&drawn);
     let mut chart = Chart::new(WIDE, [across(&poses), axis], [tr!(words, "pose"), name]);

@@ -6,9 +6,12 @@ use super::layer::*;
 
 const BINS: usize = 12;
 
-/// Shares of the points by size of the position error, before and after calibration.
+/// Shares of the points by size of the error, before and after calibration; a pair of figures for
+/// each quantity.
 pub(crate) fn histograms(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
-    [false, true].into_iter().filter_map(|after| histogram(errors, limits, after, words)).collect()
+    let all = points::by_quantity(errors);
+    let both = all.iter().flat_map(|of_one| [false, true].map(|after| (of_one, after)));
+    both.filter_map(|((quantity, errors), after)| histogram((*quantity, errors), limits, after, words)).collect()
 }
 
 /// Number of points of a set in each bin.
@@ -19,7 +22,12 @@ struct Counts {
     total: usize,
 }
 
-fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words: &Words) -> Option<Figure> {
+fn histogram(
+    (quantity, errors): (ErrorQuantity, &[&PointError]),
+    limits: &[LimitVerdict],
+    after: bool,
+    words: &Words,
+) -> Option<Figure> {
     let size = points::size(after);
     let largest_mm = range(errors.iter().map(|p| size(p)))?.1;
     let shown = number::shown("mm", largest_mm);
@@ -36,7 +44,7 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
     let share = |set: &Counts, bin: usize| 100.0 * set.bins[bin] as f64 / set.total.max(1) as f64;
     let highest = sets.iter().flat_map(|set| (0..bins).map(|bin| share(set, bin))).fold(0.0, f64::max);
     let across = Axis::linear_in(shown, 0.0, bins as f64 * width);
-    let names = [tr!(words, "position-error-in", unit = shown.unit), tr!(words, "share-of-set")];
+    let names = [tr!(words, "error-in-unit", unit = shown.unit), tr!(words, "share-of-set")];
     let mut chart = Chart::new(NARROW, [across, Axis::from_zero("", highest)], names);
     let decimals = number::decimals(width, 1).unwrap_or(0);
     let edge = |bin: usize| number::fixed(bin as f64 * width, decimals);
@@ -61,10 +69,11 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
         }
         chart.svg.legend(look, &set.name);
     }
-    chart.limit(limits, ErrorQuantity::Position, (true, words));
+    chart.limit(limits, quantity, (true, words));
+    let name = words.tr(&quantity.phrase());
     let title = match after {
-        true => tr!(words, "error-sizes-after"),
-        false => tr!(words, "error-sizes-before"),
+        true => tr!(words, "error-sizes-after", quantity = name),
+        false => tr!(words, "error-sizes-before", quantity = name),
     };
     let step_text = format!("{} {}", number::significant(width, 1), shown.unit);
     let description = tr!(words, "histogram-description", step = step_text);
@@ -76,13 +85,13 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
     let totals: Vec<_> = sets.iter().map(|set| tr!(words, "count-of-set", count = set.total, set = set.name)).collect();
     let side = points::side(after);
     Some(Figure {
-        pair: "histogram".to_owned(),
+        pair: format!("histogram-{quantity}"),
         side,
         caption: tr!(words, "histogram-shares", step = step_text, totals = totals.join(", ")),
         table_title: tr!(words, "numbers-of-this-picture"),
         header,
         rows: (0..bins).map(|bin| row(bin).collect()).collect(),
-        ..chart.figure(&format!("histogram-{side}"), title, description)
+        ..chart.figure(&format!("histogram-{quantity}-{side}"), title, description)
     })
 }
 
@@ -96,7 +105,7 @@ mod tests {
         let mut errors: Vec<_> =
             (0..100).map(|i| point(i, [0.0; 3], [0.1; 3], [f64::from(i as i32) * 1e-4, 0.0, 0.0])).collect();
         errors.iter_mut().skip(60).for_each(|p| p.set = PoseSet::Validation);
-        let picture = histogram(&errors.iter().collect::<Vec<_>>(), &[], true, &Words::default()).unwrap();
+        let picture = histogram((ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>()), &[], true, &Words::default()).unwrap();
         let total = |column: usize| picture.rows.iter().map(|r| r[column].parse::<usize>().unwrap()).sum::<usize>();
         assert_eq!((total(2), total(3), picture.rows.len()), (60, 40, 10));
         assert_eq!(picture.rows[1][..3], ["1", "2", "10"].map(str::to_owned));
@@ -106,7 +115,7 @@ mod tests {
     fn equal_values_and_zeros_are_drawn_and_nothing_is_not() {
         for after in [[0.0; 3], [0.5; 3]] {
             let errors = vec![point(1, [0.0; 3], [0.1; 3], after); 4];
-            let picture = histogram(&errors.iter().collect::<Vec<_>>(), &[], true, &Words::default()).unwrap();
+            let picture = histogram((ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>()), &[], true, &Words::default()).unwrap();
             assert_eq!(picture.svg.matches("4 points of calibration, 100.0 %").count(), 1);
         }
         assert!(histograms(&[], &[], &Words::default()).is_empty());

@@ -7,8 +7,17 @@ const BINS: usize = 24;
 /// Maximum number of decades; smaller errors are in the first bin.
 const DECADES: f64 = 4.0;
 
-/// Shares of the points of the deciding set, by size of their position error.
-pub(crate) fn picture(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Option<Figure> {
+/// Shares of the points of the deciding set, by size of their error; one figure for each quantity.
+pub(crate) fn pictures(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
+    let all = points::by_quantity(errors).into_iter();
+    all.filter_map(|(quantity, errors)| picture((quantity, &errors), limits, words)).collect()
+}
+
+fn picture(
+    (quantity, errors): (ErrorQuantity, &[&PointError]),
+    limits: &[LimitVerdict],
+    words: &Words,
+) -> Option<Figure> {
     let deciding = errors.iter().map(|e| e.set).max()?;
     let of: Vec<&&PointError> = errors.iter().filter(|e| e.set == deciding).collect();
     let sizes = |after: bool| -> Vec<f64> {
@@ -28,7 +37,7 @@ pub(crate) fn picture(errors: &[&PointError], limits: &[LimitVerdict], words: &W
     let both = [(shares(&before), "bar-before", phrase_of(false)), (shares(&after), "bar-after", phrase_of(true))];
     let highest = largest(both.iter().flat_map(|(s, ..)| s.iter().copied()));
     let unit = axis.shown().unit;
-    let names = [tr!(words, "position-error-log", unit), tr!(words, "share-of-points")];
+    let names = [tr!(words, "error-log", unit), tr!(words, "share-of-points")];
     let mut chart = Chart::new(NARROW, [axis, Axis::from_zero("", highest)], names);
     let wide = (chart.frame.right - chart.frame.left) / BINS as f64;
     for (shares, class, name) in &both {
@@ -39,11 +48,11 @@ pub(crate) fn picture(errors: &[&PointError], limits: &[LimitVerdict], words: &W
         }
         chart.svg.legend(Look::new(Shape::Square, class), &words.tr(name));
     }
-    chart.limit(limits, ErrorQuantity::Position, (true, words));
-    let title = tr!(words, "errors-overlaid-title");
+    chart.limit(limits, quantity, (true, words));
+    let title = tr!(words, "errors-overlaid-title", quantity = words.tr(&quantity.phrase()));
     let set = words.tr(&deciding.phrase());
     let description = tr!(words, "errors-overlaid-description", count = of.len(), set);
-    Some(chart.figure("errors-overlaid", title, description))
+    Some(chart.figure(&format!("errors-overlaid-{quantity}"), title, description))
 }
 
 fn phrase_of(after: bool) -> Phrase {
@@ -59,13 +68,30 @@ mod tests {
     #[test]
     fn before_and_after_share_an_axis() {
         let errors: Vec<_> = (0..10).map(|i| point(i, [0.0; 3], [1.0, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
-        let svg = picture(&errors.iter().collect::<Vec<_>>(), &[], &Words::default()).unwrap().svg;
+        let drawn = |errors: &[PointError]| pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default());
+        let svg = drawn(&errors).remove(0).svg;
         for (class, name) in [("bar-before", "before"), ("bar-after", "after")] {
             assert_eq!(svg.matches(&format!("class=\"{class}\"")).count(), 2, "a bar and its legend: {svg}");
             assert!(svg.contains(&format!("<title>{name}: 100.0 %</title>")), "{svg}");
         }
         let zeros: Vec<_> = (0..3).map(|i| point(i, [0.0; 3], [0.0; 3], [0.0; 3])).collect();
-        assert!(picture(&zeros.iter().collect::<Vec<_>>(), &[], &Words::default()).is_none());
-        assert!(picture(&[], &[], &Words::default()).is_none());
+        assert!(drawn(&zeros).is_empty() && drawn(&[]).is_empty());
+    }
+
+    /// Four distances and six contacts of other sizes: a figure each, named after its quantity.
+    #[test]
+    fn quantities_are_not_mixed() {
+        let mut errors: Vec<_> = (0..10).map(|i| point(i, [0.0; 3], [1.0, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
+        for (i, p) in errors.iter_mut().enumerate() {
+            p.quantity = if i < 4 { ErrorQuantity::Distance } else { ErrorQuantity::Contact };
+            p.after_mm[0] = if i < 4 { 0.01 } else { 0.1 };
+        }
+        let all = pictures(&errors.iter().collect::<Vec<_>>(), &[], &Words::default());
+        let titles: Vec<&str> = all.iter().map(|f| f.title.as_str()).collect();
+        assert_eq!(titles, ["Errors before and after: distance", "Errors before and after: contact"]);
+        for (figure, count) in all.iter().zip(["4 points", "6 points"]) {
+            assert!(figure.caption.contains(count), "{}", figure.caption);
+            assert!(figure.svg.contains("<title>after: 100.0 %</title>"), "{}", figure.svg);
+        }
     }
 }

@@ -90,6 +90,13 @@ pub(crate) fn is_validation(p: &PointError) -> bool {
     p.set == PoseSet::Validation
 }
 
+/// Errors of each quantity that occurs.
+pub(crate) fn by_quantity<'a>(points: &[&'a PointError]) -> Vec<(ErrorQuantity, Vec<&'a PointError>)> {
+    let of = |q: ErrorQuantity| (q, points.iter().copied().filter(|p| p.quantity == q).collect::<Vec<_>>());
+    let all = [ErrorQuantity::Position].into_iter().chain(ErrorQuantity::OTHERS).map(of);
+    all.filter(|(_, points)| !points.is_empty()).collect()
+}
+
 /// Style of the mark of a point.
 pub(crate) fn look(p: &PointError) -> Look<'static> {
     look_of(p.set)

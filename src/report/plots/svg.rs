@@ -117,6 +117,19 @@ pub(crate) fn width(text: &str) -> f64 {
     LETTER * text.chars().count() as f64
 }
 
+/// Width of a text in a wide proportional font (DejaVu Sans, 12 px), for texts that may fill their
+/// room.
+pub(crate) fn proportional(text: &str) -> f64 {
+    let of = |c: char| match c {
+        ' ' | '\u{a0}' | '\u{202f}' | '.' | ',' | ':' | ';' | '\'' | '|' | 'i' | 'j' | 'l' | 'I' => 0.34,
+        'f' | 't' | 'r' | '(' | ')' | '-' | '/' => 0.42,
+        'm' | 'w' | 'M' | 'W' | '%' | '…' => 1.0,
+        '±' | '<' | '>' | '=' | '+' | '→' => 0.84,
+        _ => 0.64,
+    };
+    12.0 * text.chars().map(of).sum::<f64>()
+}
+
 /// Width of the longest text.
 pub(crate) fn widest<'a>(texts: impl IntoIterator<Item = &'a str>) -> f64 {
     texts.into_iter().map(width).fold(0.0, f64::max)

@@ -55,13 +55,14 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "date-of-receipt"), given.robot_received.clone()),
         (tr!(words, "measurement-dates"), c.date.clone()),
         (tr!(words, "date-of-issue"), issue.issued.clone()),
-        (tr!(words, "valid-until"), Some(c.valid_until.clone().unwrap_or_else(|| tr!(words, "not-stated")))),
         (tr!(words, "method"), Some(method(report, words))),
         (tr!(words, "decision-rule"), rule.or_else(|| Some(default()))),
         (tr!(words, "results-of-external-providers"), issue.external_results.clone()),
         (tr!(words, "authorised-by"), issue.authorised_by.clone()),
     ];
-    stated(all, words)
+    // a recalibration interval is agreed with the customer (ISO/IEC 17025:2017, 7.8.4.3)
+    let until = c.valid_until.clone().map(|date| (tr!(words, "valid-until"), Some(date).into()));
+    stated(all, words).into_iter().chain(until).collect()
 }
 
 /// Statements of a certificate on report, customer, item, place, dates and traceability, including

@@ -221,8 +221,11 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     }
     more.extend::<Vec<Figure>>(expected);
     let at = figures.len().min(2);
-    figures.splice(at..at, overlay::picture(&drawable, &accuracy.limits, words));
-    let mut more_of_errors = histogram::histograms(&drawable, &accuracy.limits, words);
+    // the first quantity that was measured; others are folded
+    let mut overlaid = overlay::pictures(&drawable, &accuracy.limits, words).into_iter();
+    figures.splice(at..at, overlaid.next());
+    let mut more_of_errors: Vec<Figure> = overlaid.collect();
+    more_of_errors.extend(histogram::histograms(&drawable, &accuracy.limits, words));
     more_of_errors.extend(by_pose::pictures(&drawable, &accuracy.limits, words));
     let data = against::Data {
         errors: &drawable,

@@ -120,7 +120,8 @@ action-measure-again = { $count ->
        *[other] Posen { $poses }
     } erneut messen{ $more ->
         [0] {""}
-       *[other] {" "}(weitere abweichende Posen: { $more })
+        [one] {" "}(1 weitere Pose weicht ab)
+       *[other] {" "}({ $more } weitere Posen weichen ab)
     }
 action-measure-again-reason = Pose { $pose } passt nicht zu den anderen: { $error }, { $times } σ
 action-measure-quantity = die Größe von `{ $limit }` an den entscheidenden Posen messen oder den Grenzwert entfernen

@@ -120,7 +120,8 @@ action-measure-again = mesurer de nouveau { $count ->
        *[other] les poses { $poses }
     }{ $more ->
         [0] {""}
-       *[other] {" "}(autres poses en désaccord : { $more })
+        [one] {" "}(1 autre pose en désaccord)
+       *[other] {" "}({ $more } autres poses en désaccord)
     }
 action-measure-again-reason = la pose { $pose } est en désaccord avec les autres : { $error }, { $times } σ
 action-measure-quantity = mesurer la grandeur de `{ $limit }` aux poses décisives, ou supprimer la limite
