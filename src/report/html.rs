@@ -53,7 +53,7 @@ fn page(
     words: &Words,
 ) -> Result<String> {
     let own = presentation.templates.keys().any(|name| name != TYPESET.0);
-    let (contents, presentation, words) = (Value::from(Serde(contents)), presentation.clone(), words.clone());
+    let (contents, presentation, words) = (Value::from(Serde(contents)), presentation.clone(), *words);
     supervised(template, own, move || filled(template, script, &contents, &presentation, &words))
 }
 
@@ -115,7 +115,7 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     environment.set_syntax(syntax.map_err(|e| failure(&e, presentation))?);
     environment.add_filter("one_line", |text: String| one_line(&text));
     environment.add_filter("isolated", |text: String| isolated(&text));
-    let words = words.clone();
+    let words = *words;
     environment.add_filter("t", move |id: String, arguments: Kwargs| translated(id, &arguments, &words));
     environment.add_global("lang", presentation.language.code());
     environment.add_global("logo", presentation.logo.as_deref());

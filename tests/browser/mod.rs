@@ -112,7 +112,7 @@ fn tables_are_saved_with_whole_heads_and_their_names(browser: &mut Browser, repo
     let heads = &rows[0];
     assert!(heads.contains(&"before: RMS".to_owned()) && heads.contains(&"after: RMS".to_owned()), "{heads:?}");
     assert_eq!(heads.iter().collect::<std::collections::BTreeSet<_>>().len(), heads.len(), "{heads:?}");
-    assert!(name.starts_with("errors-before-and-after-calibration-") && name.ends_with(".csv"), "{name}");
+    assert!(name.starts_with("errors-before-and-after-validation-") && name.ends_with(".csv"), "{name}");
     let all = "[...document.querySelectorAll('.scroll > table')].filter(t => t.tHead && t.tBodies[0].rows.length > 2)";
     let count = browser.evaluate(&format!("{all}.length")).as_u64().unwrap();
     let names: Vec<String> = (0..count).map(|i| saved(browser, &format!("{all}[{i}]")).0).collect();

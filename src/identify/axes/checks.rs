@@ -120,10 +120,10 @@ pub fn axis_slip(sweep: &Sweep, axis: &JointAxis) -> Option<Slip> {
     let fit = &axis.fit;
     let aside = fit.used.iter().filter(|used| !**used).count();
     let many = aside as f64 > MANY * fit.used.len() as f64;
-    if many || smooth(sweep, fit).is_some() {
-        if let Some(moved) = target_moved(sweep, fit) {
-            return Some(moved);
-        }
+    if (many || smooth(sweep, fit).is_some())
+        && let Some(moved) = target_moved(sweep, fit)
+    {
+        return Some(moved);
     }
     let ratio = axis.travel.map_or(1.0, |travel| travel.ratio);
     if (ratio - 1.0).abs() > RATIO {

@@ -43,7 +43,9 @@ fn picture(
     let (low, unit) = (axis.ends().0, axis.shown().unit);
     let of_quantity = || tr!(words, "error-by-pose", quantity = words.tr(&quantity.phrase()));
     let (title, name) = match quantity {
-        ErrorQuantity::Orientation => (tr!(words, "orientation-error-by-pose"), tr!(words, "orientation-error-in", unit)),
+        ErrorQuantity::Orientation => {
+            (tr!(words, "orientation-error-by-pose"), tr!(words, "orientation-error-in", unit))
+        }
         ErrorQuantity::Position => (tr!(words, "position-error-by-pose"), tr!(words, "position-error-in", unit)),
         _ => (of_quantity(), tr!(words, "error-in-unit", unit)),
     };

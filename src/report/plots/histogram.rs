@@ -105,7 +105,9 @@ mod tests {
         let mut errors: Vec<_> =
             (0..100).map(|i| point(i, [0.0; 3], [0.1; 3], [f64::from(i as i32) * 1e-4, 0.0, 0.0])).collect();
         errors.iter_mut().skip(60).for_each(|p| p.set = PoseSet::Validation);
-        let picture = histogram((ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>()), &[], true, &Words::default()).unwrap();
+        let picture =
+            histogram((ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>()), &[], true, &Words::default())
+                .unwrap();
         let total = |column: usize| picture.rows.iter().map(|r| r[column].parse::<usize>().unwrap()).sum::<usize>();
         assert_eq!((total(2), total(3), picture.rows.len()), (60, 40, 10));
         assert_eq!(picture.rows[1][..3], ["1", "2", "10"].map(str::to_owned));
@@ -115,7 +117,9 @@ mod tests {
     fn equal_values_and_zeros_are_drawn_and_nothing_is_not() {
         for after in [[0.0; 3], [0.5; 3]] {
             let errors = vec![point(1, [0.0; 3], [0.1; 3], after); 4];
-            let picture = histogram((ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>()), &[], true, &Words::default()).unwrap();
+            let picture =
+                histogram((ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>()), &[], true, &Words::default())
+                    .unwrap();
             assert_eq!(picture.svg.matches("4 points of calibration, 100.0 %").count(), 1);
         }
         assert!(histograms(&[], &[], &Words::default()).is_empty());

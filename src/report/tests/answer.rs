@@ -49,7 +49,9 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     if let Some(worst) = worst {
         assert!(meet.what.contains(&format!("pose {worst}")), "{meet:?}");
     }
-    assert!(meet.reason.contains("34.2 µm too much"), "{meet:?}");
+    let reason = meet.reason_phrase.as_ref().unwrap();
+    assert_eq!(reason.id, "action-meet-limit-reason");
+    assert_eq!(reason.arguments["beyond"], etalon_base::catalogue::Argument::Text("34.2 µm".to_owned()));
 }
 
 #[test]

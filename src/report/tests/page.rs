@@ -251,7 +251,11 @@ fn numbers_that_are_none_and_lone_points_do_no_harm() {
             d.accuracy.limits[0].value = Some(size);
             let page = page(&d);
             assert!(!page.contains("NaN") && !page.contains(">inf"), "{size}");
-            assert_eq!(page.contains("id=\"histogram-position-after-title\""), size.is_finite() && size < 1e7, "{size}");
+            assert_eq!(
+                page.contains("id=\"histogram-position-after-title\""),
+                size.is_finite() && size < 1e7,
+                "{size}"
+            );
         }
     }
 }
