@@ -92,6 +92,15 @@ impl Campaign {
             return Err(error!("campaign-missing", file = path.display().to_string()).into());
         }
         let (text, stamp) = files::read_statement(&path)?;
+        Self::recover_text(path, text, stamp)
+    }
+
+    /// Reads this text like [`Campaign::recover`] in the place of the file: a trial of answers to
+    /// its open questions.
+    ///
+    /// # Errors
+    /// Fails like [`Campaign::recover`].
+    pub fn recover_text(path: PathBuf, text: String, stamp: Stamp) -> Result<(Option<Self>, Problems)> {
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
         if let Some(question) = open_question(&name, &text) {

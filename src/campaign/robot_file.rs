@@ -271,6 +271,21 @@ impl RobotFile {
         Some((self.description_file()?.0, self.beside.as_ref()?.expanded.text.as_str()))
     }
 
+    /// Returns the text of this file with another name of the file that describes the robot; without
+    /// the arguments of xacro if that file is plain URDF.
+    pub fn text_beside(&self, name: &str, is_plain: bool) -> String {
+        let mut text = self.source.1.clone();
+        if let Some(span) = self.tree_key().and_then(|(key, _)| toml_file::find(&text, &[key])) {
+            text.replace_range(span, &toml::Value::from(name).to_string());
+        }
+        if let Some(span) = toml_file::find(&text, &[ARGUMENTS]).filter(|_| is_plain) {
+            let start = text[..span.start].rfind('\n').map_or(0, |at| at + 1);
+            let end = text[span.end..].find('\n').map_or(text.len(), |at| span.end + at + 1);
+            text.replace_range(start..end, "");
+        }
+        text
+    }
+
     /// Paths of the file that describes the robot, if there is one, and of the files that it
     /// includes.
     pub fn description_paths(&self) -> Vec<PathBuf> {

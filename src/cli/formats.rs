@@ -1,5 +1,6 @@
 //! Command `etalon formats`.
 
+use super::init::refusal_of_lines;
 use super::{Verdict, next_step, print};
 use etalon_campaign::read_robot;
 use etalon_formats::{FilesProposal, propose_file_for, propose_files};
@@ -26,6 +27,7 @@ impl Formats {
             None => None,
         };
         let robot = robot.as_deref();
+        let mut refusal = None;
         match &self.files[..] {
             [file] => {
                 let document = propose_file_for(file, robot)?;
@@ -34,10 +36,17 @@ impl Formats {
             }
             files => {
                 let FilesProposal { documents, toml } = propose_files(files, robot)?;
+                if let (Some(path), false) = (&self.robot, self.json) {
+                    refusal = refusal_of_lines(path, files, &toml);
+                }
                 print(if self.json { etalon_documents::to_json(&documents)? } else { toml.into_bytes() })?;
             }
         }
-        next_step(self.json, "paste these lines into campaign.toml; `etalon check FOLDER` tries them");
+        let next = "paste these lines into campaign.toml; `etalon check FOLDER` tries them";
+        match refusal {
+            Some(reasons) => next_step(self.json, format_args!("{next}; they would be refused: {reasons}")),
+            None => next_step(self.json, next),
+        }
         Ok(Verdict::Met)
     }
 }

@@ -1,6 +1,10 @@
 //! Command `etalon init`.
 
 mod from;
+mod own;
+mod trial;
+
+pub(super) use trial::refusal_of_lines;
 
 use super::{Verdict, next_step, print_written, shell_word};
 use etalon_base::error;
@@ -29,9 +33,11 @@ pub struct Init {
     /// Argument of a xacro file, as the command `xacro` takes it; several options are allowed.
     #[arg(long, value_name = "NAME:=VALUE", requires = "urdf")]
     argument: Vec<String>,
-    /// Use the published geometry of this robot (ur5e, irb120 ...), or an example of a model
-    /// (five-bar, xy-theta, hexapod, delta ...).
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["synthetic", "urdf"])]
+    /// Use the published geometry of this robot (ur5e, irb120 ...), an example of a model
+    /// (five-bar, xy-theta, hexapod, delta ...), or your own robot.toml.
+    ///
+    /// A robot.toml is copied into the folder, with the URDF that it names.
+    #[arg(long, value_name = "NAME|FILE", conflicts_with_all = ["synthetic", "urdf"])]
     robot: Option<String>,
     /// Propose the whole campaign from these files: exports, logs, tables with both, observations.
     ///
@@ -59,6 +65,10 @@ impl Init {
         if !self.from.is_empty() {
             let files = from::campaign(&self.from, self.robot_files()?)?;
             print_written(files::write_new(&self.folder, &files)?, self.json)?;
+            let (_, text) = &files[0];
+            if !self.json {
+                next_step(self.json, trial::next(&self.folder, &String::from_utf8_lossy(text)));
+            }
             return Ok(Verdict::Met);
         }
         if let Some(path) = &self.urdf {
@@ -106,15 +116,19 @@ impl Init {
             let files = vec![("robot.toml".to_owned(), robot), (name, text)];
             let controllers = "[\"json\", \"urdf\"]";
             let path = path.with_file_name("robot.toml");
-            return Ok(from::RobotFiles { files, path, joints, targets: Vec::new(), controllers });
+            return Ok(from::RobotFiles { files, path, joints, targets: Vec::new(), controllers, own: None });
         }
         let Some(name) = &self.robot else {
             return Err(Problems::from(error!("from-needs-robot")).into());
         };
+        if let Some(path) = own::path(name) {
+            return own::robot_files(&path);
+        }
         let robot = known_robot(name)?;
         let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
         let (joints, targets) = (robot.joints(), robot.targets.clone());
-        Ok(from::RobotFiles { files, path: "robot.toml".into(), joints, targets, controllers: "[\"json\"]" })
+        let (path, controllers) = ("robot.toml".into(), "[\"json\"]");
+        Ok(from::RobotFiles { files, path, joints, targets, controllers, own: None })
     }
 
     /// A campaign of the robot of a URDF file.
@@ -134,8 +148,25 @@ impl Init {
         self.write(&texts)
     }
 
+    /// A campaign for a robot of the user's robot.toml.
+    fn own(&self, robot: from::RobotFiles) -> anyhow::Result<Verdict> {
+        let column = |key: &String| {
+            let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
+            format!("{} = {}\n", toml::Value::from(key.as_str()), toml::Value::from(joint))
+        };
+        let columns: String = robot.joints.iter().map(column).collect();
+        let targets: Vec<&str> = robot.targets.iter().map(String::as_str).collect();
+        let targets = if targets.is_empty() { &SMRS[..] } else { &targets };
+        let campaign = ("campaign.toml", campaign(robot.controllers, &columns, targets));
+        let files = robot.files.iter().map(|(name, text)| (name.as_str(), text.clone()));
+        self.write(&std::iter::once(campaign).chain(files).collect::<Vec<_>>())
+    }
+
     /// Creates a campaign for a robot of the built-in table.
     fn known(&self, name: &str) -> anyhow::Result<Verdict> {
+        if let Some(path) = own::path(name) {
+            return self.own(own::robot_files(&path)?);
+        }
         let robot = known_robot(name)?;
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
         let columns: String = robot.joints().iter().map(column).collect();

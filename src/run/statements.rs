@@ -136,6 +136,23 @@ fn observations(campaign: &Campaign, problems: &mut Problems) {
     }
 }
 
+/// Line that describes standstills of the joints of the logs, as a hint proposes it.
+fn standstill_line(campaign: &Campaign) -> String {
+    let keys = || campaign.file.logs.iter().flat_map(|log| log.columns.keys());
+    let has = |units: &[&str]| keys().any(|key| units.iter().any(|unit| key.get_ref().ends_with(unit)));
+    let turns = if has(&["_deg", "_rad"]) { ", within_deg = 0.02" } else { "" };
+    let slides = if has(&["_mm", "_m", "_um"]) { ", within_mm = 0.01" } else { "" };
+    format!("standstill = {{ at_least_s = 1.0{turns}{slides} }}")
+}
+
+/// `true` if the clock offset is estimated from standstills, and a log has none: an error of its
+/// own, and a join without an offset would only repeat it.
+pub(super) fn lacks_standstills(campaign: &Campaign) -> bool {
+    let join = campaign.file.join.as_ref().filter(|join| join.by == JoinBy::Time);
+    join.is_some_and(|join| join.clock_offset_s == Some(ClockOffset::Standstills))
+        && campaign.file.logs.iter().any(|log| log.standstill.is_none())
+}
+
 /// Checks that a join has its keys, and no keys of other joins.
 fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
     let file = &campaign.file;
@@ -143,12 +160,15 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
     let clocks = [("clock_offset_s", join.clock_offset_s.is_some()), ("tolerance_s", join.tolerance_s.is_some())];
     let keys: Vec<String> = clocks.iter().filter(|(_, stated)| !stated).map(|(key, _)| format!("`{key}`")).collect();
     if by_time && !keys.is_empty() {
-        problems.0.push(error!("join-clock-missing", keys).at(campaign.place_of(&["join", "by"])));
+        let line = |key: &str| if key == "tolerance_s" { "`tolerance_s = 0.05`" } else { "`clock_offset_s = 0.0`" };
+        let lines: Vec<&str> = clocks.iter().filter(|(_, stated)| !stated).map(|(key, _)| line(key)).collect();
+        let message = error!("join-clock-missing", keys, lines, standstill = standstill_line(campaign));
+        problems.0.push(message.at(campaign.place_of(&["join", "by"])));
     }
     let estimated = join.clock_offset_s == Some(ClockOffset::Standstills);
     for log in file.logs.iter().filter(|_| !campaign.unread.affects(&["log"]) && by_time) {
         let message = match (estimated, join.interpolate, log.standstill.is_some()) {
-            (true, _, false) => error!("standstills-missing", log = log.name),
+            (true, _, false) => error!("standstills-missing", log = log.name, standstill = standstill_line(campaign)),
             (_, true, true) => error!("interpolate-with-standstills", log = log.name),
             _ => continue,
         };

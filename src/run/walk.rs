@@ -153,6 +153,10 @@ impl Walk {
             problems.0.extend(iso9283::label_problems(campaign, &tests, &gathered).0);
         }
         problems.0.extend(more.0);
+        if problems.0.iter().any(|message| message.id == "target-without-pose") {
+            // rows without a pose are not read: their targets are not missing
+            problems.0.retain(|message| message.id != "target-not-exported");
+        }
         problems.0.extend(wrong.0);
         let targets = gathered.observations.as_ref().map(|t| kinds::targets(&t.table).map_err(|more| t.place(more)));
         let targets = targets.and_then(|targets| problems.keep(targets)).unwrap_or_default();
@@ -165,7 +169,10 @@ impl Walk {
             let before = problems.0.len();
             names::logs(campaign, robot.as_ref(), problems);
             if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_empty() {
-                names::targets(campaign, robot.as_ref(), &gathered, problems);
+                let unposed = problems.0.iter().any(|message| message.id == "target-without-pose");
+                if !unposed {
+                    names::targets(campaign, robot.as_ref(), &gathered, problems);
+                }
             }
             // without its joints a log cannot be joined, nor can points without their targets
             walk.is_read &= problems.0.len() == before;
@@ -244,6 +251,9 @@ impl Walk {
 
     fn join(&mut self, campaign: &Campaign) -> Result<()> {
         let (Some(robot), true, true) = (&self.robot, self.is_read, campaign.identifies()) else { return Ok(()) };
+        if statements::lacks_standstills(campaign) {
+            return Ok(());
+        }
         let joined = match &self.frames {
             Some(frames) => join::joined(campaign, &self.gathered, frames, robot.as_ref()).map(Some),
             None => join::counts(campaign, &self.gathered, robot.as_ref()).map(|()| None),

@@ -156,11 +156,9 @@ fn labels_and_poses_join_an_export_and_a_log() {
     assert!(code == Some(2) && said.contains("error[file-exists]"), "{said}");
 }
 
-/// A recording of the joints in motion, and points with the times of another clock.
-#[test]
-fn a_recording_and_points_with_times_are_a_campaign() {
-    let folder = tempfile::tempdir().unwrap();
-    let at = folder.path();
+/// Writes `arm.urdf`, `run.mcap`, a recording of the joints in motion, and `tracker.csv`, points with the times of another
+/// clock in the format of `stamp`; gives the parameters of the arm. All data are synthetic.
+fn record(at: &Path, targets: &[&str], stamp: &dyn Fn(f64) -> String) -> Vec<(String, f64)> {
     let names = ["elbow", "pan", "shoulder", "wrist_1", "wrist_2", "wrist_3"];
     let mut urdf = "<robot name=\"arm\"><link name=\"root\"/>\n".to_owned();
     let origins = [
@@ -185,7 +183,7 @@ fn a_recording_and_points_with_times_are_a_campaign() {
     std::fs::write(at.join("arm.urdf"), urdf + "</robot>\n").unwrap();
     assert_eq!(program(at, &["init", "nominal", "--urdf", "arm.urdf"]).0, Some(0));
     let arm = etalon::campaign::read_robot(&at.join("nominal/robot.toml")).unwrap();
-    let arm = arm.build(&["SMR".to_owned()]).unwrap();
+    let arm = arm.build(&targets.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>()).unwrap();
     let mut values = arm.nominal();
     for (p, value) in arm.parameters().iter().zip(&mut values) {
         *value += match p.name.as_str() {
@@ -194,8 +192,10 @@ fn a_recording_and_points_with_times_are_a_campaign() {
             _ => 0.0,
         };
     }
-    let target = arm.parameters().iter().position(|p| p.name == "SMR_x").unwrap();
-    values[target] += 60.0;
+    for (k, (name, axis)) in targets.iter().zip(["x", "y", "z"]).enumerate() {
+        let place = arm.parameters().iter().position(|p| p.name == format!("{name}_{axis}")).unwrap();
+        values[place] += 60.0 + 10.0 * k as f64;
+    }
     let mut noise = Noise::new(24, 1);
     let (mut messages, mut csv, mut time, mut q) = (Vec::new(), "Time;Point;X;Y;Z\n".to_owned(), 0.0, vec![0.0; 6]);
     let mut emit = |q: &[f64], time: f64| {
@@ -212,9 +212,12 @@ fn a_recording_and_points_with_times_are_a_campaign() {
         }
         q = next;
         let stand = 8 + (pose * 7) % 5;
-        let p = arm.position(&values, &q, 0).map(|v| v + noise.gaussian(0.01));
-        let _ =
-            writeln!(csv, "{:.3};SMR;{:.4};{:.4};{:.4}", 36_000.0 + time + 0.1 * f64::from(stand), p[0], p[1], p[2]);
+        for (k, name) in targets.iter().enumerate() {
+            let p = arm.position(&values, &q, k).map(|v| v + noise.gaussian(0.01));
+            let share = (k + 1) as f64 / (targets.len() + 1) as f64;
+            let at = stamp(36_000.0 + time + 0.2 * share * f64::from(stand));
+            let _ = writeln!(csv, "{at};{name};{:.4};{:.4};{:.4}", p[0], p[1], p[2]);
+        }
         for _ in 0..stand {
             time += 0.2;
             emit(&q, time);
@@ -222,12 +225,133 @@ fn a_recording_and_points_with_times_are_a_campaign() {
     }
     std::fs::write(at.join("run.mcap"), recording(&messages)).unwrap();
     std::fs::write(at.join("tracker.csv"), csv).unwrap();
+    arm.parameters().iter().map(|p| p.name.clone()).zip(values).collect()
+}
+
+/// A recording and points with times in the format of `stamp` become a campaign without questions about the join.
+fn recorded(targets: &[&str], stamp: &dyn Fn(f64) -> String) {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let truth = record(at, targets, stamp);
     let (code, said) = program(at, &["init", "mine", "--urdf", "arm.urdf", "--from", "tracker.csv", "run.mcap"]);
     assert_eq!(code, Some(0), "{said}");
+    let said = one_line(&said);
+    assert!(said.ends_with("asks for name, expanded_uncertainty_um, unit"), "{said}");
+    let text = std::fs::read_to_string(at.join("mine/campaign.toml")).unwrap();
+    assert!(text.contains("clock_offset_s = \"standstills\"") && !text.contains("pose = \"row\""), "{text}");
     let answers = [("name", "\"tracker\""), ("expanded_uncertainty_um", "20"), ("unit", "\"mm\"")];
     assert_eq!(answer(at, &answers).len(), 3);
     let document = found(at);
     assert!(document.residuals.rms < 0.03, "{}", document.residuals.rms);
-    let found = |name: &str| document.parameters.iter().find(|p| p.name == name).unwrap().value;
-    assert!((found("SMR_x") - values[target]).abs() < 0.2, "{}", found("SMR_x"));
+    let name = format!("{}_x", targets[0]);
+    let found = document.parameters.iter().find(|p| p.name == name).unwrap().value;
+    let (_, expected) = truth.iter().find(|(of, _)| *of == name).unwrap();
+    assert!((found - expected).abs() < 0.2, "{found}");
+}
+
+/// Hours, minutes and seconds of a time of day.
+fn clock(time: f64) -> String {
+    let minutes = (time / 60.0).floor();
+    format!("{:02}:{:02}:{:06.3}", (minutes / 60.0).floor(), minutes % 60.0, time - 60.0 * minutes)
+}
+
+#[test]
+fn a_recording_and_points_with_times_are_a_campaign() {
+    recorded(&["SMR"], &|time| format!("{time:.3}"));
+}
+
+#[test]
+fn a_recording_and_points_with_dates_are_a_campaign() {
+    recorded(&["A", "B"], &|time| format!("2026-03-12T{}", clock(time)));
+}
+
+#[test]
+fn a_recording_and_one_target_with_dates_of_an_instrument_are_a_campaign() {
+    recorded(&["SMR"], &|time| format!("'12.03.2026 {}", clock(time)));
+}
+
+/// Lines of a message are broken at the width of a page.
+fn one_line(said: &str) -> String {
+    said.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn rows_numbered_as_poses_are_named_as_the_cause_of_missing_targets() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    record(at, &["A", "B"], &|time| format!("2026-03-12T{}", clock(time)));
+    let (code, said) = program(at, &["init", "mine", "--urdf", "arm.urdf", "--from", "tracker.csv", "run.mcap"]);
+    assert_eq!(code, Some(0), "{said}");
+    answer(at, &[("name", "\"tracker\""), ("expanded_uncertainty_um", "20"), ("unit", "\"mm\"")]);
+    let path = at.join("mine/campaign.toml");
+    let sound = std::fs::read_to_string(&path).unwrap();
+    let (_, said) = program(at, &["check", "mine"]);
+    assert!(!said.contains("[targets-missing]"), "{said}");
+    std::fs::write(&path, sound.replace("unit = \"mm\"", "unit = \"mm\"\npose = \"row\"")).unwrap();
+    let (_, said) = program(at, &["check", "mine"]);
+    let said = one_line(&said);
+    assert!(said.contains("[targets-missing]") && said.contains("pose = \"row\""), "{said}");
+    // without standstills there is no offset of the clocks to find
+    let line = sound.lines().find(|line| line.starts_with("standstill = ")).unwrap();
+    std::fs::write(&path, sound.replace(line, "")).unwrap();
+    let (code, said) = program(at, &["check", "mine"]);
+    let said = one_line(&said);
+    assert!(code == Some(2) && said.contains("error[standstills-missing]") && said.contains(line), "{said}");
+    assert_eq!(said.matches("error[").count(), 1, "{said}");
+}
+
+/// Two files whose labels are the numbers of the poses of the log, which has more poses, and a robot file of one's own.
+#[test]
+fn labels_that_are_numbers_join_poses_of_the_own_robot() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rows = measured(at, 60);
+    std::fs::rename(at.join("nominal/robot.toml"), at.join("own.toml")).unwrap();
+    let mut log = "Pose;J1 [deg];J2 [deg];J3 [deg];J4 [deg];J5 [deg];J6 [deg]\n".to_owned();
+    let mut export = "Point,X [mm],Y [mm],Z [mm]\n".to_owned();
+    // numbers of two digits with gaps
+    for (i, (q, p, _)) in (0..).zip(rows).map(|(i, row)| (11 + i + i / 7, row)) {
+        let cells: Vec<String> = q.iter().map(|v| format!("{:.5}", v.to_degrees())).collect();
+        let _ = writeln!(log, "{i};{}", cells.join(";"));
+        if i % 11 != 5 {
+            let _ = writeln!(export, "{i},{:.4},{:.4},{:.4}", p[0], p[1], p[2]);
+        }
+    }
+    std::fs::write(at.join("log.csv"), log).unwrap();
+    std::fs::write(at.join("points.csv"), export).unwrap();
+    let (code, said) = program(at, &["init", "mine", "--robot", "own.toml", "--from", "points.csv", "log.csv"]);
+    assert_eq!(code, Some(0), "{said}");
+    // the proposal is tried: nothing is refused once the instrument is stated
+    let said = one_line(&said);
+    assert!(said.ends_with("`etalon check mine` asks for name, expanded_uncertainty_um"), "{said}");
+    let text = std::fs::read_to_string(at.join("mine/campaign.toml")).unwrap();
+    assert!(text.contains("label = \"{pose}\"") && text.contains("by = [\"pose\"]"), "{text}");
+    assert_eq!(answer(at, &[("name", "\"tracker\""), ("expanded_uncertainty_um", "20")]).len(), 2);
+    is_calibrated(&found(at));
+    // a folder with a robot.toml, and files without --from
+    let (code, said) = program(at, &["init", "again", "--robot", "mine"]);
+    assert!(code == Some(0) && at.join("again/robot.toml").exists(), "{said}");
+    let (code, said) = program(at, &["init", "other", "--robot", "none.toml", "--from", "points.csv"]);
+    assert!(code == Some(2) && said.contains("none.toml"), "{said}");
+}
+
+/// Labels that are numbers of points, which the log does not have: rows meet rows.
+#[test]
+fn labels_that_name_no_pose_of_the_log_join_by_row() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let (mut log, mut export) = ("pose;J1;J2;J3;J4;J5;J6\n".to_owned(), "Point,X,Y,Z\n".to_owned());
+    for (i, (q, p, _)) in (1..).zip(measured(at, 60)) {
+        let cells: Vec<String> = q.iter().map(|v| format!("{:.5}", v.to_degrees())).collect();
+        let _ = writeln!(log, "{i};{}", cells.join(";"));
+        let _ = writeln!(export, "{},{:.4},{:.4},{:.4}", 5000 + i, p[0], p[1], p[2]);
+    }
+    std::fs::write(at.join("log.csv"), log).unwrap();
+    std::fs::write(at.join("points.csv"), export).unwrap();
+    let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "points.csv", "log.csv"]);
+    assert_eq!(code, Some(0), "{said}");
+    let text = std::fs::read_to_string(at.join("mine/campaign.toml")).unwrap();
+    assert!(text.contains("pose = \"row\"") && text.contains("by = \"row\""), "{text}");
+    assert_eq!(answer(at, &[("name", "\"tracker\""), ("expanded_uncertainty_um", "20")]).len(), 2);
+    is_calibrated(&found(at));
 }

@@ -99,6 +99,21 @@ fn hints_of_poses_and_headers() {
     assert!(!after.contains("header-not-stated"), "{after}");
 }
 
+#[test]
+fn hints_of_clocks() {
+    let scratch = copy_sample("prexyt-cmm");
+    rewrite(&scratch, "campaign.toml", |text| text.replace("by = [\"pose\", \"cycle\"]", "by = \"time\""));
+    let (_, said) = etalon(&scratch, "check");
+    let pasted = lines(&said, "join-clock-missing");
+    let line = |key: &str| format!("{key} = {}", pasted.iter().find_map(|line| line.get(key)).unwrap());
+    // the joints of this machine are prismatic
+    assert!(line("standstill").contains("within_mm"), "{said}");
+    let stated = format!("by = \"time\"\n{}\n{}", line("clock_offset_s"), line("tolerance_s"));
+    rewrite(&scratch, "campaign.toml", |text| text.replacen("by = \"time\"", &stated, 1));
+    let (_, after) = etalon(&scratch, "check");
+    assert!(!after.contains("join-clock-missing"), "{after}");
+}
+
 fn points(shift: f64) -> String {
     let row = |i: usize| format!("{:.4},{:.4},1.0\n", 10.0 * i as f64 + shift, 3.5 * (i * i) as f64);
     "X,Y,Z\n".to_owned() + &(1..=9).map(row).collect::<String>()

@@ -3,7 +3,7 @@
 use etalon_base::catalogue::Argument;
 use etalon_base::message::Problems;
 use etalon_base::{error, files};
-use etalon_campaign::parse_robot;
+use etalon_campaign::{RobotFile, parse_robot};
 use etalon_documents::FormatsDocument;
 use etalon_formats::{FilesProposal, Format, JOINTS_REMARK, propose_files};
 use etalon_robots::Robot;
@@ -22,6 +22,8 @@ pub(super) struct RobotFiles {
     pub targets: Vec<String>,
     /// As the campaign states them.
     pub controllers: &'static str,
+    /// The user's own robot file.
+    pub own: Option<RobotFile>,
 }
 
 /// Poses from which on some are kept for the validation.
@@ -71,7 +73,8 @@ impl RobotFiles {
     /// The nominal robot, whose kinematics test the proposal.
     fn built(&self) -> Option<Box<dyn Robot>> {
         let (_, text) = self.files.first()?;
-        let robot = parse_robot(&self.path, &String::from_utf8_lossy(text)).ok()?;
+        let parsed = || parse_robot(&self.path, &String::from_utf8_lossy(text)).ok();
+        let robot = self.own.clone().or_else(parsed)?;
         let targets = if self.targets.is_empty() { vec!["target".to_owned()] } else { self.targets.clone() };
         robot.build(&targets).ok()
     }

@@ -1,6 +1,7 @@
 //! Lines of a proposal for campaign.toml, from the interpretation of the columns.
 
 use super::meaning::{Interpretation, Meaning, PointSet};
+use super::several::POSE_LINE;
 use super::table::Table;
 use crate::dialect::{
     ColumnAt, ColumnRole, Columns, CoordinateType, Delimiter, Dialect, Unit, coordinate_type, quoted,
@@ -260,11 +261,19 @@ impl Proposal<'_> {
                 _ => out.push_str("target = \"?\"               # which target the rows are of\n"),
             }
         }
-        // a column or the label may state the pose
-        if ![ColumnRole::Label, ColumnRole::Pose, ColumnRole::TimeS].iter().any(|role| has(*role)) {
-            out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
+        // a column or the label may state the pose; the times of several targets tell their poses
+        let several = has(ColumnRole::Timestamp) && has(ColumnRole::Target) && self.has_several_targets();
+        let stated = [ColumnRole::Label, ColumnRole::Pose, ColumnRole::TimeS, ColumnRole::TimeMs];
+        if !several && !stated.iter().any(|role| has(*role)) {
+            out.push_str(POSE_LINE);
         }
         out
+    }
+
+    /// `true` if the column of targets has several names.
+    fn has_several_targets(&self) -> bool {
+        let cells = self.found.first(Meaning::Target).map(|at| &self.table.columns[at].cells);
+        cells.is_some_and(|cells| cells.windows(2).any(|pair| pair[0] != pair[1]))
     }
 
     /// Returns the question of the unit with the size of the coordinates, and the units that fit
@@ -447,7 +456,7 @@ impl Proposal<'_> {
             let _ = writeln!(out, "target = {target:?}           # {what}");
         }
         if self.found.first(Meaning::Pose).is_none() {
-            out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
+            out.push_str(POSE_LINE);
         }
         out
     }
@@ -506,7 +515,7 @@ impl Proposal<'_> {
             out.push_str("target = \"?\"               # which target the rows are of\n");
         }
         if !numbered {
-            out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
+            out.push_str(POSE_LINE);
         }
         if joints.len() >= 2 {
             document.kind = "export with joints".to_owned();

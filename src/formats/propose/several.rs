@@ -27,6 +27,8 @@ const LABELS: [&str; 8] = [
     "{target}{pose}",
     "P{pose}",
 ];
+/// Form of a label that is the number of its pose.
+const NUMBER: &str = "{pose}";
 /// Maximum number of targets that labels name without a pose.
 const MOST_TARGETS: usize = 12;
 /// Line of a proposal for labels.
@@ -34,6 +36,10 @@ const LABEL_LINE: &str =
     "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
 /// Line of a proposal for the target of all rows.
 const TARGET_LINE: &str = "target = \"?\"               # which target the rows are of\n";
+
+/// Line of a proposal for poses that are the rows of the file.
+pub(super) const POSE_LINE: &str =
+    "pose = \"row\"               # if the number of the row is the number of the pose\n";
 
 /// Proposal for several files.
 #[derive(Debug)]
@@ -85,7 +91,7 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
     let mut parts = paths.iter().map(|path| Part::of(path, robot)).collect::<Result<Vec<Part>>>()?;
     let log = parts.iter().position(|part| part.document.kind == "log");
     let exports: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "export").collect();
-    let by_standstills = log.is_some_and(|log| exports.iter().all(|at| stands(&parts[*at], &parts[log])));
+    let recorded = log.is_some_and(|log| exports.iter().all(|at| stands(&parts[*at], &parts[log])));
     let mut joined: Vec<(usize, Join)> = Vec::new();
     let mut targets: Vec<String> = Vec::new();
     for &at in &exports {
@@ -101,8 +107,16 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         let keys = Keys::of(part);
         name_targets(part, &keys, None, &mut targets);
     }
+    // a recorded table may have poses that join it; a recording of messages has times alone
+    let by_standstills = recorded && log.is_some_and(|log| joined.is_empty() || is_mcap(&parts[log]));
     let tail = match log {
-        Some(log) if by_standstills && !exports.is_empty() => standstills(&mut parts[log], &targets),
+        Some(log) if by_standstills && !exports.is_empty() => {
+            // a point belongs to the standstill at its time: several targets share one pose
+            for at in &exports {
+                parts[*at].document.toml = parts[*at].document.toml.replace(POSE_LINE, "");
+            }
+            standstills(&mut parts[log], &targets)
+        }
         Some(log) if !exports.is_empty() => tail(&mut parts, log, &joined, &targets),
         _ => String::new(),
     };
@@ -171,8 +185,15 @@ fn tail(parts: &mut [Part], log: usize, joined: &[(usize, Join)], targets: &[Str
 
 /// `true` if the points have times and the log is a recording of a motion with many more rows.
 fn stands(export: &Part, log: &Part) -> bool {
-    let timed = export.read.as_ref().is_some_and(|(_, found)| found.first(Meaning::Time).is_some());
-    timed && log.document.format.as_deref() == Some("mcap") && log.document.rows > MORE * export.document.rows
+    let timed = export.read.as_ref().is_some_and(|(_, found)| {
+        [Meaning::Time, Meaning::Clock, Meaning::TimeOfDay].iter().any(|time| found.first(*time).is_some())
+    });
+    let recorded = is_mcap(log) || Keys::of(log).times.is_some();
+    timed && recorded && log.document.rows > MORE * export.document.rows
+}
+
+fn is_mcap(log: &Part) -> bool {
+    log.document.format.as_deref() == Some("mcap")
 }
 
 /// Returns the lines of a join of points with the standstills of a recording, which determine the
@@ -332,12 +353,18 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
     }
     if toml.contains(LABEL_LINE) {
         let by_label = join.is_some_and(|join| join.by == "label");
-        let mut line = match (&keys.form, by_label) {
-            (Some((form, _)), false) => format!("label = \"{form}\"   # all {} labels have this form\n", keys.rows),
-            _ => String::new(),
+        let by_row = join.is_some_and(|join| join.by == "row");
+        // numbers that name no row of the log are names of points
+        let form = keys.form.as_ref().filter(|(form, _)| !by_label && !(by_row && *form == NUMBER));
+        let mut line = match form {
+            Some((form, _)) => format!("label = \"{form}\"   # all {} labels have this form\n", keys.rows),
+            None => String::new(),
         };
-        let named = keys.form.iter().filter(|_| !by_label).flat_map(|(_, targets)| targets);
-        let mut any = false;
+        if by_row && form.is_none_or(|(form, _)| !form.contains("{pose}")) {
+            line += POSE_LINE;
+        }
+        let named = form.iter().flat_map(|(_, targets)| targets);
+        let mut any = part.read.as_ref().is_some_and(|(_, found)| found.first(Meaning::Target).is_some());
         for name in named {
             add(name);
             any = true;
@@ -431,7 +458,13 @@ impl Keys {
         };
         let column = |meaning: Meaning| found.first(meaning).map(|at| texts(&table.columns[at]));
         let labels = column(Meaning::Label);
-        let form = labels.as_ref().and_then(|labels| label_form(labels));
+        // of a column of targets, each may have the number of a pose once
+        let of_targets = |labels: &Vec<String>| {
+            let targets = column(Meaning::Target)?;
+            let rows: BTreeSet<(&String, &String)> = targets.iter().zip(labels).collect();
+            (are_numbers(labels) && rows.len() == labels.len()).then(|| (NUMBER, Vec::new()))
+        };
+        let form = labels.as_ref().and_then(|labels| of_targets(labels).or_else(|| label_form(labels)));
         let pattern = form.as_ref().and_then(|(form, _)| Pattern::parse(form).ok());
         let of_labels = |of: &dyn Fn(crate::export::LabelNames) -> Option<String>| -> Option<Vec<String>> {
             let pattern = pattern.as_ref()?;
@@ -466,9 +499,18 @@ pub fn label_form(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<Strin
         let targets: BTreeSet<String> = named.iter().filter_map(|named| named.target.clone()).collect();
         let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose).collect();
         let few = poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}");
-        (!few && targets.len() * 3 <= labels.len()).then(|| (form, targets.into_iter().collect()))
+        // a number of many rows names a point or a cycle
+        let again = form == NUMBER && poses.len() < labels.len();
+        (!few && !again && targets.len() * 3 <= labels.len()).then(|| (form, targets.into_iter().collect()))
     };
-    LABELS.into_iter().find_map(of).or_else(|| targets_alone(labels))
+    let forms = if are_numbers(labels) { &[NUMBER][..] } else { &LABELS[..] };
+    forms.iter().copied().find_map(of).or_else(|| targets_alone(labels))
+}
+
+/// `true` if all labels are whole numbers.
+fn are_numbers(labels: &[impl AsRef<str>]) -> bool {
+    let is_number = |label: &str| !label.is_empty() && label.bytes().all(|byte| byte.is_ascii_digit());
+    labels.iter().all(|label| is_number(label.as_ref()))
 }
 
 /// Returns the form of labels that name a target and nothing else: few labels, each of many rows.

@@ -148,7 +148,7 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
             Ok(joined) => {
                 if observations.is_empty() {
                     remarks.messages.extend(moved_out);
-                    remarks.messages.extend(joined.incomplete());
+                    remarks.messages.extend(joined.incomplete(of_rows(campaign, &targets)));
                 }
                 // poses are rows of a table of observations
                 let observed = if joined.has_orientations() {
@@ -163,6 +163,17 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
     }
     problems.check()?;
     Ok(Joined { observations, messages: remarks.messages, unmatched: remarks.unmatched })
+}
+
+/// Export with several targets whose rows are numbered as poses: each row is a pose of its own.
+fn of_rows<'a>(campaign: &'a Campaign, targets: &[Target]) -> Option<&'a str> {
+    let numbered = campaign.file.exports.iter().filter(|export| export.pose.is_some());
+    let mut files = numbered.map(|export| export.file.get_ref().as_str());
+    files.find(|file| {
+        let mut of = targets.iter().filter(|target| *target.point.export == **file).map(|target| target.index);
+        let first = of.next();
+        of.any(|index| Some(index) != first)
+    })
 }
 
 /// Joins targets in the world with one log, by the key that the campaign states.

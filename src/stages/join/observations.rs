@@ -6,7 +6,7 @@ use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::positions;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_formats::JointLog;
 use etalon_formats::table;
 use etalon_formats::tables::joints::{stated_mode, wrong_direction};
@@ -220,14 +220,20 @@ impl JoinedLog {
         table::frame(self.measured.len(), columns)
     }
 
-    /// Returns a warning if some poses lack a target that others have.
-    pub(super) fn incomplete(&self) -> Option<Message> {
+    /// Returns a warning if some poses lack a target that others have. The cause may be a file of
+    /// several targets whose rows are numbered as poses.
+    pub(super) fn incomplete(&self, of_rows: Option<&str>) -> Option<Message> {
         let mut seen: BTreeMap<(PoseName, i64), usize> = BTreeMap::new();
         for m in &self.measured {
             *seen.entry((m.pose, m.cycle)).or_default() += 1;
         }
         let lacking = |(_, n): &(&(PoseName, i64), &usize)| **n < self.targets.len();
         let poses: BTreeSet<PoseName> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
-        (!poses.is_empty()).then(|| warning!("targets-missing", poses = listed(&poses)))
+        let alone = seen.values().all(|count| *count == 1);
+        let message = (!poses.is_empty()).then(|| warning!("targets-missing", poses = listed(&poses)))?;
+        Some(match of_rows.filter(|_| alone) {
+            Some(file) => message.hint(phrase!("row-is-a-pose", file)),
+            None => message,
+        })
     }
 }

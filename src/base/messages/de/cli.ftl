@@ -131,7 +131,7 @@ uncertainty-implausible = der Wert von { $option } ist keine Unsicherheit einer 
 
 robot-not-in-table = die Geometrie von `{ $name }` ist nicht in der Robotertabelle
     .expected = { $names }
-    .hint = ihn durch seine URDF-Datei beschreiben: --urdf DATEI
+    .hint = ihn durch die eigene Roboterdatei beschreiben, --robot robot.toml, oder durch seine URDF-Datei, --urdf DATEI
 
 iso230-row-incomplete = eine Zeile hat keine Position, keinen Messwert oder keine Richtung
     .expected = Zahlen und +1 oder -1 als `direction`
@@ -190,7 +190,7 @@ controller-error-not-measured = Format `{ $format }` enthält { $parameters } ni
     .hint = die Kampagne mit "{ $format }" in `controllers` ausführen und aus ihrem Ausgabeordner exportieren
 
 from-needs-robot = --from braucht den Roboter
-    .hint = ihn angeben: --robot ur5e, oder --urdf DATEI
+    .hint = ihn angeben: --robot ur5e, --robot robot.toml für die eigene Roboterdatei, oder --urdf DATEI
 
 two-files-of-one-name = zwei Dateien heißen `{ $name }`
     .hint = einer davon einen anderen Namen geben

@@ -10,7 +10,7 @@ input-missing = die Datei `{ $file }` existiert nicht
 
 simulate-the-file = sie aus truth.toml schreiben: `etalon simulate { $folder }`
 
-place-the-file = die Datei an diesen Ort kopieren oder einen anderen Pfad angeben: Pfade beginnen im Ordner der Kampagne
+place-the-file = die Datei an diesen Ort kopieren oder einen anderen Pfad angeben: Pfade in campaign.toml beginnen in deren Ordner, Pfade eines Befehls im aktuellen Ordner
 
 name-a-file = der Ordner enthält { $files }
 

@@ -27,10 +27,10 @@ section-beside-observations = `{ $section }` ist neben [observations] angegeben
     .hint = entweder [observations] angeben oder [[export]], [[log]] und [join]
 
 join-clock-missing = eine Verknüpfung über die Zeit braucht { $keys }
-    .hint = `clock_offset_s` (Zeit der Messung minus Zeit des Protokolls) und `tolerance_s` in [join] ergänzen
+    .hint = in [join] { $lines } ergänzen: der Versatz ist die Zeit der Messung minus die Zeit des Protokolls. Gehen die Uhren verschieden, `clock_offset_s = "standstills"` angeben und in [log] `{ $standstill }`
 
 standstills-missing = der Uhrenversatz kann nicht geschätzt werden: Protokoll `{ $log }` hat keinen Abschnitt [log.standstill]
-    .hint = [log.standstill] mit `at_least_s` und `within_deg` oder `within_mm` ergänzen oder `clock_offset_s` als Zahl angeben
+    .hint = in [log] `{ $standstill }` ergänzen (`within_mm` für Schubgelenke) oder `clock_offset_s` als Zahl angeben
 
 interpolate-with-standstills = `interpolate` hat keine Wirkung: Protokoll `{ $log }` hat [log.standstill]
     .hint = `interpolate` entfernen: jeder Punkt wird mit dem Stillstand verknüpft, in den seine Zeit fällt

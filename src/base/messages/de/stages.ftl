@@ -183,6 +183,8 @@ column-empty = die Spalte `{ $column }` ist leer oder fehlt
 targets-missing = Zielmarken fehlen (Posen: { $poses })
     .hint = die übrigen Zielmarken dieser Posen zählen; eine Pose oder Orientierung braucht alle
 
+row-is-a-pose = `{ $file }` hat `pose = "row"`, sodass jede Zeile eine eigene Pose ist: diese Zeile entfernen, wenn mehrere Zielmarken an einer Pose gemessen wurden
+
 key-in-lines = { $key } (Zeilen { $lines })
 
 log-key-twice = Protokoll `{ $log }` enthält { $count ->

@@ -292,11 +292,11 @@ uncertainty-implausible = { $option } cannot be the uncertainty of a coordinate 
 
 # Means: The named robot is not in the table of `etalon init`.
 # Matters: Geometry is taken from published sources only.
-# Do: Describe the robot by its URDF.
+# Do: Describe the robot by its URDF, or by your own robot.toml.
 # Example: `etalon init arm --robot ur99`
 robot-not-in-table = the geometry of `{ $name }` is not in the table of robots
     .expected = { $names }
-    .hint = describe it by its URDF: --urdf FILE
+    .hint = describe it by your own robot file, --robot robot.toml, or by its URDF, --urdf FILE
 
 # Means: A row has no position, no measured value or no direction.
 # Matters: Positioning is evaluated for each position and direction (ISO 230-2).
@@ -426,7 +426,7 @@ controller-error-not-measured = format `{ $format }` does not hold { $parameters
 # Do: Name the robot, or its URDF.
 # Example: `etalon init cell --from points.csv`
 from-needs-robot = --from needs the robot
-    .hint = name it: --robot ur5e, or --urdf FILE
+    .hint = name it: --robot ur5e, --robot robot.toml for your own robot file, or --urdf FILE
 
 # Means: Two files of `--from` have the same name in different folders.
 # Matters: The files are copied into one folder.

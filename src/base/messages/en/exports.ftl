@@ -13,13 +13,14 @@ input-is-folder = `{ $folder }` is a folder
 
 # Means: The file does not exist.
 # Matters: The campaign is incomplete.
-# Do: Correct the path, or copy the file. Paths begin at the folder of the campaign.
+# Do: Correct the path, or copy the file. Paths in campaign.toml begin at its folder, paths of a
+# command at the current folder.
 # Example: `file = "exports/pose.txt"` where the folder has `poses.txt`
 input-missing = the file `{ $file }` does not exist
 
 simulate-the-file = write it from truth.toml: `etalon simulate { $folder }`
 
-place-the-file = copy the file to this path, or name another path: paths begin at the folder of the campaign
+place-the-file = copy the file to this path, or name another path: paths in campaign.toml begin at its folder, paths of a command at the current folder
 
 name-a-file = the folder has { $files }
 

@@ -55,14 +55,14 @@ section-beside-observations = `{ $section }` is stated beside [observations]
 # Do: State `clock_offset_s` and `tolerance_s`.
 # Example: `by = "time"` without `clock_offset_s`
 join-clock-missing = a join by time needs { $keys }
-    .hint = add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]
+    .hint = add to [join] { $lines }: the offset is the time of the measurement minus the time of the log. If the clocks differ, state `clock_offset_s = "standstills"`, and in [log] `{ $standstill }`
 
 # Means: `clock_offset_s = "standstills"` is stated, but a log has no [log.standstill].
 # Matters: The clock offset is estimated from the times of the standstills.
 # Do: Describe the standstills, or state the clock offset as a number.
 # Example: `clock_offset_s = "standstills"` and a [[log]] without [log.standstill]
 standstills-missing = the clock offset cannot be estimated: log `{ $log }` has no [log.standstill]
-    .hint = add [log.standstill] with `at_least_s` and `within_deg` or `within_mm`, or state `clock_offset_s` as a number
+    .hint = add to [log] `{ $standstill }` (`within_mm` for prismatic joints), or state `clock_offset_s` as a number
 
 # Means: `interpolate` is stated for a log with standstills.
 # Matters: Each point belongs to the standstill that contains its time. Joint values between

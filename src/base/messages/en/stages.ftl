@@ -382,6 +382,8 @@ column-empty = the column `{ $column }` is empty or missing
 targets-missing = targets are missing at pose { $poses }
     .hint = the other targets of these poses are used; a pose or an orientation needs all targets
 
+row-is-a-pose = `{ $file }` states `pose = "row"`, so that each row is a pose of its own: remove this line if several targets were measured at one pose
+
 key-in-lines = { $key } (lines { $lines })
 
 # Means: Several rows of the log have the same pose, or pose and cycle.

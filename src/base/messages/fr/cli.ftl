@@ -131,7 +131,7 @@ uncertainty-implausible = la valeur de { $option } n’est pas l’incertitude d
 
 robot-not-in-table = la géométrie de `{ $name }` n’est pas dans la table des robots
     .expected = { $names }
-    .hint = le décrire par son fichier URDF : --urdf FICHIER
+    .hint = le décrire par votre propre fichier, --robot robot.toml, ou par son fichier URDF, --urdf FICHIER
 
 iso230-row-incomplete = une ligne n’a pas de position, de valeur mesurée ou de sens
     .expected = des nombres, et +1 ou -1 comme `direction`
@@ -190,7 +190,7 @@ controller-error-not-measured = le format `{ $format }` ne contient pas { $param
     .hint = exécuter la campagne avec "{ $format }" dans `controllers`, et exporter depuis son dossier de sortie
 
 from-needs-robot = --from a besoin du robot
-    .hint = l’indiquer : --robot ur5e, ou --urdf FICHIER
+    .hint = l’indiquer : --robot ur5e, --robot robot.toml pour votre propre fichier, ou --urdf FICHIER
 
 two-files-of-one-name = deux fichiers s’appellent `{ $name }`
     .hint = donner un autre nom à l’un d’eux

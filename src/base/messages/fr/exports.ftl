@@ -10,7 +10,7 @@ input-missing = le fichier `{ $file }` n’existe pas
 
 simulate-the-file = l’écrire à partir de truth.toml : `etalon simulate { $folder }`
 
-place-the-file = copier le fichier à cet endroit, ou indiquer un autre chemin : les chemins partent du dossier de la campagne
+place-the-file = copier le fichier à cet endroit, ou indiquer un autre chemin : ceux de campaign.toml partent de son dossier, ceux d’une commande du dossier courant
 
 name-a-file = le dossier contient { $files }
 

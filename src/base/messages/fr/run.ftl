@@ -27,10 +27,10 @@ section-beside-observations = `{ $section }` figure à côté de [observations]
     .hint = indiquer soit [observations], soit [[export]], [[log]] et [join]
 
 join-clock-missing = une jointure par le temps nécessite { $keys }
-    .hint = ajouter `clock_offset_s` (instant de la mesure moins instant du journal) et `tolerance_s` à [join]
+    .hint = ajouter à [join] { $lines } : le décalage est l’instant de la mesure moins celui du journal. Si les horloges diffèrent, indiquer `clock_offset_s = "standstills"`, et dans [log] `{ $standstill }`
 
 standstills-missing = le décalage des horloges ne peut pas être estimé : le journal `{ $log }` n’a pas de [log.standstill]
-    .hint = ajouter [log.standstill] avec `at_least_s` et `within_deg` ou `within_mm`, ou donner à `clock_offset_s` une valeur numérique
+    .hint = ajouter à [log] `{ $standstill }` (`within_mm` pour les articulations prismatiques), ou donner à `clock_offset_s` une valeur numérique
 
 interpolate-with-standstills = `interpolate` est sans effet : le journal `{ $log }` a [log.standstill]
     .hint = supprimer `interpolate` : chaque point est joint à l’arrêt qui contient son instant

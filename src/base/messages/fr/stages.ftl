@@ -183,6 +183,8 @@ column-empty = la colonne `{ $column }` est vide ou manque
 targets-missing = des cibles manquent (poses : { $poses })
     .hint = les autres cibles de ces poses comptent ; une pose ou une orientation exige toutes les cibles
 
+row-is-a-pose = `{ $file }` indique `pose = "row"` : chaque ligne est alors une pose à part ; supprimer cette ligne si plusieurs cibles ont été mesurées à une même pose
+
 key-in-lines = { $key } (lignes { $lines })
 
 log-key-twice = le journal `{ $log }` contient { $count ->

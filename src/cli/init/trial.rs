@@ -1,0 +1,100 @@
+//! Trial of a proposed campaign: its open questions, and the errors that `check` would report once
+//! they are answered.
+
+use crate::cli::shell_word;
+use crate::run::walk::checked;
+use etalon_base::files::Stamp;
+use etalon_base::message::{Message, Problems, printable};
+use etalon_campaign::Campaign;
+use std::path::{Component, Path, PathBuf};
+
+/// Answers of a trial, by key: errors of a proposal do not depend on them.
+const ANSWERS: [(&str, &str); 3] =
+    [("name", "\"instrument\""), ("expanded_uncertainty_um", "20"), ("expanded_rotation_uncertainty_deg", "0.01")];
+/// Units that a trial of an open unit tries.
+const UNITS: [&str; 4] = ["mm", "m", "inch", "um"];
+/// Maximum number of errors that are repeated.
+const SHOWN: usize = 3;
+
+/// Returns the next step for a folder with this campaign.toml.
+pub(super) fn next(folder: &Path, text: &str) -> String {
+    let mut keys: Vec<&str> = text.lines().filter_map(open).collect();
+    keys.dedup();
+    let check = format!("`etalon check {}`", shell_word(folder));
+    let asks = match keys.is_empty() {
+        true => check,
+        false => format!("{check} asks for {}", keys.join(", ")),
+    };
+    match refusal(folder, text) {
+        Some(reasons) => format!("{asks}; the proposal would then be refused: {reasons}"),
+        None => asks,
+    }
+}
+
+/// Returns why `check` would refuse lines for campaign.toml with this robot, once their questions
+/// are answered. Files are relative to the current folder; others are not tried.
+pub fn refusal_of_lines(robot: &Path, files: &[PathBuf], lines: &str) -> Option<String> {
+    let below = |path: &Path| path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+    if !below(robot) || !files.iter().all(|file| below(file)) || !lines.contains("\n[join]\n") {
+        return None;
+    }
+    let robot = toml::Value::from(robot.display().to_string());
+    let text = format!(
+        "name = \"trial\"\nrobot = {robot}\n[instrument]\nname = \"?\"\nexpanded_uncertainty_um = \"?\"\n\
+         expanded_rotation_uncertainty_deg = \"?\"\ncoverage_factor = 2\n{lines}\n[identify]\ncalibration = \"all\"\n"
+    );
+    refusal(Path::new(""), &text)
+}
+
+/// Returns the first errors of a trial.
+fn refusal(folder: &Path, text: &str) -> Option<String> {
+    let wrong = errors(folder, text);
+    let shown = wrong.iter().take(SHOWN).map(|message| format!("{}: {}", message.id, message.phrase()));
+    let shown: Vec<String> = shown.collect();
+    (!shown.is_empty()).then(|| printable(&shown.join("; ")))
+}
+
+/// Key of a line that is an open question.
+fn open(line: &str) -> Option<&str> {
+    let stated = line.split(" #").next().unwrap_or(line);
+    let is_open = !stated.trim_start().starts_with('#') && stated.contains("= \"?\"");
+    let is_unit = !stated.trim_start().starts_with('#') && stated.contains("_UNIT =");
+    match (is_open, is_unit) {
+        (_, true) => Some("the units of joints"),
+        (true, _) => stated.split('=').next().map(str::trim),
+        _ => None,
+    }
+}
+
+/// Errors of the campaign with its questions answered by every unit; none if a question cannot be
+/// answered by a trial.
+fn errors(folder: &Path, text: &str) -> Vec<Message> {
+    let mut first: Option<Vec<Message>> = None;
+    for unit in UNITS {
+        let Some(text) = answered(text, unit) else { return Vec::new() };
+        let stamp = Stamp::of(text.as_bytes());
+        let found = match Campaign::recover_text(folder.join("campaign.toml"), text, stamp) {
+            Ok((Some(campaign), problems)) => [problems.0, checked(&campaign).problems.0].concat(),
+            Ok((None, problems)) | Err(problems) => problems.0,
+        };
+        if found.is_empty() {
+            return found;
+        }
+        first.get_or_insert_with(|| Problems(found).grouped().0);
+    }
+    first.unwrap_or_default()
+}
+
+/// Returns the text with its questions answered.
+fn answered(text: &str, unit: &str) -> Option<String> {
+    let answer = |line: &str| {
+        let Some(key) = open(line) else { return Some(format!("{line}\n")) };
+        let unit = format!("\"{unit}\"");
+        let value = match key {
+            "unit" => unit.as_str(),
+            key => ANSWERS.iter().find(|(of, _)| *of == key)?.1,
+        };
+        Some(format!("{}\n", line.replacen("\"?\"", value, 1)))
+    };
+    text.lines().map(answer).collect()
+}
