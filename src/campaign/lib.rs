@@ -103,8 +103,9 @@ impl Campaign {
     pub fn recover_text(path: PathBuf, text: String, stamp: Stamp) -> Result<(Option<Self>, Problems)> {
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
-        if let Some(question) = open_question(&name, &text) {
-            return Ok((None, question.into()));
+        let questions = open_questions(&name, &text);
+        if !questions.0.is_empty() {
+            return Ok((None, questions));
         }
         let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
         let Some(mut file) = value else { return Ok((None, problems)) };
@@ -281,23 +282,24 @@ impl Campaign {
     }
 }
 
-/// The first incomplete line of a proposal: a value `"?"`, or a joint in `UNIT`.
-fn open_question(name: &str, text: &str) -> Option<etalon_base::message::Message> {
+/// Incomplete lines of a proposal: each value `"?"`, and each line with a joint in `UNIT`.
+fn open_questions(name: &str, text: &str) -> Problems {
+    let stated = |line: &str| line.split(" #").next().unwrap_or(line).to_owned();
     let open = |line: &str| {
-        let stated = line.split(" #").next().unwrap_or(line);
+        let stated = stated(line);
         !stated.trim_start().starts_with('#') && (stated.contains("= \"?\"") || stated.contains("_UNIT ="))
     };
-    let mut lines = text.lines().enumerate().filter(|(_, line)| open(line));
-    let (at, line) = lines.next()?;
-    let more = lines.count();
-    let key = line.split('=').next().unwrap_or("").trim();
-    let message = if line.contains("_UNIT =") {
-        error!("joint-unit-open", more)
-    } else {
-        let remark = line.split_once(" #").map_or("none", |(_, remark)| remark.trim());
-        error!("key-open", key, more, remark)
+    let question = |(at, line): (usize, &str)| {
+        let message = if stated(line).contains("_UNIT =") {
+            error!("joint-unit-open")
+        } else {
+            let key = line.split('=').next().unwrap_or("").trim();
+            let remark = line.split_once(" #").map_or("none", |(_, remark)| remark.trim());
+            error!("key-open", key, remark)
+        };
+        message.at(Place::line(name, at + 1, line))
     };
-    Some(message.at(Place::line(name, at + 1, line)))
+    Problems(text.lines().enumerate().filter(|(_, line)| open(line)).map(question).collect())
 }
 
 /// Keys of `campaign.toml` that this campaign needs and does not state. A test by ISO 9283 needs

@@ -172,7 +172,7 @@ impl Evidence<'_> {
         VerdictDocument { actions: self.actions(&verdict), ..verdict }
     }
 
-    /// Next steps, those with the largest gain first.
+    /// Next steps: missing limits, then the steps with the largest gain.
     fn actions(&self, verdict: &VerdictDocument) -> Vec<Action> {
         let mut all: Vec<Action> = self.load(verdict).into_iter().chain(self.measure_again()).collect();
         let effects = self.judged.accuracy.into_iter().flat_map(|a| &a.effects);
@@ -188,6 +188,8 @@ impl Evidence<'_> {
         }
         // stable: steps without a known gain keep the order of the verdict
         all.sort_by(|a, b| b.gain_mm.unwrap_or(0.0).total_cmp(&a.gain_mm.unwrap_or(0.0)));
+        // without limits nothing decides whether a file may be loaded
+        all.sort_by_key(|action| action.action != ActionKind::StateLimits);
         all.truncate(MOST);
         all
     }

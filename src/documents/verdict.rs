@@ -25,7 +25,7 @@ pub struct VerdictDocument {
     pub reasons: Vec<Reason>,
     /// All limits with their verdicts.
     pub limits: Vec<LimitVerdict>,
-    /// Next steps, at most five, those with the largest gain first.
+    /// Next steps, at most five: missing limits, then the steps with the largest gain.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub actions: Vec<Action>,
 }

@@ -1,8 +1,9 @@
 //! `[[export]]`: a file of a measuring system, its format, and the pattern of its labels
 //! (`{target}_{pose}_{cycle}`).
 
-use super::dialect::{Column, Encoding, FromRow, Unit};
+use super::dialect::{Column, ColumnAt, Encoding, FromRow, Unit};
 use super::exports::Format;
+use super::exports::delimited::columns_not_read;
 use etalon_base::error;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
@@ -38,6 +39,23 @@ pub struct Export {
     /// Pose number from the number of the data row: `row`, or `row + 100` with an offset for a
     /// second file of the same targets.
     pub pose: Option<FromRow>,
+}
+
+impl Export {
+    /// Number of columns of the file that nothing reads, and number of all columns; `None` for
+    /// formats that are not delimited text, and where computed columns or filters name columns.
+    pub fn columns_not_read(&self, text: &str) -> Option<[usize; 2]> {
+        if self.format.dialect.columns.roles().is_empty() {
+            return None;
+        }
+        let is_joint = |i: usize, heading: Option<&str>| {
+            self.joints.values().any(|column| match &column.at {
+                ColumnAt::Number(number) => *number == i + 1,
+                ColumnAt::Name(name) => heading == Some(name.as_str()),
+            })
+        };
+        columns_not_read(text, &self.format.dialect, is_joint)
+    }
 }
 
 /// Target, pose and cycle of a label.

@@ -101,7 +101,8 @@ impl Contents {
 pub(super) fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
-    let end = if text.ends_with(|c: char| c.is_alphanumeric() || matches!(c, ')' | '`' | '%')) { "." } else { "" };
+    let end =
+        if text.ends_with(|c: char| c.is_alphanumeric() || matches!(c, ')' | ']' | '`' | '%')) { "." } else { "" };
     first.chain(letters).chain(end.chars()).collect()
 }
 

@@ -98,7 +98,7 @@ fn identification(documents: &[FormatsDocument], stated: &toml::Table) -> String
 /// Name, robot and instrument.
 fn head(names: &[String], lines: &str, controllers: &str) -> String {
     format!(
-        "# Proposed by `etalon init --from {}`. `etalon check` asks for each `\"?\"` and UNIT, one after the other.\n\
+        "# Proposed by `etalon init --from {}`. `etalon check` lists each `\"?\"` and UNIT to complete.\n\
          # Lengths are in mm, angles in degrees, unless a key states another unit.\n\n\
          name = \"First campaign\"\nrobot = \"robot.toml\"\ncontrollers = {controllers}\n\n\
          [instrument]                                  # from the calibration certificate\n\

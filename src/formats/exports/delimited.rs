@@ -146,6 +146,34 @@ pub(crate) fn point_rows(file: &str, text: &SharedText, dialect: &Dialect, unit:
     (points, problems)
 }
 
+/// Number of columns without a meaning in a dialect, and number of all columns with a heading or a
+/// value in the first row; columns that `is_read` names by heading or number are read.
+///
+/// `None` if computed columns or filters name columns as well, or the columns cannot be resolved.
+pub(crate) fn columns_not_read(
+    text: &str,
+    dialect: &Dialect,
+    is_read: impl Fn(usize, Option<&str>) -> bool,
+) -> Option<[usize; 2]> {
+    if !dialect.check().is_empty() || !(dialect.only.is_empty() && dialect.without.is_empty()) {
+        return None;
+    }
+    let mut rows = each_row("", text, dialect).flatten();
+    let header = header("", &mut rows, dialect).ok()?;
+    let first = rows.next()?;
+    let Resolved { roles, computed, .. } = resolved("", header.as_ref(), dialect, Some(&first)).ok()?;
+    let heading = |i: usize| header.as_ref().and_then(|row| row.fields.get(i)).map(AsRef::as_ref);
+    let cell = |i: usize| first.fields.get(i).map(AsRef::as_ref);
+    let width = first.fields.len().max(header.as_ref().map_or(0, |row| row.fields.len()));
+    let filled = (0..width).filter(|i| [heading(*i), cell(*i)].iter().flatten().any(|text: &&str| !text.is_empty()));
+    let columns: Vec<usize> = filled.collect();
+    let unread = |i: &&usize| {
+        let role = roles.get(**i).copied().unwrap_or(ColumnRole::Skip);
+        role == ColumnRole::Skip && !is_read(**i, heading(**i))
+    };
+    computed.is_empty().then(|| [columns.iter().filter(unread).count(), columns.len()])
+}
+
 /// Reads the points of the data rows between header and end, with their problems; an error of the
 /// header stops the reading.
 fn points<'t>(

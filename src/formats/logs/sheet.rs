@@ -5,7 +5,9 @@ use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header};
 use crate::filter::Filter;
 use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, marked, parsed, pose_name, split as split_rows};
+use crate::ros_bag;
 use crate::table::{ASSEMBLY, LABEL};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_base::{error, phrase};
 use etalon_documents::{Refused, Source};
@@ -49,16 +51,25 @@ impl Sheet<'_> {
     }
 }
 
+/// States how the file of a log is read.
+fn reading(log: &Log) -> Phrase {
+    let format = log.kind().about().title;
+    let delimited = || phrase!("log-delimited", delimiter = log.delimiter().name(), decimal = log.decimal.name());
+    let read = match &log.sheet {
+        Some(topic) if ros_bag::is_topic(topic) => return phrase!("log-of-topic", topic),
+        Some(sheet) => phrase!("log-of-sheet", sheet),
+        None if log.kind().0.has_arrays() => return phrase!("log-of-arrays", format),
+        None => delimited(),
+    };
+    if format.is_empty() { read } else { phrase!("log-of-format", format, read) }
+}
+
 /// Reads the wanted columns.
 pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
         return Err(two_commas_in(text).at(stated.place(&log.file)).into());
     }
-    let delimited = phrase!("log-delimited", delimiter = log.delimiter().name(), decimal = log.decimal.name());
-    source.read_as(match log.kind().about().title {
-        "" => delimited,
-        title => phrase!("log-of-format", format = title, read = delimited),
-    });
+    source.read_as(reading(log));
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
     if problems.0.iter().any(|message| message.id == "header-holds-numbers") {

@@ -266,7 +266,8 @@ pub(super) fn name_joints(
     let plain = columns.windows(2).all(|pair| pair[0] < pair[1]) || tried.starts_with(&columns);
     for taken in &mut found.taken {
         if matches!(taken.meaning, Meaning::Joint(_)) {
-            taken.meaning = Meaning::OtherJoint;
+            // a joint of another axis, or no joint: nothing states that it is commanded
+            taken.meaning = Meaning::Unknown;
             taken.why = Some(phrase!("why-fits-without"));
         }
     }
@@ -291,7 +292,6 @@ pub(super) fn name_joints(
     found.joint_names = (0..columns.len()).map(of_robot).collect();
     found.by_kinematics = true;
     let settled = [
-        "doubt-quaternion-order",
         "doubt-six-without-headings",
         "doubt-matrix-order",
         "doubt-joints-without-headings",

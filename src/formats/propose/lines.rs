@@ -22,6 +22,9 @@ pub const JOINTS: &str =
 /// Maximum number of problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
 
+/// Maximum number of columns that a doubt about columns that are not read lists.
+const LISTED_UNREAD: usize = 8;
+
 /// Maximum number of columns that are listed from the left; more columns are named.
 const LISTED: usize = 14;
 
@@ -112,6 +115,7 @@ impl Proposal<'_> {
                     if !self.found.by_kinematics {
                         document.ask(phrase!("ask-joints"));
                     }
+                    self.not_read().into_iter().for_each(|doubt| document.doubt(doubt));
                     self.log(None)
                 }
             },
@@ -290,17 +294,20 @@ impl Proposal<'_> {
         }
     }
 
-    /// Returns a doubt about unnamed columns of numbers that are not read.
+    /// Returns a doubt about columns of numbers that are not read, though nothing states what they
+    /// are.
     fn not_read(&self) -> Option<Phrase> {
+        let named = self.table.columns.iter().any(|column| column.name.is_some());
         let unread = |(i, taken): (usize, &super::meaning::Taken)| {
-            let unread = matches!(taken.meaning, Meaning::Unknown | Meaning::Count);
-            (unread && self.table.columns[i].is_numeric()).then(|| (i + 1).to_string())
+            let unread = taken.meaning == Meaning::Unknown || taken.meaning == Meaning::Count && !named;
+            let column = &self.table.columns[i];
+            let name = || column.name.as_ref().map(|name| format!(" `{name}`")).unwrap_or_default();
+            (unread && column.is_numeric()).then(|| format!("{}{}", i + 1, name()))
         };
-        if self.table.columns.iter().any(|column| column.name.is_some()) {
-            return None;
-        }
-        let columns: Vec<String> = self.found.taken.iter().enumerate().filter_map(unread).collect();
-        (!columns.is_empty()).then(|| phrase!("doubt-columns-not-read", columns))
+        let mut columns: Vec<String> = self.found.taken.iter().enumerate().filter_map(unread).collect();
+        let more = columns.len().saturating_sub(LISTED_UNREAD);
+        columns.truncate(LISTED_UNREAD);
+        (!columns.is_empty()).then(|| phrase!("doubt-columns-not-read", columns, more))
     }
 
     /// Returns the problems of reading the whole file with this dialect, as doubts.
@@ -333,6 +340,7 @@ impl Proposal<'_> {
     /// Returns the lines of a file with joints and points.
     fn mixed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
         document.because(self.named(joints, phrase!("says-joints-beside")));
+        self.not_read().into_iter().for_each(|doubt| document.doubt(doubt));
         if !self.found.by_kinematics {
             document.ask(phrase!("ask-joints"));
         }

@@ -335,7 +335,59 @@ impl Interpretation {
                 return;
             }
         }
+        self.quaternion_by_values(table);
     }
+
+    /// Finds four neighbouring columns of length 1 in all rows under headings of any spelling.
+    fn quaternion_by_values(&mut self, table: &Table) {
+        let without_unit = |(i, column): (usize, &Column)| column.heading.unit.is_none().then_some(i);
+        let free: Vec<usize> = self.free(table).filter_map(without_unit).collect();
+        let neighbours = free.windows(4).filter_map(|four| <[usize; 4]>::try_from(four).ok());
+        for all in neighbours.filter(|all| all[3] - all[0] == 3) {
+            let named = components(all.map(|at| &table.columns[at].heading));
+            let varies = || {
+                all.iter().any(|at| !table.columns[*at].is_constant())
+                    && all.iter().all(|at| table.columns[*at].largest() > UNUSED)
+            };
+            if table.rows < FEWEST_ROWS || !table.are_unit(all) || named.is_none() && !varies() {
+                continue;
+            }
+            // without a name of the scalar it is the first, as a question
+            for (at, k) in all.into_iter().zip(named.unwrap_or([0, 1, 2, 3])) {
+                self.take(at, Meaning::Quaternion(k), phrase!("why-four-of-length-one"));
+            }
+            if named.is_none() {
+                let columns: Vec<String> = all.iter().map(|at| table.called(*at)).collect();
+                self.questions.push(phrase!("ask-quaternion-order", columns));
+            }
+            return;
+        }
+    }
+}
+
+/// Minimum number of rows in which four numbers of length 1 are no chance.
+const FEWEST_ROWS: usize = 3;
+/// Largest magnitude of a column that holds no component: three others of length 1 are a direction.
+const UNUSED: f64 = 1e-3;
+
+/// Returns the component (w, x, y, z) that each of four headings names.
+///
+/// Three axes beside any fourth heading make it the scalar; numbers from 0 to 3 begin with the
+/// scalar. Other numbers do not state which is the scalar.
+fn components(headings: [&Heading; 4]) -> Option<[usize; 4]> {
+    let component = |heading: &Heading| {
+        let last = heading.words.last()?;
+        let axis = |word: &str| ["x", "y", "z"].iter().position(|axis| *axis == word).map(|axis| axis + 1);
+        let imaginary = |word: &str| ["i", "j", "k"].iter().position(|unit| *unit == word).map(|unit| unit + 1);
+        let number = last.parse::<usize>().ok().filter(|number| *number < 4);
+        axis(last).or_else(|| axis(last.strip_prefix('q')?)).or_else(|| imaginary(last)).or(number)
+    };
+    let mut found = headings.map(component);
+    let holds = |found: &[Option<usize>; 4], k: usize| found.iter().filter(|at| **at == Some(k)).count() == 1;
+    let axes = (1..4).all(|k| holds(&found, k));
+    let other = found.iter_mut().find(|at| at.is_none_or(|k| k == 0)).filter(|_| axes)?;
+    *other = Some(0);
+    Some(found.map(|k| k.unwrap_or(0)))
 }
 
 /// Words of joints with names instead of numbers.

@@ -438,6 +438,42 @@ mod tests {
     }
 
     #[test]
+    fn four_columns_of_length_one_are_a_quaternion_under_any_headings() {
+        let turns = ["0.5,0.5,0.5,-0.5", "0.48,0.6,0.64,0", "0.1,0.7,0.1,0.7", "0.8,0,0.36,0.48"];
+        let of = |head: &str, rows: &[&str]| {
+            let rows = rows.iter().enumerate().map(|(i, row)| format!("{}.5,{}.25,3.5,{row}\n", 1 + 7 * i, 2 + i * i));
+            propose("m.csv", &(format!("X,Y,Z,{head}\n") + &rows.collect::<String>()))
+        };
+        let asks = |document: &FormatsDocument| {
+            document.question_phrases.iter().any(|question| question.id == "ask-quaternion-order")
+        };
+        for (head, columns) in [
+            ("Q0,Qx,Qy,Qz", "\"z\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
+            ("ori_x,ori_y,ori_z,ori_s", "\"z\", \"qx\", \"qy\", \"qz\", \"qw\"]"),
+            ("q_i,q_j,q_k,q_r", "\"z\", \"qx\", \"qy\", \"qz\", \"qw\"]"),
+            ("e0,e1,e2,e3", "\"z\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
+        ] {
+            let document = of(head, &turns);
+            assert!(document.toml.contains(columns) && !asks(&document), "{head}: {}", document.toml);
+        }
+        // nothing names the scalar: a question
+        for head in ["q1,q2,q3,q4", "A,B,C,D"] {
+            let document = of(head, &turns);
+            assert!(document.toml.contains("\"qw\", \"qx\", \"qy\", \"qz\"]") && asks(&document), "{}", document.toml);
+        }
+        // a direction beside an empty column, and numbers of another length
+        for (head, rows) in [
+            ("nx,ny,nz,k", ["0.6,0.8,0,0", "0.36,0.48,0.8,0", "0,0,1,0", "0.8,0,0.6,0"]),
+            ("A,B,C,D", ["0.5,0.5,0.5,-0.4", "0.48,0.6,0.64,0", "0.1,0.7,0.1,0.7", "0.8,0,0.36,0.48"]),
+        ] {
+            let document = of(head, &rows);
+            assert!(!document.toml.contains("qw"), "{}", document.toml);
+        }
+        let unread = of("A,B,C,D", &["0.5,0.5,0.5,-0.4", "0.48,0.6,0.64,0", "0.1,0.7,0.1,0.7", "0.8,0,0.36,0.48"]);
+        assert!(unread.doubts.iter().any(|doubt| doubt.contains("column 4 `A`, 5 `B`")), "{:?}", unread.doubts);
+    }
+
+    #[test]
     fn comma_and_comma_is_never_proposed() {
         let text = propose("p.txt", "1,25\t2,50\t3,75\n").toml;
         assert!(text.contains("decimal = \",\""), "{text}");

@@ -7,7 +7,7 @@ use crate::Observation;
 use crate::model::residuals::Residuals;
 use crate::solution::hypotheses::{Fitted, Hypothesis, LEAST_MM};
 use crate::solution::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
-use crate::solution::slips::{changes, shifted};
+use crate::solution::slips::{Change, changes, shifted};
 use crate::warning::{Origin, SetUpError, Subject, Warning};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
@@ -17,6 +17,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_math::statistics::{median, rms};
 use etalon_math::{Options, factor_at};
 use etalon_robots::{Quantity, Robot, Role};
+use rayon::prelude::*;
 
 /// Number of poses on which changes are tried.
 const SUBSET: usize = 32;
@@ -121,7 +122,7 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
     }
     let cases = Slip::all(robot, observations, &subset, stated_mm);
     let fitted = |slip: Slip| slip.case.fit(slip.robot(robot), least_mm, None).map(|fitted| (slip, fitted));
-    let mut cases: Vec<(Slip, Fitted)> = cases.into_iter().filter_map(fitted).collect();
+    let mut cases: Vec<(Slip, Fitted)> = cases.into_par_iter().filter_map(fitted).collect();
     if stated_mm.is_finite() {
         cases.extend(wrong_nominal(robot, stated.as_ref()?, least_mm));
     }
@@ -138,7 +139,7 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
         };
         beside.unwrap_or_else(|| fitted.explains()).then_some((slip, fitted))
     };
-    let mut explaining: Vec<(Slip, Fitted)> = cases.into_iter().filter_map(judged).collect();
+    let mut explaining: Vec<(Slip, Fitted)> = cases.into_par_iter().filter_map(judged).collect();
     // a value found from the data must explain clearly more than a change that has none
     let by_change = |(slip, _): &&(Slip, Fitted)| slip.case.loose.is_none() && slip.origin != Origin::WorldFrame;
     let best = explaining.iter().filter(by_change).map(|e| e.1.per_row()).fold(f64::INFINITY, f64::min);
@@ -208,10 +209,12 @@ impl Slip {
     fn all(robot: &dyn Robot, observations: &[Observation], subset: &[Observation], stated_mm: f64) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
         let new = |what, origin, case| Self { what, origin, other: None, case, beside: None };
-        for change in changes(robot, subset) {
-            let case = Case::placed(robot, &change.observations, change.anywhere);
-            all.extend(case.map(|case| new(change.what, change.origin, case)));
-        }
+        let placed = |change: Change| {
+            let case = Case::placed(robot, &change.observations, change.anywhere)?;
+            Some(new(change.what, change.origin, case))
+        };
+        let of_changes: Vec<Self> = changes(robot, subset).into_par_iter().filter_map(placed).collect();
+        all.extend(of_changes);
         for (shift, neighbour) in [(-1, "previous"), (1, "next")] {
             // the first or last pose has no neighbour: it must not be what was wrong
             let shifted = spread_over(&shifted(observations, shift), SUBSET);
@@ -493,6 +496,28 @@ mod tests {
             Observation { pose: i.into(), cycle: 1, joints, targets, ..Observation::default() }
         };
         (1..=40).map(pose).collect()
+    }
+
+    /// One of two exports in inches is named, with its target alone; sound data and data that no
+    /// unit explains are not accused.
+    #[test]
+    fn the_unit_of_one_target_is_named_alone() {
+        let robot = Prexyt::default();
+        for (target, factor, slip) in [(0, 1.0 / 25.4, "inch-mm"), (1, 25.4, "mm-inch"), (1, 1e-3, "m-mm")] {
+            let mut observations = measured(&robot, 0.0);
+            for p in observations.iter_mut().filter_map(|o| o.targets[target].as_mut()) {
+                *p = p.map(|v| v * factor);
+            }
+            let found = set_up_error(&robot, &observations, 0.003).expect("a slip");
+            let targets = vec![format!("`{}`", robot.targets()[target])];
+            assert_eq!(found.changes[0].0, phrase!("slip-unit-of-targets", targets, slip), "{found:?}");
+            assert_eq!(found.changes.len(), 1, "{found:?}");
+        }
+        let (mut observations, mut noise) = (measured(&robot, 0.0), Noise::new(16, 7));
+        for p in observations.iter_mut().filter_map(|o| o.targets[1].as_mut()) {
+            *p = [noise.uniform(200.0), noise.uniform(200.0), 0.0];
+        }
+        assert_eq!(set_up_error(&robot, &observations, 0.003), None);
     }
 
     /// Forty poses with points in inches, from a frame that lies elsewhere.

@@ -1,6 +1,7 @@
 //! Slips of a set-up, and the observations without each of them.
 
 use crate::Observation;
+use crate::solution::placing::readings;
 use crate::warning::Origin;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -43,8 +44,42 @@ pub(crate) fn changes(robot: &dyn Robot, observations: &[Observation]) -> Vec<Ch
         let what = phrase!("slip-unit", quantity = "points", slip);
         Change { origin: Origin::Unit, anywhere: true, ..Change::named(what, changed) }
     }));
+    all.extend(units_of_targets(robot, observations).into_iter().map(|(what, changed)| Change::named(what, changed)));
     all
 }
+
+/// Minimum number of readings of a target whose unit is questioned: its place has three unknown
+/// coordinates, which fewer readings fit in any unit.
+const FEWEST_READINGS: usize = 4;
+
+/// Observations with the points of some targets in another unit, and the change: each target alone,
+/// and all targets but one. Exports of a measuring system hold targets of their own.
+fn units_of_targets(robot: &dyn Robot, observations: &[Observation]) -> Vec<(Phrase, Vec<Observation>)> {
+    let seen = readings(robot, observations);
+    let often: Vec<usize> = seen.iter().filter(|(_, count)| *count >= FEWEST_READINGS).map(|(k, _)| *k).collect();
+    if seen.len() < 2 {
+        return Vec::new();
+    }
+    let mut groups: Vec<Vec<usize>> = often.iter().map(|&k| vec![k]).collect();
+    if seen.len() > 2 && often.len() == seen.len() {
+        groups.extend(often.iter().map(|k| often.iter().copied().filter(|other| other != k).collect()));
+    }
+    let mut all = Vec::new();
+    for group in groups.into_iter().take(MOST_GROUPS) {
+        let names: Vec<String> = group.iter().map(|&k| format!("`{}`", robot.targets()[k])).collect();
+        for (factor, slip) in LENGTHS {
+            let mut changed = observations.to_vec();
+            let points = changed.iter_mut().flat_map(|o| o.targets.iter_mut().enumerate());
+            let points = points.filter(|(k, _)| group.contains(k)).filter_map(|(_, point)| point.as_mut());
+            points.for_each(|p| *p = p.map(|v| v * factor));
+            all.push((phrase!("slip-unit-of-targets", targets = names, slip), changed));
+        }
+    }
+    all
+}
+
+/// Maximum number of groups of targets whose unit is questioned.
+const MOST_GROUPS: usize = 12;
 
 /// Observations with one property of the joints changed, and the change.
 fn changes_of_joints(robot: &dyn Robot, observations: &[Observation]) -> Vec<(Phrase, Vec<Observation>)> {

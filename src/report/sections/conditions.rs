@@ -1,6 +1,7 @@
 //! Identification of the report, and test conditions: lists required by ISO/IEC 17025:2017
 //! (7.8.2.1) and ISO 9283:1998 (12, annex C).
 
+use super::checklist;
 use super::limits::name;
 use crate::Report;
 use crate::model::{Block, Cell, Section};
@@ -18,13 +19,16 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.summarise(tr!(words, "instrument-expanded-uncertainty"), campaign.expanded_uncertainty_um, "µm");
     section.summarise(tr!(words, "coverage-factor"), campaign.coverage_factor, "");
     section.summarise(tr!(words, "temperature"), campaign.temperature_c, "°C");
+    let to_complete: Vec<String> = checklist::missing(report, words).into_iter().map(|m| m.field).collect();
     for (heading, facts) in [(None, identity), (Some(tr!(words, "conditions")), conditions)] {
         section.blocks.extend(heading.map(Block::heading));
         let not_stated = tr!(words, "not-stated");
         let (missing, given): (Vec<_>, Vec<_>) = facts.into_iter().partition(|(_, said)| said.plain() == not_stated);
         section.push(Block::facts(given));
-        if !missing.is_empty() {
-            let names: Vec<String> = missing.into_iter().map(|(what, _)| what).collect();
+        // page one lists the fields to complete
+        let names: Vec<String> =
+            missing.into_iter().map(|(what, _)| what).filter(|what| !to_complete.contains(what)).collect();
+        if !names.is_empty() {
             section.push(Block::text(tr!(words, "not-stated-items", items = names.join(", "))));
         }
     }

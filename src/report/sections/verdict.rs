@@ -32,11 +32,12 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     let set = identified.and_then(|i| headline_set(i.accuracy));
     let mut sentences: Vec<String> = identified.and_then(|i| alarm(i.parameters, words)).into_iter().collect();
     sentences.extend(named(&judgement, words));
+    sentences.extend(limits.is_empty().then(|| counted(&limits, words)));
     sentences.extend(identified.zip(set).into_iter().flat_map(|(i, set)| errors(i.accuracy, set, words)));
     sentences.extend(identified.and_then(|i| unexplained(i, words)));
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
-    sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
+    sentences.extend((identified.is_some() && !limits.is_empty()).then(|| counted(&limits, words)));
     sentences.extend(reservations(&judgement, words));
     let point = identified
         .map(|i| words.worded(&i.accuracy.point, i.accuracy.point_phrase.as_ref()))

@@ -45,6 +45,20 @@ fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
     }
 }
 
+/// Without limits nothing decides: the page says so first, and asks for them before a file is loaded.
+#[test]
+fn missing_limits_come_first() {
+    let mut documents = Documents::demo();
+    documents.accuracy.limits.clear();
+    let shown = shown(&documents);
+    let at = |part: &str| shown.find(part).unwrap_or_else(|| panic!("{part}: {shown}"));
+    assert!(at("No limits are stated: no verdict is possible.") < at("Largest "), "{shown}");
+    assert!(
+        shown.contains("\n1. State the tolerance of the application in [limits]. A verdict needs limits.\n"),
+        "{shown}"
+    );
+}
+
 #[test]
 fn the_exit_code_follows_the_verdict_that_is_shown() {
     let mut documents = everything();

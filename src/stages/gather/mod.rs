@@ -82,6 +82,10 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
                 let mut source = statement(SourceKind::Export, file, &stamp);
                 let read = phrase!("read-in-unit", format = export.format.title(), unit = export.unit.name());
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
+                let read = match export.columns_not_read(&text) {
+                    Some([unread, all]) if unread > 0 => phrase!("read-without-columns", read, unread, all),
+                    _ => read,
+                };
                 let frame = export.format.frame(&text);
                 source.read_as(match frame {
                     Some(frame) => phrase!("read-in-frame", read, frame),

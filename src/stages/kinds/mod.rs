@@ -176,6 +176,46 @@ pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
     (!joints.is_empty()).then(|| warning!("base-moves", joints).to_decide())
 }
 
+/// Rows without the standard uncertainty that they need, by the column that would state it.
+#[derive(Default)]
+struct Unstated<'a>(BTreeMap<&'static str, Vec<&'a Row>>);
+
+impl<'a> Unstated<'a> {
+    /// Takes the row if its uncertainty is missing, and returns the other problems.
+    fn without(&mut self, row: &'a Row, problems: Problems) -> Problems {
+        let (missing, others): (Vec<Message>, Vec<Message>) =
+            problems.0.into_iter().partition(|message| message.id == UNCERTAINTY_MISSING);
+        for message in missing {
+            let angle = message.is(UNCERTAINTY_MISSING, &[("column", &"urot_deg")]);
+            self.0.entry(if angle { "urot_deg" } else { "u_mm" }).or_default().push(row);
+        }
+        Problems(others)
+    }
+
+    /// One message for each column, with the number of rows and the first three.
+    fn messages(&self) -> Vec<Message> {
+        let message = |(column, rows): (&&'static str, &Vec<&Row>)| {
+            let by = if rows.iter().all(|row| row.line.is_some()) { "line" } else { "pose" };
+            let name = |row: &&Row| match by {
+                "line" => row.line.map(|line| line.to_string()),
+                _ => row.pose.map(|pose| pose.to_string()),
+            };
+            let mut named: Vec<String> = rows.iter().filter_map(name).collect();
+            named.dedup();
+            let more = named.len().saturating_sub(FIRST_ROWS);
+            named.truncate(FIRST_ROWS);
+            let place = rows.first().map(|row| row.place()).unwrap_or_default();
+            error!("uncertainty-missing", column = *column, count = rows.len(), by, rows = named, more).at(place)
+        };
+        self.0.iter().map(message).collect()
+    }
+}
+
+/// Id of the message about a row without uncertainty.
+const UNCERTAINTY_MISSING: &str = "uncertainty-missing";
+/// Number of rows that a message about rows of one cause names.
+const FIRST_ROWS: usize = 3;
+
 /// Observations of `robot` from a table of any kinds; fixed points and surfaces are added to its
 /// parameters, and observations other than positions of targets to `settings`. Values derived from
 /// the measurement are in `messages`.
@@ -202,14 +242,16 @@ pub fn observed(
     let mut problems = Problems::default();
     problems.0.extend(unnamed_station(&rows));
     let mut written = Vec::new();
+    let mut without_uncertainty = Unstated::default();
     for row in &rows {
         let before = settings.conditions.len();
         if let Err(more) = row.add_to(&mut settings, robot) {
-            problems.0.extend(more.at(&row.place()).0);
+            problems.0.extend(without_uncertainty.without(row, more).at(&row.place()).0);
         }
         let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
         written.extend(added.map(|c| (c.kind.is_world_orientation(), row.orientation)));
     }
+    problems.0.extend(without_uncertainty.messages());
     problems.check()?;
     let names = robot.parameters();
     if let Some((_, p)) = names.iter().enumerate().find(|(i, p)| names[..*i].iter().any(|other| other.name == p.name)) {

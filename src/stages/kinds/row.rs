@@ -192,7 +192,10 @@ fn positive(standard_uncertainty: f64, is_angle: bool) -> Result<f64> {
     match standard_uncertainty {
         u if u > 0.0 && u.is_finite() => Ok(u),
         u if !u.is_nan() => Err(error!("uncertainty-not-positive", column, value = u).into()),
-        _ => Err(error!("uncertainty-missing", column).into()),
+        _ => {
+            Err(error!("uncertainty-missing", column, count = 1, by = "pose", rows = Vec::<String>::new(), more = 0)
+                .into())
+        }
     }
 }
 

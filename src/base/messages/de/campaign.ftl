@@ -229,19 +229,13 @@ urdf-number-count = `{ $attribute }` hat { $count ->
            *[other] { $expected_count } Zahlen
         }
 
-key-open = `{ $key }` ist noch offen{ $more ->
-        [0] {""}
-       *[other] ; { $more } weitere sind zu ergänzen
-    }
+key-open = `{ $key }` ist noch offen
     .hint = die Zeile ergänzen{ $remark ->
         [none] {""}
        *[other] : { $remark }
     }
 
-joint-unit-open = die Einheit der Gelenke ist noch offen{ $more ->
-        [0] {""}
-       *[other] ; { $more } weitere sind zu ergänzen
-    }
+joint-unit-open = die Einheit der Gelenke ist noch offen
     .hint = deg, rad, mm oder m für UNIT einsetzen
 
 kind-expected = { $kind ->

@@ -465,6 +465,9 @@ point-incomplete = kein Punkt: { $found } ohne { $missing }
 probe-centre-no-point = ein Tastermittelpunkt, kein Punkt des Elements
 
 log-delimited = Trennzeichen `{ $delimiter }`, Dezimalzeichen `{ $decimal }`
+log-of-arrays = Arrays von { $format }
+log-of-sheet = Arbeitsmappe, Blatt `{ $sheet }`
+log-of-topic = ROS-Aufzeichnung, Topic `{ $topic }`
 log-of-format = { $format }, { $read }
 log-with-start = { $read }, Beginn { $start }
 read-with-decimal-comma = { $format }, Dezimalzeichen `,`

@@ -244,6 +244,13 @@ slip-unit = { $quantity ->
        *[deg-rad] in Grad statt Radiant
     }
 
+slip-unit-of-targets = die Messpunkte von { $targets } { $slip ->
+        [m-mm] in Metern statt Millimetern
+        [mm-m] in Millimetern statt Metern
+        [inch-mm] in Zoll statt Millimetern
+       *[mm-inch] in Millimetern statt Zoll
+    }
+
 slip-points = { $change ->
         [mirrored] die gemessenen Punkte gespiegelt (ein Linkssystem oder zwei vertauschte Koordinaten)
         [exchanged] x und y der gemessenen Punkte vertauscht

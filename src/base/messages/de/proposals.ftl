@@ -7,6 +7,7 @@ ask-joints = zu welchem Gelenk jede Spalte gehört, und ihre Einheit
 ask-joints-of-format = zu welchem Gelenk jede Spalte gehört, und ihre Einheit, wenn sie unbekannt ist
 ask-log-of-format = ob es Folgendes ist: { $what } (`[log]` mit `format = "{ $format }"`)
 ask-order-of-columns = ob die Spalten x, y, z in dieser Reihenfolge sind oder Winkel und Abstände
+ask-quaternion-order = welche der Spalten { $columns } der Skalar des Quaternions ist: angenommen ist die erste
 ask-recorded-motion = ob es eine aufgezeichnete Bewegung ist, wie vorgeschlagen, oder Punkte mit Zeitpunkten (dann [[export]])
 ask-rotation = ob die drei Zahlen ein Rotationsvektor sind oder Winkel, und in welcher Reihenfolge diese drehen
 ask-seconds = ob `{ $name }` in Sekunden ist (sonst `time_ms`, `time_ns`)
@@ -45,7 +46,10 @@ because-topic = das Topic `{ $topic }` hat { $count ->
     } vom Typ { $message_type }
 doubt-all-commanded = alle Koordinaten heißen wie Sollwerte: sie sind keine Messung
 doubt-bare-metre = die Überschriften enden auf `_m`: Meter oder „gemessen“
-doubt-columns-not-read = nicht gelesene Zahlen: Spalte { $columns }
+doubt-columns-not-read = nicht gelesene Zahlen: Spalte { $columns }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weitere
+    }
 doubt-coordinates-left = Koordinaten von { $left } werden nicht verwendet: andere haben eine passendere Überschrift
 doubt-dates = Datumsangaben mit `/` lassen offen, ob Tag oder Monat zuerst kommt: sie werden nicht gelesen
 doubt-decimal-mark = keine Zahl hat ein Dezimalzeichen: dass es `{ $mark }` ist, ist nicht belegt

@@ -341,10 +341,22 @@ station-row-unsupported = { $fault ->
 uncertainty-not-positive = `{ $column }` = { $value } ist keine Standardunsicherheit
     .expected = eine positive Zahl
 
-uncertainty-missing = die Zeile hat keine Standardunsicherheit
+uncertainty-missing = { $count ->
+        [one] eine Zeile hat
+       *[other] { $count } Zeilen haben
+    } keine Standardunsicherheit der { $column ->
+        [urot_deg] Drehung
+       *[u_mm] Länge
+    }: { $by ->
+        [line] Zeile
+       *[pose] Pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weitere
+    }
     .hint = { $column ->
-            [urot_deg] --rotation-uncertainty-deg (in einer Kampagne `expanded_rotation_uncertainty_deg` von [instrument]) oder eine Spalte `urot_deg` angeben
-           *[u_mm] --standard-uncertainty-um oder eine Spalte `u_mm` angeben
+            [urot_deg] `expanded_rotation_uncertainty_deg` in [instrument] oder eine Spalte `urot_deg` angeben; bei `etalon identify` und `etalon verify` --rotation-uncertainty-deg
+           *[u_mm] `expanded_uncertainty_um` in [instrument] oder eine Spalte `u_mm` angeben; bei `etalon identify` und `etalon verify` --standard-uncertainty-um
         }
 
 surface-axis-missing = { $kind ->
@@ -1046,6 +1058,7 @@ table-of-compliance = statische Nachgiebigkeit
 recorded-motion-file = aufgezeichnete Bewegung
 read-in-unit = { $format }, Einheit { $unit }
 read-in-frame = { $read }, bezogen auf `{ $frame }`
+read-without-columns = { $read }, { $unread } von { $all } Spalten nicht gelesen
 
 side-stated = wie vom Benutzer angegeben
 side-from-values = aus { $of ->

@@ -480,12 +480,9 @@ urdf-number-count = `{ $attribute }` has { $count ->
 
 # Means: A campaign that `etalon init --from` proposed has a line that the files cannot complete.
 # Matters: A unit or a target is never guessed.
-# Do: Complete the line as its remark says; `check` then asks for the next one.
+# Do: Complete the line as its remark says; `check` lists all open lines at once.
 # Example: `target = "?"`
-key-open = `{ $key }` is incomplete{ $more ->
-        [0] {""}
-       *[other] ; { $more } more to complete
-    }
+key-open = `{ $key }` is incomplete
     .hint = complete the line{ $remark ->
         [none] {""}
        *[other] : { $remark }
@@ -495,10 +492,7 @@ key-open = `{ $key }` is incomplete{ $more ->
 # Matters: Joint values read in a wrong unit give wrong poses.
 # Do: Replace UNIT by deg, rad, mm or m.
 # Example: `q1_UNIT = "J1"`
-joint-unit-open = the unit of the joints is not stated{ $more ->
-        [0] {""}
-       *[other] ; { $more } more to complete
-    }
+joint-unit-open = the unit of the joints is not stated
     .hint = replace UNIT by deg, rad, mm or m
 
 kind-expected = { $kind ->

@@ -793,6 +793,9 @@ point-incomplete = no point: { $found } without { $missing }
 probe-centre-no-point = a probe centre, not a point of the feature
 
 log-delimited = delimited by `{ $delimiter }`, decimal `{ $decimal }`
+log-of-arrays = arrays of { $format }
+log-of-sheet = workbook, sheet `{ $sheet }`
+log-of-topic = ROS recording, topic `{ $topic }`
 log-of-format = { $format }, { $read }
 log-with-start = { $read }, start { $start }
 read-with-decimal-comma = { $format }, decimal `,`

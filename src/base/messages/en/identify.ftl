@@ -476,6 +476,13 @@ slip-unit = { $quantity ->
        *[deg-rad] in degrees instead of radians
     }
 
+slip-unit-of-targets = the measured points of { $targets } { $slip ->
+        [m-mm] in metres instead of millimetres
+        [mm-m] in millimetres instead of metres
+        [inch-mm] in inches instead of millimetres
+       *[mm-inch] in millimetres instead of inches
+    }
+
 slip-points = { $change ->
         [mirrored] the measured points mirrored (a left-handed frame, or two coordinates exchanged)
         [exchanged] x and y of the measured points exchanged

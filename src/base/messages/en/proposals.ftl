@@ -7,6 +7,7 @@ ask-joints = which joint each column is, and its unit
 ask-joints-of-format = which joint each column is, and its unit where it is not known
 ask-log-of-format = whether it is { $what } (`[log]` with `format = "{ $format }"`)
 ask-order-of-columns = whether the columns are x, y, z in this order, or angles and distances
+ask-quaternion-order = which of { $columns } is the scalar of the quaternion: the first is taken
 ask-recorded-motion = whether it is a recorded motion, as proposed, or points with times (then [[export]])
 ask-rotation = whether the three are a rotation vector, or angles and in which order they turn
 ask-seconds = whether `{ $name }` is in seconds (`time_ms`, `time_ns` otherwise)
@@ -45,7 +46,10 @@ because-topic = topic `{ $topic }` has { $count ->
     } of type { $message_type }
 doubt-all-commanded = every coordinate is called commanded: it is no measurement
 doubt-bare-metre = the headings end in `_m`: metres, or "measured"
-doubt-columns-not-read = numbers that are not read: column { $columns }
+doubt-columns-not-read = numbers that are not read: column { $columns }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    }
 doubt-coordinates-left = coordinates of { $left } are not taken: others have a heading that is closer
 doubt-dates = dates with `/` do not state whether the day or the month is first: they are not read
 doubt-decimal-mark = no number has a decimal mark: that it is `{ $mark }` is not proved

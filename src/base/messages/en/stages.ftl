@@ -698,10 +698,22 @@ uncertainty-not-positive = `{ $column }` = { $value } is not a standard uncertai
 # Matters: The weight of the row depends on its uncertainty.
 # Do: State an uncertainty for all rows, or in a column.
 # Example: a distance in a table without `u_mm`
-uncertainty-missing = the row has no standard uncertainty
+uncertainty-missing = { $count ->
+        [one] a row has
+       *[other] { $count } rows have
+    } no standard uncertainty of { $column ->
+        [urot_deg] rotation
+       *[u_mm] length
+    }: { $by ->
+        [line] line
+       *[pose] pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    }
     .hint = { $column ->
-            [urot_deg] state --rotation-uncertainty-deg (in a campaign `expanded_rotation_uncertainty_deg` of [instrument]), or a column `urot_deg`
-           *[u_mm] state --standard-uncertainty-um, or a column `u_mm`
+            [urot_deg] state `expanded_rotation_uncertainty_deg` in [instrument], or a column `urot_deg`; of `etalon identify` and `etalon verify` --rotation-uncertainty-deg
+           *[u_mm] state `expanded_uncertainty_um` in [instrument], or a column `u_mm`; of `etalon identify` and `etalon verify` --standard-uncertainty-um
         }
 
 # Means: A plane or line is identified, and the column `axis` does not state the nearest axis of the
@@ -2116,6 +2128,7 @@ table-of-compliance = static compliance
 recorded-motion-file = recorded motion
 read-in-unit = { $format }, unit { $unit }
 read-in-frame = { $read }, relative to `{ $frame }`
+read-without-columns = { $read }, { $unread } of { $all } columns not read
 
 side-stated = as stated by the user
 side-from-values = from the { $values } { $of }

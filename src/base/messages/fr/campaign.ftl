@@ -229,19 +229,13 @@ urdf-number-count = `{ $attribute }` a { $count ->
            *[other] { $expected_count } nombres
         }
 
-key-open = `{ $key }` reste à compléter{ $more ->
-        [0] {""}
-       *[other] {" "}; { $more } encore à compléter
-    }
+key-open = `{ $key }` reste à compléter
     .hint = compléter la ligne{ $remark ->
         [none] {""}
        *[other] {" "}: { $remark }
     }
 
-joint-unit-open = l’unité des articulations reste à indiquer{ $more ->
-        [0] {""}
-       *[other] {" "}; { $more } encore à compléter
-    }
+joint-unit-open = l’unité des articulations reste à indiquer
     .hint = écrire deg, rad, mm ou m au lieu de UNIT
 
 kind-expected = { $kind ->

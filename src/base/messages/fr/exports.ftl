@@ -465,6 +465,9 @@ point-incomplete = pas un point : { $found } sans { $missing }
 probe-centre-no-point = un centre de palpeur, non un point de l’élément
 
 log-delimited = séparateur `{ $delimiter }`, séparateur décimal `{ $decimal }`
+log-of-arrays = tableaux de { $format }
+log-of-sheet = classeur, feuille `{ $sheet }`
+log-of-topic = enregistrement ROS, topic `{ $topic }`
 log-of-format = { $format }, { $read }
 log-with-start = { $read }, début { $start }
 read-with-decimal-comma = { $format }, séparateur décimal `,`

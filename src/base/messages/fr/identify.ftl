@@ -244,6 +244,13 @@ slip-unit = { $quantity ->
        *[deg-rad] en degrés au lieu de radians
     }
 
+slip-unit-of-targets = les points mesurés de { $targets } { $slip ->
+        [m-mm] en mètres au lieu de millimètres
+        [mm-m] en millimètres au lieu de mètres
+        [inch-mm] en pouces au lieu de millimètres
+       *[mm-inch] en millimètres au lieu de pouces
+    }
+
 slip-points = { $change ->
         [mirrored] les points mesurés en miroir (un référentiel indirect, ou deux coordonnées interverties)
         [exchanged] x et y des points mesurés intervertis

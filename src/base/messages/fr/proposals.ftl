@@ -7,6 +7,7 @@ ask-joints = à quelle articulation correspond chaque colonne, et son unité
 ask-joints-of-format = à quelle articulation correspond chaque colonne, et son unité si elle n’est pas connue
 ask-log-of-format = s’il s’agit de ceci : { $what } (`[log]` avec `format = "{ $format }"`)
 ask-order-of-columns = si les colonnes sont x, y, z dans cet ordre, ou des angles et des distances
+ask-quaternion-order = laquelle des colonnes { $columns } est le scalaire du quaternion : la première est supposée
 ask-recorded-motion = s’il s’agit d’un mouvement enregistré, comme proposé, ou de points avec leurs instants (alors [[export]])
 ask-rotation = si les trois nombres sont un vecteur rotation, ou des angles, et dans quel ordre ceux-ci tournent
 ask-seconds = si `{ $name }` est en secondes (sinon `time_ms`, `time_ns`)
@@ -45,7 +46,10 @@ because-topic = le topic `{ $topic }` a { $count ->
     } du type { $message_type }
 doubt-all-commanded = toutes les coordonnées portent le nom de valeurs commandées : ce ne sont pas des mesures
 doubt-bare-metre = les en-têtes se terminent par `_m` : mètres, ou « mesuré »
-doubt-columns-not-read = nombres non lus : colonne { $columns }
+doubt-columns-not-read = nombres non lus : colonne { $columns }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } autres
+    }
 doubt-coordinates-left = les coordonnées de { $left } ne sont pas utilisées : d’autres ont un en-tête plus proche
 doubt-dates = les dates avec `/` n’indiquent pas si le jour ou le mois est en premier : elles ne sont pas lues
 doubt-decimal-mark = aucun nombre n’a de séparateur décimal : rien ne prouve que ce soit `{ $mark }`

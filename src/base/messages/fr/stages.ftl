@@ -341,10 +341,22 @@ station-row-unsupported = { $fault ->
 uncertainty-not-positive = `{ $column }` = { $value } n’est pas une incertitude-type
     .expected = un nombre positif
 
-uncertainty-missing = la ligne n’a pas d’incertitude-type
+uncertainty-missing = { $count ->
+        [one] une ligne n’a pas
+       *[other] { $count } lignes n’ont pas
+    } d’incertitude-type de { $column ->
+        [urot_deg] rotation
+       *[u_mm] longueur
+    } : { $by ->
+        [line] ligne
+       *[pose] pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } autres
+    }
     .hint = { $column ->
-            [urot_deg] indiquer --rotation-uncertainty-deg (dans une campagne `expanded_rotation_uncertainty_deg` de [instrument]), ou une colonne `urot_deg`
-           *[u_mm] indiquer --standard-uncertainty-um, ou une colonne `u_mm`
+            [urot_deg] indiquer `expanded_rotation_uncertainty_deg` dans [instrument], ou une colonne `urot_deg` ; pour `etalon identify` et `etalon verify` --rotation-uncertainty-deg
+           *[u_mm] indiquer `expanded_uncertainty_um` dans [instrument], ou une colonne `u_mm` ; pour `etalon identify` et `etalon verify` --standard-uncertainty-um
         }
 
 surface-axis-missing = { $kind ->
@@ -1049,6 +1061,7 @@ table-of-compliance = compliance statique
 recorded-motion-file = mouvement enregistré
 read-in-unit = { $format }, unité { $unit }
 read-in-frame = { $read }, par rapport à `{ $frame }`
+read-without-columns = { $read }, { $unread } colonnes sur { $all } non lues
 
 side-stated = comme indiqué par l’utilisateur
 side-from-values = d’après { $of ->
