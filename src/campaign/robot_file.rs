@@ -271,8 +271,8 @@ impl RobotFile {
         Some((self.description_file()?.0, self.beside.as_ref()?.expanded.text.as_str()))
     }
 
-    /// Returns the text of this file with another name of the file that describes the robot; without
-    /// the arguments of xacro if that file is plain URDF.
+    /// Returns the text of this file with another name of the file that describes the robot;
+    /// without the arguments of xacro if that file is plain URDF.
     pub fn text_beside(&self, name: &str, is_plain: bool) -> String {
         let mut text = self.source.1.clone();
         if let Some(span) = self.tree_key().and_then(|(key, _)| toml_file::find(&text, &[key])) {

@@ -45,7 +45,8 @@ fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
     }
 }
 
-/// Without limits nothing decides: the page says so first, and asks for them before a file is loaded.
+/// Without limits nothing decides: the page says so first, and asks for them before a file is
+/// loaded.
 #[test]
 fn missing_limits_come_first() {
     let mut documents = Documents::demo();
