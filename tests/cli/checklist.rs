@@ -167,9 +167,11 @@ fn a_certificate_of_complete_measured_data_is_no_draft() {
 fn what_is_not_stated_is_said_to_be_not_stated() {
     for sample in ["prexyt-cmm", "prexyt-repeatability"] {
         let (_scratch, html) = page(sample, "");
-        let lists = section(&html, "conditions").split("Not stated: ").skip(1);
-        let lists: Vec<&str> = lists.filter_map(|list| list.split('<').next()).collect();
-        let not_stated: Vec<&str> = lists.iter().flat_map(|list| list.trim_end_matches('.').split(", ")).collect();
+        let lists = section(&html, "conditions").split("Not stated, besides the fields to complete before signing: ");
+        let lists: Vec<&str> = lists.skip(1).filter_map(|list| list.split('<').next()).collect();
+        let mut not_stated: Vec<&str> = lists.iter().flat_map(|list| list.trim_end_matches('.').split(", ")).collect();
+        // fields to complete have a row each, with their keys
+        not_stated.extend(section(&html, "checklist").split(['<', '>']).map(str::trim));
         assert_eq!(lists.len(), 2, "{sample}: of the report, and of the conditions");
         for what in [
             "report number",
