@@ -148,7 +148,7 @@ fn remarks_that_are_alike_are_one_and_routine_ones_are_in_their_section() {
     assert!(run.status.success() && said.lines().filter(|l| l.starts_with("warning")).count() == 2, "{said}");
     let joined = "12 parameters are not separately identifiable from base and targets";
     assert!(
-        said.find("[parameters-weakly-identifiable]").unwrap() < said.find(joined).unwrap(),
+        said.find("[parameter-groups-weakly-identifiable]").unwrap() < said.find(joined).unwrap(),
         "routine ones come last: {said}"
     );
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();

@@ -131,8 +131,6 @@ fn a_quaternion_under_any_headings_is_read_with_the_joints() {
     let asked = answer(at, &answers);
     assert_eq!(asked, ["name", "expanded_uncertainty_um", "expanded_rotation_uncertainty_deg"]);
     is_calibrated(&found(at));
-    let (_, said) = program(at, &["check", "mine"]);
-    assert!(said.contains("2 of 16 columns not read"), "{said}");
 
     let complete = std::fs::read_to_string(&path).unwrap();
     let without: Vec<&str> = complete.lines().filter(|l| !l.starts_with("expanded_rotation_uncertainty_deg")).collect();
