@@ -153,7 +153,7 @@ fn read(file: &TableFile, stated: &SweepsStated) -> Result<SweepTable> {
         let own: Vec<f64> = values.iter().map(|v| v.as_ref().map_or(f64::NAN, |v| v.0[i])).collect();
         let known = own.iter().filter(|v| v.is_finite()).count();
         let complete = known == own.len();
-        if (known > 0 && !complete) || (swept[i].is_empty() && !complete) {
+        if !complete && (known > 0 || swept[i].is_empty()) {
             wrong(error!("sweep-values-partial"));
             continue;
         }

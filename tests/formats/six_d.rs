@@ -102,6 +102,16 @@ fn write_files(at: &Path, rows: &[Row]) {
     }
 }
 
+/// Parameters equal to a thousandth of their uncertainties.
+fn are_alike(found: &ParametersDocument, right: &ParametersDocument, body: &str) {
+    assert_eq!(found.parameters.len(), right.parameters.len(), "{body}");
+    for (a, b) in found.parameters.iter().zip(&right.parameters) {
+        let u = b.standard_uncertainty.unwrap_or(1e-6).max(1e-9);
+        let is_alike = a.name == b.name && (a.value - b.value).abs() < 1e-3 * u;
+        assert!(is_alike, "{body}\n{}: {} {}", a.name, a.value, b.value);
+    }
+}
+
 #[test]
 fn poses_of_a_tracker_meet_a_log_in_every_form() {
     let folder = tempfile::tempdir().unwrap();
@@ -143,18 +153,7 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
     ] {
         let (code, said, found) = run(at, &body);
         assert_eq!(code, Some(0), "{body}\n{said}");
-        let found = found.unwrap();
-        assert_eq!(found.parameters.len(), right.parameters.len(), "{body}");
-        for (a, b) in found.parameters.iter().zip(&right.parameters) {
-            let u = b.standard_uncertainty.unwrap_or(1e-6).max(1e-9);
-            assert!(
-                a.name == b.name && (a.value - b.value).abs() < 1e-3 * u,
-                "{body}\n{}: {} {}",
-                a.name,
-                a.value,
-                b.value
-            );
-        }
+        are_alike(&found.unwrap(), &right, &body);
     }
     // slips: a transposed matrix, scalar last, angles in another order, a wrong clock
     let transposed = matrix

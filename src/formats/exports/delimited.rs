@@ -155,7 +155,7 @@ pub(crate) fn columns_not_read(
     dialect: &Dialect,
     is_read: impl Fn(usize, Option<&str>) -> bool,
 ) -> Option<[usize; 2]> {
-    if !dialect.check().is_empty() || !(dialect.only.is_empty() && dialect.without.is_empty()) {
+    if !(dialect.check().is_empty() && dialect.only.is_empty() && dialect.without.is_empty()) {
         return None;
     }
     let mut rows = each_row("", text, dialect).flatten();

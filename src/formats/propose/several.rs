@@ -355,7 +355,7 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
         let by_label = join.is_some_and(|join| join.by == "label");
         let by_row = join.is_some_and(|join| join.by == "row");
         // numbers that name no row of the log are names of points
-        let form = keys.form.as_ref().filter(|(form, _)| !by_label && !(by_row && *form == NUMBER));
+        let form = keys.form.as_ref().filter(|(form, _)| !(by_label || by_row && *form == NUMBER));
         let mut line = match form {
             Some((form, _)) => format!("label = \"{form}\"   # all {} labels have this form\n", keys.rows),
             None => String::new(),

@@ -14,7 +14,7 @@ use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose_name::{PoseName, two_spellings};
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// Layout of a table that differs from the tables of this program.
 #[derive(Clone, Debug)]
@@ -219,9 +219,9 @@ const VISIT: &str = "visit";
 
 /// Counts the rows of each pose and target from 1.
 fn visits(table: &DataFrame) -> Result<Vec<i64>> {
-    let poses = table::poses(table)?;
+    let poses: Vec<String> = table::poses(table)?.iter().map(ToString::to_string).collect();
     let targets = if table.column("target").is_ok() { table::texts(table, "target")? } else { Vec::new() };
-    let mut counts = HashMap::new();
+    let mut counts = BTreeMap::new();
     let visit = |(row, pose)| {
         let count = counts.entry((pose, targets.get(row))).or_insert(0);
         *count += 1;

@@ -37,7 +37,7 @@ impl Arm {
     }
 
     /// Readings of one joint from rest values.
-    fn sweep(&self, noise: &mut Noise, rest: &[f64], joint: usize, span: f64, count: usize) -> Sweep {
+    fn sweep(&self, noise: &mut Noise, rest: &[f64], joint: usize, (span, count): (f64, usize)) -> Sweep {
         let mut readings = Vec::new();
         let start = if self.axes[joint].prismatic { 0.0 } else { noise.uniform(1.0) };
         for i in 0..count {
@@ -87,7 +87,7 @@ fn axes_of_drawn_arms_are_found_within_their_uncertainty() {
         for joint in 0..6 {
             let degrees = 165.0 + noise.uniform(135.0);
             let span = if arm.axes[joint].prismatic { 500.0 } else { degrees.to_radians() };
-            let sweep = arm.sweep(&mut noise, &rest, joint, span, 40);
+            let sweep = arm.sweep(&mut noise, &rest, joint, (span, 40));
             let axis = joint_axis(&sweep, &settings(&arm)).unwrap();
             for z in normalised(&axis, &arm.axis(&rest, joint)) {
                 counts += 1;
@@ -110,7 +110,7 @@ fn sweeps_of(arm: &Arm, noise: &mut Noise) -> Vec<Sweep> {
     let sweep = |noise: &mut Noise, joint: usize| {
         let rest: Vec<f64> = arm.axes.iter().map(|_| noise.uniform(0.8)).collect();
         let span = if arm.axes[joint].prismatic { 500.0 } else { (165.0 + noise.uniform(135.0)).to_radians() };
-        arm.sweep(noise, &rest, joint, span, 40)
+        arm.sweep(noise, &rest, joint, (span, 40))
     };
     (0..arm.axes.len()).map(|joint| sweep(noise, joint)).collect()
 }
@@ -126,9 +126,9 @@ fn the_derived_model_predicts_new_poses_within_its_uncertainty() {
         let joints: Vec<f64> = arm.axes.iter().map(|_| noise.uniform(2.0)).collect();
         let predicted = model.predict(&joints, 0);
         let truth = arm.position(&joints, 0);
-        for k in 0..3 {
+        for (k, truth) in truth.iter().enumerate() {
             counts += 1;
-            let z = (predicted.position_mm[k] - truth[k]) / predicted.covariance_mm2[k][k].sqrt();
+            let z = (predicted.position_mm[k] - truth) / predicted.covariance_mm2[k][k].sqrt();
             inside += usize::from(z.abs() < 1.97);
         }
         // the robot in its base frame moves alike
@@ -153,7 +153,7 @@ fn without_joint_values_home_is_the_start_of_every_sweep() {
         let mut sweeps = Vec::new();
         for joint in 0..6 {
             let mut sweep =
-                arm.sweep(&mut noise, &home, joint, if arm.axes[joint].prismatic { 400.0 } else { 2.0 }, 40);
+                arm.sweep(&mut noise, &home, joint, (if arm.axes[joint].prismatic { 400.0 } else { 2.0 }, 40));
             let first = sweep.readings[0].joints[joint];
             for r in &mut sweep.readings {
                 let mut joints = home.clone();
@@ -167,9 +167,9 @@ fn without_joint_values_home_is_the_start_of_every_sweep() {
         let model = model_of(&arm, &sweeps);
         let joints: Vec<f64> = (0..6).map(|_| noise.uniform(1.5)).collect();
         let (predicted, truth) = (model.predict(&joints, 0), arm.position(&joints, 0));
-        for k in 0..3 {
+        for (k, truth) in truth.iter().enumerate() {
             counts += 1;
-            let z = (predicted.position_mm[k] - truth[k]) / predicted.covariance_mm2[k][k].sqrt();
+            let z = (predicted.position_mm[k] - truth) / predicted.covariance_mm2[k][k].sqrt();
             inside += usize::from(z.abs() < 1.97);
         }
         // a check pose shows a joint that was swept backwards
@@ -198,7 +198,7 @@ fn foreign_points_are_set_aside_and_sound_ones_are_not() {
     for trial in 0..100 {
         let mut noise = Noise::new(48, trial);
         let arm = Arm::drawn(&mut noise, 3, 2, false);
-        let mut sweep = arm.sweep(&mut noise, &[0.0; 3], 1, 1.5, 30);
+        let mut sweep = arm.sweep(&mut noise, &[0.0; 3], 1, (1.5, 30));
         lost += joint_axis(&sweep, &settings(&arm)).unwrap().fit.used.iter().filter(|u| !**u).count();
         for i in [7, 23, 41] {
             sweep.readings[i].position_mm[i % 3] += 0.4 + 20.0 * (i % 2) as f64;
@@ -226,7 +226,7 @@ fn a_target_near_the_axis_has_its_uncertainty() {
     let mut noise = Noise::new(49, 0);
     let axes = vec![AxisLine { direction: [0.0, 0.0, 1.0], point_mm: [10.0, 20.0, 0.0], prismatic: false }];
     let arm = Arm { axes, targets: vec![[12.0, 20.0, 300.0]] };
-    let sweep = arm.sweep(&mut noise, &[0.0], 0, 5.5, 40);
+    let sweep = arm.sweep(&mut noise, &[0.0], 0, (5.5, 40));
     let axis = joint_axis(&sweep, &AxesSettings { prismatic: vec![Some(false)], ..AxesSettings::default() }).unwrap();
     let (of_direction, of_point) = axis.standard_uncertainties();
     // by hand: a plane through points at 2 mm: u = σ / (r √(n/2))
@@ -242,11 +242,11 @@ fn slips_are_named_and_sound_sweeps_are_not() {
         let mut noise = Noise::new(50, trial);
         let arm = Arm::drawn(&mut noise, 4, 2, false);
         let rest = [0.2, -0.3, 0.1, 0.4];
-        let sound = arm.sweep(&mut noise, &rest, 1, 1.4, 40);
+        let sound = arm.sweep(&mut noise, &rest, 1, (1.4, 40));
         let axis = joint_axis(&sound, &settings(&arm)).unwrap();
         assert_eq!((joint_slip(&sound), axis_slip(&sound, &axis), smooth(&sound, &axis.fit)), (None, None, None));
         // the sweep of joint 3 under the name of joint 2
-        let other = Sweep { joint: 1, ..arm.sweep(&mut noise, &rest, 2, 1.0, 20) };
+        let other = Sweep { joint: 1, ..arm.sweep(&mut noise, &rest, 2, (1.0, 20)) };
         assert_eq!(joint_slip(&other), Some(Slip::OtherJoint { moved: 2 }));
         // another joint creeps
         let mut two = sound.clone();
@@ -302,7 +302,7 @@ fn turning_and_sliding_are_told_by_the_path() {
         let mut noise = Noise::new(52, trial);
         let arm = Arm::drawn(&mut noise, 4, 1 + trial as usize % 2, true);
         for (joint, span) in [(2, 0.52), (3, 300.0), (1, 6.2)] {
-            let sweep = arm.sweep(&mut noise, &[0.0; 4], joint, span, 20);
+            let sweep = arm.sweep(&mut noise, &[0.0; 4], joint, (span, 20));
             let axis = joint_axis(&sweep, &AxesSettings::default()).unwrap();
             assert_eq!(axis.fit.prismatic, joint == 3, "{trial} {joint}");
             assert!(dot(axis.fit.axis().direction, arm.axis(&[0.0; 4], joint).direction) > 0.99);

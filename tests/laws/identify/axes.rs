@@ -136,8 +136,8 @@ fn the_robot_of_the_axes_agrees_with_truth_and_identification() {
             let predicted = model.predict(&joints, 0);
             let truth = arm.pose(&joints).apply(arm.targets[0]);
             let mut judge = |at: Vector, k: usize| {
-                for i in 0..3 {
-                    let z = (predicted.position_mm[i] - at[i]) / predicted.covariance_mm2[i][i].sqrt();
+                for (i, at) in at.iter().enumerate() {
+                    let z = (predicted.position_mm[i] - at) / predicted.covariance_mm2[i][i].sqrt();
                     shares[k] += f64::from(u8::from(z.abs() < 1.97));
                     counts[k] += 1.0;
                 }
