@@ -154,10 +154,10 @@ mod tests {
         assert!(far_or_near(&between).is_none());
         let near = distance(grid(0.5));
         assert!((near.median - 0.05 * 3f64.sqrt()).abs() < 1e-12);
-        assert!(far_or_near(&near).unwrap().what.contains("repeats the calibration"));
+        assert!(far_or_near(&near).unwrap().is("validation-repeats-calibration", &[]));
         let far = distance(grid(100.0));
         assert!(far.median > 7.0 * 3f64.sqrt() && far.outside == 64);
-        assert!(far_or_near(&far).unwrap().what.contains("far from the calibration"));
+        assert!(far_or_near(&far).unwrap().is("validation-far", &[]));
         // as one after the other finds them
         let mut noise = Noise::new(1, 0);
         let mut drawn = || (0..300).map(|_| (0..3).map(|_| noise.uniform(1.0)).collect()).collect::<Vec<Vec<f64>>>();

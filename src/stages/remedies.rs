@@ -97,6 +97,7 @@ fn named(readings: &[Reading], most: usize, robot: &dyn Robot) -> Vec<Argument> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::catalogue::IntoArgument;
     use etalon_base::phrase;
     use etalon_identify::{Origin, SetUpError};
 
@@ -120,9 +121,12 @@ mod tests {
     fn undetermined_parameters_are_named_one_by_one() {
         let groups = vec![("a".to_owned(), Vec::new()), ("b".to_owned(), vec!["c".to_owned(), "d".to_owned()])];
         let messages = remedied(Error::Undetermined { counts: [6, 1, 4, 6], groups }).0;
-        assert_eq!(messages[0].what, "6 residuals from 1 pose, 4 of them independent, do not determine 6 parameters");
-        assert_eq!(messages[1].what, "the data do not depend on `a`");
-        assert_eq!(messages[2].what, "`b` is not separately identifiable from `c`, `d`");
+        let counts: [(&str, &dyn IntoArgument); 4] =
+            [("residuals", &6), ("poses", &1), ("independent", &4), ("parameters", &6)];
+        assert!(messages[0].is("parameters-undetermined", &counts), "{}", messages[0]);
+        assert!(messages[1].is("parameter-without-effect", &[("parameter", &"a")]), "{}", messages[1]);
+        let of_b: [(&str, &dyn IntoArgument); 2] = [("parameter", &"b"), ("others", &["`c`", "`d`"])];
+        assert!(messages[2].is("parameters-inseparable", &of_b), "{}", messages[2]);
         assert!(messages[0].hint.is_some() && messages[1].hint.is_none());
     }
 }

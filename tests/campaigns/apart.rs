@@ -83,12 +83,7 @@ fn targets_of_validation_poses_are_placed_and_count_by_their_redundancy() {
         }
     }
     campaign(&scratch, &table);
-    let said = ends(
-        &scratch,
-        "run",
-        0,
-        &["[placed-by-validation]: 60 targets measured only at validation poses: `V0`, `V1`", "located by"],
-    );
+    let said = ends(&scratch, "run", 0, &["[placed-by-validation]: 60 targets ", ": `V0`, `V1`", "located by"]);
     assert!(!said.contains("[placed-by-validation-unjudged]") && !said.contains("another campaign"), "{said}");
     let accuracy = document(&scratch, "accuracy.json");
     // all that is left is noise: two readings place a target, and show half of their errors
@@ -150,9 +145,7 @@ fn anchors_and_sockets_of_validation_poses_are_placed() {
         table += &format!("contact,{pose},ball,{},,,,,cup,,{U_MM}\n", cells(&joints));
     }
     campaign(&scratch, &table);
-    let what = [
-        "[placed-by-validation-unjudged]: 3 fixtures measured only at validation poses: `anchor_0`, `anchor_1`, `cup`",
-    ];
+    let what = ["[placed-by-validation-unjudged]: 3 fixtures ", ": `anchor_0`, `anchor_1`, `cup`"];
     let said = ends(&scratch, "run", 0, &what);
     assert!(!said.contains("another campaign"), "{said}");
     let accuracy = document(&scratch, "accuracy.json");

@@ -74,7 +74,7 @@ fn what_means_nothing_is_refused_by_its_key() {
         format!("\n[expansion]\nexpanded_temperature_uncertainty_c = 1\ncoverage_factor = 2\nrobot_per_c = {per_c}\n")
     };
     let cases = [
-        ("", expansion("11.5"), "[key-out-of-range]: `robot_per_c` = 11.5 is outside 0 to 0.0002"),
+        ("", expansion("11.5"), "[key-out-of-range] key=robot_per_c value=11.5 least=0 most=0.0002"),
         ("", homing("expanded_uncertainty_deg = 0.01"), "[homing] lacks `expanded_uncertainty_um` for joint `rho1`"),
         ("", homing("expanded_uncertainty_um = -1"), "`expanded_uncertainty_um` = -1 is outside"),
         (

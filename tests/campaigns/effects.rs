@@ -35,7 +35,7 @@ fn bending_that_robot_toml_does_not_describe_is_named_with_the_line_to_add() {
         &scratch,
         "run",
         0,
-        &["[effect-would-prove]: bending of joints q2, q3 ", "add `bending = [2, 3]` to robot.toml"],
+        &["[effect-would-prove] effect=bending joints=q2, q3", "add `bending = [2, 3]` to robot.toml"],
     );
     let accuracy = || -> Value {
         serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()

@@ -1,6 +1,7 @@
 //! Joins by row and by time: what has no partner, or two, is said.
 
 use crate::support::documents_of;
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::catalogue::IntoArgument;
 use etalon::base::message::Problems;
@@ -146,13 +147,8 @@ fn points_and_log_rows_that_meet_and_bear_different_poses_are_an_error() {
     let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     numbered("encoders.csv", &pose(99));
     let said = run(&scratch).unwrap_err().to_string();
-    let expected = "error[join-contradicts]: 2 measured points have a different pose in the joined row of log `log`";
-    assert!(
-        said.contains(expected)
-            && said.contains("5 and 99 (line 6 of the log)")
-            && said.contains("exports/poses.txt:9"),
-        "{said}"
-    );
+    let expected = "error[join-contradicts] count=2 column=pose log=log measured=5 logged=99 line=6";
+    assert!(said.says(expected) && said.contains("exports/poses.txt:9"), "{said}");
     std::fs::write(scratch.path().join("encoders.csv"), log).unwrap();
     numbered("encoders.csv", &pose(5));
     run(&scratch).unwrap();
@@ -190,7 +186,9 @@ fn every_key_that_the_log_has_twice_is_said_with_its_lines() {
     std::fs::write(scratch.path().join("encoders.csv"), log + "1,3,0,0,0\n2,7,0,0,0\n").unwrap();
     let said = run(&scratch).unwrap_err().to_string();
     assert!(
-        said.contains("error[log-key-twice]: log `log` has 2 keys more than once: pose 3, cycle 1 (lines 4, 297), pose 7, cycle 2 (lines 67, 298)"),
+        said.says(
+            "error[log-key-twice] log=log count=2 keys=pose 3, cycle 1 (lines 4, 297), pose 7, cycle 2 (lines 67, 298)"
+        ),
         "{said}"
     );
 }

@@ -1,5 +1,6 @@
 //! Files that carry joints and points together, joins by label, rows with uncertainties and rows that are left out.
 
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, cmm_truth, copy_sample, ends};
 use etalon::base::noise::Noise;
 use etalon::documents::ParametersDocument;
@@ -90,7 +91,7 @@ fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
         );
     };
     add(&without, &rule);
-    ends(&without, "run", 0, &["warning[excluded-rows]: `all.csv`: excluded: 28 rows", "beam broken"]);
+    ends(&without, "run", 0, &["warning[excluded-rows] count=28", "`all.csv`", "beam broken"]);
     // with them, by their weight
     let with = campaign(&weighted.replace(", u1", ", pose = \"Pose\", u1"), "", &rows);
     add(&with, "");
@@ -102,7 +103,10 @@ fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
         assert!((a.value - b.value).abs() < 0.1 * u && (0.99..=1.01).contains(&(v / u)), "{}: {u} {v}", a.name);
     }
     for (rule, part) in [
-        ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"119\"\nreason = \"r\"\n", "there is no row 119"),
+        (
+            "[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"119\"\nreason = \"r\"\n",
+            "[exclusion-matches-nothing] of=rows name=119",
+        ),
         ("[[identify.exclude]]\nfile = \"al.csv\"\nrows = \"1\"\nreason = \"r\"\n", "did you mean `all.csv`"),
         ("[[identify.exclude]]\nrows = \"1\"\nreason = \"r\"\n", "[exclusion-mixed]"),
         ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"1\"\nreason = \" \"\n", "[exclusion-without-reason]"),
@@ -255,7 +259,7 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
     // slips: each by name
     let slip = |from: &str, to: &str, expected: &str| {
         let (code, said, _) = campaign(&proposed.replacen(from, to, 1));
-        assert!(code == Some(2) && said.contains(expected), "{code:?} {said}");
+        assert!(code == Some(2) && said.says(expected), "{code:?} {said}");
     };
     slip("\"J1\"", "\"J7\"", "error[column-unknown]");
     slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "error[column-stated-twice]");
@@ -404,9 +408,9 @@ fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
 
     // slips: the same poses twice, other joints for one file, and a file whose joints are those of another
     let (code, said) = run(&(both.clone() + &export("b.csv", 1, "LR", "")));
-    assert!(code == Some(2) && said.contains("occurs twice at pose 1") && said.contains("row + 100"), "{said}");
+    assert!(code == Some(2) && said.says("error[target-twice] pose=1") && said.contains("row + 100"), "{said}");
     let (code, said) = run(&(export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "").replace("\"J2\"", "\"J3\"")));
     assert!(code == Some(2) && said.contains("[joints-differ]"), "{said}");
     let (code, said) = run(&export("a.csv", 1, "LR", "").replace("target = \"LR\"\n", ""));
-    assert!(code == Some(2) && said.contains("[no-target]") && said.contains("`target` of the exports"), "{said}");
+    assert!(code == Some(2) && said.contains("[no-target]") && said.contains("`target`"), "{said}");
 }

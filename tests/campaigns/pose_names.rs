@@ -86,7 +86,7 @@ fn an_excluded_pose_has_a_name() {
     );
     ends(&scratch, "run", 0, &["excluded: 40 readings, poses Q9, Prüf31-Prüf33: ball loose"]);
     scratch.replace("campaign.toml", "[\"Q9\", ", "[\"Q99\", ");
-    ends(&scratch, "run", 2, &["error[exclusion-matches-nothing]: there is no reading at pose Q99"]);
+    ends(&scratch, "run", 2, &["error[exclusion-matches-nothing] of=poses name=Q99"]);
 }
 
 #[test]
@@ -98,14 +98,14 @@ fn mistaken_names_of_poses_are_named() {
     ends(&scratch, "check", 2, &["error[selected-pose-unmeasured]: `hume`", "did you mean `home`"]);
     // one pose in two spellings, in two files
     let scratch = named(|pose| format!("P{pose}"), |pose| format!("p0{pose}"));
-    ends(&scratch, "check", 2, &["error[pose-name-two-spellings]: `P1` and `p01`", "encoders.csv:2"]);
+    ends(&scratch, "check", 2, &["error[pose-name-two-spellings] first=P1 second=p01", "encoders.csv:2"]);
     // other names in the log
     let scratch = named(|pose| pose.to_string(), |pose| format!("P{pose}"));
     ends(
         &scratch,
         "check",
         2,
-        &["error[pose-misspelt]: pose `P1` of log `log`", "encoders.csv:2", "use one of: 1, 10,"],
+        &["error[pose-misspelt] of=log pose=P1 log=log", "encoders.csv:2", "use one of: 1, 10,"],
     );
     // a typo in the log: its pose has no partner
     let scratch = named(any, |pose| if pose == 1 { "hom".to_owned() } else { any(pose) });
@@ -115,6 +115,6 @@ fn mistaken_names_of_poses_are_named() {
         &scratch,
         "check",
         2,
-        &["error[pose-misspelt]: pose `hom` of log `log`", "encoders.csv:2", "did you mean `home`"],
+        &["error[pose-misspelt] of=log pose=hom log=log", "encoders.csv:2", "did you mean `home`"],
     );
 }

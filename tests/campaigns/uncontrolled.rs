@@ -1,6 +1,7 @@
 //! What no reading shows is listed, and nominal geometry controls it. Synthetic.
 
 use super::apart::{Arm, cells};
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, ends, etalon};
 use serde_json::Value;
 
@@ -43,7 +44,7 @@ fn points_of_a_frame_without_redundancy_are_listed_and_nominal_places_control_th
     ends(&scratch, "check", 2, &["error[frame-points-mirrored]"]);
     std::fs::write(&world, text).unwrap();
     for (from, to, what) in [
-        ("R_home = [312", "R_hom = [312", "error[nominal-point-unmeasured]: `nominal_mm` names `R_hom`"),
+        ("R_home = [312", "R_hom = [312", "error[nominal-point-unmeasured] point=R_hom"),
         ("tolerance_mm = 0.2\n", "", "[nominal-without-tolerance]"),
     ] {
         let before = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
@@ -112,7 +113,7 @@ fn axes_that_are_exchanged_are_seen_where_the_base_has_a_nominal_place() {
         std::fs::write(scratch.path().join("robot.toml"), robot + nominal).unwrap();
         let (_, said) = etalon(&scratch, "run");
         match what {
-            Some(what) => assert!(said.contains(what) && said.contains("120.0 deg"), "{said}"),
+            Some(what) => assert!(said.says(what) && said.contains("120.0 deg"), "{said}"),
             None => assert!(!said.contains("robot.toml states"), "{said}"),
         }
         assert!(frames(&scratch)["not_controlled"].is_null());

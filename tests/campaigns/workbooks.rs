@@ -2,6 +2,7 @@
 //! openpyxl 3.1 wrote them, and as LibreOffice Calc 7.4 saved that file again (strings shared, formulas with their value).
 
 use crate::support::scratch::copy_sample;
+use etalon::base::phrase;
 use etalon::campaign::Campaign;
 use etalon::formats::propose_file;
 use etalon::stages::gather::gather;
@@ -53,6 +54,7 @@ fn a_proposal_names_the_sheet_and_the_columns_that_hold_points() {
             format!("{{ sheet = \"{SHEET}\", header = 3, columns = [\"-\", \"label\", \"x\", \"y\", \"z\", \"-\"] }}");
         assert!(proposed.toml.contains(&stated), "{}", proposed.toml);
         assert_eq!(proposed.readings.len(), 1, "{:?}", proposed.readings);
-        assert!(proposed.doubts.iter().any(|d| d == "the workbook has 1 sheet more: Notes"), "{:?}", proposed.doubts);
+        let other = phrase!("doubt-other-sheets", count = 1, sheets = "Notes").to_string();
+        assert!(proposed.doubts.contains(&other), "{:?}", proposed.doubts);
     }
 }

@@ -1,6 +1,7 @@
 //! `etalon axes`: sweeps of one joint at a time give axes and a robot without a nominal model.
 
 use super::{etalon, text};
+use crate::support::said::Says;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
@@ -118,7 +119,7 @@ fn check_poses_test_order_and_signs() {
         .map(|(joint, p, q)| (*[0, 2, 1, 3].get(*joint).unwrap_or(&9), *p, [q[0], q[2], q[1], q[3]]))
         .collect();
     let (code, _, err) = run(&table(&exchanged, true), &[]);
-    assert!(code == Some(2) && err.contains("error[sweeps-exchanged]: `q2` and `q3`"), "{err}");
+    assert!(code == Some(2) && err.says("error[sweeps-exchanged] first=q2 second=q3"), "{err}");
 }
 
 #[test]

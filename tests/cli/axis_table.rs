@@ -2,6 +2,7 @@
 
 use super::{etalon, text};
 use crate::campaigns::controllers::{disturbed, parameters};
+use crate::support::said::Says;
 use crate::support::scratch::Scratch;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::read_robot;
@@ -227,7 +228,7 @@ fn leads_and_measured_errors_become_tables() {
         assert!((value(&table, &format!("$AA_ENC_COMP[0,{i},AX1]")) - deviation).abs() < 1e-6, "{table}");
     }
     for (arguments, why) in [
-        (&["geometric.json", "--axis", "rho1_mm=0:100:50"][..], "error[lead-not-measured]: no lead of `rho1_mm` "),
+        (&["geometric.json", "--axis", "rho1_mm=0:100:50"][..], "error[lead-not-measured] axis=rho1_mm"),
         (
             &["geometric.json", "--axis", "rho3_mm=0:400:50"],
             "rho3_mm = 350: the lead was not measured at this position",
@@ -238,7 +239,7 @@ fn leads_and_measured_errors_become_tables() {
         (&["errors.csv", "--axis", "x", "--axis", "z"], "z_mm"),
     ] {
         let (out, code, said) = run(arguments);
-        assert!(code == Some(2) && out.is_empty() && said.contains(why), "{arguments:?}: {said}");
+        assert!(code == Some(2) && out.is_empty() && said.says(why), "{arguments:?}: {said}");
     }
     let (table, code, said) = run(&[
         "errors.csv",
@@ -264,23 +265,32 @@ fn leads_and_measured_errors_become_tables() {
 fn tables_that_would_mislead_a_control_are_refused() {
     let cross = Identified::new(CROSS, |_, nominal| nominal);
     for (arguments, why) in [
-        (&["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:50", "--to", "beckhoff-plane"][..], "--sign is missing"),
-        (&["--axis", "q1_mm=0:100:50", "--to", "sinumerik-cec"], "--sign is missing"),
-        (&["--axis", "q1_mm=0:100:50", "--to", "sinumerik", "--sign", "add"], "--sign is for tables"),
+        (
+            &["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:50", "--to", "beckhoff-plane"][..],
+            "[table-options-refused] fault=sign-missing",
+        ),
+        (&["--axis", "q1_mm=0:100:50", "--to", "sinumerik-cec"], "[table-options-refused] fault=sign-missing"),
+        (
+            &["--axis", "q1_mm=0:100:50", "--to", "sinumerik", "--sign", "add"],
+            "[table-options-refused] fault=sign-known",
+        ),
         (
             &["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:25", "--to", "beckhoff-plane", "--sign", "add"],
             "error[plane-steps-differ]",
         ),
         (&["--axis", "q1_mm=0:100:30"], "not whole steps"),
-        (&["--axis", "q1_mm=0:100:50", "--axis", "q1_mm=0:100:50"], "one base axis or two"),
-        (&["--axis", "q1_mm=0:100:50", "--corrected", "q2_mm", "--to", "linuxcnc"], "which is the corrected axis"),
+        (&["--axis", "q1_mm=0:100:50", "--axis", "q1_mm=0:100:50"], "[table-options-refused] fault=axes"),
+        (
+            &["--axis", "q1_mm=0:100:50", "--corrected", "q2_mm", "--to", "linuxcnc"],
+            "[table-options-refused] fault=own-axis",
+        ),
         (&["--axis", "q1_mm=0:100:50", "--corrected", "x"], "error[axes-mixed]"),
         (&["--axis", "q1_deg=0:100:50"], "joints q1_mm, q2_mm"),
-        (&["--axis", "q1_mm=0:100:50", "--at", "q3_mm=1"], "error[axis-unknown]: the robot has no axis `q3_mm`"),
+        (&["--axis", "q1_mm=0:100:50", "--at", "q3_mm=1"], "error[axis-unknown] axis=q3_mm"),
         (&["--axis", "q1_mm=0:300:1", "--to", "linuxcnc"], "error[axis-table-too-long]"),
     ] {
         let (out, code, said) = cross.table(arguments);
-        assert!(code == Some(2) && out.is_empty() && said.contains(why), "{arguments:?}: {said}");
+        assert!(code == Some(2) && out.is_empty() && said.says(why), "{arguments:?}: {said}");
     }
     let found = std::fs::read_to_string(cross.scratch.path().join("found.json")).unwrap();
     // the robot was drawn again since
@@ -289,13 +299,11 @@ fn tables_that_would_mislead_a_control_are_refused() {
     std::fs::write(cross.scratch.path().join("found.json"), &stale).unwrap();
     let (out, code, said) = cross.table(&["--axis", "q1_mm=0:100:50"]);
     assert!(
-        code == Some(2)
-            && out.is_empty()
-            && said.contains("error[nominal-value-changed]: `gain_2` is nominally 1 in robot.toml"),
+        code == Some(2) && out.is_empty() && said.says("error[nominal-value-changed] parameter=gain_2 stated=1"),
         "{said}"
     );
     std::fs::write(cross.scratch.path().join("found.json"), &found).unwrap();
     cross.scratch.replace("found.json", "step_vanished", "lost_patience");
     let (out, code, said) = cross.table(&["--axis", "q1_mm=0:100:50"]);
-    assert!(code == Some(2) && out.is_empty() && said.contains("not fit for a controller"), "{said}");
+    assert!(code == Some(2) && out.is_empty() && said.contains("error[parameters-not-converged]"), "{said}");
 }

@@ -1,6 +1,7 @@
 //! `etalon fit`: probes, QIF, and points that determine nothing.
 
 use super::{etalon, text};
+use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 use etalon::documents::FitDocument;
 use std::fmt::Write;
@@ -36,10 +37,7 @@ fn a_probe_is_stated_with_its_side() {
         let output = run(element, rest);
         let said = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{said}");
-        assert!(
-            said.contains(part) && said.contains("hint:") && output.stdout.is_empty(),
-            "{part:?} is not said: {said}"
-        );
+        assert!(said.says(part) && said.contains("hint:") && output.stdout.is_empty(), "{part:?} is not said: {said}");
     };
     refused("sphere", &["--probe-radius-mm", "2.5"], "error[probe-side-missing]");
     refused("sphere", &["--probe-side", "inside"], "error[probe-radius-missing]");
@@ -49,7 +47,7 @@ fn a_probe_is_stated_with_its_side() {
     refused(
         "sphere",
         &["--probe-radius-mm", "-1", "--probe-side", "outside"],
-        "error[probe-radius-not-positive]: the probe radius is -1 mm",
+        "error[probe-radius-not-positive] radius=-1",
     );
     refused("plane", &["--probe-radius-mm", "2.5", "--probe-side", "inside"], "error[probe-side-needs-direction]");
     refused("enclosing-sphere", &["--probe-radius-mm", "2.5", "--probe-side", "inside"], "not compensated");
@@ -101,13 +99,13 @@ fn qif_features_are_set_against_what_the_file_states() {
     let outside: Vec<FitDocument> = serde_json::from_slice(&fitted(&["--probe-side", "outside"]).stdout).unwrap();
     assert!((outside[0].radius_mm.unwrap() - 10.0).abs() < 1e-9);
     for (rest, part) in [
-        (&["--unit", "inch"][..], "error[unit-differs]: the file is in mm"),
+        (&["--unit", "inch"][..], "error[unit-differs] of_file=mm"),
         (&["--radius-mm", "15"], "error[qif-with-columns]"),
         (&["--probe-side", "0,0,1"], "error[probe-side-needs-inside]"),
     ] {
         let refused = fitted(rest);
         assert_eq!(refused.status.code(), Some(2));
-        assert!(text(&refused.stderr).contains(part), "{}", text(&refused.stderr));
+        assert!(text(&refused.stderr).says(part), "{}", text(&refused.stderr));
     }
     let none = etalon(folder.path(), &["fit", "plane", "b.qif"]);
     assert!(text(&none.stderr).contains("features with points in the file: circle3d"), "{}", text(&none.stderr));
@@ -117,7 +115,7 @@ fn qif_features_are_set_against_what_the_file_states() {
     let refused = fitted(&[]);
     let said = text(&refused.stderr);
     assert!(refused.status.code() == Some(2) && refused.stdout.is_empty(), "{said}");
-    assert!(said.contains("`B` is not fitted") && said.contains("--probe-side"), "{said}");
+    assert!(said.says("[probe-of-feature-unknown] feature=B missing=side") && said.contains("--probe-side"), "{said}");
     // other texts do not say their element
     std::fs::write(folder.path().join("b.txt"), ball()).unwrap();
     let said = text(&etalon(folder.path(), &["fit", "b.txt"]).stderr);
@@ -152,7 +150,7 @@ fn a_campaign_reads_the_same_points_from_qif() {
     qif.replace("campaign.toml", "unit = \"mm\"", "unit = \"inch\"");
     let refused = etalon(qif.root(), &["check", "campaign"]);
     assert_eq!(refused.status.code(), Some(2));
-    assert!(text(&refused.stderr).contains("error[unit-differs]: the file is in mm"));
+    assert!(text(&refused.stderr).says("error[unit-differs] of_file=mm"));
 }
 
 #[test]
@@ -228,7 +226,7 @@ fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
         );
         assert!((documents[0].radius_mm.unwrap() - 10.0).abs() < 1e-9, "{documents:?}");
         let said = text(&answered.stderr);
-        assert_eq!(said.contains("warning[rows-left-out]: 1 row left out"), format == "inspec", "{said}");
+        assert_eq!(said.says("warning[rows-left-out] count=1"), format == "inspec", "{said}");
     }
     for (rest, part) in [
         (&["--format", "inspect"][..], "--format: invalid value"),
@@ -236,7 +234,7 @@ fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
     ] {
         let refused = fit("c.csv", rest);
         assert_eq!(refused.status.code(), Some(2));
-        assert!(text(&refused.stderr).contains(part), "{}", text(&refused.stderr));
+        assert!(text(&refused.stderr).says(part), "{}", text(&refused.stderr));
     }
 }
 

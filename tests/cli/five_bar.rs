@@ -2,6 +2,7 @@
 
 use super::{etalon, text, text_of};
 use crate::support::five_bar::{SEVEN, measure, robot, truth};
+use crate::support::said::Says;
 use std::fmt::Write;
 
 const ROBOT: &str = "model = \"five_bar\"\n[nominal]\nl11 = 230.0\nl12 = 230.0\nl21 = 230.0\nl22 = 230.0\nd = 275.0\nl23 = 230.0\nx_o = 263.0\ny_o = 75.0\n";
@@ -34,13 +35,13 @@ fn assembly_modes_are_read_or_taken_from_the_measurement_and_told() {
             let truth = if p.unit == "deg" { truth.to_degrees() } else { truth };
             assert!((p.value - truth).abs() < 1e-9, "{} {} {truth}", p.name, p.value);
         }
-        let told = document.messages.iter().any(|m| m.what.contains("assembly mode"));
+        let told = document.messages.iter().any(|m| m.is("assembly-modes-assumed", &[]));
         assert_eq!(told, !with_mode, "{:?}", document.messages);
     }
     let wrong = run(&table(true).replacen(",-1\n", ",2\n", 1).replacen(",1\n", ",2\n", 1));
     assert_eq!(wrong.status.code(), Some(2));
     assert!(
-        text_of(&wrong).contains("error[assembly-mode-invalid]: row 1: the assembly mode is 2"),
+        text_of(&wrong).says("error[assembly-mode-invalid] value=2") && text_of(&wrong).contains(" row 1: "),
         "{}",
         text_of(&wrong)
     );

@@ -1,5 +1,6 @@
 //! `etalon iso230`: an axis from its table, and its compensation.
 
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, said};
 use std::process::Command;
 
@@ -90,20 +91,17 @@ fn a_sinumerik_with_its_table_is_where_it_is_programmed() {
 #[test]
 fn tables_that_are_no_test_of_an_axis_are_refused() {
     for (rows, why) in [
-        (
-            "0,0.001,1\n0,0.002,1\n0,0,-1\n",
-            "error[iso230-few-runs]: position 0 mm has fewer than two runs in direction -1",
-        ),
+        ("0,0.001,1\n0,0.002,1\n0,0,-1\n", "error[iso230-few-runs] position=0 direction=-1"),
         ("0,0.001,2\n", "[iso230-row-incomplete]"),
         ("", "error[data-rows-missing]"),
         // measured in metres
         (
             "0,0.0,1\n0,0.0,1\n0,0.0,-1\n0,0.0,-1\n10,0.01,1\n10,0.01,1\n10,0.01,-1\n10,0.01,-1\n",
-            "the deviation changes by 9.99 from 0 to 10",
+            "error[deviation-steep] change=9.99 from=0 to=10",
         ),
     ] {
         let (code, _, err) = answer(rows, &[]);
-        assert!(code == Some(2) && err.contains(why), "{rows}: {err}");
+        assert!(code == Some(2) && err.says(why), "{rows}: {err}");
     }
     let scratch = Scratch::with(&[("axis.csv", "position_mm,direction\n0,1\n")]);
     let (code, text) = said(&scratch, &["iso230", &scratch.path().join("axis.csv").display().to_string()]);

@@ -2,6 +2,7 @@
 
 use super::reports::{column, text_of_pdf, workbook};
 use super::{etalon, judged, rows, text, text_of};
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample};
 use calamine::Data;
 use etalon::documents::{Conformity, Iso9283ComplianceDocument, Iso9283Document, Iso9283Drift, Iso9283Pose};
@@ -79,7 +80,7 @@ fn the_report_shows_every_characteristic_in_html_pdf_and_workbook() {
         for part in
             ["Positioning accuracy", "Distances between poses", "Drift", "stabilised after set", "Static compliance"]
         {
-            assert!(said.contains(part), "{part}: {said}");
+            assert!(said.says(part), "{part}: {said}");
         }
     }
     let found: Iso9283Document = read(&scratch, "iso9283.json");
@@ -163,8 +164,8 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
 fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
     for (file, from, to, parts) in [
         ("commanded.csv", "\n3,300,", "\n3,three hundred,", &["commanded.csv:4", "three hundred"][..]),
-        ("commanded.csv", "\n3,300,", "\n2,300,", &["commanded.csv:4", "error[pose-commanded-twice]: pose 2"]),
-        ("commanded.csv", "\n5,", "\n6,", &["error[pose-not-commanded]: pose 5", "poses.csv:10"]),
+        ("commanded.csv", "\n3,300,", "\n2,300,", &["commanded.csv:4", "error[pose-commanded-twice] pose=2"]),
+        ("commanded.csv", "\n5,", "\n6,", &["error[pose-not-commanded] pose=5", "poses.csv:10"]),
         ("poses.csv", "\n2,1,1,", "\n2,1,1.5,", &[]),
         ("poses.csv", "\n2,1,1,", "\n2,,1,", &["poses.csv", "cycle"]),
         ("reference.csv", "1,N4,", "1,N5,", &["reference.csv", "error[reference-targets-differ]"]),
@@ -192,7 +193,7 @@ fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
             let refused = etalon(scratch.root(), &[command, "campaign"]);
             let said = text_of(&refused);
             assert_eq!(refused.status.code(), Some(2), "{command} {to}: {said}");
-            parts.iter().for_each(|part| assert!(said.contains(part), "{command}: no {part:?} in {said}"));
+            parts.iter().for_each(|part| assert!(said.says(part), "{command}: no {part:?} in {said}"));
         }
     }
 }
@@ -202,7 +203,7 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
     let good = "pose,x_mm,y_mm,z_mm\n1,95,117,42\n2,170,229,42\n3,20,229,42\n4,20,4,42\n5,170,4,42\n";
     for (from, to, parts) in [
         ("3,20,", "3,twenty,", &["positions.csv:4", "twenty"][..]),
-        ("3,20,", "2,20,", &["positions.csv:4", "error[pose-commanded-twice]: pose 2"]),
+        ("3,20,", "2,20,", &["positions.csv:4", "error[pose-commanded-twice] pose=2"]),
         ("3,20,229,42\n", "", &["positions.csv", "error[commanded-pose-missing]"]),
         ("pose,x_mm,y_mm,z_mm", "pose,x_mm,y_mm,a_deg", &["positions.csv", "error[commanded-angle-unmeasured]"]),
         (good, "", &["positions.csv", "error[data-rows-missing]"]),
@@ -214,7 +215,7 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
             let refused = etalon(scratch.root(), &[command, "campaign"]);
             let said = text_of(&refused);
             assert_eq!(refused.status.code(), Some(2), "{command} {to}: {said}");
-            parts.iter().for_each(|part| assert!(said.contains(part), "{command}: no {part:?} in {said}"));
+            parts.iter().for_each(|part| assert!(said.says(part), "{command}: no {part:?} in {said}"));
         }
     }
     // what needs commanded poses says so
@@ -226,7 +227,7 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
         let scratch = copy_sample("prexyt-repeatability");
         scratch.replace("campaign.toml", from, to);
         let said = text_of(&etalon(scratch.root(), &["check", "campaign"]));
-        assert!(said.contains(part) && said.contains("campaign.toml:"), "{said}");
+        assert!(said.says(part) && said.contains("campaign.toml:"), "{said}");
     }
 }
 
@@ -282,9 +283,7 @@ fn a_limit_that_a_pose_cannot_be_judged_by_is_an_error() {
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(done.status.code(), Some(2), "{}", text_of(&done));
     assert!(
-        text_of(&done).contains(
-            "error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: it has no value at pose 1"
-        ),
+        text_of(&done).says("error[limit-without-value] limit=repeatability_max_mm pose=1"),
         "{}",
         text_of(&done)
     );

@@ -1,6 +1,7 @@
 //! `etalon iso9283 pose | path | compliance | plan`: the same as by options, and repeatability without commanded poses.
 
 use super::{etalon, text, text_of};
+use crate::support::said::Says;
 use serde_json::Value;
 use std::path::Path;
 
@@ -73,13 +74,13 @@ fn options_that_contradict_are_refused() {
         (&["iso9283", "pose", "poses.csv", "--ap-limit-mm", "0.5"][..], "--commanded"),
         (&["iso9283", "pose"], "<POSES>"),
         (&["iso9283"], "<POSES|--stream"),
-        (&["iso9283", "plan"], "error[workspace-numbers]: --workspace-mm has 0 numbers"),
+        (&["iso9283", "plan"], "error[workspace-numbers] count=0"),
         (&["iso9283", "pose", "poses.csv", "--stream", "poses.csv"], "--stream"),
         (&["iso9283", "poses.csv", "--workspace-mm", "1,2,3,4"], "--workspace-mm"),
         (&["iso9283", "path", "nothing.csv"], "nothing.csv"),
     ] {
         let output = etalon(sample(), arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(text_of(&output).contains(part), "{arguments:?}: {}", text_of(&output));
+        assert!(text_of(&output).says(part), "{arguments:?}: {}", text_of(&output));
     }
 }

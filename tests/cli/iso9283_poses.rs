@@ -2,6 +2,7 @@
 
 use super::iso9283::run;
 use super::text_of;
+use crate::support::said::Says;
 use etalon::documents::Iso9283Document;
 
 #[test]
@@ -47,14 +48,14 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
     {
         let refused = run(here, &format!("{line}{options}"));
         assert_eq!(refused.status.code(), Some(2));
-        assert!(text_of(&refused).contains(said), "{}", text_of(&refused));
+        assert!(text_of(&refused).says(said), "{}", text_of(&refused));
     }
     // two visits have no interval: nothing is proved
     std::fs::write(here.join("poses.csv"), "pose,cycle,x_mm,y_mm,c_deg\n1,1,100,0,0\n1,2,100.001,0,0\n").unwrap();
     let (status, judged) = pose(" --rp-limit-mm 10");
     assert_eq!((status, judged.rp_conformity), (Some(1), Some(etalon::documents::Conformity::Neither)));
     std::fs::write(here.join("poses.csv"), table.replacen("reading", "label", 1)).unwrap();
-    assert!(text_of(&run(here, line)).contains("error[pose-attained-twice]: pose 1"));
+    assert!(text_of(&run(here, line)).says("error[pose-attained-twice] pose=1"));
 }
 
 /// Two robots, each well repeatable, half a millimetre apart: what one does is not what both do together.
@@ -89,7 +90,7 @@ fn robots_approaches_and_cycles_are_told_apart() {
 
     // two ways a cycle: sets of drift are of cycles, and what is no RP of the standard is said
     let (ways, said) = answer(&table(&[("A", 0.0)], &[("east", 0.0), ("west", 0.1)]));
-    assert!(said.contains("warning[several-approaches]: several approaches at pose 1, 2:"), "{said}");
+    assert!(said.says("warning[several-approaches] poses=1, 2"), "{said}");
     assert!(ways.drifts.iter().all(|d| d.ap_mm.len() == 2), "{:?}", ways.drifts);
     assert!(ways.approaches[0].approaches.iter().all(|a| a.rp_mm.unwrap() < 0.01), "{:?}", ways.approaches);
 

@@ -28,6 +28,7 @@ mod tables;
 mod talk;
 mod verdict;
 
+use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -315,11 +316,7 @@ fn formats_proposes_and_asks() {
         "mm",
     ];
     let refused = etalon(folder.path(), &table);
-    assert!(
-        text(&refused.stderr).contains("error[unit-differs]: the file is in inch (X [in])"),
-        "{}",
-        text(&refused.stderr)
-    );
+    assert!(text(&refused.stderr).says("error[unit-differs] of_file=inch how=X [in]"), "{}", text(&refused.stderr));
 
     // a number before the coordinates is none of them, and what is not read is told
     std::fs::write(folder.path().join("p.txt"), "1 10.1 20.2 30.3\n2 10.5 20.5 30.5\n").unwrap();
@@ -508,8 +505,8 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     assert!(said.contains("warning[instrument-too-coarse]"), "{said}");
 
     for (from, to, said) in [
-        ("1,2,", "1,1,", "error[pose-attained-twice]: pose 1"),
-        ("1,2,", "7,2,", "error[pose-not-commanded]: pose 7"),
+        ("1,2,", "1,1,", "error[pose-attained-twice] pose=1"),
+        ("1,2,", "7,2,", "error[pose-not-commanded] pose=7"),
         ("100.3,", ",", "error[coordinate-missing]"),
         ("x_mm", "x", "error[column-unknown]"),
         ("c_deg", "b_deg", "error[coordinates-differ]"),
@@ -517,7 +514,7 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
         std::fs::write(folder.path().join("poses.csv"), poses.replacen(from, to, 1)).unwrap();
         let refused = run(&[]);
         assert_eq!(refused.status.code(), Some(2), "{said}");
-        assert!(refused.stdout.is_empty() && text_of(&refused).contains(said), "{}", text_of(&refused));
+        assert!(refused.stdout.is_empty() && text_of(&refused).says(said), "{}", text_of(&refused));
     }
 }
 
@@ -528,7 +525,7 @@ fn a_test_of_repeatability_runs_without_identifying_and_its_report_is_made_again
     assert!(ran.status.success(), "{}", text_of(&ran));
     let said = text(&ran.stdout);
     for part in ["bounds for the robot: 2, 3, 4, 5. Suitable at poses: 1.", "from the plane of the other three"] {
-        assert!(said.contains(part), "{part}: {said}");
+        assert!(said.says(part), "{part}: {said}");
     }
     assert!(rows(&said).iter().any(|row| row.starts_with("homing 1.6 0.0 to 2.7")), "{said}");
     assert!(judged(&said, "5", "not met") && judged(&said, "largest pose repeatability RP", "pass"), "{said}");

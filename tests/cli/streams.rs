@@ -1,6 +1,7 @@
 //! Recorded motions inside a campaign.
 
 use super::{etalon, rows, text, text_of};
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::documents::{ImportDocument, Iso9283StreamsDocument};
 
@@ -104,7 +105,7 @@ fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
             "weave_stroke_mm = 2\nweave_hz = 3\nweave_across = [0, 1]",
             &["error[path-not-stated]: `weave_stroke_mm`", "error[weave-direction-count]"],
         ),
-        ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["`format` and `unit` of a recording belong together"]),
+        ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["error[recording-unit]"]),
         ("path.csv", "250,50\n", "250,fifty\n", &["path.csv", "fifty"]),
         ("exports/motion.csv", "0.03,", "0.01,", &["motion.csv:5", "error[time-not-increasing]"]),
     ] {
@@ -117,7 +118,7 @@ fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
             let refused = etalon(scratch.root(), &[command, "campaign"]);
             let said = text_of(&refused);
             assert_eq!(refused.status.code(), Some(2), "{command} {to}: {said}");
-            parts.iter().for_each(|part| assert!(said.contains(part), "{command}: no {part:?} in {said}"));
+            parts.iter().for_each(|part| assert!(said.says(part), "{command}: no {part:?} in {said}"));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! `etalon study`, and errors of a simulated robot that no parameter describes.
 
 use super::etalon;
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, cmm_truth, copy_sample, ends, said};
 use etalon::base::pose::{Pose, Vector, minus};
 use etalon::documents::{StudiedDesign, StudiesDocument};
@@ -60,7 +61,7 @@ fn what_is_wrong_with_a_study_is_named() {
         ("robot = \"robot.toml\"", "robot = \"other.toml\"", "other.toml"),
     ] {
         let (code, _, said) = study(&scratch, &[(from, to)]);
-        assert!(code == Some(2) && said.contains(part), "{part}: {said}");
+        assert!(code == Some(2) && said.says(part), "{part}: {said}");
     }
 }
 
@@ -130,10 +131,7 @@ fn simulated_backlash_is_identified_by_the_times_of_the_log() {
         &scratch,
         "run",
         2,
-        &[
-            "error[approach-direction-unknown]: log `log` does not show the direction of approach of joint `shoulder_pan`",
-            "`time_s` in `columns`",
-        ],
+        &["error[approach-direction-unknown] log=log joint=shoulder_pan", "`time_s` in `columns`"],
     );
     edit("campaign.toml", &|text| text.replace("[identify]\n", "[identify]\nprior = \"none\"\n"));
     edit("campaign.toml", &|text| text.replace("[log.columns]", "[log.columns]\ntime_s = \"time_s\""));
@@ -182,7 +180,7 @@ fn errors_that_no_parameter_describes_are_stated_and_refused_by_name() {
     }
     ends(&scratch, "run", 0, &["the robot has errors that the model does not describe"]);
     for (wrong, part) in [
-        ("backlash = { rho4 = 0.03 }", "error[unmodelled-joint-unknown]: [unmodelled] names `rho4`"),
+        ("backlash = { rho4 = 0.03 }", "error[unmodelled-joint-unknown] joint=rho4"),
         ("interpolation = { rho1 = { amplitude = 0.004, period = 0 } }", "error[unmodelled-period]"),
     ] {
         with(wrong);

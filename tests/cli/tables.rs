@@ -1,6 +1,7 @@
 //! Tables of observations as people have them: marks, units, uncertainties, single coordinates, rows that are left out.
 
 use super::{etalon, text_of};
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, cmm_truth, copy_sample};
 use etalon::base::noise::Noise;
 use etalon::documents::ParametersDocument;
@@ -67,7 +68,7 @@ fn agree(a: &ParametersDocument, b: &ParametersDocument, relative: f64) {
 fn refused(text: &str, options: &[&str], parts: &[&str]) {
     let (code, _, said) = identify(text, options);
     assert_eq!(code, Some(2), "{said}");
-    parts.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said:\n{said}"));
+    parts.iter().for_each(|part| assert!(said.says(part), "{part:?} is not said:\n{said}"));
 }
 
 #[test]
@@ -135,7 +136,7 @@ fn single_coordinates_count_one_each() {
     let apart = found(&single, &[]);
     agree(&whole, &apart, 1e-7);
     assert_eq!(whole.residuals.degrees_of_freedom, apart.residuals.degrees_of_freedom);
-    assert!(apart.messages.iter().any(|m| m.what.contains("48 rows give one or two coordinates")));
+    assert!(apart.messages.iter().any(|m| m.is("partial-coordinates", &[("count", &48)])));
     // one coordinate less is one degree of freedom less
     let shorter: Vec<&str> = single.lines().collect();
     let fewer = found(&(shorter[..shorter.len() - 1].join("\n") + "\n"), &[]);
@@ -166,7 +167,7 @@ fn uncertainties_that_are_none_are_refused() {
     ] {
         refused(&with(cells), &[], &[part, "o.csv:6"]);
     }
-    refused(&with(",,"), &[], &["[readings-without-uncertainty]: 2 of 48", "--standard-uncertainty-um"]);
+    refused(&with(",,"), &[], &["[readings-without-uncertainty] without=2 readings=48", "--standard-uncertainty-um"]);
     found(&with(",,"), &["--standard-uncertainty-um", "3"]);
     refused(
         &table(&rows, ",cxx_mm2,cxy_mm2,cyy_mm2", |_| ",1e-6,2e-6,1e-6".to_owned()),
@@ -193,15 +194,18 @@ fn rows_and_poses_are_left_out_with_their_reason() {
     let options = ["--exclude", "5: ball loose", "--exclude-rows", "3-4: beam broken"];
     let left_out = found(&table(&rows, "", |_| String::new()), &options);
     agree(&clean, &left_out, 1e-12);
-    for part in ["excluded: 2 readings, pose 5: ball loose", "excluded: 2 rows, rows 3-4: beam broken"] {
-        assert!(left_out.messages.iter().any(|m| m.what.contains(part)), "{part}");
+    for part in [
+        "[excluded-readings] count=2 of=pose 5 reason=ball loose",
+        "[excluded-rows] count=2 rows=3-4 reason=beam broken",
+    ] {
+        assert!(left_out.messages.iter().any(|m| m.to_string().says(part)), "{part}");
     }
     let text = table(&rows, "", |_| String::new());
     for (option, value, part) in [
-        ("--exclude", "99: why", "error[exclusion-matches-nothing]: there is no reading at pose 99"),
+        ("--exclude", "99: why", "error[exclusion-matches-nothing] of=poses name=99"),
         ("--exclude", "5", "error[exclusion-option-without-reason]"),
         ("--exclude", "all: why", "error[exclusion-names-nothing]: `all`"),
-        ("--exclude-rows", "48-50, 60: why", "error[exclusion-matches-nothing]: there is no row 60"),
+        ("--exclude-rows", "48-50, 60: why", "error[exclusion-matches-nothing] of=rows name=60"),
         ("--exclude-rows", "4", "error[exclusion-option-without-reason]"),
     ] {
         refused(&text, &[option, value], &[part]);
@@ -227,7 +231,7 @@ fn a_misspelt_name_of_one_row_is_refused() {
         }
         assert_eq!(code, Some(2), "{name}: {said}");
         let meant = ["observations.csv:4", "did you mean `anchor_C`?", &format!("error[name-on-few-rows]: `{name}` ")];
-        meant.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said of {name}:\n{said}"));
+        meant.iter().for_each(|part| assert!(said.says(part), "{part:?} is not said of {name}:\n{said}"));
     }
     let (code, said) = ran("anchor_E");
     assert!(code != Some(2) || !said.contains("did you mean"), "{said}");

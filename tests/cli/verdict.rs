@@ -4,6 +4,7 @@ use super::reports::tool;
 use super::{etalon, text, text_of};
 use crate::support::scratch::{Scratch, copy_sample};
 use calamine::{Reader, Xlsx};
+use etalon::base::phrase;
 use etalon::documents::{Acceptance, AccuracyDocument, ErrorQuantity, Figure, LimitQuantity, Reason, VerdictDocument};
 use std::io::Cursor;
 
@@ -146,7 +147,8 @@ fn remarks_that_are_alike_are_one_and_routine_ones_are_in_their_section() {
     let run = etalon(scratch.root(), &["run", "campaign"]);
     let said = String::from_utf8(run.stderr).unwrap();
     assert!(run.status.success() && said.lines().filter(|l| l.starts_with("warning")).count() == 2, "{said}");
-    let joined = "12 parameters are not separately identifiable from base and targets";
+    let joined = phrase!("parameters-fixed-by-frames", count = 12, parameters = "").to_string();
+    let joined = joined.trim_end();
     assert!(
         said.find("[parameter-groups-weakly-identifiable]").unwrap() < said.find(joined).unwrap(),
         "routine ones come last: {said}"

@@ -1,6 +1,7 @@
 //! `etalon formats --robot`: the nominal kinematics test the proposal. All data are synthetic.
 
 use etalon::base::noise::Noise;
+use etalon::base::phrase;
 use etalon::documents::FormatsDocument;
 use etalon::formats::propose_file_for;
 use etalon::robots::Robot;
@@ -116,7 +117,8 @@ fn a_column_of_targets_is_found_by_the_kinematics() {
     }
     let document = proposed(at, arm.as_ref(), &text);
     assert_eq!(document.columns[0].taken_for, "name of the target", "{}", document.toml);
-    assert!(document.reasons.iter().any(|r| r.contains("each value of `what` is a target")), "{}", document.toml);
+    let found = phrase!("robot-finds-targets", column = "`what`").to_string();
+    assert!(document.reasons.contains(&found), "{}", document.toml);
 }
 
 #[test]

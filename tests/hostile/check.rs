@@ -1,6 +1,7 @@
 //! What `etalon check` finds: everything at once, each with its place.
 
 use super::{broken, ends, etalon};
+use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 
 #[test]
@@ -22,7 +23,7 @@ fn unreadable_rows_hide_nothing() {
         "error[selection-without-pose]: `calibration`",
         "error[key-not-positive]: `position_max_mm`",
         "campaign.toml:46:19",
-        "`bending` has no effect on this model",
+        "[key-of-other-model] key=bending",
     ];
     ends(&scratch, "check", 2, &parts);
 }
@@ -48,7 +49,7 @@ fn what_only_a_run_used_to_find_is_found_by_check() {
         "campaign.toml",
         "by = [\"pose\", \"cycle\"]",
         "by = \"row\"",
-        &["`exports/poses.txt` has 590 rows, but log `log` has 295", "equal counts for a join by row"],
+        &["[row-counts-differ] file=exports/poses.txt rows=590 log=log log_rows=295"],
     );
 }
 
@@ -59,7 +60,7 @@ fn tables_without_poses_are_found_by_check() {
         scratch.replace("campaign.toml", "poses = \"14-18\"", &format!("poses = \"{poses}\""));
         let (code, said) = etalon(&scratch, "check");
         assert_eq!(code, Some(2), "{said}");
-        parts.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said:\n{said}"));
+        parts.iter().for_each(|part| assert!(said.says(part), "{part:?} is not said:\n{said}"));
     };
     let none = "error[table-selection-empty]";
     table("60-70", &[none, "poses = \"60-70\""]);
@@ -70,12 +71,12 @@ fn tables_without_poses_are_found_by_check() {
 fn statements_that_mean_nothing_or_contradict_are_refused() {
     let robot = |to: &str, parts: &[&str]| broken("robot.toml", "[nominal]", to, parts);
     robot("[nominal]\nbetta = 1.0", &["[nominal] names `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"]);
-    robot("gravity = [0, 0, -1]\n[nominal]", &["`gravity` has no effect on this model", "robot.toml:"]);
+    robot("gravity = [0, 0, -1]\n[nominal]", &["[key-of-other-model] key=gravity", "robot.toml:"]);
     broken(
         "robot.toml",
         "travel_mm = [170.0, 300.0, 300.0]",
         "type1_margin_deg = 5.0",
-        &["`type1_margin_deg` has no effect on this model", "five_bar"],
+        &["[key-of-other-model] key=type1_margin_deg", "five_bar"],
     );
     broken("robot.toml", "l_kl = 146.0", "l_kl = nan", &["[not-a-measured-value]", "`nan`", "robot.toml:"]);
     let campaign = |from: &str, to: &str, parts: &[&str]| broken("campaign.toml", from, to, parts);
@@ -106,13 +107,17 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
         let (code, said) = etalon(&scratch, "check");
         assert_eq!(code, Some(2), "{said}");
         for part in parts {
-            assert!(said.contains(part), "{part:?} is not said:\n{said}");
+            assert!(said.says(part), "{part:?} is not said:\n{said}");
         }
     };
     arm(
         "bending = [2, 3]",
         "bending = [2, 3, 2, 9]",
-        &["joint 2 is named twice", "there is no joint 9", "robot.toml:"],
+        &[
+            "[joint-reference-wrong] fault=twice joint=2",
+            "[joint-reference-wrong] fault=unknown-number joint=9",
+            "robot.toml:",
+        ],
     );
 }
 
@@ -145,7 +150,7 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
             .unwrap();
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{said}");
-        assert!(parts.iter().all(|part| said.contains(part)), "{parts:?}:\n{said}");
+        assert!(parts.iter().all(|part| said.says(part)), "{parts:?}:\n{said}");
     }
 }
 
@@ -207,26 +212,26 @@ fn what_every_row_repeats_is_one_error_with_its_count() {
     let quote = |row: &str| row.replacen(',', "\"x,", 1).replacen("", "\"", 1);
     let letters = |row: &str| format!("{row}e");
     type Change<'a> = &'a dyn Fn(&str) -> String;
-    let cases: [(&str, usize, Change, &str); 3] = [
-        ("encoders.csv", 1, &quote, "text follows a closing quote"),
-        ("encoders.csv", 1, &letters, "is not a number"),
-        ("exports/poses.txt", 0, &letters, "is not a number"),
+    let cases: [(&str, usize, Change, &str, &str); 3] = [
+        ("encoders.csv", 1, &quote, "quote-unmatched", " fault=behind"),
+        ("encoders.csv", 1, &letters, "not-a-number", ""),
+        ("exports/poses.txt", 0, &letters, "not-a-number", ""),
     ];
-    for (file, header, change, what) in cases {
+    for (file, header, change, id, arguments) in cases {
         let scratch = copy_sample("prexyt-cmm");
         let text = std::fs::read_to_string(scratch.path().join(file)).unwrap();
         let mut rows: Vec<String> = text.lines().map(str::to_owned).collect();
         rows.iter_mut().skip(header).for_each(|row| *row = change(row));
         std::fs::write(scratch.path().join(file), rows.join("\n") + "\n").unwrap();
         let (second, third, more) = (header + 2, header + 3, rows.len() - header - 3);
-        let count = format!("{what}; also in lines {second}, {third} and {more} more rows");
+        let (message, lines) = (format!("[{id}]"), format!(" {second}, {third} and {more} "));
         for command in ["check", "run"] {
-            let said = ends(&scratch, command, 2, &[&count]);
-            assert_eq!(said.matches(what).count(), 1, "{file}: {said}");
+            let said = ends(&scratch, command, 2, &[&format!("{message}{arguments}"), &lines]);
+            assert_eq!(said.matches(&message).count(), 1, "{file}: {said}");
         }
         let mut command = std::process::Command::new(crate::support::program());
         let answer = command.args(["check", "campaign", "--json"]).current_dir(scratch.root()).output().unwrap().stdout;
         let answer = String::from_utf8(answer).unwrap();
-        assert!(answer.contains(&count) && answer.matches(what).count() == 1, "{answer}");
+        assert!(answer.contains(&lines) && answer.matches(&format!("\"{id}\"")).count() == 1, "{answer}");
     }
 }

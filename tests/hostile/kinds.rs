@@ -1,5 +1,6 @@
 //! Tables of several kinds of observations: every slip is refused by name, with its line.
 
+use crate::support::said::Says;
 use crate::support::scratch::{copy_sample, ends};
 use std::process::Command;
 
@@ -55,13 +56,13 @@ fn slips_are_refused_with_their_line() {
         ),
         ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,,12.7,0.02,", &["error[surface-axis-missing]", "`table`"]),
         ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,z,,0.02,", &["error[number-missing]: `offset_mm`"]),
-        ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["error[row-without-pose]: a row of kind `contact`"]),
-        ("distance,,,A,,,,,,,,,,,300,A,,,,,0.02,", &["error[distance-to-itself]: the distance is from `A`"]),
-        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["error[place-missing]: the position of `A`"]),
+        ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["error[row-without-pose] kind=contact"]),
+        ("distance,,,A,,,,,,,,,,,300,A,,,,,0.02,", &["error[distance-to-itself] name=A"]),
+        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["error[place-missing] point=A"]),
     ] {
         let error = error(HEADER, &format!("{good}\n{row}"), &[]);
         for part in parts.iter().chain(&["o.csv:3"]) {
-            assert!(error.contains(part), "{row}\nlacks {part:?}:\n{error}");
+            assert!(error.says(part), "{row}\nlacks {part:?}:\n{error}");
         }
     }
 }
@@ -72,24 +73,24 @@ fn what_a_further_station_cannot_state_is_refused_with_its_line() {
     for (row, what) in [
         (
             "pose,T2,2,1,ball,1,2,3,1,2,,1,0,0,0,0.02,,,,,,,,,,0.01",
-            "error[station-row-unsupported]: a coordinate measured by station `T2`",
+            "error[station-row-unsupported] fault=coordinate station=T2",
         ),
         (
             "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,",
-            "error[station-row-unsupported]: a point measured by station `T2` states a covariance",
+            "error[station-row-unsupported] fault=covariance station=T2",
         ),
         (
             "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,0.01,0.02,0.01,,,,,,,",
-            "error[station-row-unsupported]: coordinates measured by station `T2` have separate uncertainties",
+            "error[station-row-unsupported] fault=uncertainties station=T2",
         ),
         (
             "point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,",
-            "error[station-row-unsupported]: a coordinate measured by station `T2`",
+            "error[station-row-unsupported] fault=coordinate station=T2",
         ),
     ] {
         let good = "point,T1,1,1,ball,1,2,3,1,2,3,,,,,0.02,,,,,,,,,,";
         let error = error(header, &format!("{good}\n{row}"), &[]);
-        assert!(error.contains(what) && error.contains("o.csv:3"), "{row}: {error}");
+        assert!(error.says(what) && error.contains("o.csv:3"), "{row}: {error}");
     }
 }
 
@@ -125,10 +126,13 @@ fn backlash_without_a_direction_is_refused_by_name() {
         [("", "`q2_direction` is missing"), ("0", "`q2_direction` is 0"), ("0.4", "`q2_direction` is 0.4")]
     {
         let text = error_of(&robot, &format!("{header},q2_direction"), &format!("{row},1\n{row},{direction}"), &[]);
-        assert!(text.contains(what) && text.contains("o.csv:3"), "{direction}: {text}");
+        assert!(text.says(what) && text.contains("o.csv:3"), "{direction}: {text}");
     }
     let text = error_of(&format!("{ROBOT}backlash = [4]\n"), header, row, &[]);
-    assert!(text.contains("there is no joint 4") && text.contains("robot.toml:"), "{text}");
+    assert!(
+        text.says("[joint-reference-wrong] fault=unknown-number joint=4") && text.contains("robot.toml:"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -145,12 +149,12 @@ fn slips_in_surfaces_and_joints_are_refused_with_their_line() {
         ("joints,1,1,,1,2,3,,,,,,,q4,1.0,,,,0.01", &["error[not-of-this-robot]: `q4`"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,,,,,0.01", &["`value_deg` is missing"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,1.0,,,,", &["error[uncertainty-missing]", "--rotation-uncertainty-deg"]),
-        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["error[place-missing]: the position of `a`"]),
+        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["error[place-missing] point=a"]),
         ("sphere,,,dome,,,,,,,,dome,,,,-5,,0.02,", &["error[distance-not-positive]"]),
     ] {
         let error = error(header, &format!("{good}\n{row}"), &[]);
         for part in parts.iter().chain(&["o.csv:3"]) {
-            assert!(error.contains(part), "{row}\nlacks {part:?}:\n{error}");
+            assert!(error.says(part), "{row}\nlacks {part:?}:\n{error}");
         }
     }
 }
@@ -159,7 +163,7 @@ fn slips_in_surfaces_and_joints_are_refused_with_their_line() {
 fn an_orientation_lacks_no_component() {
     let error =
         error("pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qx,qy,qz", "1,1,ball,1,2,3,1,2,3,0,0,0", &[]);
-    assert!(error.contains("error[orientation-columns-missing]: the orientation lacks qw"), "{error}");
+    assert!(error.says("error[orientation-columns-missing] missing=qw"), "{error}");
 }
 
 #[test]
@@ -184,10 +188,7 @@ fn names_of_targets_points_and_planes_do_not_meet_in_a_parameter() {
     let contact = "contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,";
     for name in ["A", "ball"] {
         let error = error(HEADER, &format!("{contact}\nplane,2,1,ball,1,2,3,,,,,,,,,,,{name},z,0,0.02,"), &[]);
-        assert!(
-            error.contains(&format!("error[parameter-name-doubled]: two parameters would be called `{name}_z`")),
-            "{error}"
-        );
+        assert!(error.says(&format!("error[parameter-name-doubled] name={name}_z")), "{error}");
     }
 }
 
@@ -273,7 +274,7 @@ fn orientations_in_any_form_are_the_same() {
         let (code, _, error) = run(columns, numbers, &[]);
         assert_eq!(code, Some(2), "{error}");
         let named = ["error[angle-order-missing]", "o.csv:1", &format!("`{order}`: residual 0.0")];
-        named.iter().for_each(|part| assert!(error.contains(part), "{order} lacks {part:?}: {error}"));
+        named.iter().for_each(|part| assert!(error.says(part), "{order} lacks {part:?}: {error}"));
         assert!(!error.contains("`yzx`") && !error.contains("`xyx`"), "{error}");
     }
     let (code, _, error) = run("a_deg,b_deg,c_deg", &rpy, &["--orientation", "xyz"]);

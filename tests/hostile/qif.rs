@@ -1,5 +1,6 @@
 //! Damaged and hostile QIF files: an error with its place, never a panic, never more memory or time than the file is worth.
 
+use crate::support::said::Says;
 use etalon::formats::qif;
 
 const HEAD: &str = "<QIFDocument versionQIF=\"3.0.0\"><FileUnits><PrimaryUnits><LinearUnit><UnitName>mm</UnitName>\
@@ -25,7 +26,7 @@ pub fn sound() -> String {
 fn error(text: &str, parts: &[&str]) {
     let said = qif::read("f.qif", text, None).expect_err(parts[0]).to_string();
     for part in parts {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+        assert!(said.says(part), "{part:?} is not said:\n{said}");
     }
     assert!(said.contains("f.qif:"), "no place:\n{said}");
     assert!(said.len() < 20_000, "{} bytes of message", said.len());
@@ -116,7 +117,7 @@ fn units_are_never_guessed() {
     let own = without.replace("<Points>", &format!("{own}<Points>"));
     assert_eq!(qif::read("f.qif", &own, None).unwrap().features[0].points_mm[2], [0.0, 25.4, 0.0]);
     let contradicted = qif::read("f.qif", &text, Some(25.4)).unwrap_err().to_string();
-    assert!(contradicted.contains("[unit-differs]: the file is in mm (FileUnits)"), "{contradicted}");
+    assert!(contradicted.says("[unit-differs] of_file=mm how=FileUnits"), "{contradicted}");
     for (from, to, said) in [
         ("<Factor>0.001</Factor>", "<Factor>0</Factor>", "[unit-factor-invalid]"),
         ("<Factor>0.001</Factor>", "<Factor>0.001</Factor><Offset>1</Offset>", "offset 1"),
@@ -164,17 +165,17 @@ fn references_and_ranges_that_lead_nowhere_are_reported() {
     assert!(points == 0 && said.contains("[reference-external]"), "{said}");
     let item = "<PointList n=\"1\">";
     let (_, said) = read(&plane(WHOLE, SET).replace(item, &format!("<FeatureItemId>9</FeatureItemId>{item}")));
-    assert!(said.contains("[reference-broken]: `FeatureItemId` refers to 9"), "{said}");
+    assert!(said.says("[reference-broken] name=FeatureItemId id=9"), "{said}");
     let (_, said) = read(&plane(WHOLE, &SET.repeat(2)));
-    assert!(said.contains("[id-repeated]: id 2"), "{said}");
+    assert!(said.says("[id-repeated] id=2"), "{said}");
 }
 
 #[test]
 fn point_sets_that_contradict_themselves_give_no_points() {
     for (from, to, expected) in [
-        ("count=\"3\"", "count=\"4\"", "[stated-count-differs]: `1` has no usable points: `Points` has 9 values"),
+        ("count=\"3\"", "count=\"4\"", "[stated-count-differs] name=Points found=9"),
         ("count=\"3\"", "count=\"99999999999999999999\"", ""),
-        ("count=\"3\"", "count=\"6148914691236517206\"", "`Points` has 9 values"),
+        ("count=\"3\"", "count=\"6148914691236517206\"", "[stated-count-differs] name=Points found=9"),
         ("0 1 0</", "0 1</", "`Points` has 8 values"),
         ("<Compensated>true</Compensated>", "", "[record-missing]"),
         ("<Compensated>true", "<Compensated>maybe", "`maybe`"),
@@ -185,7 +186,7 @@ fn point_sets_that_contradict_themselves_give_no_points() {
     ] {
         let (points, said) = read(&plane(WHOLE, &SET.replace(from, to)));
         let sound = expected.is_empty();
-        assert!(said.contains(expected) && (points == 0) != sound, "{to}: {points} points, {said}");
+        assert!(said.says(expected) && (points == 0) != sound, "{to}: {points} points, {said}");
     }
     let (points, said) = read(&plane(WHOLE, SET).replace("<PointList n=\"1\">", "<PointList n=\"2\">"));
     assert!(

@@ -1,6 +1,7 @@
 //! Damaged, ambiguous and hostile exports of formats with a reader of their own: an error with its place and a hint, all of
 //! them in one go, never a panic, never more memory or time than the file is worth. All texts are synthetic.
 
+use crate::support::said::Says;
 use etalon::base::pose::Vector;
 use etalon::formats::Format;
 use etalon::formats::dialect::Unit;
@@ -19,7 +20,7 @@ fn mm(name: &str, text: &str) -> Vec<(String, Vector)> {
 fn refused(name: &str, text: &str, parts: &[&str]) {
     let said = read(name, text, Unit::Millimetre).expect_err(name);
     for part in parts {
-        assert!(said.contains(part), "{name}: {part:?} is not said:\n{said}");
+        assert!(said.says(part), "{name}: {part:?} is not said:\n{said}");
     }
     assert!(said.len() < 20_000, "{} bytes of message", said.len());
 }
@@ -55,7 +56,7 @@ fn all_that_is_wrong_in_a_report_is_told_at_once() {
     let wrong = REPORT.replace("1.002", "1,002").replace("3.500", "3.5x0").replace("6.5", "6.5.1");
     let said = read("polyworks_report", &wrong, Unit::Millimetre).unwrap_err();
     for part in ["f.txt:4", "f.txt:7:", "f.txt:10:", "[not-a-number]: `3.5x0`", "[not-a-number]: `6.5.1`"] {
-        assert!(said.contains(part), "{part}:\n{said}");
+        assert!(said.says(part), "{part}:\n{said}");
     }
     refused("polyworks_report", "no report\n", &["[format-differs]", "`polyworks_report`", "`Control`"]);
 }
@@ -166,7 +167,7 @@ fn what_is_wrong_in_a_q_das_file_is_refused_with_its_line() {
     refused(
         "aqdef",
         &AQDEF.replace("K0001/2 2.5\n", ""),
-        &["[value-of-piece-missing]: value 1 of `Ball 1.Y`", "piece 2", "f.txt:13"],
+        &["[value-of-piece-missing] number=1 name=Ball 1.Y", "piece 2", "f.txt:13"],
     );
     let by_characteristic = "K0100 3\nK1001 P\nK2001/1 A.X\nK0001/1 1\nK0001/1 2\nK2001/2 A.Y\nK0001/2 3\nK0001/2 4\n\
                              K2001/3 A.Z\nK0001/3 5\nK0001/3 6\n";
@@ -174,7 +175,7 @@ fn what_is_wrong_in_a_q_das_file_is_refused_with_its_line() {
     refused(
         "aqdef",
         &by_characteristic.replace("K0001/2 3\n", ""),
-        &["[coordinate-counts-differ]: `A.Y` has 1 value;", "has 2", "f.txt:6"],
+        &["[coordinate-counts-differ] name=A.Y found=1", "has 2", "f.txt:6"],
     );
     refused(
         "aqdef",
@@ -283,13 +284,13 @@ fn vda_points_are_read_without_the_numbers_of_their_lines() {
     refused(
         "vda_fs",
         &VDA.replace("PSET / 2", "PSET / 4000000000000000000"),
-        &["[stated-count-differs]: `S` has 6 values", "12000000000000000000", "f.txt:4:12"],
+        &["[stated-count-differs] name=S found=6", "12000000000000000000", "f.txt:4:12"],
     );
     refused("vda_fs", VDA.trim_end().trim_end_matches("ABC = END"), &["[file-cut-off]", "`NAME = END`"]);
     refused(
         "vda_fs",
         &VDA.replace("4, 5,", "4, 5x,").replace("2., -3", "-3"),
-        &["`5x`", "f.txt:5:5", "[number-count-differs]: `P1` has 2 numbers"],
+        &["`5x`", "f.txt:5:5", "[number-count-differs] name=P1 found=2"],
     );
     let long = format!("P2 = POINT / 1.0, 2.0, {:<49}{}\nABC = END\n", "", 12345678);
     refused("vda_fs", &long, &["[line-number-differs]", "`12345678`", "`00000001`", "f.txt:1"]);

@@ -1,7 +1,9 @@
 //! Set-ups of campaigns that are wrong: units, fixed points, excluded readings, tolerances.
 
 use super::{ends, etalon};
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample};
+use etalon::base::catalogue::IntoArgument;
 use etalon::campaign::Campaign;
 use etalon::documents::ParametersDocument;
 
@@ -63,17 +65,12 @@ fn excluded_readings_have_a_reason_that_the_report_repeats() {
     assert_eq!(etalon(&scratch, "run").0, Some(0));
     let all = parameters(&scratch).residuals.count;
     add(&scratch, "campaign.toml", rule);
-    ends(
-        &scratch,
-        "run",
-        0,
-        &["[excluded-readings]: excluded: 1 reading, pose 3, cycle 2, target `K`: stylus slipped"],
-    );
+    ends(&scratch, "run", 0, &["[excluded-readings] count=1 of=pose 3, cycle 2, target `K` reason=stylus slipped"]);
     assert_eq!(parameters(&scratch).residuals.count, all - 2);
     assert!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("stylus slipped"));
     for (from, to, said) in [
-        ("poses = \"3\"", "poses = \"333\"", "error[exclusion-matches-nothing]: there is no reading at pose 333"),
-        ("poses = \"333\"", "poses = \"3, 777\"", "error[exclusion-matches-nothing]: there is no reading at pose 777"),
+        ("poses = \"3\"", "poses = \"333\"", "error[exclusion-matches-nothing] of=poses name=333"),
+        ("poses = \"333\"", "poses = \"3, 777\"", "error[exclusion-matches-nothing] of=poses name=777"),
         ("poses = \"3, 777\"", "poses = \"all\"", "error[exclusion-names-nothing]: `all`"),
         ("poses = \"all\"\ncycle = 2\ntarget = \"K\"", "poses = \"1-59\"", "error[exclusions-leave-nothing]"),
         ("reason = \"stylus slipped\"", "reason = \" \"", "error[exclusion-without-reason]"),
@@ -188,7 +185,10 @@ fn a_ball_that_bears_the_coordinates_of_another_is_named() {
         scratch.replace("exports/plate.txt", &ball.join(","), &[&ball[..3], &other[3..]].concat().join(","));
         let (found, _) = etalon::run::walk::everything(&Campaign::read(&scratch.path()).unwrap());
         let said: String = found.messages.iter().map(|m| m.what.clone() + "\n").collect();
-        let named = |a: &str, b: &str| said.contains(&format!("`{a}` has the position of `{b}`"));
+        let named = |a: &str, b: &str| {
+            let arguments: [(&str, &dyn IntoArgument); 2] = [("point", &a), ("other", &b)];
+            found.messages.iter().any(|m| m.is("point-lies-at-another", &arguments))
+        };
         assert!(named(&ball[2], &other[2]) || named(&other[2], &ball[2]), "{}: {said}", ball[2]);
     }
 }
@@ -208,8 +208,8 @@ fn as_many_parameters_as_coordinates_are_said_to_be_unchecked() {
             .unwrap();
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(code), "{prior}: {said}");
-        let unchecked = "[no-coordinates-to-check]: 6 coordinates of the calibration poses for 6 parameters";
-        assert!(said.contains(unchecked), "{prior}: {said}");
+        let unchecked = "[no-coordinates-to-check] count=6 parameters=6";
+        assert!(said.says(unchecked), "{prior}: {said}");
     }
 }
 
@@ -238,7 +238,7 @@ fn reference_targets_that_make_poses_scatter_more_are_named() {
     };
     std::fs::write(&path, text.lines().map(raised).collect::<String>()).unwrap();
     let (_, said) = etalon(&scratch, "run");
-    assert!(said.contains("warning[compensation-scatters]: attained positions scatter by 0.0458 mm"), "{said}");
+    assert!(said.says("warning[compensation-scatters] after_mm=0.0458"), "{said}");
     // one of the four alone
     let raised = |line: &str| match line.strip_prefix("21,N2").and_then(|_| line.rsplit_once(',')) {
         Some((rest, z)) => format!("{rest},{:.4}\n", z.parse::<f64>().unwrap() + 0.1),
@@ -246,10 +246,7 @@ fn reference_targets_that_make_poses_scatter_more_are_named() {
     };
     std::fs::write(&path, text.lines().map(raised).collect::<String>()).unwrap();
     let (_, said) = etalon(&scratch, "run");
-    assert!(
-        said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 deviate by 0.0"),
-        "{said}"
-    );
+    assert!(said.says("warning[reference-targets-misshapen] cycle=21"), "{said}");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! No problem hides another: each case breaks a campaign in several places, and `etalon check` says all of them.
 
 use super::{broken, ends, etalon};
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample};
 
 /// Checks the campaign; all `parts` must be said.
@@ -36,12 +37,13 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
         "`rail9_a`",
         "feature `rails`: ",
         "error[frame-axis-without-direction]",
-        "`exports/poses.txt` has 590 rows, but log `log` has 295",
+        "[row-counts-differ]",
     ];
     let said = said(&scratch, &parts);
     for part in parts {
         assert_eq!(said.matches(part).count(), 1, "{part:?} once:\n{said}");
     }
+    assert!(said.says("[row-counts-differ] file=exports/poses.txt rows=590 log=log log_rows=295"), "{said}");
 }
 
 #[test]
@@ -79,7 +81,7 @@ fn every_log_is_joined_and_its_problems_said() {
 fn the_output_folder_is_no_folder_of_inputs_however_it_is_written() {
     for output in ["exports", "./exports/.", ".", "encoders.csv", "exports/poses.txt"] {
         let to = format!("robot = \"robot.toml\"\noutput = \"{output}\"");
-        broken("campaign.toml", "robot = \"robot.toml\"", &to, &["the output folder", "campaign.toml:3:10"]);
+        broken("campaign.toml", "robot = \"robot.toml\"", &to, &["[input-in-output-folder]", "campaign.toml:3:10"]);
     }
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "robot = \"robot.toml\"", "robot = \"robot.toml\"\noutput = \".\"");
@@ -88,17 +90,13 @@ fn the_output_folder_is_no_folder_of_inputs_however_it_is_written() {
         .current_dir(scratch.path())
         .output()
         .unwrap();
-    assert!(String::from_utf8_lossy(&output.stderr).contains("the output folder"), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("[input-in-output-folder]"), "{output:?}");
 }
 
 #[test]
 fn statements_that_count_for_nothing_are_refused() {
     let campaign = |from: &str, to: &str, parts: &[&str]| broken("campaign.toml", from, to, parts);
-    campaign(
-        "\"cycle\"]",
-        "\"cycle\"]\ntargets = [\"K\"]",
-        &["[targets-incomplete]: `targets` omits `L`", "campaign.toml:"],
-    );
+    campaign("\"cycle\"]", "\"cycle\"]\ntargets = [\"K\"]", &["[targets-incomplete] target=L", "campaign.toml:"]);
     campaign("\"cycle\"]", "\"cycle\"]\ntolerance_s = 1.0", &["[key-of-other-join]: `tolerance_s`", "campaign.toml:"]);
     campaign(
         "\"cycle\"]",
@@ -152,7 +150,7 @@ fn names_with_quotes_and_accents_are_read() {
     scratch.replace("campaign.toml", "[log]", more);
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("the first is `a\"éa`"), "{said}");
+    assert!(said.says("[labels-unused] count=1 label=a\"éa"), "{said}");
 }
 
 const PREXYT: &str = "model = \"prexyt\"\n[nominal]\ns = 394.0\nd = 116.0\n";
@@ -181,22 +179,19 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
         ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "[not-whole-number]: `1e300`"]),
         ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "[not-a-number]: `x`"]),
         ("1,1,L,inf,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,inf,2,3,4,5", "[not-a-number]: `inf`"]),
-        ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "error[row-field-count]: the row has 7 fields"]),
-        (
-            "1,1,L,1,2,3,4,5,6\n",
-            ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "error[row-field-count]: the row has 9 fields"],
-        ),
+        ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "error[row-field-count] fields=7"]),
+        ("1,1,L,1,2,3,4,5,6\n", ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "error[row-field-count] fields=9"]),
         ("1,1,K,1,2,3,4,5\n", ["observations.csv:3", "| 1,1,K,1,2,3,4,5", "[target-repeated]"]),
     ] {
         let said = refused(PREXYT, &format!("{head}{good}{rows}"));
-        assert!(parts.iter().all(|part| said.contains(part)), "{parts:?}:\n{said}");
+        assert!(parts.iter().all(|part| said.says(part)), "{parts:?}:\n{said}");
     }
     // all of a table's problems at once
     let said = refused(PREXYT, &format!("{head}{good}1.5,1,L,1,2,3,4,5\n2,1,K,1,x,3,4,5\n"));
     assert!(said.contains("observations.csv:3") && said.contains("observations.csv:4"), "{said}");
     let said = refused(PREXYT, &(head.replace("rho2_mm", "rho2").replace("x_mm", "x") + good));
     for part in ["[column-unknown]", "[column-unknown]", "observations.csv:1", "| pose,cycle,target,x,"] {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+        assert!(said.says(part), "{part:?} is not said:\n{said}");
     }
     // repeats in a column of another name are readings of one target that occur twice
     let said = refused(PREXYT, &(head.replace("cycle", "run") + good + "1,2,K,1,2,3,4,5\n"));
@@ -213,5 +208,5 @@ fn no_target_of_an_arm_is_called_base() {
     let joint = "[[joint]]\nalpha_deg = 0.0\na_mm = 0.0\ntheta_deg = 0.0\nd_mm = 290.0\n";
     let robot = format!("model = \"serial\"\n{joint}{joint}");
     let said = refused(&robot, "pose,cycle,target,x_mm,y_mm,z_mm,q1_deg,q2_deg\n1,1,base,1,2,3,4,5\n");
-    assert!(said.contains("a target must not be called `base`"), "{said}");
+    assert!(said.contains("[target-called-base]"), "{said}");
 }

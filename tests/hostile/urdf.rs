@@ -40,15 +40,11 @@ fn wrong_urdf_files_are_refused_by_name() {
         (
             "<axis xyz=\"0 1 1\"/>",
             "<axis xyz=\"0 1\"/>",
-            vec!["error[urdf-number-count]: `xyz` has 2 numbers", "expected: 3 numbers"],
+            vec!["error[urdf-number-count] attribute=xyz count=2", "expected: 3 numbers"],
         ),
-        (
-            "xyz=\"0 -0.1 0.4\"",
-            "xyz=\"0 -100 400\"",
-            vec!["412 m from its parent", "divide the lengths of this file by 1000"],
-        ),
+        ("xyz=\"0 -0.1 0.4\"", "xyz=\"0 -100 400\"", vec!["[urdf-origin-far] away_m=412"]),
         ("rpy=\"0.1 0 0\"", "rpy=\"90 0 0\"", vec!["error[urdf-angles-beyond-turn]", "radians"]),
-        ("xyz=\"0 0 0.36\"", "xyz=\"0 0 O.36\"", vec!["`O.36` is not a number", "arm.urdf:"]),
+        ("xyz=\"0 0 0.36\"", "xyz=\"0 0 O.36\"", vec!["[urdf-not-number] word=O.36", "arm.urdf:"]),
         ("xyz=\"0 0 0.36\"", "xyz=\"0 0 ${length}\"", vec!["error[xacro-undefined]", "arm.urdf:"]),
         (
             "<link name=\"wrist_2_link\">",
@@ -79,11 +75,11 @@ fn what_robot_toml_states_of_a_urdf_is_checked() {
         (
             "base_link = \"base_link\"",
             "base_link = \"column_height\"",
-            vec!["`bending` needs a fixed direction of gravity, but joints move `column_height`", "robot.toml:6"],
+            vec!["[bending-on-moving-base] link=column_height", "robot.toml:6"],
         ),
-        ("\"elbow\"]", "\"elbo\"]", vec!["there is no joint `elbo`", "robot.toml:6"]),
-        ("\"elbow\"]", "9]", vec!["there is no joint 9"]),
-        ("model = \"urdf\"", "model = \"serial\"", vec!["`file` has no effect on this model"]),
+        ("\"elbow\"]", "\"elbo\"]", vec!["[joint-reference-wrong] fault=unknown-name joint=elbo", "robot.toml:6"]),
+        ("\"elbow\"]", "9]", vec!["[joint-reference-wrong] fault=unknown-number joint=9"]),
+        ("model = \"urdf\"", "model = \"serial\"", vec!["[key-of-other-model] key=file"]),
     ] {
         let scratch = copy_sample("column-arm");
         scratch.replace("robot.toml", from, to);

@@ -2,6 +2,7 @@
 //! with the reason it gives.
 
 use super::exports_table::{As, TABLE};
+use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 use etalon::base::message::Result;
 use etalon::campaign::Campaign;
@@ -88,11 +89,11 @@ fn every_file_is_read_with_its_counts_or_refused_with_its_reason() {
                 }
                 As::Refused(format, unit, says) => {
                     let said = read(&path, format, unit).expect_err(file).to_string();
-                    assert!(said.contains(says), "{file}: {why}, and it says: {said}");
+                    assert!(said.says(says), "{file}: {why}, and it says: {said}");
                 }
                 As::Nothing(says) => {
                     let said = formats::propose_file(&path).expect_err(file).to_string();
-                    assert!(said.contains(says), "{file}: {why}, and it says: {said}");
+                    assert!(said.says(says), "{file}: {why}, and it says: {said}");
                 }
                 // `logs_are_read_with_their_rows` and the tests named there
                 As::Log(..) | As::Elsewhere => {}

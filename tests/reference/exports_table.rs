@@ -93,15 +93,15 @@ pub const TABLE: &[(&str, As, &str)] = &[
     ("exports/cmm_fixed_width_sdss/D8300_1", Points(PLATE, "mm", 53, 0), "53 holes"),
     ("exports/cmm_fixed_width_sdss/fit_*.txt", Refused(PLATE, "mm", "header-words-missing"), "results of a fit, see exports.rs"),
     // roughness, no coordinates
-    ("exports/mitutoyo_sj410_decimal_comma/*.TXT", Nothing("error[file-without-points]: this is a file of roughness parameters"), "kept for its decimal commas"),
+    ("exports/mitutoyo_sj410_decimal_comma/*.TXT", Nothing("error[file-without-points] kind=roughness"), "kept for its decimal commas"),
     // certificates: what others measured of an instrument, no points
-    ("exports/dcc/lutaml_2023-03-31-PLATINUM-examples-1.xml", Nothing("error[file-without-points]: this is an XML document"), "examples of D-SI"),
-    ("exports/dcc/dfm_*.xml", Nothing("error[file-without-points]: this is a digital calibration certificate"), "certificates of DFM"),
-    ("exports/dcc/lutaml_e*.xml", Nothing("error[file-without-points]: this is a digital calibration certificate"), "example"),
-    ("exports/dcc/lutaml_s*.xml", Nothing("error[file-without-points]: this is a digital calibration certificate"), "silicon sphere"),
-    ("exports/dcc/lutaml_v*.xml", Nothing("error[file-without-points]: this is a digital calibration certificate"), "valid ones"),
-    ("exports/dcc/ptb_*.xml", Nothing("error[file-without-points]: this is a digital calibration certificate"), "good practice of PTB"),
-    ("exports/dcc/csir_*.xml", Nothing("error[file-without-points]: this is a digital calibration certificate"), "CSIR-NPL"),
+    ("exports/dcc/lutaml_2023-03-31-PLATINUM-examples-1.xml", Nothing("error[file-without-points] kind=xml"), "examples of D-SI"),
+    ("exports/dcc/dfm_*.xml", Nothing("error[file-without-points] kind=certificate"), "certificates of DFM"),
+    ("exports/dcc/lutaml_e*.xml", Nothing("error[file-without-points] kind=certificate"), "example"),
+    ("exports/dcc/lutaml_s*.xml", Nothing("error[file-without-points] kind=certificate"), "silicon sphere"),
+    ("exports/dcc/lutaml_v*.xml", Nothing("error[file-without-points] kind=certificate"), "valid ones"),
+    ("exports/dcc/ptb_*.xml", Nothing("error[file-without-points] kind=certificate"), "good practice of PTB"),
+    ("exports/dcc/csir_*.xml", Nothing("error[file-without-points] kind=certificate"), "CSIR-NPL"),
     // dedicated readers: one row a folder
     ("exports/qif/*", Elsewhere, "reference/qif.rs"),
     ("exports/calypso/*", Elsewhere, "reference/readers.rs"),
@@ -116,7 +116,7 @@ pub const TABLE: &[(&str, As, &str)] = &[
     ("exports/ur_rtde/*", Elsewhere, "reference/logs.rs"),
     ("exports/vda_fs/*", Elsewhere, "reference/readers.rs"),
     // IRB 120 again, as the robot's data set
-    ("robots/hilti_column/trailblazer.urdf", Nothing("error[file-without-points]: this is an XML document"), "a model, no measurement"),
+    ("robots/hilti_column/trailblazer.urdf", Nothing("error[file-without-points] kind=xml"), "a model, no measurement"),
     ("robots/hilti_column/waypoints.csv", Points("{ delimiter = \",\", header = 1, columns = { label = \"waypoint\", x = \"prism_x_m\", y = \"prism_y_m\", z = \"prism_z_m\" } }", "m", 444, 0), "444 waypoints of a prism"),
     ("robots/irb120_faro_ets/basic/commanded_joints_full.txt", Log("blank", 1, "deg", 1000), "1000 x 6"),
     ("robots/irb120_faro_ets/basic/generated_joints.txt", Log("blank", 1, "deg", 277), "277 rows"),
@@ -130,7 +130,7 @@ pub const TABLE: &[(&str, As, &str)] = &[
     ("robots/irb120_faro_ets/full_raw/measured_SMR_*.txt", Points(XYZ, "mm", 1000, 0), "1000 x 3"),
     ("robots/irb120_faro_ets/full_raw/measured_base_*.txt", Points(XYZ, "mm", 1000, 0), "1000 x 3"),
     ("robots/irb120_faro_ets/full_raw/measured_joints.txt", Log("blank", 1, "deg", 1000), "1000 x 6"),
-    ("robots/irb120_faro_ets/irb120_model.urdf", Nothing("error[file-without-points]: this is an XML document"), "a model, no measurement"),
+    ("robots/irb120_faro_ets/irb120_model.urdf", Nothing("error[file-without-points] kind=xml"), "a model, no measurement"),
     // KIT: reflectors of a standing and a moving robot
     ("robots/kit_iso9283_tracker/tracker/pose*.txt", Points(SA, "mm", 30, 0), "3 reflectors x 10 repeats"),
     ("robots/kit_iso9283_tracker/tracker/anfahrt_pose1.txt", Points(SA, "mm", 30, 0), "3 reflectors x 10 repeats"),
@@ -163,9 +163,9 @@ pub const TABLE: &[(&str, As, &str)] = &[
     ("robots/qkm_polyworks/data_pose_cali__ref.txt", Points("\"polyworks\"", "mm", 3, 0), "3 reflectors"),
     ("robots/qkm_polyworks/data_pose_cali__test_angles.txt", Log("blank", 1, "rad", 10), "10 poses in rad: the largest is 2.1"),
     ("robots/qkm_polyworks/polyworks_inspector_project_description.txt", Elsewhere, "reference/readers.rs"),
-    ("robots/qkm_polyworks/workspace1.pwk", Nothing("error[file-without-points]: this is an XML document"), "a workspace"),
-    ("robots/qkm_polyworks/polyworks_objectmodel.xml.gz", Nothing("compressed with gzip"), "an object model"),
+    ("robots/qkm_polyworks/workspace1.pwk", Nothing("error[file-without-points] kind=xml"), "a workspace"),
+    ("robots/qkm_polyworks/polyworks_objectmodel.xml.gz", Nothing("error[file-not-text] kind=gzip"), "an object model"),
     // two-axis positioner: poses of a camera in YAML
-    ("robots/rct_two_axis_positioner/initial_guess.launch.xml", Nothing("error[file-without-points]: this is an XML document"), "initial transforms"),
-    ("robots/rct_two_axis_positioner/positioner_kinematic_measurements.yaml", Nothing("error[file-without-points]: this is a YAML document"), "poses as YAML, one number a line"),
+    ("robots/rct_two_axis_positioner/initial_guess.launch.xml", Nothing("error[file-without-points] kind=xml"), "initial transforms"),
+    ("robots/rct_two_axis_positioner/positioner_kinematic_measurements.yaml", Nothing("error[file-without-points] kind=yaml"), "poses as YAML, one number a line"),
 ];

@@ -1,6 +1,7 @@
 //! Real exports of measuring systems: read with the counts and units that their READMEs state, or refused with the reason
 //! that they give. Numbers that are expected stand in the files themselves.
 
+use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 use etalon::base::phrase;
 use etalon::base::pose::Vector;
@@ -32,7 +33,7 @@ fn read(file: &str, format: &str, unit: &str) -> Result<(Vec<(String, Vector)>, 
 fn refused(file: &str, format: &str, unit: &str, parts: &[&str]) {
     let said = read(file, format, unit).expect_err(file);
     for part in parts {
-        assert!(said.contains(part), "{file}: {part:?} is not said:\n{said}");
+        assert!(said.says(part), "{file}: {part:?} is not said:\n{said}");
     }
 }
 
@@ -59,7 +60,7 @@ fn calypso_characteristics_of_one_feature_without_z_are_told() {
         "exports/calypso/excerpt_chr.txt",
         "\"calypso\"",
         "inch",
-        &["[unit-differs]: the file is in mm (unit)", "_chr.txt:2:"],
+        &["[unit-differs] of_file=mm how=unit", "_chr.txt:2:"],
     );
 }
 
@@ -273,6 +274,6 @@ fn the_68_columns_of_a_calypso_head_hold_its_unit_and_temperature_and_no_points(
     let format = Format::named("calypso").unwrap();
     let said = labelled_points("hdr.txt", &head, &format, Unit::Millimetre).unwrap_err().to_string();
     for part in ["[no-measured-points]", "`mm`", "20.7 °C", "hdr.txt:1"] {
-        assert!(said.contains(part), "{part}: {said}");
+        assert!(said.says(part), "{part}: {said}");
     }
 }

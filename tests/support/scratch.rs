@@ -1,5 +1,6 @@
 //! Copies of samples that a test may change.
 
+use super::said::Says;
 use etalon::documents::ManifestDocument;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -96,7 +97,7 @@ pub fn ends(scratch: &Scratch, command: &str, code: i32, parts: &[&str]) -> Stri
     let (ended, said) = etalon(scratch, command);
     assert_eq!(ended, Some(code), "{said}");
     for part in parts {
-        assert!(said.contains(part), "{part:?} is not said:\n{said}");
+        assert!(said.says(part), "{part:?} is not said:\n{said}");
     }
     said
 }

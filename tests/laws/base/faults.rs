@@ -156,7 +156,7 @@ fn a_full_disk_or_one_that_is_read_only_loses_nothing() {
     let refused = |how: &str| {
         let (code, said) = etalon(&scratch, "run");
         assert!(
-            code == Some(2) && said.contains("cannot write") && said.contains("nothing is written"),
+            code == Some(2) && said.contains("cannot write") && said.contains("[earlier-run-left]"),
             "{how}: {said}"
         );
         assert!(files(&out) == first, "{how}");

@@ -2,6 +2,7 @@
 //! because a run is short in the release profile.
 
 use crate::support::run_for;
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, ends, etalon, said};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -117,7 +118,7 @@ fn parameters_alone_are_refused_where_their_parts_do_not_belong_together() {
         let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
         change(&mut value);
         let (code, said) = exported(&value.to_string());
-        assert!(code == Some(2) && said.contains(part), "{part}: {code:?} {said}");
+        assert!(code == Some(2) && said.says(part), "{part}: {code:?} {said}");
     };
     refused(&|v| v["schema"] = "etalon/parameters/9".into(), "etalon/parameters/9");
     refused(&|v| drop(v["covariance"].as_array_mut().unwrap().pop()), "covariance is not a square matrix");
@@ -150,7 +151,7 @@ fn a_folder_that_cannot_be_written_loses_nothing() {
     // a file in the way of the new folder
     std::fs::create_dir(scratch.path().join(".out.lock")).unwrap();
     let (code, said) = etalon(&scratch, "run");
-    assert!(code == Some(2) && said.contains("cannot write") && said.contains("nothing is written"), "{said}");
+    assert!(code == Some(2) && said.contains("cannot write") && said.contains("[earlier-run-left]"), "{said}");
     assert_eq!(files(&scratch.path().join("out")), out);
 }
 
@@ -185,7 +186,7 @@ fn no_output_is_written_over_an_input() {
         let path = scratch.root().join(name);
         let before = std::fs::read(&path).unwrap();
         let (code, said) = said(&scratch, arguments);
-        assert!(code == Some(2) && said.contains(part), "{arguments:?}: {code:?} {said}");
+        assert!(code == Some(2) && said.says(part), "{arguments:?}: {code:?} {said}");
         assert!(std::fs::read(&path).unwrap() == before, "{name} was written over");
     };
     let write = |name: &str, text: &str| std::fs::write(scratch.root().join(name), text).unwrap();
@@ -304,7 +305,7 @@ fn a_template_that_does_not_end_is_stopped() {
     scratch.replace("campaign.toml", "[instrument]", "[report]\ntemplates = \"own\"\n\n[instrument]");
     let template = |name: &str, text: &str| {
         std::fs::write(scratch.path().join("own").join(name), text).unwrap();
-        ends(&scratch, "run", 2, &[&format!("[template-failed]: the template `{name}` needs more than 2 GiB")]);
+        ends(&scratch, "run", 2, &[&format!("[template-failed] fault=memory template={name}")]);
         assert!(!scratch.path().join("out").exists());
         std::fs::remove_file(scratch.path().join("own").join(name)).unwrap();
     };
@@ -503,7 +504,7 @@ fn a_batch_runs_what_has_changed_and_goes_on_where_one_fails() {
     assert_eq!((code, computed(&document)), (Some(1), vec![false, true]));
     assert_eq!(batch(&["a"]).0, Some(0));
     let (code, _, said) = batch(&["a", "./a", "a"]);
-    assert!(code == Some(2) && said.contains("`a` is named twice"), "{said}");
+    assert!(code == Some(2) && said.says("[campaign-twice] folder=a"), "{said}");
 }
 
 #[test]

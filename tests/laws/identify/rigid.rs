@@ -1,6 +1,7 @@
 //! The stated shape of a part that carries targets constrains them, with its uncertainty, and is named where measurements contradict it.
 
 use crate::support::arms::{SIX_AXES, serial};
+use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 use etalon::base::message::Severity;
 use etalon::base::noise::Noise;
@@ -186,7 +187,7 @@ fn a_shape_is_stated_whole() {
             "`places_mm` needs `expanded_uncertainty_um`",
         ),
         (plate(146.0, "").replace(", L = ", ", M = "), "`places_mm` names `M`"),
-        (plate(146.0, "").replace("K = [0, 0, 0], ", ""), "`places_mm` lacks the position of `K`"),
+        (plate(146.0, "").replace("K = [0, 0, 0], ", ""), "[rigid-place-missing] target=K"),
         (
             "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = 0.1\ncoverage_factor = 2\n[log]".to_owned(),
             "error[rigid-uncertainty-without-places]",
@@ -195,6 +196,6 @@ fn a_shape_is_stated_whole() {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("campaign.toml", "[log]", &rigid);
         let problems = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
-        assert!(problems.contains(expected), "{rigid}: {problems}");
+        assert!(problems.says(expected), "{rigid}: {problems}");
     }
 }

@@ -7,6 +7,7 @@ use crate::support::arms::{SIX_AXES, serial};
 use crate::support::five_bar::{self, measure};
 use etalon::base::message::{Message, Severity};
 use etalon::base::noise::Noise;
+use etalon::base::phrase;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
 use etalon::identify::{Observation, Settings, Systematic};
@@ -259,7 +260,7 @@ pub(super) fn spoilt(bench: &Bench) -> Vec<(String, Vec<Observation>, Vec<String
         add("one label exchanged", vec![pose(9)], &|all| all[9].targets.swap(0, 1));
     }
     let next = (12..n).find(|&k| bench.observations[k].pose != bench.observations[k - 1].pose).unwrap();
-    add("a stale row", vec!["repeat to the last digit".to_owned()], &|all| {
+    add("a stale row", vec!["[positions-repeat]".to_owned()], &|all| {
         all[next].targets = all[next - 1].targets.clone();
     });
     let moved = vec![format!("from pose {} on", bench.observations[n / 2].pose)];
@@ -270,15 +271,19 @@ pub(super) fn spoilt(bench: &Bench) -> Vec<(String, Vec<Observation>, Vec<String
     });
     // a base that is mounted, not free, and drawn lengths show what is beyond their own deviations
     if bench.robot.dimension() == 2 {
-        add("a scale of 1.01", vec!["a scale error of the measuring system".to_owned()], &|all| {
+        add("a scale of 1.01", vec!["[common-scale]".to_owned()], &|all| {
             all.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| *p = p.map(|v| 1.01 * v));
         });
     }
-    add("the log is shifted by one row", vec!["taken from the".to_owned()], &|all| {
-        for k in (1..n).rev() {
-            all[k].joints = all[k - 1].joints.clone();
-        }
-    });
+    add(
+        "the log is shifted by one row",
+        ["previous", "next"].map(|neighbour| phrase!("slip-neighbour", neighbour).to_string()).to_vec(),
+        &|all| {
+            for k in (1..n).rev() {
+                all[k].joints = all[k - 1].joints.clone();
+            }
+        },
+    );
     all
 }
 

@@ -2,6 +2,7 @@
 
 use crate::support::arms::{SIX_AXES, serial};
 use crate::support::five_bar::settings;
+use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 use etalon::base::noise::Noise;
 use etalon::base::pose::norm;
@@ -216,7 +217,10 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
     assert!((wider.place_mm - 0.05 * 2f64.sqrt()).abs() < 1e-12, "{}", wider.place_mm);
     assert!((wider.after.max.powi(2) - at_c.after.max.powi(2) - wider.place_mm.powi(2)).abs() < 1e-12);
     let problems = run(&stated(10.0, "flange")).unwrap_err().to_string();
-    assert!(problems.contains("`prexyt` has no flange") && problems.contains("campaign.toml"), "{problems}");
+    assert!(
+        problems.says("[tool-part-missing] model=prexyt part=flange") && problems.contains("campaign.toml"),
+        "{problems}"
+    );
     let problems = run(&stated(-1.0, "platform")).unwrap_err().to_string();
-    assert!(problems.contains("`expanded_uncertainty_um` must be positive"), "{problems}");
+    assert!(problems.says("[key-not-positive] key=expanded_uncertainty_um"), "{problems}");
 }

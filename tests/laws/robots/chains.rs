@@ -1,6 +1,7 @@
 //! Chains of more than one arm's joints, and transmissions: rails, two arms, parts on positioners, harmonics, backlash.
 
 use crate::support::arms::SIX_AXES;
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
@@ -154,16 +155,18 @@ fn comes_back(keys: &str, effect: Effect, count: usize, first: &str) {
 #[test]
 fn joints_that_slide_have_no_harmonics() {
     let turning = "[[joint]]\nalpha_deg = 0.0\na_mm = 0.0\ntheta_deg = 0.0\nd_mm = 0.0\n";
-    for (keys, what) in
-        [("[1]", "joint q1 is prismatic: it does not rotate"), ("[2, 2]", "twice"), ("[8]", "no joint 8")]
-    {
+    for (keys, what) in [
+        ("[1]", "[joint-reference-wrong] fault=slides joint=q1"),
+        ("[2, 2]", "[joint-reference-wrong] fault=twice"),
+        ("[8]", "[joint-reference-wrong] fault=unknown-number joint=8"),
+    ] {
         let scratch = Scratch::with(&[(
             "robot.toml",
             &format!("model = \"serial\"\nharmonics = {keys}\n{turning}prismatic = true\n{turning}"),
         )]);
         let file = read_robot(&scratch.path().join("robot.toml")).unwrap();
         let message = file.build(&["a".to_owned()]).err().unwrap().to_string();
-        assert!(message.contains(what) && message.contains("robot.toml:2"), "{message}");
+        assert!(message.says(what) && message.contains("robot.toml:2"), "{message}");
     }
 }
 
@@ -317,19 +320,19 @@ fn a_base_that_joints_move_is_named_where_positions_are_measured() {
     etalon.args(["identify", "--robot", "robot.toml", "--observations", "o.csv", "--standard-uncertainty-um", "20"]);
     let output = etalon.current_dir(scratch.path()).output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr).into_owned() + &String::from_utf8_lossy(&output.stdout);
-    assert!(said.contains("the joints left_q3, left_q2, left_q1, left_q0 move `base_link`"), "{said}");
+    assert!(said.says("[base-moves] joints=left_q3, left_q2, left_q1, left_q0"), "{said}");
 }
 
 #[test]
 fn wrong_chains_between_hands_are_refused_by_name() {
     for (base, tool, more, what) in [
-        ("left_hand", "right_hnd", "", "has no link `right_hnd`"),
-        ("left_hand", "torso", "", "no joints lead from `left_hand` to `torso`"),
-        ("left_hand", "left_hand", "", "no joint moves between"),
-        ("left_hand", "right_hand", "bending = [1]", "needs a fixed direction of gravity, but joints move `left_hand`"),
+        ("left_hand", "right_hnd", "", "[urdf-link-unknown] link=right_hnd"),
+        ("left_hand", "torso", "", "[urdf-no-path] from=left_hand to=torso"),
+        ("left_hand", "left_hand", "", "[urdf-nothing-moves] from=left_hand to=left_hand"),
+        ("left_hand", "right_hand", "bending = [1]", "[bending-on-moving-base] link=left_hand"),
     ] {
         let message = of_two(base, tool, more).err().unwrap();
-        assert!(message.contains(what) && message.contains("robot.toml:"), "{message}");
+        assert!(message.says(what) && message.contains("robot.toml:"), "{message}");
     }
 }
 
@@ -557,12 +560,12 @@ fn a_table_with_stations_identifies_and_slips_are_named() {
         assert!(off.abs() < 1e-6 * quantity.outward(found.standard_uncertainty(i).unwrap()), "{name}: {off}");
     }
     for (from, to, what) in [
-        ("point,T2", "plane,T2", "a row of kind `plane` states the station `T2`"),
-        ("point,T2", "point,a", "`a` is a target on the robot"),
+        ("point,T2", "plane,T2", "[station-row-unsupported] fault=kind kind=plane station=T2"),
+        ("point,T2", "point,a", "[fixed-point-on-robot] name=a"),
     ] {
         let output = run(&table.replacen(from, to, 1));
         let message = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.code() == Some(2) && message.contains(what), "{to}: {message}");
+        assert!(output.status.code() == Some(2) && message.says(what), "{to}: {message}");
     }
 }
 
