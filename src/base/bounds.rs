@@ -51,7 +51,8 @@ mod tests {
         assert!(product_at_most(phrase!("poses-and-cycles"), &[("poses", 3), ("cycles", 3)], 9).is_ok());
         for many in [4, u64::MAX] {
             let error = product_at_most(phrase!("poses-and-cycles"), &[("poses", 3), ("cycles", many)], 9).unwrap_err();
-            let counts = format!("3 poses × {many} cycles");
+            let factor = |count: u64, of: &str| phrase!("factor", count, of);
+            let counts = phrase!("product", first = factor(3, "poses"), second = factor(many, "cycles"));
             assert!(error.0[0].is("counts-too-large", &[("counts", &counts), ("most", &9)]), "{error}");
         }
     }

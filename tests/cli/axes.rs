@@ -146,3 +146,23 @@ fn slips_in_a_table_are_named() {
     assert!(found.messages.iter().any(|m| m.id == "sweep-foreign"), "{:?}", found.messages);
     assert_eq!(found.axes[1].set_aside, [32]);
 }
+
+#[test]
+fn a_joint_swept_backwards_is_named() {
+    let mut rows = rows();
+    let mut noise = Noise::new(9, 0);
+    for row in rows.iter_mut().filter(|row| row.0 == 1) {
+        row.1 = position(&[0.0, -row.2[1], 0.0, 0.0]).map(|v| v + noise.gaussian(0.01));
+    }
+    let without = table(&rows, false).lines().fold(String::new(), |mut out, line| {
+        let more = if line.starts_with("joint") { ",q1_deg,q2_deg,q3_deg,q4_mm" } else { ",,,," };
+        let _ = writeln!(out, "{line}{more}");
+        out
+    });
+    let checks: Vec<_> =
+        [[0.3, -0.4, 0.5, 100.0], [-0.6, 0.7, -0.2, 300.0], [1.0, 0.1, 0.8, 30.0]].map(|q| (9, position(&q), q)).into();
+    let checks = table(&checks, true);
+    let (_, checks) = checks.split_once('\n').unwrap();
+    let (code, _, err) = run(&(without + checks), &["--prismatic", "q4"]);
+    assert!(code == Some(2) && err.contains("error[sweep-reversed]"), "{err}");
+}

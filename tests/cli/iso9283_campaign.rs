@@ -282,11 +282,7 @@ fn a_limit_that_a_pose_cannot_be_judged_by_is_an_error() {
     std::fs::write(scratch.path().join("c.csv"), "pose,x_mm,y_mm\n1,0,0\n").unwrap();
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(done.status.code(), Some(2), "{}", text_of(&done));
-    assert!(
-        text_of(&done).says("error[limit-without-value] limit=repeatability_max_mm pose=1"),
-        "{}",
-        text_of(&done)
-    );
+    assert!(text_of(&done).says("error[limit-without-value] limit=repeatability_max_mm pose=1"), "{}", text_of(&done));
 }
 
 #[test]

@@ -137,6 +137,15 @@ fn twincat_channels_meet_at_equal_times_with_their_scale_and_unit() {
         &["error[column-unit-differs]", "`b` is in mm"],
     );
     refused(SCOPE, &CHANNELS.replace("values = \"raw\"\n", ""), &["error[twincat-scale-undecided] channel=b"]);
+    refused(
+        &SCOPE.replace("ScaleFactor\t0,5", "ScaleFactor\tx"),
+        CHANNELS,
+        &["error[channel-scale-not-number]", "`b`"],
+    );
+    let unit = "Offset\t0\nUnit ScaleFactor\t1\tUnit ScaleFactor\t1000\n\n";
+    refused(&SCOPE.replace("Offset\t0\n\n", unit), CHANNELS, &["error[twincat-two-scales] channel=b"]);
+    let between = SCOPE.replace("\t0\t10\n", "\t0.5\t10\n").replace("\t2\t12\n", "\t2.5\t12\n");
+    refused(&between, CHANNELS, &["error[channels-without-common-time]"]);
 }
 
 #[test]

@@ -1,12 +1,17 @@
 //! Messages of functions that programs call with values in memory: commands check these values before.
 
 use etalon::base::message::{Message, Problems};
-use etalon::fit::{Element, FitSettings, Source, element, rigid};
+use etalon::documents::{Iso9283Places, ParametersDocument};
+use etalon::fit::{Element, FitSettings, Probe, Side, Source, element, rigid};
+use etalon::identify::geometric::{self, BaseMeasurements, LeadMeasurements, Measurements, ShaftMeasurements};
+use etalon::identify::{Comparison, GivenParameters, Observation, Settings, ToolFrame, ToolPoint};
+use etalon::robots::{Prexyt, Robot};
 use etalon::standards::iso9283::load::{Loaded, compliance};
 use etalon::standards::iso9283::motion::standstill::{Stillness, standstills};
 use etalon::standards::iso9283::motion::stream::Stream;
 use etalon::standards::iso9283::path::accuracy::{path_accuracy, path_accuracy_on_reorientation};
-use etalon::standards::iso9283::path::commanded::CommandedPath;
+use etalon::standards::iso9283::path::commanded::{CommandedPath, Corner};
+use etalon::standards::iso9283::path::cornering::cornering;
 use etalon::standards::iso9283::path::passes::passes;
 use etalon::standards::iso9283::path::repeatability::path_repeatability;
 use etalon::standards::iso9283::path::velocity::path_velocity;
@@ -25,14 +30,24 @@ const FAR: [f64; 3] = [100.0, 0.0, 0.0];
 #[test]
 fn of_files_names_and_missing_data() {
     let refused = etalon::cli::in_memory::iso9283([None, None, None], &[]).unwrap_err();
+    let table = etalon::cli::in_memory::Table { name: "t.csv", text: "pose,cycle,x_mm,y_mm,z_mm\n1,1,0,0,0\n" };
+    let unknown = etalon::cli::in_memory::iso9283([Some(&table), None, None], &["--nothing".to_owned()]).unwrap_err();
+    let large = tempfile::NamedTempFile::new().unwrap();
+    large.as_file().set_len(17 << 20).unwrap();
     let robot = etalon::robots::Prexyt::default();
+    let unreached = etalon::identify::plan::candidates::within_reach(&robot, Vec::new());
+    let unreached = unreached.err().map(|error| error.messages()).unwrap_or_default();
     let nothing = etalon::identify::identify(&robot, &[], &etalon::identify::Settings::default()).unwrap_err();
     hold(vec![
         ("not-utf8", of(etalon::base::files::text("campaign.toml".as_ref(), vec![b'a', 0xfc]))),
         ("pose-name-too-long", of(etalon::base::pose_name::PoseName::new(&"x".repeat(300)))),
         ("one-campaign", of(etalon::compare::compare(&[]))),
         ("table-to-evaluate-missing", refused.downcast::<Problems>().unwrap().0),
+        ("no-candidates", unreached),
         ("no-observations", nothing.messages()),
+        ("option-of-call-refused", unknown.downcast::<Problems>().unwrap().0),
+        ("cannot-read-file", of(etalon::base::files::read("no/such/file".as_ref()))),
+        ("file-too-large", of(etalon::base::files::read_text(large.path()))),
     ]);
 }
 
@@ -89,6 +104,7 @@ fn of_characteristics_of_paths() {
     let points = path.command_points(10);
     let driven = passes(&stream, &points, 5.0).unwrap().complete;
     let still = |radius_mm, duration_s| of(standstills(&stream, &Stillness { radius_mm, duration_s }));
+    let corner = Corner { position_mm: FAR, incoming: X, outgoing: Y, along_mm: [50.0, 100.0, 150.0] };
     let weave = |stroke_mm, frequency_hz| Weave { stroke_mm, frequency_hz, across: Y };
     hold(vec![
         ("standstill-thresholds", still(0.0, 0.2)),
@@ -99,8 +115,140 @@ fn of_characteristics_of_paths() {
         ("too-few-passes", of(path_repeatability(&driven, &points))),
         ("velocity-not-positive", of(path_velocity(&driven, &points, 0.0, 0.5))),
         ("velocity-too-few-points", of(path_velocity(&driven, &points, 100.0, 0.1))),
+        ("corner-without-points", of(cornering(&stream, &driven, &points[..3], &corner, None))),
         ("weave-command", of(weaving(&stream, 0..101, X, &weave(10.0, 0.0)))),
         ("weave-without-samples", of(weaving(&stream, 101..101, X, &weave(10.0, 1.0)))),
         ("weave-too-few-turns", of(weaving(&stream, 0..101, X, &weave(10.0, 1.0)))),
     ]);
+}
+
+#[test]
+fn of_samples_probes_and_transforms() {
+    let unusable = Stream::new(vec![0.0, 1.0], vec![O, [f64::NAN, 0.0, 0.0]], &[]).err().unwrap();
+    let sphere =
+        [X, [-1.0, 0.0, 0.0], Y, [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]].map(|p| p.map(|v| 10.0 * v));
+    let probe = Some(Probe { radius_mm: 2.0, side: Side::Outside });
+    let fit = element(Element::Sphere, Source::from(&sphere[..]), &FitSettings { probe, ..FitSettings::default() });
+    let exchanged = rigid(&[O, FAR, [0.0, 100.0, 0.0]], &[O, FAR, [0.0, 130.0, 0.0]]).unwrap();
+    let places = Iso9283Places {
+        name: "P".to_owned(),
+        purpose: String::new(),
+        points: vec![[("x_mm".to_owned(), f64::NAN)].into()],
+        joints: Vec::new(),
+    };
+    hold(vec![
+        ("stream-value-missing", vec![unusable.message]),
+        ("compensated-twice", of(fit.unwrap().compensated(probe))),
+        ("rotation-uncertain", exchanged.warnings),
+        ("targets-not-finite", of(etalon::controllers::places(&places, "p.json"))),
+    ]);
+}
+
+/// Balls R and N and the rails of a table in the plane z = 0, with ball N on an arc about the origin.
+fn base() -> BaseMeasurements {
+    let arc = [0.0, 0.4, 0.8, 1.2, 1.6].map(|a: f64| [50.0 * a.cos(), 50.0 * a.sin(), 0.0]);
+    BaseMeasurements {
+        rails: vec![O, FAR, [0.0, 100.0, 0.0], [100.0, 100.0, 0.0]],
+        towards: FAR,
+        arc: arc.to_vec(),
+        r_home: vec![O],
+        r_end: vec![[0.0, 100.0, 0.0]],
+    }
+}
+
+#[test]
+fn of_the_geometric_method() {
+    let steps = |measured: Measurements| of(geometric::steps(&measured, 0.001));
+    let shaft = |direction: usize| -> Vec<[f64; 3]> {
+        let ring = |i: usize| {
+            let (sin, cos) = (0.7 * i as f64).sin_cos();
+            let mut p = [200.0 + 10.0 * cos, 150.0 + 10.0 * cos, 10.0 * sin];
+            p[direction] = 100.0 + 3.0 * i as f64;
+            p
+        };
+        (0..30).map(ring).collect()
+    };
+    let shafts = |positions| vec![ShaftMeasurements { positions }];
+    let still = LeadMeasurements { commanded_mm: vec![5.0; 3], points: vec![O, O, O] };
+    hold(vec![
+        ("lead-undetermined", steps(Measurements { leads: [Some(still), None, None], ..Measurements::default() })),
+        (
+            "ball-unmoved",
+            steps(Measurements { base: BaseMeasurements { r_end: vec![O], ..base() }, ..Measurements::default() }),
+        ),
+        (
+            "geometric-step-alone",
+            steps(Measurements { shafts: shafts([shaft(0), shaft(1)]), ..Measurements::default() }),
+        ),
+        (
+            "shaft-positions-parallel",
+            steps(Measurements { base: base(), shafts: shafts([shaft(0), shaft(0)]), ..Measurements::default() }),
+        ),
+        ("geometry-incomplete", of(geometric::determine(&Measurements::default(), 0.001))),
+    ]);
+    assert!(
+        steps(Measurements { base: base(), shafts: shafts([shaft(0), shaft(1)]), ..Measurements::default() })
+            .is_empty()
+    );
+}
+
+/// Messages of an error of the identification.
+fn refused<T>(result: Result<T, etalon::identify::Error>) -> Vec<Message> {
+    result.err().map(|error| error.messages()).unwrap_or_default()
+}
+
+#[test]
+fn of_given_parameters_and_tools() {
+    let robot = Prexyt::default();
+    let observed =
+        |joints: [f64; 3]| Observation { joints: joints.to_vec(), targets: vec![Some(O); 2], ..Observation::default() };
+    let (near, nowhere) = ([observed([10.0, 150.0, 150.0])], [observed([10.0, f64::NAN, 0.0])]);
+    let plain = Settings::default();
+    let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
+    let given = GivenParameters { values: robot.nominal(), free: vec![0, 1], covariance: vec![1.0, 2.0, 2.0, 1.0] };
+    let sound = GivenParameters { covariance: vec![1.0, 0.0, 0.0, 1.0], ..given.clone() };
+    let compare = |observations, settings, given| {
+        refused(Comparison { robot: &robot, observations, settings, given }.most_probable())
+    };
+    let tool = |frame| {
+        let point = ToolPoint { point_mm: X, frame, standard_uncertainty_mm: 0.01 };
+        refused(point.in_base(&robot, &robot.nominal(), &[10.0, 150.0, 150.0]))
+    };
+    let common = Settings { common_uncertainty_mm: Some(0.01), ..Settings::default() };
+    hold(vec![
+        ("comparison-without-uncertainty", compare(&near, &plain, &sound)),
+        ("covariance-not-positive-definite", compare(&near, &settings, &given)),
+        ("robot-not-at-joints", compare(&nowhere, &settings, &sound)),
+        ("tool-part-missing", tool(ToolFrame::Flange)),
+        ("common-uncertainty-alone", refused(etalon::identify::identify(&robot, &near, &common))),
+    ]);
+    assert!(tool(ToolFrame::Platform).is_empty() && compare(&near, &settings, &sound).is_empty());
+}
+
+#[test]
+fn of_documents_that_lack_values() {
+    let out = super::ran("prexyt-cmm").join("out");
+    let text = std::fs::read(out.join("parameters.json")).unwrap();
+    let mut document: ParametersDocument = serde_json::from_slice(&text).unwrap();
+    let file = etalon::campaign::read_robot(&out.parent().unwrap().join("robot.toml")).unwrap();
+    let robot = file.build(&[]).unwrap();
+    let given = |document: &ParametersDocument| of(etalon::stages::given::given(robot.as_ref(), document));
+    assert!(given(&document).is_empty());
+    document.covariance.clear();
+    document.residuals.stated_standard_uncertainty_mm = None;
+    document.residuals.degrees_of_freedom = 0;
+    hold(vec![
+        ("given-without-covariance", given(&document)),
+        ("calibration-without-residuals", of(etalon::stages::given::ExpectedDeviation::of(&document, None))),
+    ]);
+    let residuals = std::fs::read(out.join("residuals.parquet")).unwrap();
+    let table = etalon::formats::table::from_parquet(residuals, 1_000_000).unwrap();
+    assert!(etalon::stages::evaluate::from_table(&table).is_ok());
+    let with = |name: &str| {
+        let mut table = table.clone();
+        let column = polars::prelude::Column::new(name.into(), vec!["length of it"; table.height()]);
+        table.with_column(column).unwrap();
+        of(etalon::stages::evaluate::from_table(&table))
+    };
+    hold(vec![("pose-set-unknown", with("set")), ("error-quantity-unknown", with("quantity"))]);
 }

@@ -4,10 +4,10 @@ use super::{CHECK, Case, hold};
 
 const C: &str = "campaign.toml";
 const E: &str = "exports/poses.txt";
-const L: &str = "encoders.csv";
+pub(super) const L: &str = "encoders.csv";
 const CMM: &str = "prexyt-cmm";
 /// A campaign whose points and rows have times.
-const TIMED: (&str, &str, &str) = (
+pub(super) const TIMED: (&str, &str, &str) = (
     C,
     "",
     "name = \"timed\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 2\ncoverage_factor = 2\n\
@@ -15,7 +15,7 @@ const TIMED: (&str, &str, &str) = (
      [log]\nfile = \"encoders.csv\"\ncolumns = { time_s = \"t\", rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\" }\n\
      [join]\nby = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0\n[frame.world]\nas_exported = true\n[identify]\ncalibration = \"all\"\n",
 );
-const POINTS: (&str, &str, &str) = (E, "", "K;10.2;1;2;0\nL;10.2;3;4;0\nK;20.2;5;6;0\nL;20.2;7;8;0\n");
+pub(super) const POINTS: (&str, &str, &str) = (E, "", "K;10.2;1;2;0\nL;10.2;3;4;0\nK;20.2;5;6;0\nL;20.2;7;8;0\n");
 const ROWS: &str = "t,RP1,RP2,RP3\n10,0,300,300\n20,0,0,256\n";
 const WORLD: &str = "columns = [\"label\", \"x\", \"y\", \"z\"]";
 

@@ -4,7 +4,10 @@
 
 mod campaign;
 mod command_line;
+mod comparisons;
+mod controller_files;
 mod controllers;
+mod data;
 mod library;
 mod logs;
 mod robot;

@@ -284,4 +284,12 @@ mod tests {
         assert_eq!(Uncertain::mean([&a, &b]).value, 3.5);
         assert_eq!(Uncertain::exact(2.0).standard_uncertainty(&u), 0.0);
     }
+
+    #[test]
+    fn equal_rows_do_not_determine_two_quantities() {
+        let moves = [0.0, 0.0, 0.0].map(Uncertain::exact);
+        let refused = shifts(&[[1.0, 1.0]; 3], &moves).err().unwrap().0;
+        assert!(refused.len() == 1 && refused[0].is("points-undetermined", &[]), "{refused:?}");
+        assert!(shifts(&[[1.0, 1.0], [1.0, 2.0], [1.0, 3.0]], &moves).is_ok());
+    }
 }

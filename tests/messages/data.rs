@@ -1,0 +1,303 @@
+//! Messages about what measurements show: frames, joins, fits and residuals.
+
+use super::logs::{L, POINTS, TIMED};
+use super::{CHECK, Case, hold};
+
+const C: &str = "campaign.toml";
+const CMM: &str = "prexyt-cmm";
+const E: &str = "exports/poses.txt";
+const RUN: &str = "run @";
+const TEST: &str = "prexyt-repeatability";
+
+/// A campaign whose world frame is measured at each pose.
+const EACH: (&str, &str, &str) = (
+    C,
+    "",
+    "name = \"each\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 2\ncoverage_factor = 2\n\
+     [[export]]\nfile = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = \"mm\"\nlabel = \"{target}_{pose}_{cycle}\"\n\
+     [log]\nfile = \"encoders.csv\"\ncolumns = { pose = \"pose\", cycle = \"run\", rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\" }\n\
+     [join]\nby = [\"pose\", \"cycle\"]\n[frame.world]\ntargets = [\"A\", \"B\", \"D\"]\neach = \"pose\"\n[identify]\ncalibration = \"all\"\n",
+);
+/// Frame target D is missing at pose 2.
+const FRAMED: (&str, &str, &str) = (
+    E,
+    "",
+    "A_1_1 1 0 0\nB_1_1 101 0 0\nD_1_1 1 100 0\nK_1_1 1 2 0\nL_1_1 3 4 0\nA_2_1 1 0 0\nB_2_1 101 0 0\nK_2_1 5 6 0\nL_2_1 7 8 0\n",
+);
+
+/// Frames and joins.
+const GATHERED: &[Case] = &[
+    (
+        "rigid-row-refused target=SMR_1",
+        "delta",
+        &[
+            (C, "[log]\n", "[[rigid]]\ntargets = [\"SMR_1\", \"SMR_2\", \"SMR_3\"]\ntolerance_mm = 1.0\n[log]\n"),
+            (E, "SMR_1_1_1,2461.392979", "SMR_1_1_1,2471.392979"),
+        ],
+        CHECK,
+    ),
+    (
+        "positions-repeat",
+        CMM,
+        &[(E, "K_2_1 346.83668 216.81931 137.72967", "K_2_1 357.15901 493.95605 138.80533")],
+        CHECK,
+    ),
+    (
+        "repeatability-frame",
+        CMM,
+        &[
+            EACH,
+            FRAMED,
+            (E, "+", "D_2_1 1 100 0\n"),
+            (
+                C,
+                "[log]\nfile = \"encoders.csv\"\ncolumns = { pose = \"pose\", cycle = \"run\", rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\" }\n[join]\nby = [\"pose\", \"cycle\"]\n",
+                "",
+            ),
+            (
+                C,
+                "[identify]\ncalibration = \"all\"\n",
+                "[repeatability]\nlabel = \"K_{pose}_{cycle}\"\ntrajectory = [1, 2]\n",
+            ),
+        ],
+        RUN,
+    ),
+    (
+        "join-key-missing key=pose",
+        CMM,
+        &[
+            TIMED,
+            POINTS,
+            (L, "", "t,p,c,RP1,RP2,RP3\n10,1,1,0,300,300\n20,2,1,0,0,256\n"),
+            (C, "time_s = \"t\",", "pose = \"p\", cycle = \"c\","),
+            (C, "by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0\n", "by = [\"pose\", \"cycle\"]\n"),
+        ],
+        CHECK,
+    ),
+    ("step-scatters", "prexyt-geometric", &[(C, "12.73", "1.273")], RUN),
+    ("homing-instrument-too-coarse", TEST, &[(C, "_um = 2.7", "_um = 9")], RUN),
+    (
+        "pose-of-several-targets",
+        TEST,
+        &[
+            (C, "\"P{pose}-{cycle}\"", "\"{target}{pose}-{cycle}\""),
+            ("exports/visits.txt", "+", "Q2-1 465.66580 406.26423 106.13449\n"),
+        ],
+        RUN,
+    ),
+    ("identify-missing", TEST, &[], "validate @"),
+    (
+        "frame-point-off point=floor_4",
+        "delta",
+        &[
+            (
+                C,
+                "\"floor_3\"]",
+                "\"floor_3\", \"floor_4\"]\nnominal_mm = { floor_1 = [0, 0, 0], floor_2 = [1000, 0, 0], floor_3 = [0, 1000, 0], floor_4 = [1000, 1000, 0] }\ntolerance_mm = 0.1",
+            ),
+            ("exports/world.txt", "", "floor_1,1,0,0\nfloor_2,1001,0,0\nfloor_3,1,1000,0\nfloor_4,1001,1000,5\n"),
+        ],
+        CHECK,
+    ),
+];
+
+/// Residuals and parameters.
+const IDENTIFIED: &[Case] = &[
+    ("parameter-held-inseparable", "column-arm", &[], RUN),
+    ("parameter-groups-weakly-identifiable", "column-arm", &[], RUN),
+    ("parameters-fixed-by-frames", "draw-wire", &[(C, "[identify]", "[identify]\nprior = \"none\"")], RUN),
+    (
+        "robust-fit-disagrees-at-poses",
+        CMM,
+        &[(E, "K_2_1 346.83668", "K_2_1 346.93668"), (E, "K_2_2 346", "K_2_2 347")],
+        RUN,
+    ),
+    ("limit-not-assessable", "draw-wire", &[(C, "distance_max_mm = 0.4", "position_max_mm = 0.4")], RUN),
+    ("largest-residuals", CMM, &[(C, "_um = 2.7", "_um = 1.35")], RUN),
+    ("outliers", CMM, &[(E, "K_2_1 346.83668", "K_2_1 346.93668")], RUN),
+    ("validation-outliers", CMM, &[(E, "K_20_1 418.98933", "K_20_1 419.48933")], RUN),
+    ("few-poses-to-leave-out count=2", "draw-wire", &[(C, "\"1-60\"", "\"1-2\"")], "recommend @"),
+    ("place-without-nominal", "column-arm", &[], "validate @ --frames given"),
+    (
+        "base-off-nominal",
+        "probe-poses",
+        &[(
+            "robot.toml",
+            "convention",
+            "nominal = { base_x = 0, base_y = 0, base_z = 0, base_rx = 0, base_ry = 0, base_rz = 0 }\nconvention",
+        )],
+        RUN,
+    ),
+];
+
+const QIF: &str = "<QIFDocument versionQIF=\"3.0.0\"><FileUnits><PrimaryUnits><LinearUnit><UnitName>mm</UnitName><UnitConversion><Factor>0.001</Factor></UnitConversion></LinearUnit></PrimaryUnits></FileUnits>\n<Results><MeasuredFeatures n=\"1\"><PlaneFeatureMeasurement id=\"1\">\n<PointList n=\"1\"><WholePointSetId>2</WholePointSetId></PointList></PlaneFeatureMeasurement></MeasuredFeatures>\n<MeasuredPointSet id=\"2\" count=\"4\"><Points>0 0 0 1 0 0 0 1 0 1 1 0.001</Points><Compensated>true</Compensated></MeasuredPointSet></Results></QIFDocument>";
+
+/// Commands with a table of a few rows.
+const TABLES: &[Case] = &[
+    (
+        "proposal-not-toml",
+        "",
+        &[
+            ("a.csv", "", "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n2,1,2,3,4,5,6\n"),
+            ("b.csv", "", "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n3,0,0,0,0,0,0\n4,1,2,3,4,5,6\n"),
+        ],
+        "init @/new --robot ur5e --from @/a.csv @/b.csv",
+    ),
+    (
+        "axis-table-too-short positions=1",
+        "",
+        &[("t.csv", "", "position_mm,measured_mm,direction\n0,0.001,1\n0,0.002,1\n0,0.001,-1\n0,0.002,-1\n")],
+        "iso230 @/t.csv --compensation sinumerik",
+    ),
+    (
+        "deviation-steep",
+        "",
+        &[(
+            "t.csv",
+            "",
+            "position_mm,measured_mm,direction\n0,0,1\n0,0,1\n0,0,-1\n0,0,-1\n10,12,1\n10,12,1\n10,12,-1\n10,12,-1\n",
+        )],
+        "iso230 @/t.csv",
+    ),
+    (
+        "convert-gains-not-held",
+        "draw-wire+out",
+        &[],
+        "robot convert @/robot.toml --to urdf --parameters @/out/parameters.json",
+    ),
+    (
+        "convert-shared-joints",
+        "column-arm",
+        &[(
+            "arm.urdf",
+            "<joint name=\"elbow\" type=\"revolute\">",
+            "<joint name=\"elbow\" type=\"revolute\"><mimic joint=\"wrist_1\"/>",
+        )],
+        "robot convert @/robot.toml --to poe",
+    ),
+    ("convert-travel-unknown", "rail-arm", &[], "robot convert @/robot.toml --to urdf"),
+    (
+        "table-base-not-held",
+        "probe-poses",
+        &[(
+            "robot.toml",
+            "{ direction = [0, 0, 1], point_mm = [0, 0, 0] }",
+            "{ direction = [0, 0, 1], point_mm = [40, 30, 0] }",
+        )],
+        "robot convert @/robot.toml --to dh",
+    ),
+    (
+        "cell-empty column=cycle",
+        "",
+        &[("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,0,0,0\n1,,0,0,0.1\n")],
+        "iso9283 pose @/t.csv",
+    ),
+    (
+        "corner-in-central-part",
+        "",
+        &[
+            (
+                "t.csv",
+                "",
+                "time_s,x_mm,y_mm,z_mm\n0,-1,0,0\n1,20,0,0\n2,40,0,0\n3,60,0,0\n4,80,0,0\n5,100,0,0\n6,100,20,0\n7,100,40,0\n8,100,60,0\n9,100,80,0\n10,100,101,0\n",
+            ),
+            ("path.csv", "", "x_mm,y_mm,z_mm\n0,0,0\n100,0,0\n100,100,0\n"),
+        ],
+        "iso9283 path @/t.csv --path @/path.csv --near-mm 5 --velocity-mm-s 20",
+    ),
+    ("arrivals-unsettled", TEST, &[(C, "band_mm = 0.02", "band_mm = 0.0001")], RUN),
+    (
+        "joint-direction-invalid",
+        "rail-arm",
+        &[(
+            "t.csv",
+            "",
+            "pose,target,q1_mm,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,q7_deg,q2_direction,q3_direction,q4_direction,x_mm,y_mm,z_mm\n1,A,0,0,0,0,0,0,0,0,1,1,300,0,600\n",
+        )],
+        "identify --robot @/robot.toml --observations @/t.csv",
+    ),
+    (
+        "base-not-in-world",
+        "delta+out",
+        &[("t.csv", "", "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n1,0,0,-300,1,0,0,0\n")],
+        "compensate @/t.csv --robot @/robot.toml --parameters @/out/parameters.json --frame world",
+    ),
+    ("reach-unknown", "draw-wire", &[], "iso9283 plan --workspace-mm 300,-250,100,900,350,500 --robot @/robot.toml"),
+    ("qif-robust", "", &[("b.qif", "", QIF)], "fit plane @/b.qif --robust"),
+    ("no-feature-fitted", "", &[("b.qif", "", QIF)], "fit sphere @/b.qif"),
+    (
+        "probe-of-feature-unknown",
+        "",
+        &[("b.qif", "", QIF), ("b.qif", "<Compensated>true", "<Compensated>false")],
+        "fit plane @/b.qif",
+    ),
+    (
+        "start-too-large",
+        "draw-wire",
+        &[("t.csv", "", "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n2,9,9,0,0,0,0\n")],
+        "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1 --start 1,2",
+    ),
+    (
+        "candidate-positions-unreachable",
+        "dextar",
+        &[("t.csv", "", "pose,x_mm,y_mm\n1,9000,9000\n")],
+        "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1",
+    ),
+    (
+        "arms-apart",
+        "dextar",
+        &[("t.csv", "", "pose,target,theta1_deg,theta2_deg,x_mm,y_mm\n1,tool,180,0,0,0\n")],
+        "identify --robot @/robot.toml --observations @/t.csv",
+    ),
+    (
+        "kind-of-arms kind=joints",
+        CMM,
+        &[(
+            "t.csv",
+            "",
+            "kind,pose,target,rho1_mm,rho2_mm,rho3_mm,joint,value_mm,x_mm,y_mm\njoints,1,K,0,0,0,rho1,0.1,,\n",
+        )],
+        "identify --robot @/robot.toml --observations @/t.csv --standard-uncertainty-um 5",
+    ),
+];
+
+/// Truths and studies.
+const SIMULATED: &[Case] = &[
+    ("truth-not-touching", "surfaces", &[("truth.toml", "wall_x = 620.0", "wall_x = 9620.0")], "simulate @"),
+    (
+        "study-set-empty",
+        "dextar",
+        &[(
+            "study.toml",
+            "",
+            "robot = \"robot.toml\"\nframe = \"base\"\nseed = 1\nruns = 1\ndraws = 2\nnoise_um = [5.0]\n[parameters]\n[[workspace]]\npositions_mm = [[9000, 0]]\n[[set]]\nname = \"a\"\n[[set.poses]]\npositions_mm = [[9000, 0]]\n",
+        )],
+        "study @/study.toml",
+    ),
+    (
+        "truth-point-out-of-reach",
+        "dextar",
+        &[("truth.toml", "at_mm = [50.8, 355.6, 0.0]", "at_mm = [9050.8, 355.6, 0.0]")],
+        "simulate @",
+    ),
+];
+
+#[test]
+fn of_frames_and_joins() {
+    hold(GATHERED);
+}
+
+#[test]
+fn of_residuals_and_parameters() {
+    hold(IDENTIFIED);
+}
+
+#[test]
+fn of_tables_and_fits() {
+    hold(TABLES);
+}
+
+#[test]
+fn of_studies() {
+    hold(SIMULATED);
+}
