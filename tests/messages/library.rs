@@ -1,7 +1,7 @@
 //! Messages of functions that programs call with values in memory: commands check these values before.
 
 use etalon::base::message::{Message, Problems};
-use etalon::documents::{Iso9283Places, ParametersDocument};
+use etalon::documents::Iso9283Places;
 use etalon::fit::{Element, FitSettings, Probe, Side, Source, element, rigid};
 use etalon::identify::geometric::{self, BaseMeasurements, LeadMeasurements, Measurements, ShaftMeasurements};
 use etalon::identify::{Comparison, GivenParameters, Observation, Settings, ToolFrame, ToolPoint};
@@ -10,8 +10,7 @@ use etalon::standards::iso9283::load::{Loaded, compliance};
 use etalon::standards::iso9283::motion::standstill::{Stillness, standstills};
 use etalon::standards::iso9283::motion::stream::Stream;
 use etalon::standards::iso9283::path::accuracy::{path_accuracy, path_accuracy_on_reorientation};
-use etalon::standards::iso9283::path::commanded::{CommandedPath, Corner};
-use etalon::standards::iso9283::path::cornering::cornering;
+use etalon::standards::iso9283::path::commanded::CommandedPath;
 use etalon::standards::iso9283::path::passes::passes;
 use etalon::standards::iso9283::path::repeatability::path_repeatability;
 use etalon::standards::iso9283::path::velocity::path_velocity;
@@ -104,7 +103,6 @@ fn of_characteristics_of_paths() {
     let points = path.command_points(10);
     let driven = passes(&stream, &points, 5.0).unwrap().complete;
     let still = |radius_mm, duration_s| of(standstills(&stream, &Stillness { radius_mm, duration_s }));
-    let corner = Corner { position_mm: FAR, incoming: X, outgoing: Y, along_mm: [50.0, 100.0, 150.0] };
     let weave = |stroke_mm, frequency_hz| Weave { stroke_mm, frequency_hz, across: Y };
     hold(vec![
         ("standstill-thresholds", still(0.0, 0.2)),
@@ -115,7 +113,6 @@ fn of_characteristics_of_paths() {
         ("too-few-passes", of(path_repeatability(&driven, &points))),
         ("velocity-not-positive", of(path_velocity(&driven, &points, 0.0, 0.5))),
         ("velocity-too-few-points", of(path_velocity(&driven, &points, 100.0, 0.1))),
-        ("corner-without-points", of(cornering(&stream, &driven, &points[..3], &corner, None))),
         ("weave-command", of(weaving(&stream, 0..101, X, &weave(10.0, 0.0)))),
         ("weave-without-samples", of(weaving(&stream, 101..101, X, &weave(10.0, 1.0)))),
         ("weave-too-few-turns", of(weaving(&stream, 0..101, X, &weave(10.0, 1.0)))),
@@ -223,32 +220,4 @@ fn of_given_parameters_and_tools() {
         ("common-uncertainty-alone", refused(etalon::identify::identify(&robot, &near, &common))),
     ]);
     assert!(tool(ToolFrame::Platform).is_empty() && compare(&near, &settings, &sound).is_empty());
-}
-
-#[test]
-fn of_documents_that_lack_values() {
-    let out = super::ran("prexyt-cmm").join("out");
-    let text = std::fs::read(out.join("parameters.json")).unwrap();
-    let mut document: ParametersDocument = serde_json::from_slice(&text).unwrap();
-    let file = etalon::campaign::read_robot(&out.parent().unwrap().join("robot.toml")).unwrap();
-    let robot = file.build(&[]).unwrap();
-    let given = |document: &ParametersDocument| of(etalon::stages::given::given(robot.as_ref(), document));
-    assert!(given(&document).is_empty());
-    document.covariance.clear();
-    document.residuals.stated_standard_uncertainty_mm = None;
-    document.residuals.degrees_of_freedom = 0;
-    hold(vec![
-        ("given-without-covariance", given(&document)),
-        ("calibration-without-residuals", of(etalon::stages::given::ExpectedDeviation::of(&document, None))),
-    ]);
-    let residuals = std::fs::read(out.join("residuals.parquet")).unwrap();
-    let table = etalon::formats::table::from_parquet(residuals, 1_000_000).unwrap();
-    assert!(etalon::stages::evaluate::from_table(&table).is_ok());
-    let with = |name: &str| {
-        let mut table = table.clone();
-        let column = polars::prelude::Column::new(name.into(), vec!["length of it"; table.height()]);
-        table.with_column(column).unwrap();
-        of(etalon::stages::evaluate::from_table(&table))
-    };
-    hold(vec![("pose-set-unknown", with("set")), ("error-quantity-unknown", with("quantity"))]);
 }
