@@ -279,7 +279,7 @@ fn a_test_report_has_what_the_standard_asks_for() {
     }
     let sha256 = &documents.import.sources[0].sha256;
     assert!(page.contains(sha256) && page.contains(env!("CARGO_PKG_VERSION")));
-    assert!(page.contains("Not stated: ") && page.contains("2 poses, 30 visits each"));
+    assert!(page.contains("Not stated, besides the fields to complete") && page.contains("2 poses, 30 visits each"));
 }
 
 /// Calibration report and test report in a language, both with recorded motions.
