@@ -3018,7 +3018,7 @@ class UncertaintyDocument(Document):
 class VerdictDocument(Document):
     """`verdict.json`: verdict of a run, with its reasons."""
     actions: list[Action]
-    """Next steps, at most five, those with the largest gain first."""
+    """Next steps, at most five: missing limits, then the steps with the largest gain."""
     exit_code: int
     """Exit code of the run: 0 if the answer may be loaded, otherwise 1."""
     limits: list[LimitVerdict]
