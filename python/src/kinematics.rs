@@ -3,7 +3,9 @@
 use crate::errors::refused;
 use crate::robot::{Robot, kinematics};
 use etalon::cli::in_memory::set_parameters;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_robots::Kinematics;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
