@@ -488,11 +488,11 @@ deviation-unknown = no deviation at { $position }: { $reason }
     .hint = use positions that the robot reaches, or that were measured
 
 robot-file-of-run = run the campaign again, or name the robot.toml of that run
-# Means: The robot model is no chain of joints.
+# Means: The robot model has no chain of joints.
 # Matters: Only chains have screw axes, Denavit-Hartenberg parameters or a URDF.
 # Do: Convert arms alone.
 # Example: `etalon robot convert` for a five-bar
-convert-no-chain = `{ $model }` is no chain of joints, and has no other convention
+convert-no-chain = `{ $model }` has no chain of joints; other conventions cannot describe it
 
 # Means: Joint values move several axes of the chain.
 # Matters: robot.toml of a serial arm has one joint value for each axis.

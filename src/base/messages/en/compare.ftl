@@ -25,9 +25,9 @@ stream-few-passes = AT and RT of stream `{ $stream }` rest on { $passes ->
     }; the test of a change is validated with { $validated }
     .hint = drive the path ten times (ISO 9283)
 
-# Means: A change of path accuracy or repeatability is called significant.
+# Means: A change of path accuracy or repeatability is significant.
 # Matters: In simulated tests, intervals of AT contain the true value in 93 % to 95 %, those of RT
-# in 90 % to 98 %. A single change is no proof.
+# in 90 % to 98 %. Confirm a single significant change by a repeated measurement.
 # Do: Repeat the test before you act on it.
 # Example: AT of a square changes from 0.10 mm to 0.15 mm
 path-change-uncertain = significant change: { $names }; in simulated tests, intervals of AT contain the true value in 93 % to 95 %, those of RT in 90 % to 98 %

@@ -44,7 +44,7 @@ because-topic = topic `{ $topic }` has { $count ->
         [one] 1 message
        *[other] { $count } messages
     } of type { $message_type }
-doubt-all-commanded = every coordinate is called commanded: it is no measurement
+doubt-all-commanded = the headings of all coordinates say commanded: the file contains no measured coordinates
 doubt-bare-metre = the headings end in `_m`: metres, or "measured"
 doubt-columns-not-read = numbers that are not read: column { $columns }{ $more ->
         [0] {""}
@@ -85,7 +85,7 @@ doubt-rows-not-read = { $count ->
 doubt-rows-refused = line { $line }: { $reason }, and { $more } more
 doubt-second-log = topic `{ $topic }` has joint values too
 doubt-sign-of-difference = the sign of the difference is not stated: compare a row with the measurement
-doubt-six-without-headings = six numbers without headings: a position and three angles, or joints of which three slide
+doubt-six-without-headings = six numbers without headings: a position and three angles, or six joints, three of them prismatic
 doubt-thousands-mark = every `{ $mark }` is before three digits: it may be a thousands mark
 doubt-time-decreases = { $column } is called a time and decreases
 doubt-topic-unreadable = topic `{ $topic }` cannot be read: { $reason }
