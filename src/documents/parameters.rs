@@ -120,7 +120,7 @@ impl ParametersDocument {
     /// # }"#;
     /// // text of a parameters.json: the distance `d` of two motors is 274.8051 mm, u = 1 µm
     /// let document: ParametersDocument = serde_json::from_str(json)?;
-    /// document.check()?;
+    /// document.check().map_err(|inconsistency| inconsistency.to_string())?;
     ///
     /// let d = document.identified().next().expect("one parameter was identified");
     /// assert_eq!((d.name.as_str(), d.unit.as_str()), ("d", "mm"));
