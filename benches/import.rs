@@ -1,5 +1,5 @@
-//! Ten million rows `name x y z`, labels repeating, into the table of points on two threads, beside polars and pandas from
-//! Python and `wc -l`, in the same run.
+//! Ten million rows `name x y z`, labels repeating, on two threads: into the table of points as `etalon fit` reads them, and
+//! into points with their lines as `etalon run` does, beside polars and pandas from Python and `wc -l`, in the same run.
 //!
 //! Each reader runs in a process of its own, so that its peak of memory is its own. `ROWS` sets another number of rows.
 
@@ -18,8 +18,10 @@ const TIMES: usize = 3;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
-    if let Some(i) = arguments.iter().position(|a| a == "--read") {
-        return read(Path::new(&arguments[i + 1]));
+    match arguments.iter().position(|a| a.starts_with("--read")) {
+        Some(i) if arguments[i] == "--read-points" => return read_points(Path::new(&arguments[i + 1])),
+        Some(i) => return read(Path::new(&arguments[i + 1])),
+        None => {}
     }
     let rows: usize = std::env::var("ROWS").ok().and_then(|rows| rows.parse().ok()).unwrap_or(10_000_000);
     let folder = tempfile::tempdir().expect("folder");
@@ -38,9 +40,11 @@ fn main() {
         if counted {
             println!("  wc -l      {:6.2} s", before.elapsed().as_secs_f64());
         }
-        let mut etalon = Command::new(&own);
-        etalon.args(["--read", path]).env("RAYON_NUM_THREADS", "2");
-        show("etalon", &mut etalon);
+        for (name, how) in [("etalon fit", "--read"), ("etalon run", "--read-points")] {
+            let mut etalon = Command::new(&own);
+            etalon.args([how, path]).env("RAYON_NUM_THREADS", "2");
+            show(name, &mut etalon);
+        }
         for peer in ["polars", "pandas"] {
             let mut command = Command::new(&python);
             command.args([script, peer, path]).env("POLARS_MAX_THREADS", "2");
@@ -72,6 +76,27 @@ fn read(path: &Path) {
         sum("x_mm"),
         sum("y_mm"),
         sum("z_mm")
+    );
+}
+
+/// Reads the file as `etalon run` does, its text included, and prints the same.
+fn read_points(path: &Path) {
+    let before = Instant::now();
+    let bytes = etalon::formats::bytes_of(path).expect("readable");
+    let text = etalon::formats::into_text(path, bytes, None, &Format::default()).expect("text");
+    let (points, problems) = etalon::formats::rows(&Format::default(), "points.txt", &text.into(), Unit::Millimetre);
+    let seconds = before.elapsed().as_secs_f64();
+    assert!(problems.0.is_empty(), "no row is refused");
+    let peak = peak_mb();
+    let labels: std::collections::BTreeSet<&str> = points.iter().map(|p| &*p.label).collect();
+    let sum = |axis: usize| points.iter().map(|p| p.xyz_mm[axis]).sum::<f64>();
+    println!(
+        "{seconds:6.2} s, {:5.1} million rows/s, peak {peak} MB, {} labels, sums {:.6} {:.6} {:.6}",
+        points.len() as f64 / seconds / 1e6,
+        labels.len(),
+        sum(0),
+        sum(1),
+        sum(2)
     );
 }
 

@@ -241,12 +241,24 @@ pub fn table(points: &[Point]) -> Result<DataFrame> {
 
 /// Number of rows that are written at a time.
 const PIECE: usize = 100_000;
+/// Number of rows whose memory is released together: blocks of this size (36 MB) go back to the
+/// system at once.
+const RELEASED: usize = 5 * PIECE;
 
-/// Returns the table of points as Parquet, written piece by piece: exports have millions of rows.
-pub fn to_parquet(points: &[Point]) -> Result<Vec<u8>> {
-    let (stated, mut bytes) = (OptionalColumns::of(points), Vec::new());
+/// Returns the table of points as Parquet. It is written piece by piece, and the memory of each
+/// piece is released: exports have millions of rows.
+pub fn to_parquet(mut points: Vec<Point>) -> Result<Vec<u8>> {
+    let (stated, mut bytes) = (OptionalColumns::of(&points), Vec::new());
+    let mut pieces = Vec::new();
+    while points.len() > RELEASED {
+        pieces.push(points.split_off((points.len() - 1) / RELEASED * RELEASED));
+        points.shrink_to_fit();
+    }
+    pieces.push(points);
     let mut written = RowGroups::new(&mut bytes, &stated.table(&[])?)?;
-    points.chunks(PIECE).try_for_each(|piece| written.add(&stated.table(piece)?))?;
+    while let Some(piece) = pieces.pop() {
+        piece.chunks(PIECE).try_for_each(|rows| written.add(&stated.table(rows)?))?;
+    }
     written.finish()?;
     Ok(bytes)
 }

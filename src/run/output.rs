@@ -60,9 +60,9 @@ impl Output {
         Ok(())
     }
 
-    /// Adds the tables of points and joint values.
-    pub fn gathered(&mut self, campaign: &Campaign, gathered: &Gathered) -> Result<()> {
-        self.bytes("points.parquet", etalon_formats::to_parquet(&gathered.points)?);
+    /// Adds the tables of points and joint values; the points are given up.
+    pub fn gathered(&mut self, campaign: &Campaign, gathered: &mut Gathered) -> Result<()> {
+        self.bytes("points.parquet", etalon_formats::to_parquet(std::mem::take(&mut gathered.points))?);
         for log in &gathered.logs {
             self.table(&Self::numbered("joints", &log.name, campaign), &mut log.table()?)?;
         }

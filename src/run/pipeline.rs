@@ -158,10 +158,11 @@ fn write(
     let verdict = found.report().judgement();
     let met = verdict.passes();
     let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
-    let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
+    let Evaluated { mut gathered, features, frames, joined, geometric, controllers, summary, identified, tested } =
+        found;
     let tables = wanted == Wanted::Reports;
     if tables {
-        out.gathered(campaign, &gathered)?;
+        out.gathered(campaign, &mut gathered)?;
     }
     out.json("campaign.json", &summary)?;
     out.json("import.json", &gathered.document)?;

@@ -83,10 +83,14 @@ impl PointColumns {
             }
             Some(row)
         });
-        let kept: Vec<Point> = kept.collect();
-        match self.points.is_empty() {
-            true => self.points = kept,
-            false => self.points.extend(kept),
+        let mut kept: Vec<Point> = kept.collect();
+        // the larger part stays where it is
+        match self.points.len() < kept.len() {
+            true => {
+                kept.splice(0..0, std::mem::take(&mut self.points));
+                self.points = kept;
+            }
+            false => self.points.append(&mut kept),
         }
         problems
     }
