@@ -106,7 +106,7 @@ pub struct CampaignFile {
     /// Language, logo and templates of the report.
     #[serde(default)]
     pub report: ReportDefinition,
-    /// Formats of the controller files to write.
+    /// Formats of the controller files to write, and templates `NAME.j2` of formats of your own.
     #[schemars(with = "Option<Vec<String>>", extend("default" = ["json", "csv", "c-header"]))]
     pub controllers: Option<Vec<Spanned<String>>>,
 }

@@ -1,15 +1,15 @@
 //! Command `etalon export`.
 
 use super::{Verdict, print, print_text, progress, remark};
-use crate::run::documents::{Documents, read_parameters_and_run};
+use crate::run::documents::{Documents, is_file_of_run, read_parameters_and_run};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
 use crate::stages::given::{check_described, other_nominal};
 use etalon_base::files;
-use etalon_base::message::{Message, Problems, Severity, printable};
+use etalon_base::message::{Message, Place, Problems, Severity, printable};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
-use etalon_controllers::{Description, Exporter, Given, Statement};
+use etalon_controllers::{Description, Exporter, Given, OwnFormat, Statement};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, PointError, Presentation,
     WrittenController, WrittenDocument, to_json,
@@ -31,6 +31,9 @@ pub struct ExportCommand {
     /// Format; json, csv and c-header by default; may be repeated.
     #[arg(long, value_name = "NAME")]
     format: Vec<String>,
+    /// Template of a format of your own, NAME.j2, which writes NAME; may be repeated.
+    #[arg(long, value_name = "FILE")]
+    template: Vec<PathBuf>,
     /// Robot file, for formats that need the robot.
     #[arg(long, value_name = "FILE")]
     robot: Option<PathBuf>,
@@ -62,17 +65,9 @@ impl ExportCommand {
         let to = self.to.unwrap_or(folder);
         // before the parameters are read, so that a concurrent run is noticed
         let run = Documents::open(&to).ok();
-        let wanted = if self.format.is_empty() {
-            etalon_controllers::usual().map(str::to_owned).collect::<Vec<_>>()
-        } else {
-            self.format
-        };
-        let exporter = |name: &String| {
-            let wrong = || error!("controller-format-unknown", name);
-            etalon_controllers::by_name(name)
-                .ok_or_else(|| Problems::from(wrong().hint_names(name, etalon_controllers::names())))
-        };
-        let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
+        let own =
+            self.template.iter().map(|path| own_format(path, run.as_ref(), &to)).collect::<Result<Vec<_>, _>>()?;
+        let exporters = exporters(&self.format, &own)?;
         let with_errors = exporters.iter().any(|exporter| exporter.shows_errors());
         let exported = match self.parameters {
             Which::Identified => Exported::read(&self.source, self.robot.as_deref(), with_errors)?,
@@ -85,16 +80,17 @@ impl ExportCommand {
         }
         let given = Given { controller_hash: hash, ..exported.given(self.force) };
         given.check()?;
-        let of_format = |(name, e): (&String, &&dyn Exporter)| {
+        let of_format = |e: &&dyn Exporter| {
             let statement = given.statement(*e)?;
             let file = (e.file_name().to_owned(), e.write_stated(&given, &statement)?);
-            let near = statement.warning(&[name]);
+            let near = statement.warning(&[e.name()]);
             let Statement { left_out, errors, .. } = statement;
-            let mut written = WrittenController { format: name.clone(), left_out, errors, messages: Vec::new() };
+            let format = e.name().to_owned();
+            let mut written = WrittenController { format, left_out, errors, messages: Vec::new() };
             written.messages = not_measured(&written).into_iter().chain(near).collect();
             Ok((file, written))
         };
-        let written = wanted.iter().zip(&exporters).map(of_format).collect::<Result<Vec<_>, Problems>>()?;
+        let written = exporters.iter().map(of_format).collect::<Result<Vec<_>, Problems>>()?;
         let (files, controllers): (Vec<_>, Vec<_>) = written.into_iter().unzip();
         let written = match run {
             Some(run) => run.write(files)?,
@@ -107,6 +103,40 @@ impl ExportCommand {
             print_text(&written.iter().map(|file| format!("{}\n", printable(file))).collect::<String>())?;
         }
         Ok(Verdict::Met)
+    }
+}
+
+/// The named formats and the user's own; without any, the usual formats.
+fn exporters<'a>(names: &[String], own: &'a [OwnFormat]) -> Result<Vec<&'a dyn Exporter>, Problems> {
+    let usual: Vec<String> = etalon_controllers::usual().map(str::to_owned).collect();
+    let names = if names.is_empty() && own.is_empty() { &usual } else { names };
+    let exporter = |name: &String| -> Result<&'a dyn Exporter, Problems> {
+        let wrong = || error!("controller-format-unknown", name);
+        etalon_controllers::by_name(name)
+            .ok_or_else(|| Problems::from(wrong().hint_names(name, etalon_controllers::names())))
+    };
+    let mut all = names.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
+    all.extend(own.iter().map(|format| format as &dyn Exporter));
+    Ok(all)
+}
+
+/// Reads a template whose file replaces no document of a run, and no file beside a run.
+fn own_format(path: &Path, run: Option<&Documents>, to: &Path) -> Result<OwnFormat, Problems> {
+    let named = path.display().to_string();
+    let (text, _) = etalon_formats::read_text(path, None, &Place::file(&*named))?;
+    let format = OwnFormat::new(&named, text)?;
+    let file = format.file_name();
+    let written = to.join(file);
+    let taken = match run {
+        Some(run) => written.exists() && !run.manifest.files.contains_key(file),
+        None => written.exists(),
+    };
+    if is_file_of_run(file) {
+        return Err(error!("template-name-reserved", file).at(Place::file(named)).into());
+    }
+    match taken {
+        true => Err(error!("file-exists", file = written.display().to_string()).into()),
+        false => Ok(format),
     }
 }
 

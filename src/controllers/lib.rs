@@ -19,6 +19,7 @@ mod json;
 mod linuxcnc;
 mod linuxcnc_component;
 mod matlab;
+mod own;
 mod plc;
 mod python;
 mod qif;
@@ -33,6 +34,7 @@ mod universal_robots;
 mod urdf;
 mod xml;
 
+pub use own::OwnFormat;
 pub use statement::Statement;
 pub use targets::{places, targets};
 
@@ -54,10 +56,10 @@ pub(crate) use template::comment;
 /// One controller format.
 pub trait Exporter {
     /// Name of the format in `controllers` and `--format`.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &str;
 
     /// Name of the file in the output folder.
-    fn file_name(&self) -> &'static str;
+    fn file_name(&self) -> &str;
 
     /// Bytes of the file for parameters that may be written.
     fn bytes(&self, given: &Given) -> Result<Vec<u8>>;

@@ -13,10 +13,15 @@ use minijinja::{Environment, Error, UndefinedBehavior, Value, escape_formatter};
 /// Fails if the template is invalid.
 pub(super) fn render(template: &str, values: Value) -> Result<String> {
     let failed = |e: Error| error!("cannot-encode", format = "text", reason = format!("{e:#}"));
+    Ok(environment().and_then(|environment| environment.render_str(template, values)).map_err(failed)?)
+}
+
+/// Syntax and filters of all templates.
+pub(super) fn environment<'a>() -> std::result::Result<Environment<'a>, Error> {
     let mut environment = Environment::new();
     let mut syntax = SyntaxConfig::builder();
     let syntax = syntax.trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();
-    environment.set_syntax(syntax.map_err(failed)?);
+    environment.set_syntax(syntax?);
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
     environment.set_formatter(|out, state, value| match is_float(value) {
         true => Ok(write!(out, "{:?}", f64::try_from(value.clone())?)?),
@@ -33,7 +38,7 @@ pub(super) fn render(template: &str, values: Value) -> Result<String> {
     environment.add_filter("numbers", |values: Vec<f64>, between: String| {
         values.iter().map(|v| format!("{v:?}")).collect::<Vec<_>>().join(&between)
     });
-    Ok(environment.render_str(template, values).map_err(failed)?)
+    Ok(environment)
 }
 
 fn is_float(value: &Value) -> bool {

@@ -83,6 +83,8 @@ pub enum SourceKind {
     Table,
     /// A recorded motion.
     Stream,
+    /// A template of a controller format.
+    Template,
 }
 
 impl Source {

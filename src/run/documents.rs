@@ -30,6 +30,33 @@ pub struct Documents {
     pub manifest: ManifestDocument,
 }
 
+/// Files that a run writes, by their names up to the first `.` or `-`, beside controller files.
+const OF_RUN: [&str; 17] = [
+    "accuracy",
+    "campaign",
+    "controllers",
+    "features",
+    "frames",
+    "geometric",
+    "import",
+    "iso9283",
+    "joints",
+    "manifest",
+    "observations",
+    "parameters",
+    "points",
+    "recommendation",
+    "report",
+    "residuals",
+    "verdict",
+];
+
+/// `true` if a run may write a file of this name.
+pub fn is_file_of_run(name: &str) -> bool {
+    let stem = name.split(['.', '-']).next().unwrap_or_default();
+    OF_RUN.contains(&stem) || etalon_controllers::file_names().any(|file| file == name)
+}
+
 /// The output folder that is named: itself, or by its campaign.
 ///
 /// # Errors

@@ -1,5 +1,6 @@
 //! A campaign from its exports to its output folder.
 
+use crate::run::controller_formats::ControllerFormats;
 use crate::run::output::Output;
 use crate::run::summary::summary;
 use crate::run::walk::{Mode, Walk};
@@ -58,6 +59,7 @@ pub struct Evaluated {
     joined: Option<Joined>,
     geometric: Option<GeometricDocument>,
     controllers: Option<ControllersDocument>,
+    formats: ControllerFormats,
     summary: CampaignSummary,
     /// Parameters and errors, if the campaign identifies parameters.
     pub identified: Option<Identified>,
@@ -90,23 +92,24 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     else {
         return Err(walk.problems);
     };
-    let Walk { gathered, joined, geometric, identified, tested, .. } = walk;
+    let Walk { mut gathered, joined, geometric, identified, tested, .. } = walk;
+    let formats = ControllerFormats::read(campaign, &mut gathered.document.sources)?;
     // formats that leave parameters out hold what is identified without them
     let temperature_range_c = gather::temperature_range(&gathered.points);
     let mut summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };
     let controllers = identified.as_ref().filter(|found| found.parameters.is_plausible()).and_then(|found| {
         let given = given(campaign, robot.as_ref(), found, &summary);
-        controller_files::identify_again(&given, robot.as_ref(), found, &formats(campaign))
+        controller_files::identify_again(&given, robot.as_ref(), found, &formats.all())
     });
     if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
         let given = given(campaign, robot.as_ref(), found, &summary);
-        summary.controller_files = written(&Given { controllers: controllers.as_ref(), ..given }, campaign);
+        summary.controller_files = written(&Given { controllers: controllers.as_ref(), ..given }, &formats);
     }
-    Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested })
+    Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, formats, summary, identified, tested })
 }
 
 /// Controller files that are not refused.
-fn written(given: &Given, campaign: &Campaign) -> Vec<WrittenFile> {
+fn written(given: &Given, formats: &ControllerFormats) -> Vec<WrittenFile> {
     let is_written = |(name, exporter): &(&str, &dyn Exporter)| {
         given.statement(*exporter).is_ok_and(|statement| statement.refusal(name).is_none())
     };
@@ -114,7 +117,7 @@ fn written(given: &Given, campaign: &Campaign) -> Vec<WrittenFile> {
         format: name.to_owned(),
         file: exporter.file_name().to_owned(),
     };
-    formats(campaign).into_iter().filter(is_written).map(file).collect()
+    formats.all().into_iter().filter(is_written).map(file).collect()
 }
 
 impl Evaluated {
@@ -158,8 +161,8 @@ fn write(
     let verdict = found.report().judgement();
     let met = verdict.passes();
     let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
-    let Evaluated { mut gathered, features, frames, joined, geometric, controllers, summary, identified, tested } =
-        found;
+    let Evaluated { mut gathered, features, frames, joined, geometric, controllers, formats, summary, .. } = found;
+    let (identified, tested) = (found.identified, found.tested);
     let tables = wanted == Wanted::Reports;
     if tables {
         out.gathered(campaign, &mut gathered)?;
@@ -180,7 +183,7 @@ fn write(
         let targets = gathered.observations.as_ref().map(|table| kinds::targets(&table.table)).transpose()?;
         let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
         let given = Given { controllers: controllers.as_ref(), ..given(campaign, robot.as_ref(), found, &summary) };
-        for (name, exporter) in formats(campaign) {
+        for (name, exporter) in formats.all() {
             // refused files are among the messages
             let Ok(statement) = given.statement(exporter) else { continue };
             if statement.refusal(name).is_none() {
@@ -215,15 +218,6 @@ fn given<'a>(
         errors: Some(&found.errors),
         ..Given::parameters(&found.parameters)
     }
-}
-
-/// The controller formats that the campaign names, or the usual ones.
-fn formats(campaign: &Campaign) -> Vec<(&str, &'static dyn Exporter)> {
-    let names: Vec<&str> = match &campaign.file.controllers {
-        Some(names) => names.iter().map(|name| name.get_ref().as_str()).collect(),
-        None => etalon_controllers::usual().collect(),
-    };
-    names.into_iter().filter_map(|name| Some((name, etalon_controllers::by_name(name)?))).collect()
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Statements of a campaign that contradict each other or have no effect, independent of its files.
 
+use crate::run::controller_formats::{is_template, template};
 use etalon_base::date::date;
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
@@ -27,7 +28,9 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         problems.0.extend(campaign.selections(identify).err().unwrap_or_default().0);
     }
     for name in file.controllers.iter().flatten() {
-        if etalon_controllers::by_name(name.get_ref()).is_none() {
+        if is_template(name.get_ref()) {
+            problems.0.extend(template(campaign, name).err().unwrap_or_default().0);
+        } else if etalon_controllers::by_name(name.get_ref()).is_none() {
             let message = error!("controller-format-unknown", name = name.get_ref()).at(campaign.place(name));
             problems.0.push(message.hint_names(name.get_ref(), etalon_controllers::names()));
         }

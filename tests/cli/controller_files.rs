@@ -292,3 +292,67 @@ fn files_of_deltas_are_better_than_nominal_and_the_same_by_export() {
     // towers alone, and equal legs
     assert_eq!(json(&folder, "controllers.json")["files"].as_array().unwrap().len(), 2);
 }
+
+/// CRC-32 of a text bit by bit (ISO 3309, reflected polynomial EDB88320).
+fn crc32(text: &str) -> u32 {
+    let bit = |sum: u32| (sum >> 1) ^ if sum & 1 == 1 { 0xEDB8_8320 } else { 0 };
+    !text.bytes().fold(!0, |sum, byte| (0..8).fold(sum ^ u32::from(byte), |sum, _| bit(sum)))
+}
+
+#[test]
+fn a_template_holds_what_it_states_and_is_as_accurate_as_it_says() {
+    const TEMPLATE: &str = "{# holds: theta_* #}\n{% for line in header %}\n; {{ line }}\n{% endfor %}\n{% set body %}\n\
+        {% for p in parameters %}\n{{ p.name }}={{ p.value | fixed(9) }}\n{% endfor %}\n{% endset %}\n\
+        {{ body }};{{ body | crc32 }}\n";
+    // gains act as zeros where all joints stand near one value
+    let twin = twin(&Arm { gains: [1e-3; 6], homed_at: 90.0, poses: [[0.0, 60.0]; 2] });
+    let (folder, robot) = (twin.folder.path(), serial(&SIX_AXES, &["tool"], &[]));
+    std::fs::write(folder.join("zeros.txt.j2"), TEMPLATE).unwrap();
+    twin.folder.replace("campaign.toml", &format!("{FORMATS:?}"), "[\"json\", \"zeros.txt.j2\"]");
+    let ran = etalon(&folder, &["run", "."]);
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    let zeros = std::fs::read_to_string(folder.join("out/zeros.txt")).unwrap();
+    let (body, sum) = zeros.trim_end().rsplit_once(';').unwrap();
+    let body: String = body.lines().filter(|line| !line.starts_with(';')).map(|line| format!("{line}\n")).collect();
+    assert_eq!(u32::from_str_radix(sum, 16), Ok(crc32(&body)), "{zeros}");
+    // the file read back: its zeros, base and target identified with them, all else nominal
+    let again = json(&folder, "controllers.json");
+    let entry = &again["files"][0];
+    assert_eq!(entry["formats"], serde_json::json!(["zeros.txt"]));
+    let mut written = robot.nominal();
+    let frames = values(&robot, &entry["values"]);
+    for (i, p) in robot.parameters().iter().enumerate() {
+        let of_file = body.lines().find_map(|line| line.strip_prefix(&format!("{}=", p.name))?.parse::<f64>().ok());
+        written[i] = match p.role {
+            Role::Robot => of_file.map_or(p.nominal, f64::to_radians),
+            _ => frames[i],
+        };
+        assert_eq!(of_file.is_some(), p.name.starts_with("theta_"), "{}", p.name);
+    }
+    let [nominal, file] = ["nominal ", "this file "].map(|words| stated(&zeros, words));
+    let read_back = rms(&twin, |q| robot.position(&written, q, 0));
+    assert!((read_back / file - 1.0).abs() < 0.02 && file < nominal, "{read_back} {file} {nominal}");
+    // the template is an input of the run
+    let import = json(&folder, "import.json");
+    let is_source = |s: &Value| s["file"] == "zeros.txt.j2" && s["kind"] == "template";
+    assert!(import["sources"].as_array().unwrap().iter().any(is_source), "{import}");
+    let arguments = ["export", "out/parameters.json", "--robot", "robot.toml", "--template", "zeros.txt.j2"];
+    assert_eq!(etalon(&folder, &arguments).status.code(), Some(0));
+    assert_eq!(std::fs::read_to_string(folder.join("out/zeros.txt")).unwrap(), zeros);
+    // beside a run it replaces nothing
+    std::fs::write(folder.join("zeros.txt"), "mine").unwrap();
+    let refused = etalon(&folder, &[&arguments[..], &["--to", "."]].concat());
+    assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("error[file-exists]"));
+}
+
+#[test]
+fn names_of_all_files_of_a_run_are_reserved() {
+    for sample in ["linear-delta", "pose-test", "prexyt-geometric"] {
+        let scratch = crate::support::scratch::copy_sample(sample);
+        assert!(etalon(&scratch.path(), &["run", "."]).status.code() < Some(2));
+        let files = std::fs::read_dir(scratch.path().join("out")).unwrap();
+        for name in files.map(|file| file.unwrap().file_name().into_string().unwrap()) {
+            assert!(etalon::run::documents::is_file_of_run(&name), "{name}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Messages about files for controllers, and about results of runs.
 
-use super::{Case, hold};
+use super::{CHECK, Case, hold};
 
 const ARM: &str = "draw-wire+out";
 const TABLE: &str = "prexyt-cmm+out";
@@ -10,6 +10,54 @@ const RAPID: &str = "MODULE m\nCONST robtarget p1 := [[300,0,400],[1,0,0,0],[0,0
 
 const CASES: &[Case] = &[
     ("controller-format-unknown name=jsn", ARM, &[], "export @/out/parameters.json --format jsn"),
+    ("template-name", ARM, &[("t.txt", "", "")], "export @/out/parameters.json --template @/t.txt"),
+    (
+        "template-without-holds",
+        ARM,
+        &[("t.txt.j2", "", "{{ etalon }}")],
+        "export @/out/parameters.json --template @/t.txt.j2",
+    ),
+    (
+        "template-holds-unknown pattern=thta_*",
+        ARM,
+        &[("t.txt.j2", "", "{# holds: thta_* #}\n")],
+        "export @/out/parameters.json --robot @/robot.toml --template @/t.txt.j2",
+    ),
+    (
+        "robot-missing",
+        ARM,
+        &[("t.txt.j2", "", "{# holds: theta_* #}\n")],
+        "export @/out/parameters.json --template @/t.txt.j2",
+    ),
+    (
+        "controller-template-failed",
+        ARM,
+        &[("t.txt.j2", "", "{# holds: * #}\n{{ parameter[\"theta_9\"].value }}\n")],
+        "export @/out/parameters.json --robot @/robot.toml --template @/t.txt.j2",
+    ),
+    (
+        "controller-template-failed",
+        ARM,
+        &[("t.txt.j2", "", "{# holds: * #}\n{% for %}\n")],
+        "export @/out/parameters.json --template @/t.txt.j2",
+    ),
+    (
+        "controller-template-failed",
+        ARM,
+        &[(
+            "t.txt.j2",
+            "",
+            "{# holds: * #}\n{% for i in range(9000) %}{% for j in range(9000) %}x{% endfor %}{% endfor %}\n",
+        )],
+        "export @/out/parameters.json --template @/t.txt.j2",
+    ),
+    (
+        "template-name-reserved file=parameters.json",
+        ARM,
+        &[("parameters.json.j2", "", "{# holds: * #}\n")],
+        "export @/out/parameters.json --template @/parameters.json.j2",
+    ),
+    ("template-without-holds", ARM, &[("t.txt.j2", "", "x"), ("campaign.toml", "[\"json\"]", "[\"t.txt.j2\"]")], CHECK),
     ("robot-option-missing", ARM, &[], "axis-table @/out/parameters.json --axis q1_deg=0:100:10"),
     (
         "table-of-turning-joints",

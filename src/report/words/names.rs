@@ -59,6 +59,7 @@ pub(crate) fn kind(kind: SourceKind) -> Phrase {
         SourceKind::Log => phrase!("log"),
         SourceKind::Table => phrase!("table"),
         SourceKind::Stream => phrase!("stream"),
+        SourceKind::Template => phrase!("template"),
     }
 }
 

@@ -173,3 +173,15 @@ quaternion-length = das Quaternion von { $target } hat die Länge { FIXED($lengt
 
 urdf-holds-xacro = Elemente ohne Kinematik von `{ $file }` enthalten xacro
     .hint = die Datei mit dem Befehl `xacro` expandieren und die URDF-Datei in robot.toml angeben
+
+template-without-holds = die Vorlage nennt die Parameter nicht, die ihre Datei enthält
+    .expected = eine erste Zeile wie `{"{#"} holds: theta_* {"#}"}`
+    .hint = die Parameter nennen; `*` steht für beliebigen Text und `holds: *` für alle Parameter
+
+template-holds-unknown = kein Parameter entspricht `{ $pattern }`
+
+template-name = der Name der Vorlage `{ $file }` endet nicht auf `.j2`
+    .hint = die Vorlage umbenennen: NAME.j2 schreibt die Datei NAME
+
+controller-template-failed = die Vorlage lässt sich nicht füllen: { $reason }
+    .hint = diese Zeile korrigieren

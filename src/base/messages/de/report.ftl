@@ -1016,6 +1016,9 @@ step-plane-of-rails = Ebene der Schienen
 step-shaft = Welle, Wiederholung { $repeat }, Stellung { $position }
 step-travel = Verfahrweg des Antriebs { $actuator }
 stream = Aufzeichnung
+
+template = Vorlage
+
 surface = Fläche
 synthetic-data = synthetische Daten
 synthetic-data-label = Synthetische Daten:

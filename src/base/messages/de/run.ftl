@@ -200,3 +200,8 @@ valid-until-no-date = `valid_until` ist kein Datum: "{ $date }"
 
 valid-until-before-measurements = `valid_until` ({ $date }) liegt vor den Messungen ({ $measured })
     .hint = `valid_until` oder `date` berichtigen
+
+template-name-reserved = eine Auswertung schreibt `{ $file }` selbst
+    .hint = die Vorlage umbenennen
+
+controller-template = Vorlage eines Steuerungsformats

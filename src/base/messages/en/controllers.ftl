@@ -349,3 +349,31 @@ quaternion-length = the quaternion of { $target } has the length { FIXED($length
 # Example: `<visual><xacro:mesh name="arm"/></visual>`
 urdf-holds-xacro = elements without kinematics in `{ $file }` contain xacro
     .hint = expand the file with the command `xacro`, and name the URDF in robot.toml
+
+# Means: The first line of a template does not state which parameters its file holds.
+# Matters: All other identified parameters count as left out: the values are identified again without them.
+# Do: Begin the template with a comment that names parameters, or patterns of their names.
+# Example: a template that begins with its first line of output
+template-without-holds = the template does not state the parameters that its file holds
+    .expected = a first line like `{"{#"} holds: theta_* {"#}"}`
+    .hint = name the parameters; `*` stands for any text, and `holds: *` for all parameters
+
+# Means: The first line of a template names parameters that the robot lacks.
+# Matters: The file would lack values that the template expects.
+# Do: Correct the name; parameters.json lists all of them.
+# Example: `{# holds: thta_* #}`
+template-holds-unknown = no parameter matches `{ $pattern }`
+
+# Means: The file name of a template does not end with `.j2`.
+# Matters: The template NAME.j2 writes the file NAME.
+# Do: Rename the template.
+# Example: `etalon export --template offsets.ini`
+template-name = the name of template `{ $file }` does not end with `.j2`
+    .hint = rename the template: NAME.j2 writes the file NAME
+
+# Means: A template cannot be filled with the parameters.
+# Matters: No file is written.
+# Do: Correct the line; the page "Write a format of your own" lists values and filters.
+# Example: `{{ parameter["theta_9"].value }}` for a robot of six joints
+controller-template-failed = the template cannot be filled: { $reason }
+    .hint = correct this line

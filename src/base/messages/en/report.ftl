@@ -950,6 +950,9 @@ step-plane-of-rails = plane of the rails
 step-shaft = shaft, repeat { $repeat }, position { $position }
 step-travel = travel of actuator { $actuator }
 stream = stream
+
+template = template
+
 surface = surface
 synthetic-data = synthetic data
 synthetic-data-label = Synthetic data:

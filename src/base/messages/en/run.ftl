@@ -442,3 +442,12 @@ valid-until-no-date = `valid_until` is not a date: "{ $date }"
 # Example: `date = "2026-03-02"` with `valid_until = "2025-03-02"`
 valid-until-before-measurements = `valid_until` ({ $date }) is before the measurements ({ $measured })
     .hint = correct `valid_until` or `date`
+
+# Means: A template would write a file with the name of a document of a run.
+# Matters: The document would be lost.
+# Do: Rename the template.
+# Example: a template `parameters.json.j2`
+template-name-reserved = a run writes `{ $file }` itself
+    .hint = rename the template
+
+controller-template = template of a controller format

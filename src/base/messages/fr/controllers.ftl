@@ -173,3 +173,15 @@ quaternion-length = le quaternion de { $target } a pour norme { FIXED($length, 4
 
 urdf-holds-xacro = des éléments sans cinématique de `{ $file }` contiennent du xacro
     .hint = développer le fichier avec la commande `xacro`, et indiquer l’URDF dans robot.toml
+
+template-without-holds = le gabarit n’indique pas les paramètres que contient son fichier
+    .expected = une première ligne comme `{"{#"} holds: theta_* {"#}"}`
+    .hint = nommer les paramètres ; `*` remplace un texte quelconque, et `holds: *` tous les paramètres
+
+template-holds-unknown = aucun paramètre ne correspond à `{ $pattern }`
+
+template-name = le nom du gabarit `{ $file }` ne se termine pas par `.j2`
+    .hint = renommer le gabarit : NOM.j2 écrit le fichier NOM
+
+controller-template-failed = le gabarit ne peut pas être rempli : { $reason }
+    .hint = corriger cette ligne

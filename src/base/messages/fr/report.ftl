@@ -1022,6 +1022,9 @@ step-plane-of-rails = plan des rails
 step-shaft = arbre, répétition { $repeat }, position { $position }
 step-travel = course de l’actionneur { $actuator }
 stream = enregistrement
+
+template = gabarit
+
 surface = surface
 synthetic-data = données synthétiques
 synthetic-data-label = Données synthétiques :

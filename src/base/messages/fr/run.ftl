@@ -200,3 +200,8 @@ valid-until-no-date = `valid_until` n’est pas une date : "{ $date }"
 
 valid-until-before-measurements = `valid_until` ({ $date }) précède les mesures ({ $measured })
     .hint = corriger `valid_until` ou `date`
+
+template-name-reserved = une évaluation écrit elle-même `{ $file }`
+    .hint = renommer le gabarit
+
+controller-template = gabarit d’un format de commande

@@ -1,0 +1,161 @@
+//! A user's own format: a template (minijinja) over the identified parameters.
+//!
+//! The first line of a template states what its file holds: `{# holds: theta_* #}`. All other
+//! parameters count as left out: the file has the estimate conditioned on their nominal values, as
+//! every format of this crate has.
+
+use super::template::environment;
+use super::{Exporter, Given, status_word};
+use etalon_base::files;
+use etalon_base::message::{Message, Place, Result, nearest};
+use etalon_base::pattern::matches_pattern;
+use etalon_base::{error, phrase};
+use etalon_robots::{Parameter, Robot, Role};
+use minijinja::value::Serde;
+use minijinja::{Environment, Error, Value, context};
+use std::collections::BTreeMap;
+
+/// Ending of the file name of a template.
+const ENDING: &str = ".j2";
+/// Largest number of instructions of a template.
+const FUEL: u64 = 10_000_000;
+
+/// A format that a template describes.
+#[derive(Clone, Debug)]
+pub struct OwnFormat {
+    /// Path of the template, for messages.
+    path: String,
+    /// Name of the template without its ending: the file that it writes.
+    file_name: String,
+    text: String,
+    /// Patterns of the parameters that the file holds.
+    holds: Vec<String>,
+}
+
+impl OwnFormat {
+    /// Reads a template.
+    ///
+    /// # Errors
+    ///
+    /// Rejects a file name without the ending `.j2`, a template whose first line does not state the
+    /// parameters that its file holds, and a template with a syntax error.
+    pub fn new(path: &str, text: String) -> std::result::Result<Self, Message> {
+        let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
+        let at = |line: Option<usize>| Place { line, ..Place::file(path) };
+        let file_name = name.strip_suffix(ENDING).filter(|stem| !stem.trim_matches('.').is_empty());
+        let file_name = file_name.ok_or_else(|| error!("template-name", file = name).at(at(None)))?.to_owned();
+        let first = text.trim_start_matches('\u{feff}').lines().next().unwrap_or_default().trim();
+        let inside = first.strip_prefix("{#").and_then(|rest| rest.split("#}").next());
+        let stated = inside.map(|text| text.trim_matches(['-', ' '])).and_then(|text| text.strip_prefix("holds:"));
+        let holds: Vec<String> = stated.into_iter().flat_map(str::split_whitespace).map(str::to_owned).collect();
+        if holds.is_empty() {
+            return Err(error!("template-without-holds").at(at(Some(1))));
+        }
+        let format = Self { path: path.to_owned(), file_name, text, holds };
+        match own_environment().and_then(|mut e| e.add_template(&format.path, &format.text)) {
+            Ok(()) => Ok(format),
+            Err(wrong) => Err(format.failed(&wrong)),
+        }
+    }
+
+    fn is_held(&self, name: &str) -> bool {
+        self.holds.iter().any(|pattern| matches_pattern(pattern, name))
+    }
+
+    /// A pattern that no parameter has, with the name that it may mean.
+    fn pattern_without_parameter(&self, given: &Given) -> Option<Message> {
+        let names = || given.parameters.parameters.iter().map(|p| p.name.as_str());
+        let idle = self.holds.iter().find(|pattern| !names().any(|name| matches_pattern(pattern, name)))?;
+        let message =
+            error!("template-holds-unknown", pattern = idle).at(Place { line: Some(1), ..Place::file(&self.path) });
+        Some(match nearest(idle, names()) {
+            Some(name) => message.hint(phrase!("did-you-mean", name)),
+            None => message.hint_names(idle, names()),
+        })
+    }
+
+    /// Error of the template, with its line.
+    fn failed(&self, e: &Error) -> Message {
+        let reason = e.detail().map_or_else(|| e.kind().to_string(), |detail| format!("{}: {detail}", e.kind()));
+        let line = e.line();
+        let text = line.and_then(|line| self.text.lines().nth(line.checked_sub(1)?));
+        let place = match (line, text) {
+            (Some(line), Some(text)) => Place::line(self.path.as_str(), line, text),
+            _ => Place::file(&self.path),
+        };
+        error!("controller-template-failed", reason).at(place)
+    }
+}
+
+impl Exporter for OwnFormat {
+    fn name(&self) -> &str {
+        &self.file_name
+    }
+
+    fn file_name(&self) -> &str {
+        &self.file_name
+    }
+
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        if given.robot.is_none() && given.parameters.parameters.iter().any(|p| !self.is_held(&p.name)) {
+            return Some(error!("robot-missing"));
+        }
+        self.pattern_without_parameter(given)
+    }
+
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        parameter.role != Role::Robot || self.is_held(&parameter.name)
+    }
+
+    fn written(&self, given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+        let own =
+            |(p, (&value, nominal)): (&Parameter, (&f64, f64))| if self.holds(p, given) { value } else { nominal };
+        robot.parameters().iter().zip(values.iter().zip(robot.nominal())).map(own).collect()
+    }
+
+    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+        let failed = |e: Error| self.failed(&e);
+        let mut environment = own_environment().map_err(failed)?;
+        let document = given.parameters;
+        let parameters: Vec<Value> = document.parameters.iter().filter(|p| self.is_held(&p.name)).map(entry).collect();
+        let by_name: BTreeMap<&str, Value> = document.parameters.iter().map(|p| (p.name.as_str(), entry(p))).collect();
+        let values = context! {
+            header => given.header("mm, deg, 1")?,
+            parameters,
+            parameter => by_name,
+            campaign => given.summary.map(Serde),
+            robot => context! { name => given.robot_name(), model => document.robot.as_str() },
+            etalon => document.provenance.version.as_str(),
+            sha256_of_parameters => given.sha256()?,
+        };
+        environment.add_template(&self.path, &self.text).map_err(failed)?;
+        let template = environment.get_template(&self.path).map_err(failed)?;
+        Ok(template.render(values).map(String::into_bytes).map_err(failed)?)
+    }
+}
+
+/// A parameter as a template sees it.
+fn entry(p: &etalon_documents::ParameterEntry) -> Value {
+    context! {
+        name => p.name.as_str(), unit => p.unit.as_str(), value => p.value, nominal => p.nominal,
+        change => p.value - p.nominal, u => p.standard_uncertainty, status => status_word(p),
+    }
+}
+
+/// Syntax and filters of templates, with filters for notations of controllers: units, fixed widths,
+/// checksums.
+fn own_environment<'a>() -> std::result::Result<Environment<'a>, Error> {
+    let mut environment = environment()?;
+    environment.set_fuel(Some(FUEL));
+    environment.add_filter("metres", |mm: f64| mm / 1e3);
+    environment.add_filter("micrometres", |mm: f64| mm * 1e3);
+    environment.add_filter("inches", |mm: f64| mm / 25.4);
+    environment.add_filter("scientific", |value: f64, decimals: usize| format!("{value:.decimals$e}"));
+    environment.add_filter("right", |text: String, width: usize| format!("{text:>width$}"));
+    environment.add_filter("left", |text: String, width: usize| format!("{text:<width$}"));
+    environment.add_filter("crlf", |text: String| text.replace('\n', "\r\n"));
+    environment.add_filter("sha256", |text: String| files::sha256(text.as_bytes()));
+    environment.add_filter("crc32", |text: String| format!("{:08x}", crc32fast::hash(text.as_bytes())));
+    environment.add_filter("xor8", |text: String| format!("{:02X}", text.bytes().fold(0, |sum, byte| sum ^ byte)));
+    Ok(environment)
+}
