@@ -18,12 +18,21 @@ const QUOTED: [&str; 6] = [
     "property list",
 ];
 
-/// Folders of `src` whose code has no sentence at all. The others write programs, templates, help of keys and English
-/// heads of workbooks.
-const WITHOUT_SENTENCES: [&str; 6] = ["compare", "documents", "fit", "identify", "run", "stages"];
+/// Folders of `src` whose code has no sentence at all. The others write programs, templates, help of keys and options, and
+/// texts of clap and serde.
+const WITHOUT_SENTENCES: [&str; 8] = ["compare", "documents", "fit", "identify", "math", "run", "simulate", "stages"];
 
-/// Messages that no test names. The number may only fall.
-const UNTESTED: usize = 82;
+/// Messages that no test names, each with what it needs.
+const UNTESTED: [(&str, &str); 8] = [
+    ("arrays-too-large", "arrays of more than 2 GiB"),
+    ("file-too-many-items", "a file of millions of elements, which needs hundreds of MB"),
+    ("parameters-unstable", "a campaign in which one half of the poses contradicts the other"),
+    ("recording-failed", "a failure of the library that writes recordings, in memory"),
+    ("results-not-synced", "a disk that fails while data are written to it"),
+    ("run-while-exporting", "a run that ends within the milliseconds of an export"),
+    ("threads-failed", "a system that starts no thread"),
+    ("topic-too-large", "a topic of more than 2 GiB"),
+];
 
 /// Texts in tests that share words with a message: the row of a certificate, the cell of a workbook, the unit of a key, the part of
 /// a hint that names the key, and the reason inside a phrase.
@@ -404,7 +413,7 @@ fn is_named(tests: &str, id: &str) -> bool {
 }
 
 #[test]
-fn messages_that_no_test_names_become_fewer() {
+fn every_message_is_named_by_a_test_or_states_why_not() {
     let (root, mut text) = (Path::new(env!("CARGO_MANIFEST_DIR")), String::new());
     tests(&root.join("src"), false, &mut text);
     tests(&root.join("tests"), true, &mut text);
@@ -413,11 +422,7 @@ fn messages_that_no_test_names_become_fewer() {
         called.values().flat_map(|calls| &calls.of_catalogue).filter(|(name, ..)| name == "error" || name == "warning");
     let messages: BTreeSet<&str> = messages.map(|(_, id, _)| id.as_str()).collect();
     let unnamed: Vec<&str> = messages.into_iter().filter(|id| !is_named(&text, id)).collect();
-    assert_eq!(
-        unnamed.len(),
-        UNTESTED,
-        "test new messages (tests/messages); lower the number where there are tests: {unnamed:?}"
-    );
+    assert_eq!(unnamed, UNTESTED.map(|(id, _)| id), "test new messages (tests/messages)");
 }
 
 /// Words of a message without its arguments, which are replaced by line feeds.

@@ -3,8 +3,9 @@
 use super::text_format::TableFormat;
 use super::{Verdict, check_positive, print, print_text, remark};
 use crate::stages::sweeps::{self, SweepsStated, TableConvention};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_documents::{AxesDocument, AxisEntry, to_json};
-use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Find the axes of joints from sweeps of one joint at a time, and a robot without a nominal model
@@ -75,54 +76,59 @@ impl AxesCommand {
 
 /// Axes as text.
 fn text(document: &AxesDocument) -> String {
-    let mut text = String::new();
-    document.axes.iter().for_each(|axis| axis_text(axis, &mut text));
+    let mut lines = Vec::new();
+    document.axes.iter().for_each(|axis| axis_lines(axis, &mut lines));
     if let Some(robot) = &document.robot {
-        let at = robot.base_xyz_mm;
-        let _ = writeln!(text, "base ({})\n  origin       {}", robot.base_rule, vector(&at, 4, " mm"));
+        lines.push(phrase!("axes-base", rule = robot.base_rule));
+        lines.push(phrase!("axes-origin", point = vector(&robot.base_xyz_mm, 4, " mm")));
         for target in &robot.targets {
             let u = target.standard_uncertainty_mm.iter().map(|u| u * u).sum::<f64>().sqrt();
-            let at = vector(&target.xyz_mm, 4, " mm");
-            let _ = writeln!(text, "target `{}` on the flange\n  point        {at}  (u = {u:.4} mm)", target.target);
+            lines.push(phrase!("axes-target", target = target.target));
+            lines.push(phrase!("axes-point", point = vector(&target.xyz_mm, 4, " mm"), u = format!("{u:.4}")));
         }
     }
     for check in &document.checks {
-        let (d, u) = (check.distance_mm, check.standard_uncertainty_mm);
-        let _ =
-            writeln!(text, "check pose, line {}: {d:.4} mm from the robot  (u = {u:.4} mm a component)", check.line);
+        let [distance, u] = [check.distance_mm, check.standard_uncertainty_mm].map(|v| format!("{v:.4}"));
+        lines.push(phrase!("axes-check-pose", line = check.line, distance, u));
     }
-    text
+    lines.into_iter().map(|line| format!("{line}\n")).collect()
 }
 
 fn vector(v: &[f64; 3], decimals: usize, unit: &str) -> String {
     format!("{:.*} {:.*} {:.*}{unit}", decimals, v[0], decimals, v[1], decimals, v[2])
 }
 
-fn axis_text(axis: &AxisEntry, text: &mut String) {
+fn axis_lines(axis: &AxisEntry, lines: &mut Vec<Phrase>) {
     let kind = if axis.prismatic { "slides" } else { "turns" };
-    let aside = if axis.set_aside.is_empty() { String::new() } else { format!(", {} set aside", axis.set_aside.len()) };
-    let _ = writeln!(text, "{} {kind}: {} readings{aside}", axis.joint, axis.readings);
-    let u = axis.direction_standard_uncertainty_deg;
-    let _ = writeln!(text, "  direction    {}  (u = {u:.5} deg)", vector(&axis.direction, 7, ""));
+    let (joint, count, aside) = (&axis.joint, axis.readings, axis.set_aside.len());
+    lines.push(phrase!("axes-head", joint, kind, count, aside));
+    let u = format!("{:.5}", axis.direction_standard_uncertainty_deg);
+    lines.push(phrase!("axes-direction", direction = vector(&axis.direction, 7, ""), u));
     if let Some(u) = axis.point_standard_uncertainty_mm {
-        let _ = writeln!(text, "  point        {}  (u = {u:.4} mm)", vector(&axis.point_mm, 4, " mm"));
+        lines.push(phrase!("axes-point", point = vector(&axis.point_mm, 4, " mm"), u = format!("{u:.4}")));
     }
     for path in &axis.paths {
-        let _ = match (path.radius_mm, path.radius_standard_uncertainty_mm, path.arc_deg) {
+        let target = &path.target;
+        lines.push(match (path.radius_mm, path.radius_standard_uncertainty_mm, path.arc_deg) {
             (Some(radius), Some(u), Some(arc)) => {
-                writeln!(text, "  `{}`  radius {radius:.4} mm (u = {u:.4} mm), arc {arc:.1} deg", path.target)
+                let [radius, u] = [radius, u].map(|v| format!("{v:.4}"));
+                phrase!("axes-circle", target, radius, u, arc = format!("{arc:.1}"))
             }
-            _ => writeln!(text, "  `{}`  length {:.2} mm", path.target, path.length_mm.unwrap_or_default()),
-        };
-        let [radial, face] = [path.radial_error_motion_mm, path.face_error_motion_mm].map(|v| 1000.0 * v);
-        let names = if axis.prismatic { ["straightness", "and"] } else { ["radial error motion", "face error motion"] };
-        let _ = writeln!(text, "    {} {radial:.1} um, {} {face:.1} um", names[0], names[1]);
+            _ => phrase!("axes-line", target, length = format!("{:.2}", path.length_mm.unwrap_or_default())),
+        });
+        let motions = [path.radial_error_motion_mm, path.face_error_motion_mm];
+        let [radial, face] = motions.map(|v| format!("{:.1}", 1000.0 * v));
+        lines.push(match axis.prismatic {
+            true => phrase!("axes-straightness", radial, face),
+            false => phrase!("axes-error-motions", radial, face),
+        });
     }
     if let (Some(axial), Some(tilt)) = (axis.axial_error_motion_mm, axis.tilt_error_motion_deg) {
-        let _ = writeln!(text, "  axial error motion {:.1} um, tilt error motion {tilt:.5} deg", 1000.0 * axial);
+        let (axial, tilt) = (format!("{:.1}", 1000.0 * axial), format!("{tilt:.5}"));
+        lines.push(phrase!("axes-axial-and-tilt", axial, tilt));
     }
     if let (Some(ratio), Some(rms)) = (axis.ratio, axis.motion_rms) {
         let unit = if axis.prismatic { "mm" } else { "deg" };
-        let _ = writeln!(text, "  motion       {ratio:.6} x joint value, difference {rms:.5} {unit} (rms)");
+        lines.push(phrase!("axes-motion", ratio = format!("{ratio:.6}"), rms = format!("{rms:.5}"), unit));
     }
 }

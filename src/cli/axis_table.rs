@@ -103,7 +103,7 @@ fn base_axis(text: &str) -> std::result::Result<BaseAxis, String> {
         && intervals < MOST_POSITIONS as f64
         && (from + intervals * step - to).abs() < 1e-9 * step.abs())
     {
-        return Err(format!("from {from} to {to} are not whole steps of {step}"));
+        return Err(phrase!("axis-steps-not-whole", from, to, step).to_string());
     }
     Ok(BaseAxis { name, positions: (0..=intervals as usize).map(|i| from + i as f64 * step).collect() })
 }
@@ -111,7 +111,7 @@ fn base_axis(text: &str) -> std::result::Result<BaseAxis, String> {
 fn assignment(text: &str) -> std::result::Result<(String, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
     let value = value.trim().parse::<f64>().ok().filter(|v| v.is_finite());
-    Ok((base_axis(name)?.name, value.ok_or_else(|| format!("`{name}` has no number"))?))
+    Ok((base_axis(name)?.name, value.ok_or_else(|| phrase!("assignment-without-number", name).to_string())?))
 }
 
 /// Source of deviations.
@@ -206,7 +206,7 @@ impl AxisTable {
         let rows = self.rows(&source)?;
         let largest = rows.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()));
         let count = rows.iter().map(Vec::len).sum::<usize>();
-        say(format_args!("{count} positions, largest deviation {largest:.6} {}", unit(self.corrected())));
+        say(phrase!("axis-table-largest", count, largest, unit = unit(self.corrected())));
         print(self.text(rows, &header)?)?;
         Ok(Verdict::Met)
     }

@@ -6,6 +6,7 @@ use crate::run::batch::{Batch as Batched, batch, folders};
 use crate::run::pipeline::Wanted;
 use etalon_base::files;
 use etalon_base::message::printable;
+use etalon_base::phrase;
 use etalon_documents::to_json;
 use etalon_documents::{BatchDocument, BatchEnd, BatchEntry, Presentation};
 use std::fmt::Write;
@@ -45,7 +46,8 @@ impl Batch {
         let presentation = self.branding.over(Presentation::default())?;
         let age = |path: &PathBuf| std::fs::metadata(path).and_then(|file| file.modified());
         let since = self.newer_than.as_ref().map(age).transpose();
-        let since = since.map_err(|e| anyhow::anyhow!("the file of `--newer-than` cannot be read: {e}"))?;
+        let since =
+            since.map_err(|e| anyhow::anyhow!("{}", phrase!("newer-than-unreadable", reason = e.to_string())))?;
         let wanted = if self.documents { Wanted::Documents } else { Wanted::Reports };
         let ended = AtomicUsize::new(0);
         let said = |entry: &BatchEntry| {
@@ -78,6 +80,6 @@ fn as_text(document: &BatchDocument) -> String {
         let _ = writeln!(text, "{:<40} {how}{unchanged}", printable(&c.campaign));
     }
     let BatchDocument { done, not_met, failed, skipped, .. } = document;
-    let _ = writeln!(text, "{done} done, {not_met} with limits not met, {failed} failed, {skipped} skipped");
+    let _ = writeln!(text, "{}", phrase!("batch-counts", done, not_met, failed, skipped));
     text
 }

@@ -3,6 +3,7 @@
 use super::in_memory::{check, find};
 use super::{Verdict, next_step, print_text, print_with, remark, shell_word};
 use etalon_base::message::printable;
+use etalon_base::phrase;
 use etalon_documents::JointTravel;
 use std::path::PathBuf;
 
@@ -31,19 +32,16 @@ impl Check {
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
             let refused = source.refused.len();
             let (file, dialect) = (printable(&source.file), printable(&source.dialect));
-            print_text(&format!("{file}: {} rows, {refused} refused ({dialect})\n", source.rows_read))?;
+            let line = phrase!("check-source", file, rows = source.rows_read, refused, dialect);
+            print_text(&format!("{line}\n"))?;
         }
         for JointTravel { column, lowest, highest } in &joints {
             print_text(&format!("{}: {lowest:.2} .. {highest:.2}\n", printable(column)))?;
         }
         let next = format!("`etalon run {}`", shell_word(&self.campaign));
         let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };
-        let verdict = match document.messages.len() {
-            0 => "nothing is wrong".to_owned(),
-            1 => "no errors, 1 warning".to_owned(),
-            n => format!("no errors, {n} warnings"),
-        };
-        print_text(&format!("{}: {verdict}\n", printable(&path.display().to_string())))?;
+        let file = printable(&path.display().to_string());
+        print_text(&format!("{}\n", phrase!("check-verdict", file, warnings = document.messages.len())))?;
         next_step(self.json, next);
         Ok(Verdict::Met)
     }

@@ -8,7 +8,7 @@ use clap::ValueEnum;
 use etalon_base::bounds::option_at_most;
 use etalon_base::catalogue::Phrase;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Rank, Result, Severity, count};
+use etalon_base::message::{Message, Place, Problems, Rank, Result, Severity};
 use etalon_base::pose::{Pose, minus, norm};
 use etalon_base::{error, phrase, warning};
 use etalon_controllers::Given;
@@ -175,11 +175,7 @@ impl Compensate {
             .map(|t| warning!("configuration-changed", target = t.target));
         remark(&answer.unreachable.iter().map(unreachable).chain(changed).collect::<Vec<_>>());
         if let Some(ProgramSource { program, .. }) = &source.program {
-            let left = count(program.joint_targets, "target");
-            say(format_args!(
-                "{} compensated; {left} by joint values left as they are",
-                count(answer.targets.len(), "target")
-            ));
+            say(phrase!("targets-compensated", count = answer.targets.len(), left = program.joint_targets));
             if !program.computed.is_empty() {
                 let names: Vec<&String> = program.computed.iter().collect();
                 remark(&[warning!("poses-computed-by-program", names)]);
@@ -475,7 +471,7 @@ fn pose_argument(text: &str) -> std::result::Result<Pose, String> {
         Some(&[x, y, z, ref q @ ..]) if q.len() == 4 && (norm([q[0].hypot(q[1]), q[2], q[3]]) - 1.0).abs() < 1e-3 => {
             Ok(Pose { translation_mm: [x, y, z], ..Pose::from_quaternion([q[0], q[1], q[2], q[3]]) })
         }
-        _ => Err("expected x,y,z in mm, or these and a unit quaternion qw,qx,qy,qz".to_owned()),
+        _ => Err(phrase!("pose-argument-expected").to_string()),
     }
 }
 

@@ -4,9 +4,10 @@ use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
 use super::{Verdict, print, print_text, remark, say_message};
 use crate::stages::qif_fit::{ProbeStated, refit};
-use etalon_base::error;
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Place, Problems};
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 use etalon_documents::{FitDocument, to_json};
 use etalon_fit::{CircleMethod, Element, FitSettings, PackedPoints, Probe, Side, Source};
 use etalon_formats::Format;
@@ -151,8 +152,8 @@ impl FitCommand {
         if documents.is_empty() {
             seen.sort_unstable();
             seen.dedup();
-            let there = if seen.is_empty() { "none of any kind".to_owned() } else { seen.join(", ") };
-            let kind = wanted.map_or("any element", Element::name);
+            let there = if seen.is_empty() { phrase!("fit-seen-none").argument() } else { seen.join(", ").argument() };
+            let kind = wanted.map_or_else(|| phrase!("fit-any-element").argument(), |kind| kind.name().argument());
             return Err(error!("no-feature-fitted", kind, seen = there).into());
         }
         Ok(documents)
@@ -248,7 +249,7 @@ impl FitCommand {
                     let zone = etalon_fit::minimum_zone(element, &all()).map_err(|mut problems| {
                         let first = problems.0.first_mut().filter(|_| !element.has_minimum_zone());
                         if let Some(first) = first {
-                            first.hint = Some("leave --minimum-zone out: the fit is by least squares then".to_owned());
+                            *first = first.clone().hint(phrase!("zone-by-least-squares"));
                         }
                         problems
                     })?;

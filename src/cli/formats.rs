@@ -2,6 +2,7 @@
 
 use super::init::refusal_of_lines;
 use super::{Verdict, next_step, print};
+use etalon_base::phrase;
 use etalon_campaign::read_robot;
 use etalon_formats::{FilesProposal, propose_file_for, propose_files};
 use std::path::PathBuf;
@@ -42,9 +43,9 @@ impl Formats {
                 print(if self.json { etalon_documents::to_json(&documents)? } else { toml.into_bytes() })?;
             }
         }
-        let next = "paste these lines into campaign.toml; `etalon check FOLDER` tries them";
+        let next = phrase!("next-paste");
         match refusal {
-            Some(reasons) => next_step(self.json, format_args!("{next}; they would be refused: {reasons}")),
+            Some(reasons) => next_step(self.json, phrase!("next-paste-refused", next, reasons)),
             None => next_step(self.json, next),
         }
         Ok(Verdict::Met)

@@ -7,9 +7,9 @@ mod trial;
 pub(super) use trial::refusal_of_lines;
 
 use super::{Verdict, next_step, print_written, shell_word};
-use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::Problems;
+use etalon_base::{error, phrase};
 use etalon_campaign::{parse, read_urdf};
 use etalon_formats::xacro::plain_name;
 use etalon_robots::{Joint, LongestChain, Quantity};
@@ -97,14 +97,11 @@ impl Init {
         print_written(files::write_new(&self.folder, &all)?, self.json)?;
         let folder = shell_word(&self.folder);
         match self.synthetic {
-            true => next_step(self.json, format_args!("`etalon simulate {folder}` writes the exports and the log")),
-            false => next_step(
-                self.json,
-                format_args!(
-                    "copy the exports and the log into {folder}; `etalon formats FILE` proposes how to read each; \
-                     `etalon check {folder}`"
-                ),
-            ),
+            true => next_step(self.json, phrase!("next-simulate", command = format!("`etalon simulate {folder}`"))),
+            false => {
+                let command = format!("`etalon check {folder}`");
+                next_step(self.json, phrase!("next-copy", folder, command));
+            }
         }
         Ok(Verdict::Met)
     }

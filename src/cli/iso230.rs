@@ -2,8 +2,8 @@
 
 use super::{Verdict, print};
 use crate::stages::table_file::TableFile;
-use etalon_base::error;
 use etalon_base::message::Result;
+use etalon_base::{error, phrase};
 use etalon_controllers::axis_tables::{self, Deviation};
 use etalon_documents::{AxisDocument, AxisPositioning, to_json};
 use etalon_formats::table;
@@ -34,7 +34,7 @@ pub struct Iso230 {
 /// Checks that a name consists of letters and digits, so that it cannot end a line of a table.
 fn axis_name(name: &str) -> std::result::Result<String, String> {
     let word = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-    word.then(|| name.to_owned()).ok_or_else(|| "an axis is named by letters and digits".to_owned())
+    word.then(|| name.to_owned()).ok_or_else(|| phrase!("axis-name-expected").to_string())
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -91,7 +91,7 @@ fn positions(file: &TableFile) -> Result<Vec<AxisPosition>> {
     all.sort_by(f64::total_cmp);
     all.dedup();
     if all.is_empty() {
-        return Err(error!("iso230-no-rows").into());
+        return Err(error!("data-rows-missing").into());
     }
     let position = |at: f64| {
         let runs = |side: f64| {
@@ -107,20 +107,22 @@ fn positions(file: &TableFile) -> Result<Vec<AxisPosition>> {
 
 fn text(axis: &AxisPositioning) -> String {
     let rows = [
-        ("accuracy A", axis.accuracy),
-        ("systematic positioning error E", axis.systematic),
-        ("repeatability R", axis.repeatability),
+        (phrase!("iso230-accuracy"), axis.accuracy),
+        (phrase!("iso230-systematic"), axis.systematic),
+        (phrase!("iso230-repeatability"), axis.repeatability),
     ];
-    let mut out = format!("{:<32}{:>14}{:>14}{:>14}\n", "ISO 230-2:2014, mm", "bidirectional", "positive", "negative");
-    for (name, of) in rows {
+    let heads = [phrase!("iso230-both"), phrase!("iso230-positive"), phrase!("iso230-negative")];
+    let [both, positive, negative] = heads.map(|head| head.to_string());
+    let mut out = format!("{:<32}{both:>14}{positive:>14}{negative:>14}\n", "ISO 230-2:2014, mm");
+    for (name, of) in rows.map(|(name, of)| (name.to_string(), of)) {
         out += &format!("{name:<32}{:>14.6}{:>14.6}{:>14.6}\n", of.both_mm, of.forward_mm, of.backward_mm);
     }
     let single = [
-        ("mean systematic error M", axis.mean_systematic_mm),
-        ("reversal error B", axis.reversal_mm),
-        ("mean reversal error", axis.mean_reversal_mm),
+        (phrase!("iso230-mean-systematic"), axis.mean_systematic_mm),
+        (phrase!("iso230-reversal"), axis.reversal_mm),
+        (phrase!("iso230-mean-reversal"), axis.mean_reversal_mm),
     ];
-    for (name, value) in single {
+    for (name, value) in single.map(|(name, value)| (name.to_string(), value)) {
         out += &format!("{name:<32}{value:>14.6}\n");
     }
     out

@@ -41,8 +41,8 @@ mod verify;
 
 use crate::stages::table_file;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
-use etalon_base::error;
 use etalon_base::message::{Message, Problems, printable, printable_lines};
+use etalon_base::{error, phrase};
 use etalon_documents::WrittenDocument;
 use etalon_report::Renderer;
 use progress::progress;
@@ -207,7 +207,9 @@ fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
         out.write_all(data.as_ref()).and_then(|()| out.flush())
     };
     match progress::beside(write) {
-        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(anyhow::Error::new(e).context("stdout cannot be written")),
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => {
+            Err(anyhow::Error::new(e).context(phrase!("stdout-not-written")))
+        }
         _ => Ok(()),
     }
 }

@@ -5,7 +5,7 @@ use super::{Verdict, print_text, remark};
 use crate::run::documents::read_parameters;
 use crate::stages::sweeps::not_held;
 use etalon_base::message::{Message, Result};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{RobotHead, UrdfJoint, gains_text, read_robot, screws_text, table_text, urdf_text};
 use etalon_robots::{Effect, JointChain, JointRange, Robot, Role, modified_table, standard_table};
 use std::path::PathBuf;
@@ -78,7 +78,7 @@ fn converted(robot: &dyn Robot, to: Target) -> Result<(String, Vec<Message>)> {
     }
     let names: Vec<String> = robot.joints().iter().map(|joint| joint.name.clone()).collect();
     let limits: Vec<Option<[f64; 2]>> = (0..names.len()).map(|j| range(robot, j)).collect();
-    let mut comments = vec!["converted by etalon robot convert".to_owned()];
+    let mut comments = vec![phrase!("converted-by").to_string()];
     if to != Target::Urdf {
         let renamed = (1..).zip(&names).filter(|(i, name)| **name != format!("q{i}"));
         comments.extend(renamed.map(|(i, name)| format!("q{i} is {name}")));

@@ -4,7 +4,7 @@ use super::{Verdict, next_step, print_with, remark, say, shell_word};
 use crate::run::documents::Documents;
 use crate::run::pipeline::{self, Outcome};
 use etalon_base::message::printable;
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use std::path::PathBuf;
@@ -28,7 +28,7 @@ impl Run {
         let (campaign, problems) = Campaign::recover(&self.campaign)?;
         let Some(campaign) = campaign else { return Err(problems.into()) };
         if let Some(name) = campaign.missing_variable().filter(|_| self.skip_missing && problems.0.is_empty()) {
-            say(format_args!("skipped: {} needs data below ${name}, which is not set", printable(&campaign.path)));
+            say(phrase!("run-skipped", campaign = printable(&campaign.path), name));
             return Ok(Verdict::Met);
         }
         match problems.check().and_then(|_| pipeline::run(&campaign)) {
@@ -48,14 +48,11 @@ impl Run {
         let Outcome { identified, tested, met, renderer, messages, .. } = outcome;
         remark(&messages);
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
-            say("no controller file is written: the result is implausible");
+            say(phrase!("no-controller-files"));
         }
         let next = identified.as_ref().map(|_| {
             let folder = shell_word(&self.campaign);
-            format!(
-                "`etalon recommend {folder}` lists the parameters that are worth loading; controller files are \
-             in the output folder"
-            )
+            phrase!("next-recommend", command = format!("`etalon recommend {folder}`"))
         });
         let data = match (self.json, &identified, &tested.poses, &tested.streams) {
             (false, ..) => {

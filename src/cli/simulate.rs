@@ -2,6 +2,7 @@
 
 use super::{Verdict, print_written, say};
 use crate::simulate::Truth;
+use etalon_base::phrase;
 use etalon_campaign::Campaign;
 use std::path::PathBuf;
 
@@ -27,8 +28,8 @@ impl Simulate {
         let campaign = Campaign::read(&self.campaign)?;
         let mut truth = Truth::read(&self.truth.unwrap_or_else(|| campaign.folder.join("truth.toml")))?;
         truth.seed = self.seed.unwrap_or(truth.seed);
-        for stated in truth.unmodelled.iter().flat_map(|unmodelled| unmodelled.stated()) {
-            say(format_args!("not in any parameter: {stated}"));
+        for error in truth.unmodelled.iter().flat_map(|unmodelled| unmodelled.stated()) {
+            say(phrase!("unmodelled-said", error));
         }
         print_written(crate::simulate::simulate(&campaign, &truth)?, self.json)?;
         Ok(Verdict::Met)

@@ -2,7 +2,8 @@
 
 use super::{Verdict, print, say};
 use crate::simulate::study::StudyFile;
-use etalon_base::files;
+use etalon_base::catalogue::IntoArgument;
+use etalon_base::{files, phrase};
 use etalon_campaign::read_robot;
 use etalon_documents::{Provenance, Spread, StudiesDocument, to_json};
 use std::fmt::Write;
@@ -52,13 +53,14 @@ impl StudyCommand {
 
 /// Answer for a terminal: errors of all sets, then their parameters.
 fn text(document: &StudiesDocument) -> String {
-    let mut out = format!(
-        "Error: {}.\nMean of {} calibrations, {} draws: median [95 % of the draws].\n\n",
-        document.error, document.runs, document.draws
-    );
+    let StudiesDocument { runs, draws, .. } = document;
+    let error = document.error_phrase.as_ref().map_or_else(|| document.error.argument(), |phrase| phrase.argument());
+    let mut out = format!("{}\n\n", phrase!("study-head", error, runs, draws));
+    let [set, noise] = [phrase!("study-set"), phrase!("study-noise")].map(|head| head.to_string());
     let shown = |s: &Spread| format!("{:.4} [{:.4}, {:.4}]", s.median, s.low, s.high);
-    let _ =
-        writeln!(out, "{:<22}{:>9}  {:<12}{:<5}{:>12}  {:<28}max", "set", "noise um", "error", "", "before RMS", "RMS");
+    let heads = [phrase!("study-error"), phrase!("study-rms-before"), phrase!("study-rms"), phrase!("study-largest")];
+    let [error, before, rms, largest] = heads.map(|head| head.to_string());
+    let _ = writeln!(out, "{set:<22}{noise:>9}  {error:<12}{:<5}{before:>12}  {rms:<28}{largest}", "");
     for d in &document.designs {
         for e in &d.after {
             let before = d.before.iter().find(|b| b.quantity == e.quantity).map_or(f64::NAN, |b| b.rms.median);
@@ -70,11 +72,9 @@ fn text(document: &StudiesDocument) -> String {
             );
         }
     }
-    let _ = writeln!(
-        out,
-        "\n{:<22}{:>9}  {:<18}{:<5}{:>12}  {:<34}3 s",
-        "set", "noise um", "parameter", "", "actual", "mean"
-    );
+    let heads = [phrase!("study-parameter"), phrase!("study-actual"), phrase!("study-mean"), phrase!("study-spread")];
+    let [parameter, actual, mean, spread] = heads.map(|head| head.to_string());
+    let _ = writeln!(out, "\n{set:<22}{noise:>9}  {parameter:<18}{:<5}{actual:>12}  {mean:<34}{spread}", "");
     for d in &document.designs {
         for p in &d.parameters {
             let (mean, three) = (shown(&p.mean), shown(&p.three_standard_deviations));

@@ -35,7 +35,7 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
         missing.push(phrase!("homing").argument());
     }
     if !missing.is_empty() {
-        messages.push(warning!("poses-not-in-all", poses = missing));
+        messages.push(warning!("poses-not-in-all", count = missing.len(), poses = missing));
     }
     trends.sort_by_key(|t| t.family);
     trends

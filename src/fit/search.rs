@@ -11,7 +11,7 @@ use super::element::Element;
 use super::solver::{Refined, Surface, descend};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, dot};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 
 /// Number of directions over the hemisphere, 8 degrees apart.
 const DIRECTIONS: usize = 300;
@@ -101,7 +101,7 @@ fn differ<const N: usize>(a: (&Vector, &[f64; N]), b: (&Vector, &[f64; N])) -> b
 
 /// Error if no start led to an element.
 pub(super) fn no_start(element: Element) -> Problems {
-    error!("element-not-found", element).into()
+    error!("element-not-determined", element, termination = phrase!("solver-no-start")).into()
 }
 
 /// Warning if a rival was found.

@@ -224,7 +224,7 @@ impl<S, const N: usize> Refined<S, N> {
         if !self.termination.is_success() || !known || self.x.iter().any(|x| !x.is_finite()) {
             cloud.numbers(element.name())?;
             let termination = if known { self.termination } else { Termination::RankDeficient };
-            return Err(error!("element-not-determined", element, termination = termination.to_string()).into());
+            return Err(error!("element-not-determined", element, termination = termination.phrase()).into());
         }
         let by_parameter = self.surface.quantities(&self.x);
         let degrees_of_freedom = (K * cloud.len()).saturating_sub(self.free.len());

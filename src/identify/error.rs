@@ -62,8 +62,6 @@ pub enum Error {
         /// Number of parameters.
         parameters: usize,
     },
-    /// Base and targets cannot be located from the poses.
-    BaseNotFound,
     /// Every parameter is held, or the data depend on none.
     NothingLeft {
         /// Cause, if the observations show it.
@@ -187,10 +185,11 @@ impl Error {
             Self::NotPlanar { model } => error!("pose-residuals-not-planar", model),
             Self::NoSuchPart { model, part } => error!("tool-part-missing", model, part),
             Self::TooFewPoses { poses, parameters } => error!("too-few-poses-planned", poses, parameters),
-            Self::BaseNotFound => error!("base-not-found"),
             Self::NothingLeft { cause, .. } => error!("nothing-to-identify", cause = cause_argument(cause.as_ref())),
             Self::Undetermined { counts, groups } => return undetermined(counts, &groups),
-            Self::Unsteady => error!("identifiability-unsteady"),
+            Self::Unsteady => {
+                error!("identification-without-result", reason = phrase!("solver-ended", termination = "unsteady"))
+            }
             Self::Failed { termination, cause, .. } => {
                 let reason = cause.as_ref().map_or_else(|| ended(termination), Cause::phrase);
                 error!("identification-without-result", reason)

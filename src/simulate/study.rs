@@ -384,7 +384,7 @@ impl StudyFile {
     /// Reports poses out of reach, parameters that a set does not determine, and robots without a
     /// tool pose.
     pub fn run(&self, robot: &dyn Robot, folder: &Path, mut progress: impl FnMut(&str)) -> Result<Vec<StudiedDesign>> {
-        let arm = robot.kinematics().ok_or_else(|| error!("study-without-tool", model = robot.model()))?;
+        let arm = robot.kinematics().ok_or_else(|| error!("no-whole-pose", model = robot.model()))?;
         let truth = true_values(robot, &self.parameters)?;
         let commands = observations(&self.workspace, robot, folder)?;
         let mut designs = Vec::new();

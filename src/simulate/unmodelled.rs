@@ -2,10 +2,11 @@
 //! calibration.
 
 use super::Scene;
-use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -44,18 +45,21 @@ pub struct Interpolation {
 
 impl Unmodelled {
     /// Description of the added errors, for readers of the simulated files.
-    pub fn stated(&self) -> Vec<String> {
-        let named =
-            |what: &str, joints: Vec<String>| (!joints.is_empty()).then(|| format!("{what} {}", joints.join(", ")));
-        let plain = |joints: &BTreeMap<String, f64>| joints.iter().map(|(name, v)| format!("{name} {v}")).collect();
-        let periodic = |(name, i): (&String, &Interpolation)| format!("{name} {} every {}", i.amplitude, i.period);
-        let one = |what: &str, value: f64| (value != 0.0).then(|| what.replace("{}", &value.to_string()));
+    pub fn stated(&self) -> Vec<Phrase> {
+        let plain = |joints: &BTreeMap<String, f64>| -> Vec<String> {
+            joints.iter().map(|(name, v)| format!("{name} {v}")).collect()
+        };
+        let every = |(joint, i): (&String, &Interpolation)| {
+            phrase!("unmodelled-every", joint, amplitude = i.amplitude, period = i.period)
+        };
+        let periodic: Vec<Phrase> = self.interpolation.iter().map(every).collect();
+        let (growth, bending) = (self.growth_um_per_m_h, self.bending_um_at_1_m);
         let all = [
-            named("backlash", plain(&self.backlash)),
-            named("encoder interpolation", self.interpolation.iter().map(periodic).collect()),
-            named("homing (standard deviation)", plain(&self.homing)),
-            one("thermal growth {} um for each metre and hour", self.growth_um_per_m_h),
-            one("bending {} um one metre from the base", self.bending_um_at_1_m),
+            (!self.backlash.is_empty()).then(|| phrase!("unmodelled-backlash", joints = plain(&self.backlash))),
+            (!periodic.is_empty()).then(|| phrase!("unmodelled-interpolation", joints = periodic)),
+            (!self.homing.is_empty()).then(|| phrase!("unmodelled-homing", joints = plain(&self.homing))),
+            (growth != 0.0).then(|| phrase!("unmodelled-growth", growth)),
+            (bending != 0.0).then(|| phrase!("unmodelled-bending", bending)),
         ];
         all.into_iter().flatten().collect()
     }

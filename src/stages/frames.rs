@@ -179,9 +179,9 @@ impl Geometry {
 
 /// xy plane, origin and one axis, each projected into the plane (thesis 3.4.1).
 fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition) -> Result<WorldFrame> {
-    let lacks = |fault: &str| error!("world-frame-incomplete", fault).at(campaign.world_place());
-    let plane_name = world.plane.as_ref().ok_or_else(|| lacks("plane"))?;
-    let (on_plane, normal) = *(geometry.features.get(plane_name.get_ref())).ok_or_else(|| lacks("feature"))?;
+    let lacks = || error!("plane-frame-incomplete").at(campaign.world_place());
+    let plane_name = world.plane.as_ref().ok_or_else(lacks)?;
+    let (on_plane, normal) = *(geometry.features.get(plane_name.get_ref())).ok_or_else(lacks)?;
     let project = |p: Vector| {
         let height = dot(minus(p, on_plane), normal);
         [p[0] - height * normal[0], p[1] - height * normal[1], p[2] - height * normal[2]]
@@ -191,12 +191,12 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         let found = geometry.features.get(text).map(|(point, _)| *point).or_else(|| geometry.places.get(text).copied());
         found.map(project).ok_or_else(|| error!("point-or-feature-unknown", name = text).at(campaign.place(name)))
     };
-    let origin = place(world.origin.as_ref().ok_or_else(|| lacks("origin"))?)?;
-    let towards = place(world.towards.as_ref().ok_or_else(|| lacks("towards"))?)?;
+    let origin = place(world.origin.as_ref().ok_or_else(lacks)?)?;
+    let towards = place(world.towards.as_ref().ok_or_else(lacks)?)?;
     let (axis_name, ends) = match (&world.x_axis, &world.y_axis) {
         (Some(ends), None) => ("x", ends),
         (None, Some(ends)) => ("y", ends),
-        _ => return Err(lacks("axis").into()),
+        _ => return Err(lacks().into()),
     };
     let along = match &ends[..] {
         [from, to] => minus(place(to)?, place(from)?),

@@ -41,7 +41,7 @@ pub fn grouped(
             let place = Place { line: line(row), ..Place::default() };
             Err(error.within(phrase!("in-observation", pose = m.pose, cycle = m.cycle)).at(place).into())
         }
-        Err(ObservationError::Empty) => Err(error!("table-without-observations").into()),
+        Err(ObservationError::Empty) => Err(error!("no-observations").into()),
         Err(ObservationError::ArmsApart(pose, cycle)) => {
             Err(error!("arms-apart").within(phrase!("in-observation", pose, cycle)).into())
         }
@@ -63,9 +63,6 @@ fn positions(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Measured>> {
     let joints = joint_values(robot, table, &["pose", "cycle", "target", table::XYZ[0], table::XYZ[1]])?;
     let (poses, cycles) = (table::poses(table)?, table::integers(table, "cycle")?);
     let (names, xyz) = (table::texts(table, "target")?, table::coordinates(table)?);
-    if robot.dimension() == 3 && table::numbers(table, table::XYZ[2])?.iter().any(|z| z.is_nan()) {
-        return Err(error!("height-missing").into());
-    }
     let modes = stated_modes(robot, table)?;
     let covariances = covariances(table, robot.dimension())?;
     let line = table::lines(table)?;

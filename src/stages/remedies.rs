@@ -27,7 +27,6 @@ pub fn remedied(error: Error) -> Problems {
         Error::NotPlanar { .. } => Some("compare-targets"),
         Error::NoSuchPart { .. } => Some("part"),
         Error::TooFewPoses { .. } => Some("positions"),
-        Error::BaseNotFound => Some("base"),
         Error::Unexplained(warning) => return warning_message(warning).into(),
         Error::NothingLeft { set_up: Some(found), .. } | Error::Failed { set_up: Some(found), .. } => {
             let hint = set_up_hint(found);

@@ -166,3 +166,81 @@ fn a_joint_swept_backwards_is_named() {
     let (code, _, err) = run(&(without + checks), &["--prismatic", "q4"]);
     assert!(code == Some(2) && err.contains("error[sweep-reversed]"), "{err}");
 }
+
+/// Exit code and messages with these rows changed.
+fn with(change: impl Fn(usize, &mut (usize, Vector, [f64; 4])), values: bool, arguments: &[&str]) -> (i32, String) {
+    let mut rows = rows();
+    rows.iter_mut().enumerate().for_each(|(i, row)| change(i, row));
+    let (code, _, err) = run(&table(&rows, values), arguments);
+    (code.unwrap(), err)
+}
+
+#[test]
+fn sweeps_that_are_no_motion_of_one_joint_are_named() {
+    let slides = ["--prismatic", "q4"];
+    let refused = |(code, err): (i32, String), said: &str| assert!(code == 2 && err.says(said), "{said}: {err}");
+    let two = |_: usize, row: &mut (usize, Vector, [f64; 4])| {
+        row.2[1] = if row.0 == 0 { 0.1 * row.2[0] } else { row.2[1] };
+        row.1 = position(&row.2);
+    };
+    refused(with(two, true, &[]), "error[sweep-two-joints] joint=q1 also=q2");
+    // the only target slips once
+    let slipped = |i: usize, row: &mut (usize, Vector, [f64; 4])| {
+        if (10..24).contains(&i) {
+            [0.3, 0.2, 0.4].iter().zip(&mut row.1).for_each(|(by, v)| *v += by);
+        }
+    };
+    refused(with(slipped, true, &[]), "error[sweep-target-moved] joint=q1 row=12");
+    let scattered = |i: usize, row: &mut (usize, Vector, [f64; 4])| {
+        if i < 24 && i % 5 == 0 {
+            row.1[2] += if i % 2 == 0 { 0.7 } else { -0.7 };
+        }
+    };
+    refused(with(scattered, true, &[]), "error[sweep-many-foreign] joint=q1 aside=5 readings=24");
+    let at_rest = |_: usize, row: &mut (usize, Vector, [f64; 4])| row.1 = if row.0 == 0 { TARGET } else { row.1 };
+    refused(with(at_rest, false, &slides), "error[sweep-undetermined] joint=q1");
+    let straight = table(&rows(), true).replace("q4_mm", "q4_deg");
+    let (code, _, err) = run(&straight, &[]);
+    refused((code.unwrap(), err), "error[sweep-undetermined] joint=q4");
+}
+
+#[test]
+fn sweeps_that_say_little_are_named() {
+    let has = |(code, err): (i32, String), said: &str| assert!(code == 0 && err.says(said), "{said}: {err}");
+    let mut noise = Noise::new(11, 0);
+    let short: Vec<_> = rows()
+        .into_iter()
+        .map(|(joint, _, q)| (joint, q.map(|v| v / if joint == 3 { 1.0 } else { 12.0 })))
+        .map(|(joint, q)| (joint, position(&q).map(|v| v + noise.gaussian(0.01)), q))
+        .collect();
+    let (code, _, err) = run(&table(&short, true), &[]);
+    has((code.unwrap(), err), "warning[sweep-weak] joint=q1");
+    let metres = |_: usize, row: &mut (usize, Vector, [f64; 4])| row.1 = row.1.map(|v| v / 1000.0);
+    has(with(metres, false, &["--prismatic", "q4"]), "warning[sweep-unit]");
+    let three: Vec<_> = rows().into_iter().filter(|row| row.0 < 3).collect();
+    let (code, _, err) = run(&table(&three, true), &[]);
+    has((code.unwrap(), err), "warning[sweep-joint-missing] count=1");
+    // joint 1 wobbles smoothly, as on a bearing with run-out
+    let wobble = |_: usize, row: &mut (usize, Vector, [f64; 4])| {
+        row.1[2] += if row.0 == 0 { 0.15 * (9.0 * row.2[0]).sin() } else { 0.0 };
+    };
+    has(with(wobble, true, &[]), "warning[sweep-smooth] joint=q1");
+    let moved = |_: usize, row: &mut (usize, Vector, [f64; 4])| row.1[1] += if row.0 == 1 { 1.0 } else { 0.0 };
+    has(with(moved, true, &[]), "warning[sweeps-disagree] what=sweeps");
+    // a check pose with another target
+    let q = [0.3, -0.4, 0.5, 100.0];
+    let rows = [rows(), vec![(9, position(&q), q)]].concat();
+    let named = table(&rows, true).lines().fold(String::new(), |mut out, line| {
+        let target = if line.starts_with("joint") {
+            "target"
+        } else if line.starts_with(',') {
+            "B"
+        } else {
+            "A"
+        };
+        let _ = writeln!(out, "{line},{target}");
+        out
+    });
+    let (code, _, err) = run(&named, &[]);
+    has((code.unwrap(), err), "warning[sweep-target-unswept]");
+}

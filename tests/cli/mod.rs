@@ -30,6 +30,7 @@ mod verdict;
 
 use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
+use etalon::base::catalogue::IntoArgument;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -281,7 +282,7 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
     let found = answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], 0);
     assert!(found.errors.is_empty());
     let [warning, lacking] = &found.warnings[..] else { panic!("{found:?}") };
-    assert_eq!((lacking.id.as_str(), lacking.what.ends_with("pose 1")), ("targets-missing", true));
+    assert_eq!((lacking.id.as_str(), &lacking.arguments["poses"]), ("targets-missing", &"1".argument()), "{lacking:?}");
     assert_eq!((warning.file.as_deref(), warning.line), (Some("exports/poses.txt"), Some(1)));
     assert_eq!(found.sources.iter().map(|s| s.rows_read).collect::<Vec<_>>(), [0, 0, 25, 590, 295]);
     // no campaign at all is an answer too

@@ -404,3 +404,22 @@ fn labels_that_name_no_pose_of_the_log_join_by_row() {
     assert_eq!(answer(at, &[("name", "\"tracker\""), ("expanded_uncertainty_um", "20")]).len(), 2);
     is_calibrated(&found(at));
 }
+
+#[test]
+fn several_logs_and_several_tables_are_lists() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rows = |columns: &str, more: &str| format!("pose,{columns}q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg{more}\n");
+    let log = rows("", "") + "1,0,0,0,0,0,0\n2,1,2,3,4,5,6\n";
+    let table = rows("target,", ",x_mm,y_mm,z_mm") + "1,A,0,0,0,0,0,0,1,2,3\n2,A,10,0,0,0,0,0,1,2,3\n";
+    for (section, text) in [("log", log), ("observations", table)] {
+        ["a.csv", "b.csv"].iter().for_each(|name| std::fs::write(at.join(name), &text).unwrap());
+        let (code, said) = program(at, &["init", section, "--robot", "ur5e", "--from", "a.csv", "b.csv"]);
+        assert_eq!(code, Some(0), "{said}");
+        let text = std::fs::read_to_string(at.join(section).join("campaign.toml")).unwrap();
+        let stated: toml::Table = toml::from_str(&text).unwrap();
+        let files: Vec<&str> =
+            stated[section].as_array().unwrap().iter().filter_map(|part| part["file"].as_str()).collect();
+        assert_eq!(files, ["a.csv", "b.csv"], "{text}");
+    }
+}

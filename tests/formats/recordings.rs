@@ -117,6 +117,15 @@ fn slips_in_the_statement_of_a_topic_are_refused() {
 }
 
 #[test]
+fn a_recording_without_joints_points_or_poses_is_named() {
+    let scratch = with_log("", "");
+    let file = scratch.path().join("run.mcap");
+    std::fs::write(&file, recording(&[("/rosout", "rcl_interfaces/msg/Log", vec![0; 8])])).unwrap();
+    let said = propose_file(&file).unwrap_err();
+    assert!(said.0[0].is("recording-without-known-topics", &[]), "{said}");
+}
+
+#[test]
 fn the_proposal_for_a_recording_reads_its_joints_and_poses() {
     let scratch = with_log("", "");
     let file = scratch.path().join("run.mcap");

@@ -2,8 +2,11 @@
 
 use super::etalon;
 use crate::support::arms::{SIX_AXES, serial};
+use crate::support::said::has;
 use crate::support::scratch::Scratch;
+use etalon::base::catalogue::Phrase;
 use etalon::base::noise::Noise;
+use etalon::base::phrase;
 use etalon::base::pose::{Pose, Vector};
 use etalon::robots::{Kinematics, Quantity, Robot, Role};
 use std::fmt::Write;
@@ -98,14 +101,14 @@ fn no_cause(scratch: &Scratch) -> [(Option<i32>, String); 2] {
 }
 
 /// The campaign is refused by this cause.
-fn named(scratch: &Scratch, cause: &str) {
+fn named(scratch: &Scratch, cause: &Phrase) {
     named_by(scratch, cause, &["check"]);
 }
 
-fn named_by(scratch: &Scratch, cause: &str, commands: &[&str]) {
+fn named_by(scratch: &Scratch, cause: &Phrase, commands: &[&str]) {
     for command in commands {
         let (code, said) = etalon(scratch, command);
-        assert!(code != Some(0) && said.contains(cause) && said.contains(NAMES_A_CAUSE), "{command}, {cause}: {said}");
+        assert!(code != Some(0) && has(&said, cause) && said.contains(NAMES_A_CAUSE), "{command}, {cause}: {said}");
     }
 }
 
@@ -164,15 +167,15 @@ fn slips_in_joints_are_named() {
         rows.iter_mut().for_each(|row| how(&mut row.q));
         positions(&rows)
     };
-    named_by(&changed(&|q| q[5] = -q[5]), "with `q6` reversed", &["check", "run"]);
-    named(&changed(&|q| q.swap(3, 5)), "with `q4` and `q6` exchanged");
-    named(&changed(&|q| q[2] += std::f64::consts::FRAC_PI_2), "with -90 deg added to `q3`");
+    named_by(&changed(&|q| q[5] = -q[5]), &phrase!("slip-reversed", joint = "`q6`"), &["check", "run"]);
+    named(&changed(&|q| q.swap(3, 5)), &phrase!("slip-exchanged", first = "`q4`", second = "`q6`"));
+    named(&changed(&|q| q[2] += std::f64::consts::FRAC_PI_2), &phrase!("slip-offset", degrees = "-90", joint = "`q3`"));
     // each pose has the joints of the one before
     let mut rows = wide(3);
     for k in (3..rows.len()).rev() {
         rows[k].q = rows[k - 3].q.clone();
     }
-    named(&positions(&rows), "with the joint values of each pose taken from the next pose");
+    named(&positions(&rows), &phrase!("slip-neighbour", neighbour = "next"));
 }
 
 const QUATERNION: &str = ",qw,qx,qy,qz";
@@ -216,15 +219,30 @@ fn slips_in_orientations_are_named() {
     };
     named_by(
         &with(quaternion, |q| vec![q[1], q[2], q[3], q[0]]),
-        "with the scalar of the quaternions last",
+        &phrase!("orientation-slip", slip = "scalar-last", name = ""),
         &["check", "run"],
     );
-    named(&with(quaternion, |q| vec![q[0], -q[1], -q[2], -q[3]]), "with the inverse rotations");
-    named(&with(quaternion, |q| vec![q[0], -q[1], -q[2], q[3]]), "with a left-handed frame (z reversed)");
-    named(&with(vector, |v| v.iter().map(|v| v.to_radians()).collect()), "with angles in radians instead of degrees");
-    named(&with(vector, |v| v.iter().map(|v| -v).collect()), "with the inverse rotations");
-    named(&with((angles.0, "orientation = \"xyz\"\n", angles.2), |v| v), "with angles in the order `zyx`");
+    named(
+        &with(quaternion, |q| vec![q[0], -q[1], -q[2], -q[3]]),
+        &phrase!("orientation-slip", slip = "inverse", name = ""),
+    );
+    named(
+        &with(quaternion, |q| vec![q[0], -q[1], -q[2], q[3]]),
+        &phrase!("orientation-slip", slip = "left-handed", name = "z"),
+    );
+    named(
+        &with(vector, |v| v.iter().map(|v| v.to_radians()).collect()),
+        &phrase!("orientation-slip", slip = "radians", name = ""),
+    );
+    named(&with(vector, |v| v.iter().map(|v| -v).collect()), &phrase!("orientation-slip", slip = "inverse", name = ""));
+    named(
+        &with((angles.0, "orientation = \"xyz\"\n", angles.2), |v| v),
+        &phrase!("orientation-slip", slip = "order", name = "zyx"),
+    );
     let mut reversed = rows.clone();
     reversed.iter_mut().for_each(|row| row.q[5] = -row.q[5]);
-    named(&campaign(&reversed, quaternion.0, quaternion.1, quaternion.2), "with `q6` reversed");
+    named(
+        &campaign(&reversed, quaternion.0, quaternion.1, quaternion.2),
+        &phrase!("orientation-slip", slip = "joint", name = "q6"),
+    );
 }

@@ -1,7 +1,8 @@
 //! Tables of several kinds of observations: every slip is refused by name, with its line.
 
-use crate::support::said::Says;
+use crate::support::said::{Says, has};
 use crate::support::scratch::{copy_sample, ends};
+use etalon::base::phrase;
 use std::process::Command;
 
 const ROBOT: &str = r#"model = "serial"
@@ -278,7 +279,10 @@ fn orientations_in_any_form_are_the_same() {
         assert!(!error.contains("`yzx`") && !error.contains("`xyx`"), "{error}");
     }
     let (code, _, error) = run("a_deg,b_deg,c_deg", &rpy, &["--orientation", "xyz"]);
-    assert!(code == Some(2) && error.contains("with angles in the order `fixed xyz`"), "{code:?} {error}");
+    assert!(
+        code == Some(2) && has(&error, &phrase!("orientation-slip", slip = "order", name = "fixed xyz")),
+        "{code:?} {error}"
+    );
     let (code, _, error) = run("a_deg,b_deg,c_deg", &rpy, &["--orientation", "rpy"]);
     assert!(code == Some(2) && error.contains("[angle-order-unknown]"), "{error}");
     let (code, _, error) = run("a_deg,b_deg,c_deg,qw", &|body| [rpy(body), vec![1.0]].concat(), &[]);

@@ -335,6 +335,15 @@ fn ply_is_the_same_as_text_and_in_both_orders_of_bytes() {
 }
 
 #[test]
+fn a_vertex_of_a_binary_file_that_is_not_a_number_is_refused() {
+    let bytes = binary(false, false);
+    let (head, vertices) = bytes.split_once("end_header\n").unwrap();
+    let not_a_number: String = f32::NAN.to_le_bytes().map(char::from).iter().collect();
+    let wrong = format!("{head}end_header\n{not_a_number}{}", vertices.chars().skip(4).collect::<String>());
+    refused("ply", &wrong, &["[vertex-not-finite]"]);
+}
+
+#[test]
 fn counts_that_no_file_can_hold_are_refused_at_once() {
     let start = Instant::now();
     let huge = |text: &str| text.replace("vertex 4\n", "vertex 4000000000\n");

@@ -4,6 +4,7 @@ use super::{ends, etalon};
 use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::catalogue::IntoArgument;
+use etalon::base::phrase;
 use etalon::campaign::Campaign;
 use etalon::documents::ParametersDocument;
 
@@ -168,7 +169,8 @@ fn a_reversed_joint_that_reaches_no_pose_is_named_before_the_run() {
         cells.join(",") + "\n"
     };
     std::fs::write(&path, text.lines().enumerate().map(reversed).collect::<String>()).unwrap();
-    let parts = ["error[nominal-robot-not-at-joints]", "with `theta2` reversed", "out of reach"];
+    let slip = phrase!("slip-reversed", joint = "`theta2`").to_string();
+    let parts = ["error[nominal-robot-not-at-joints]", &slip, "out of reach"];
     let said = ends(&scratch, "check", 2, &parts);
     assert!(!said.contains("inf mm"), "{said}");
 }

@@ -155,6 +155,19 @@ const FITS: &[Case] = &[
     ("point-not-finite", "", &[("p.txt", "", "0 0 0\n1 0 0\n0 1 0\n1e300 0 0\n")], "fit plane @/p.txt --unit mm"),
     ("held-radius-not-positive", "", &[("p.txt", "", POINTS)], "fit sphere @/p.txt --unit mm --radius-mm 0"),
     ("held-radius-unsupported", "", &[("p.txt", "", POINTS)], "fit plane @/p.txt --unit mm --radius-mm 10"),
+    (
+        "zone-unproved",
+        "",
+        &[("p.txt", "", "3 3 3\n0 3 1\n3 2 0\n3 3 3\n3 1 3\n0 2 2\n2 3 2\n3 1 0\n1 2 2\n")],
+        "fit cylinder @/p.txt --unit mm --minimum-zone",
+    ),
+    ("zone-proved-locally", "", &[("p.txt", "", CYLINDER)], "fit cylinder @/p.txt --unit mm --minimum-zone"),
+    (
+        "element-not-determined",
+        "",
+        &[("p.txt", "", "0 0 0\n0.001 0 1e-10\n0.002 0 0\n")],
+        "fit circle3d @/p.txt --unit mm",
+    ),
     ("cone-is-cylinder", "", &[("p.txt", "", CYLINDER)], "fit cone @/p.txt --unit mm"),
 ];
 

@@ -3,7 +3,7 @@
 use super::ran;
 use etalon::base::message::Message;
 use etalon::compare::{Compared, compare};
-use etalon::documents::{ParameterStatus, ParametersDocument, UncertaintyFrom};
+use etalon::documents::{Iso9283StreamDocument, ParameterStatus, ParametersDocument, UncertaintyFrom};
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -51,4 +51,17 @@ fn of_parameters_that_are_not_alike() {
     hold("parameters-not-in-all", CALIBRATION, |b| parameters(b).parameters[0].status = ParameterStatus::Fixed);
     hold("nominal-values-differ", CALIBRATION, |b| parameters(b).parameters[3].nominal += 0.5);
     hold("model-misfits", CALIBRATION, |b| parameters(b).residuals.uncertainties_from = UncertaintyFrom::Residuals);
+}
+
+#[test]
+fn of_tests_that_are_not_alike() {
+    fn streams(b: &mut Compared, change: fn(&mut Iso9283StreamDocument)) {
+        let all = b.streams.as_mut().unwrap().streams.iter_mut().map(|named| &mut named.stream);
+        assert!(all.filter(|stream| stream.path.is_some()).map(change).count() > 0);
+    }
+    const TEST: &str = "prexyt-repeatability";
+    hold("document-not-in-all", TEST, |b| b.streams = None);
+    hold("poses-not-in-all", TEST, |b| _ = b.iso9283.as_mut().unwrap().poses.pop());
+    hold("stream-not-in-all", TEST, |b| streams(b, |stream| stream.path = None));
+    hold("stream-commands-differ", TEST, |b| streams(b, |stream| stream.path.as_mut().unwrap().length_mm *= 1.1));
 }

@@ -8,6 +8,8 @@ const COMMENT: &str = "! approach\nMoveL p1";
 const LEADS: &str = "prexyt-geometric+out";
 const RAPID: &str = "MODULE m\nCONST robtarget p1 := [[300,0,400],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\nPROC main()\nMoveL p1, v10, fine, tGrip;\nENDPROC\nENDMODULE\n";
 
+const VERIFY: &str = "verify @/out/observations.csv --robot @/robot.toml --parameters @/out/parameters.json";
+
 const CASES: &[Case] = &[
     ("controller-format-unknown name=jsn", ARM, &[], "export @/out/parameters.json --format jsn"),
     ("template-name", ARM, &[("t.txt", "", "")], "export @/out/parameters.json --template @/t.txt"),
@@ -147,6 +149,31 @@ const CASES: &[Case] = &[
         "identify --robot @/robot.toml --observations @/out/observations.csv --pose-residuals",
     ),
     ("campaign-twice", TABLE, &[], "compare @ @"),
+    ("file-not-of-run", TABLE, &[("out/manifest.json", "\"residuals.parquet\"", "\"other.parquet\"")], "report @"),
+    (
+        "calibration-without-residuals",
+        TABLE,
+        &[
+            ("out/manifest.json", "", ""),
+            ("out/parameters.json", "\"degrees_of_freedom\": 146", "\"degrees_of_freedom\": 0"),
+            (
+                "out/parameters.json",
+                "\"stated_standard_uncertainty_mm\": 0.00135",
+                "\"stated_standard_uncertainty_mm\": null",
+            ),
+        ],
+        VERIFY,
+    ),
+    (
+        "motions-alike",
+        TABLE,
+        &[(
+            "out/observations.csv",
+            "",
+            "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n1,1,K,66.8766,342.3231,0,300,300\n1,1,L,212.8986,342.6089,0,300,300\n",
+        )],
+        VERIFY,
+    ),
     (
         "verify-other-column",
         "draw-wire+out",

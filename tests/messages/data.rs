@@ -1,12 +1,11 @@
 //! Messages about what measurements show: frames, joins, fits and residuals.
 
 use super::logs::{L, POINTS, TIMED};
-use super::{CHECK, Case, hold};
+use super::{CHECK, Case, RUN, hold};
 
 const C: &str = "campaign.toml";
 const CMM: &str = "prexyt-cmm";
 const E: &str = "exports/poses.txt";
-const RUN: &str = "run @";
 const TEST: &str = "prexyt-repeatability";
 
 /// A campaign whose world frame is measured at each pose.
@@ -74,6 +73,63 @@ const GATHERED: &[Case] = &[
         ],
         CHECK,
     ),
+    (
+        "pose-without-frame count=1",
+        CMM,
+        &[
+            EACH,
+            (C, "expanded_uncertainty_um = 2\n", "expanded_uncertainty_um = 2000\n"),
+            (
+                E,
+                "",
+                "A_1_1 1 0 0\nB_1_1 101 0 0\nD_1_1 1 100 0\nK_1_1 67.7767 342.3232 0\nL_1_1 213.7986 342.6090 0\nA_2_1 1 0 0\nB_2_1 101 0 0\nK_2_1 39.5895 66.4283 0\n",
+            ),
+        ],
+        CHECK,
+    ),
+    (
+        "join-by-label-frame",
+        "dextar",
+        &[
+            EACH,
+            (C, "exports/poses.txt", "exports/p.txt"),
+            (C, "file = \"encoders.csv\"", "file = \"e.csv\""),
+            (
+                C,
+                "pose = \"pose\", cycle = \"run\", rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\"",
+                "label = \"label\", theta1_deg = \"a\", theta2_deg = \"b\"",
+            ),
+            (C, "by = [\"pose\", \"cycle\"]", "by = \"label\"\ntargets = [\"T\"]"),
+            ("e.csv", "", "label,a,b\nT_1_1,10,20\nT_2_1,30,40\n"),
+            (
+                "exports/p.txt",
+                "",
+                "A_1_1 1 0 0\nB_1_1 101 0 0\nD_1_1 1 100 0\nT_1_1 67 342 0\nA_2_1 1 0 0\nB_2_1 101 0 0\nD_2_1 1 100 0\nT_2_1 39 66 0\n",
+            ),
+        ],
+        CHECK,
+    ),
+    (
+        "direction-uncertain",
+        CMM,
+        &[
+            (C, "expanded_uncertainty_um = 2.7", "expanded_uncertainty_um = 9000"),
+            ("exports/world.txt", "rail2_a 323.26492 108.80135 95.27373", "rail2_a 323.26492 108.80135 100.0"),
+        ],
+        CHECK,
+    ),
+    (
+        "table-without-poses",
+        "prexyt-geometric",
+        &[
+            (E, "L_9_", "M_9_"),
+            (E, "L_10_", "M_10_"),
+            (E, "L_11_", "M_11_"),
+            (E, "L_12_", "M_12_"),
+            (E, "L_13_", "M_13_"),
+        ],
+        RUN,
+    ),
     ("step-scatters", "prexyt-geometric", &[(C, "12.73", "1.273")], RUN),
     ("homing-instrument-too-coarse", TEST, &[], RUN),
     (
@@ -117,6 +173,55 @@ const IDENTIFIED: &[Case] = &[
     ("outliers", CMM, &[(E, "K_2_1 346.83668", "K_2_1 346.93668")], RUN),
     ("validation-outliers", CMM, &[(E, "K_20_1 418.98933", "K_20_1 419.48933")], RUN),
     ("few-poses-to-leave-out count=2", "draw-wire", &[(C, "\"1-60\"", "\"1-2\"")], "recommend @"),
+    ("placement-unexplained", "column-arm", &[(C, "[identify]", "[identify]\nhold = [\"base_rz\", \"base_ry\"]")], RUN),
+    (
+        "robust-fit-disagrees parameter=shoulder_pan_rx",
+        "column-arm",
+        &[(C, "[identify]", "[identify]\nhold = [\"base_*\", \"SMR_*\"]")],
+        RUN,
+    ),
+    (
+        "parameters-weakly-identifiable",
+        "contacts",
+        &[(C, "file = \"observations.csv\"", "file = \"observations.csv\"\nwithout = { kind = [\"distance\"] }")],
+        RUN,
+    ),
+    (
+        "scale-unobserved",
+        "contacts",
+        &[(C, "file = \"observations.csv\"", "file = \"observations.csv\"\nwithout = { kind = [\"distance\"] }")],
+        RUN,
+    ),
+    (
+        "common-errors-of-conditions",
+        "draw-wire",
+        &[(C, "coverage_factor = 2", "coverage_factor = 2\nexpanded_scale_uncertainty_um_per_m = 10")],
+        "uncertainty @ --draws 100 --resamples 0",
+    ),
+    (
+        "parameter-held-without-effect",
+        "turntable",
+        &[("t.csv", "", ONE_ROW), ("t.csv", "+", "1,2,\n")],
+        "identify --robot @/robot.toml --observations @/t.csv --standard-uncertainty-um 10",
+    ),
+    (
+        "table-value-missing",
+        "turntable",
+        &[("t.csv", "", ONE_ROW), ("t.csv", "+", ",,\n")],
+        "identify --robot @/robot.toml --observations @/t.csv --standard-uncertainty-um 10",
+    ),
+    (
+        "identification-without-result reason=extents-differ",
+        "turntable",
+        &[("t.csv", "", ONE_ROW), ("t.csv", "+", "1e170,1e170,2e170\n2,A,9,8,7,6,5,4,3,1e170,-1e170,1e170\n")],
+        "identify --robot @/robot.toml --observations @/t.csv --standard-uncertainty-um 10",
+    ),
+    (
+        "kinds-need-target-residuals",
+        "draw-wire",
+        &[],
+        "identify --robot @/robot.toml --observations @/observations.csv --standard-uncertainty-um 20 --pose-residuals",
+    ),
     ("place-without-nominal", "column-arm", &[], "validate @ --frames given"),
     (
         "base-off-nominal",
@@ -130,7 +235,9 @@ const IDENTIFIED: &[Case] = &[
     ),
 ];
 
-const QIF: &str = "<QIFDocument versionQIF=\"3.0.0\"><FileUnits><PrimaryUnits><LinearUnit><UnitName>mm</UnitName><UnitConversion><Factor>0.001</Factor></UnitConversion></LinearUnit></PrimaryUnits></FileUnits>\n<Results><MeasuredFeatures n=\"1\"><PlaneFeatureMeasurement id=\"1\">\n<PointList n=\"1\"><WholePointSetId>2</WholePointSetId></PointList></PlaneFeatureMeasurement></MeasuredFeatures>\n<MeasuredPointSet id=\"2\" count=\"4\"><Points>0 0 0 1 0 0 0 1 0 1 1 0.001</Points><Compensated>true</Compensated></MeasuredPointSet></Results></QIFDocument>";
+const ONE_ROW: &str = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,q7_deg,x_mm,y_mm,z_mm\n1,A,0,0,0,0,0,0,0,";
+
+pub(super) const QIF: &str = "<QIFDocument versionQIF=\"3.0.0\"><FileUnits><PrimaryUnits><LinearUnit><UnitName>mm</UnitName><UnitConversion><Factor>0.001</Factor></UnitConversion></LinearUnit></PrimaryUnits></FileUnits>\n<Results><MeasuredFeatures n=\"1\"><PlaneFeatureMeasurement id=\"1\">\n<PointList n=\"1\"><WholePointSetId>2</WholePointSetId></PointList></PlaneFeatureMeasurement></MeasuredFeatures>\n<MeasuredPointSet id=\"2\" count=\"4\"><Points>0 0 0 1 0 0 0 1 0 1 1 0.001</Points><Compensated>true</Compensated></MeasuredPointSet></Results></QIFDocument>";
 
 /// Commands with a table of a few rows.
 const TABLES: &[Case] = &[
@@ -138,11 +245,13 @@ const TABLES: &[Case] = &[
         "proposal-not-toml",
         "",
         &[
-            ("a.csv", "", "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n2,1,2,3,4,5,6\n"),
-            ("b.csv", "", "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n3,0,0,0,0,0,0\n4,1,2,3,4,5,6\n"),
+            ("a.csv", "", "pose,x_mm,y_mm,z_mm\n1,0,0,0\n1,0,0,1\n"),
+            ("b.csv", "", "pose,x_mm,y_mm,z_mm\n1,0,0,0\n1,0,0,1\n"),
+            ("c.csv", "", "pose,x_mm,y_mm,z_mm\n1,0,0,0\n"),
         ],
-        "init @/new --robot ur5e --from @/a.csv @/b.csv",
+        "init @/new --robot ur5e --from @/a.csv @/b.csv @/c.csv",
     ),
+    ("nothing-recognised name=README.md", CMM, &[], "init @/new --robot ur5e --from @/README.md"),
     (
         "axis-table-too-short positions=1",
         "",
@@ -214,6 +323,12 @@ const TABLES: &[Case] = &[
         "compensate @/t.csv --robot @/robot.toml --parameters @/out/parameters.json --frame world",
     ),
     ("reach-unknown", "draw-wire", &[], "iso9283 plan --workspace-mm 300,-250,100,900,350,500 --robot @/robot.toml"),
+    (
+        "direction-zero",
+        "",
+        &[("b.qif", "", QIF), ("b.qif", "<PointList n", "<Normal>0 0 0</Normal><PointList n")],
+        "fit plane @/b.qif",
+    ),
     ("qif-robust", "", &[("b.qif", "", QIF)], "fit plane @/b.qif --robust"),
     ("no-feature-fitted", "", &[("b.qif", "", QIF)], "fit sphere @/b.qif"),
     (
@@ -252,8 +367,50 @@ const TABLES: &[Case] = &[
     ),
 ];
 
+const GEOMETRIC: &str = "\n[geometric.arc]\nball_mm = [500.0, 3.0, 30.0]\nrho3_end_mm = 276.0\ncount = 36\n[geometric.turn]\nball_mm = [85.0, 12.0, 25.0]\ntarget_height_mm = 42.0\nat_mm = [201.0, 150.0]\ntheta_deg = 35.0\ncount = 36\n[geometric.shaft]\nradius_mm = 9.525\nheight_mm = 30.0\nrings_mm = [60.0, 370.0]\nrings = 5\npoints = 8\nrho2_mm = [0.0, 300.0]\nrho3_mm = 150.0\nrepeats = 5\n[geometric.offsets]\nrho23_mm = 150.0\nrho1_end_mm = 170.0\nrepeats = 5\nhoming_um = 0.67\n[[geometric.lead]]\nactuator = 1\nball_mm = [140.0, -20.0, 20.0]\npositions_mm = [0.0, 28.0, 56.0, 84.0, 112.0, 140.0, 168.0]\npasses = 10\n[[geometric.lead]]\nactuator = 2\nball_mm = [5.0, 0.0, 20.0]\npositions_mm = [0.0, 50.0, 100.0, 150.0, 200.0, 250.0, 300.0]\npasses = 10\n[[geometric.lead]]\nactuator = 3\nball_mm = [420.0, -10.0, 20.0]\npositions_mm = [0.0, 50.0, 100.0, 150.0, 200.0, 250.0, 300.0]\npasses = 10\n[[geometric.scale_bar]]\nfrom_mm = [60.0, -80.0, 60.0]\ndirection = [1.0, 0.0, 0.0]\nlength_mm = 300.0\nrepeats = 10\n[[geometric.scale_bar]]\nfrom_mm = [-60.0, 20.0, 60.0]\ndirection = [0.0, 1.0, 0.0]\nlength_mm = 300.0\nrepeats = 10\n[[geometric.ball]]\nat_mm = [270.0, 80.0, 42.0]\nrepeats = 10\n";
+
+const STUDY: &str = "robot = \"robot.toml\"\ntargets = [\"K\", \"L\"]\nframe = \"base\"\nseed = 1\nruns = 1\ndraws = 2\nnoise_um = [5.0]\n[parameters]\n[[workspace]]\njoints = [[10,150,150]]\n[[set]]\nname = \"a\"\n[[set.poses]]\njoints = [[10,150,150],[20,150,150]]\n";
+
 /// Truths and studies.
 const SIMULATED: &[Case] = &[
+    ("study-too-few-poses", CMM, &[("study.toml", "", STUDY)], "study @/study.toml"),
+    (
+        "study-not-by-position model=serial",
+        "draw-wire",
+        &[
+            ("study.toml", "", STUDY),
+            ("study.toml", "\"K\", \"L\"", "\"ball\""),
+            ("study.toml", "joints = [[10,150,150]]", "positions_mm = [[300, 0]]"),
+        ],
+        "study @/study.toml",
+    ),
+    (
+        "study-too-few-positions",
+        CMM,
+        &[(
+            "t.csv",
+            "",
+            "pose,rho1_mm,rho2_mm,rho3_mm\n1,10,150,150\n2,20,150,150\n3,30,150,150\n4,10,150.001,150.001\n",
+        )],
+        "plan --robot @/robot.toml --candidates @/t.csv --target K --positions 4 --truth @/truth.toml --standard-uncertainty-um 20 --prior none",
+    ),
+    (
+        "simulated-rows-lost",
+        CMM,
+        &[
+            ("truth.toml", "decimals = 5", "decimals = 0\nnoise_um = 0.0"),
+            ("truth.toml", "at_mm = [8.0, -40.0, 0.0]", "at_mm = [0, 0, 0]"),
+            ("truth.toml", "xyz_mm = [312.7, 148.2, 95.4]", "xyz_mm = [0, 0, 0]"),
+        ],
+        "simulate @",
+    ),
+    (
+        "simulated-table-misread",
+        "turntable",
+        &[(C, "file = \"observations.csv\"", "file = \"observations.csv\"\ncolumns = { y_mm = \"x_mm\" }")],
+        "simulate @",
+    ),
+    ("truth-geometric-without-campaign", CMM, &[("truth.toml", "+", GEOMETRIC)], "simulate @"),
     ("truth-not-touching", "surfaces", &[("truth.toml", "wall_x = 620.0", "wall_x = 9620.0")], "simulate @"),
     (
         "study-set-empty",

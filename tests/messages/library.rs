@@ -1,7 +1,8 @@
 //! Messages of functions that programs call with values in memory: commands check these values before.
 
+use super::ran;
 use etalon::base::message::{Message, Problems};
-use etalon::documents::Iso9283Places;
+use etalon::documents::{Iso9283Places, ParametersDocument};
 use etalon::fit::{Element, FitSettings, Probe, Side, Source, element, rigid};
 use etalon::identify::geometric::{self, BaseMeasurements, LeadMeasurements, Measurements, ShaftMeasurements};
 use etalon::identify::{Comparison, GivenParameters, Observation, Settings, ToolFrame, ToolPoint};
@@ -10,7 +11,8 @@ use etalon::standards::iso9283::load::{Loaded, compliance};
 use etalon::standards::iso9283::motion::standstill::{Stillness, standstills};
 use etalon::standards::iso9283::motion::stream::Stream;
 use etalon::standards::iso9283::path::accuracy::{path_accuracy, path_accuracy_on_reorientation};
-use etalon::standards::iso9283::path::commanded::CommandedPath;
+use etalon::standards::iso9283::path::commanded::{CommandedPath, Corner};
+use etalon::standards::iso9283::path::cornering::cornering;
 use etalon::standards::iso9283::path::passes::passes;
 use etalon::standards::iso9283::path::repeatability::path_repeatability;
 use etalon::standards::iso9283::path::velocity::path_velocity;
@@ -20,6 +22,7 @@ use etalon::standards::iso9283::pose::distance::distance;
 use etalon::standards::iso9283::pose::ellipsoid::ellipsoid;
 use etalon::standards::iso9283::pose::exchangeability::exchangeability;
 use etalon::standards::iso9283::pose::noise_free::without_noise;
+use polars::prelude::Column;
 
 const O: [f64; 3] = [0.0; 3];
 const X: [f64; 3] = [1.0, 0.0, 0.0];
@@ -103,6 +106,8 @@ fn of_characteristics_of_paths() {
     let points = path.command_points(10);
     let driven = passes(&stream, &points, 5.0).unwrap().complete;
     let still = |radius_mm, duration_s| of(standstills(&stream, &Stillness { radius_mm, duration_s }));
+    // both legs end before the next point of the path
+    let corner = Corner { position_mm: O, incoming: X, outgoing: Y, along_mm: [1.0, 2.0, 3.0] };
     let weave = |stroke_mm, frequency_hz| Weave { stroke_mm, frequency_hz, across: Y };
     hold(vec![
         ("standstill-thresholds", still(0.0, 0.2)),
@@ -111,6 +116,7 @@ fn of_characteristics_of_paths() {
         ("path-without-reorientation", of(path_accuracy_on_reorientation(&driven, &points, &path))),
         ("passes-of-other-path", of(path_accuracy(&driven, &path.command_points(50)))),
         ("too-few-passes", of(path_repeatability(&driven, &points))),
+        ("corner-without-points", of(cornering(&stream, &driven, &points, &corner, None))),
         ("velocity-not-positive", of(path_velocity(&driven, &points, 0.0, 0.5))),
         ("velocity-too-few-points", of(path_velocity(&driven, &points, 100.0, 0.1))),
         ("weave-command", of(weaving(&stream, 0..101, X, &weave(10.0, 0.0)))),
@@ -220,4 +226,64 @@ fn of_given_parameters_and_tools() {
         ("common-uncertainty-alone", refused(etalon::identify::identify(&robot, &near, &common))),
     ]);
     assert!(tool(ToolFrame::Platform).is_empty() && compare(&near, &settings, &sound).is_empty());
+}
+
+/// A robot of a program's own, which has no inverse kinematics.
+struct Forward(Prexyt);
+
+impl Robot for Forward {
+    fn definition(&self) -> &etalon::robots::Definition {
+        self.0.definition()
+    }
+    fn definition_mut(&mut self) -> &mut etalon::robots::Definition {
+        self.0.definition_mut()
+    }
+    fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        self.0.positions(parameters, joints, out);
+    }
+    fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        self.0.jacobian(parameters, joints, out);
+    }
+    fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+        self.0.joint_jacobian(parameters, joints, out);
+    }
+}
+
+#[test]
+fn of_robots_and_tables_of_programs() {
+    let robot = Forward(Prexyt::default());
+    let point = ToolPoint { point_mm: X, frame: ToolFrame::Targets, standard_uncertainty_mm: 0.01 };
+    let joints = [10.0, 150.0, 150.0];
+    // targets K and L at one place
+    let mut parameters = robot.nominal();
+    parameters[robot.index("l_kl").unwrap()] = 0.0;
+    let uneven = vec![Column::new("a".into(), [1.0]), Column::new("b".into(), [1.0, 2.0])];
+    hold(vec![
+        ("no-whole-pose", of(etalon::cli::in_memory::whole_pose(&robot).map(|_| ()))),
+        ("tool-targets-collinear", refused(point.in_base(&robot, &parameters, &joints))),
+        ("table-failed", of(etalon::formats::table::frame(2, uneven))),
+    ]);
+    assert!(refused(point.in_base(&robot, &robot.nominal(), &joints)).is_empty());
+}
+
+#[test]
+fn of_stored_errors_and_parameters() {
+    let out = ran("prexyt-cmm").join("out");
+    let stored = std::fs::read(out.join("residuals.parquet")).unwrap();
+    let stored = etalon::formats::table::from_parquet(stored, 10_000).unwrap();
+    let with = |column: &str, word: &str| {
+        let mut table = stored.clone();
+        table.with_column(Column::new(column.into(), vec![word; stored.height()])).unwrap();
+        of(etalon::stages::evaluate::from_table(&table))
+    };
+    let mut document: ParametersDocument =
+        serde_json::from_slice(&std::fs::read(out.join("parameters.json")).unwrap()).unwrap();
+    let given = |document: &ParametersDocument| of(etalon::stages::given::given(&Prexyt::default(), document));
+    assert!(given(&document).is_empty() && with("set", "validation").is_empty());
+    document.covariance.clear();
+    hold(vec![
+        ("pose-set-unknown", with("set", "control")),
+        ("error-quantity-unknown", with("quantity", "velocity")),
+        ("given-without-covariance", given(&document)),
+    ]);
 }

@@ -17,6 +17,10 @@ pub(super) const TIMED: (&str, &str, &str) = (
 );
 pub(super) const POINTS: (&str, &str, &str) = (E, "", "K;10.2;1;2;0\nL;10.2;3;4;0\nK;20.2;5;6;0\nL;20.2;7;8;0\n");
 const ROWS: &str = "t,RP1,RP2,RP3\n10,0,300,300\n20,0,0,256\n";
+/// The points are near the nominal robot.
+const COARSE: (&str, &str, &str) = (C, "expanded_uncertainty_um = 2\n", "expanded_uncertainty_um = 2000\n");
+const MEASURED: (&str, &str, &str) =
+    (E, "", "K;10.2;66.7767;342.3232;0\nL;10.2;212.7986;342.6090;0\nK;20.2;38.5895;66.4283;0\n");
 const WORLD: &str = "columns = [\"label\", \"x\", \"y\", \"z\"]";
 
 const CASES: &[Case] = &[
@@ -101,6 +105,25 @@ const CASES: &[Case] = &[
         &[("t/report.html", "", "{{ title | upppercase }}")],
         "report @ --templates @/t",
     ),
+    ("rows-without-point count=1", CMM, &[TIMED, COARSE, MEASURED, (L, "", ROWS), (L, "+", "99,0,300,44\n")], CHECK),
+    (
+        "several-rows-near count=3",
+        CMM,
+        &[TIMED, COARSE, MEASURED, (L, "", ROWS), (C, "tolerance_s = 1.0", "tolerance_s = 20.0")],
+        CHECK,
+    ),
+    (
+        "time-invalid",
+        CMM,
+        &[
+            TIMED,
+            (E, "", "K;26.11.2026 25:00:00;1;2;0\n"),
+            (L, "", ROWS),
+            (C, "\"target\", \"time_s\"", "\"target\", \"timestamp\""),
+        ],
+        CHECK,
+    ),
+    ("cannot-write-folder", CMM, &[("out", "", "a file")], "run @"),
 ];
 
 #[test]

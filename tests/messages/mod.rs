@@ -2,6 +2,7 @@
 //!
 //! The commands run in this process, on all cores.
 
+mod altered;
 mod campaign;
 mod command_line;
 mod comparisons;
@@ -32,6 +33,7 @@ type Edits = &'static [(&'static str, &'static str, &'static str)];
 type Case = (&'static str, &'static str, Edits, &'static str);
 
 const CHECK: &str = "check @";
+const RUN: &str = "run @";
 
 fn samples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("samples")

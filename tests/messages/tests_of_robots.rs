@@ -74,6 +74,20 @@ const CASES: &[Case] = &[
         ],
         "iso9283 path @/t.csv --path @/path.csv --near-mm 20 --velocity-mm-s 20 --weave-stroke-mm 10 --weave-hz 0.5 --weave-across 0,1,0",
     ),
+    (
+        "angles-not-separable",
+        "",
+        &[
+            ("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n1,1,0,0,0,10,90,20\n1,2,0,0,0.1,10,90,20\n"),
+            (
+                "r.csv",
+                "",
+                "cycle,target,x_mm,y_mm,z_mm\n1,A,0,0,0\n1,B,1000,0,0\n1,C,0,1000,0\n2,A,0,0,0\n2,B,1000,0,0\n2,C,0,1000,0.5\n",
+            ),
+        ],
+        "iso9283 pose @/t.csv --reference @/r.csv --rotation-order Rz(c)~Ry(b)~Rx(a)",
+    ),
+    ("data-rows-missing", "", &[("t.csv", "", "position_mm,measured_mm,direction\n")], "iso230 @/t.csv"),
     ("iso230-few-runs", "", &[("t.csv", "", "position_mm,measured_mm,direction\n0,0.001,1\n")], "iso230 @/t.csv"),
     (
         "commanded-pose-unmeasured pose=6",

@@ -12,6 +12,11 @@ pub trait Says {
     fn says(&self, expected: &str) -> bool;
 }
 
+/// `true` if the text has a part of a message: the hint or a reason.
+pub fn has(text: &str, part: &Phrase) -> bool {
+    text.contains(&part.to_string())
+}
+
 impl Says for str {
     fn says(&self, expected: &str) -> bool {
         let Some((head, id, arguments)) = by_arguments(expected) else { return self.contains(expected) };

@@ -2,7 +2,7 @@
 
 use etalon_base::catalogue::Argument;
 use etalon_base::message::Problems;
-use etalon_base::{error, files};
+use etalon_base::{error, files, phrase};
 use etalon_campaign::{RobotFile, parse_robot};
 use etalon_documents::FormatsDocument;
 use etalon_formats::{FilesProposal, Format, JOINTS_REMARK, propose_files};
@@ -170,15 +170,11 @@ fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFile
     }
     let mut remarks = String::new();
     if columns.len() != stems.len() {
-        let _ = writeln!(
-            remarks,
-            "# QUESTION: the file has {} columns of joints, and the robot {} joints: leave out those that it does not have",
-            columns.len(),
-            stems.len()
-        );
+        let question = phrase!("from-other-joints", columns = columns.len(), joints = stems.len());
+        let _ = writeln!(remarks, "# QUESTION: {question}");
     } else if !named && in_order {
-        remarks += "# the joints are those of robot.toml in the order of the file\n";
+        let _ = writeln!(remarks, "# {}", phrase!("from-joints-in-order"));
     }
-    let unit = "# for UNIT write deg, rad, mm, m or um: the file does not state it\n";
-    remarks + &lines.replace(JOINTS_REMARK, if lines.contains("_UNIT") { unit } else { "" })
+    let unit = if lines.contains("_UNIT") { format!("# {}\n", phrase!("from-unit-of-joints")) } else { String::new() };
+    remarks + &lines.replace(JOINTS_REMARK, &unit)
 }

@@ -3,8 +3,10 @@
 
 use crate::cli::shell_word;
 use crate::run::walk::checked;
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::files::Stamp;
 use etalon_base::message::{Message, Problems, printable};
+use etalon_base::phrase;
 use etalon_campaign::Campaign;
 use std::path::{Component, Path, PathBuf};
 
@@ -13,21 +15,25 @@ const ANSWERS: [(&str, &str); 3] =
     [("name", "\"instrument\""), ("expanded_uncertainty_um", "20"), ("expanded_rotation_uncertainty_deg", "0.01")];
 /// Units that a trial of an open unit tries.
 const UNITS: [&str; 4] = ["mm", "m", "inch", "um"];
+/// Stands for the units of joints among the open keys.
+const JOINT_UNITS: &str = "UNIT";
 /// Maximum number of errors that are repeated.
 const SHOWN: usize = 3;
 
 /// Returns the next step for a folder with this campaign.toml.
-pub(super) fn next(folder: &Path, text: &str) -> String {
+pub(super) fn next(folder: &Path, text: &str) -> Phrase {
     let mut keys: Vec<&str> = text.lines().filter_map(open).collect();
     keys.dedup();
-    let check = format!("`etalon check {}`", shell_word(folder));
-    let asks = match keys.is_empty() {
-        true => check,
-        false => format!("{check} asks for {}", keys.join(", ")),
+    let named = |key: &str| if key == JOINT_UNITS { phrase!("units-of-joints").argument() } else { key.argument() };
+    let keys: Vec<Argument> = keys.into_iter().map(named).collect();
+    let command = format!("`etalon check {}`", shell_word(folder));
+    let next = match keys.is_empty() {
+        true => phrase!("next-command", command),
+        false => phrase!("next-check-asks", command, keys),
     };
     match refusal(folder, text) {
-        Some(reasons) => format!("{asks}; the proposal would then be refused: {reasons}"),
-        None => asks,
+        Some(reasons) => phrase!("next-check-refused", next, reasons),
+        None => next,
     }
 }
 
@@ -60,7 +66,7 @@ fn open(line: &str) -> Option<&str> {
     let is_open = !stated.trim_start().starts_with('#') && stated.contains("= \"?\"");
     let is_unit = !stated.trim_start().starts_with('#') && stated.contains("_UNIT =");
     match (is_open, is_unit) {
-        (_, true) => Some("the units of joints"),
+        (_, true) => Some(JOINT_UNITS),
         (true, _) => stated.split('=').next().map(str::trim),
         _ => None,
     }

@@ -3,7 +3,7 @@
 use super::super::{Verdict, pose_table, print, print_written, remark};
 use etalon_base::files;
 use etalon_base::message::Problems;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::read_robot;
 use etalon_documents::{Iso9283Places, Iso9283PlanDocument, Iso9283Unreached, to_json};
 use etalon_formats::table::{ANGLES, XYZ};
@@ -130,7 +130,7 @@ fn programme(document: &Iso9283PlanDocument) -> String {
 }
 
 fn as_text(document: &Iso9283PlanDocument) -> String {
-    let mut text = format!("side {} mm, test plane {}\n", document.side_mm, document.test_plane);
+    let mut text = format!("{}\n", phrase!("plan-side", side = document.side_mm, plane = document.test_plane));
     for (k, [x, y, z]) in (1..).zip(&document.corners_mm) {
         let _ = writeln!(text, "C{k} {x:.3} {y:.3} {z:.3}");
     }

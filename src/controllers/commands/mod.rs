@@ -14,7 +14,6 @@ mod urscript;
 pub use galil::Galil;
 
 use super::Given;
-use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use std::collections::BTreeSet;
@@ -65,11 +64,8 @@ pub trait CommandLanguage: Sync {
     ///
     /// # Errors
     ///
-    /// Reports targets that cannot be compensated individually, and languages whose programs cannot
-    /// be read.
-    fn targets(&self, _program: &[u8], _freedoms: Freedoms) -> Result<Program> {
-        Err(error!("program-not-readable").into())
-    }
+    /// Reports targets that cannot be compensated individually.
+    fn targets(&self, program: &[u8], freedoms: Freedoms) -> Result<Program>;
 }
 
 /// Contents of a program.

@@ -53,7 +53,7 @@ impl Iso9283ComplianceDocument {
     /// Creates the document of all directions in which the robot was loaded.
     pub fn new(found: Vec<DirectionalCompliance>) -> Self {
         let short: Vec<&str> = found.iter().filter(|d| d.cycles < CYCLES).map(|d| d.direction).collect();
-        let warning = || warning!("few-cycles-of-direction", least = CYCLES, directions = short);
+        let warning = || warning!("few-cycles-of-direction", least = CYCLES, count = short.len(), directions = short);
         let conventions = [phrase!("convention-compliance"), phrase!("convention-compliance-clause")];
         Self {
             schema: "etalon/iso9283-compliance/1".to_owned(),

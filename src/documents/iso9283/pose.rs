@@ -414,10 +414,10 @@ fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
         (!names.is_empty()).then_some(names)
     };
     if let Some(short) = named(|p| p.cycles < CYCLES) {
-        messages.push(warning!("few-cycles", least = CYCLES, poses = short));
+        messages.push(warning!("few-cycles", least = CYCLES, count = short.len(), poses = short));
     }
     if let Some(coarse) = named(|p| p.quarter_rule_met == Some(false)) {
-        messages.push(warning!("instrument-too-coarse", poses = coarse));
+        messages.push(warning!("instrument-too-coarse", count = coarse.len(), poses = coarse));
     }
     messages
 }
@@ -470,5 +470,5 @@ fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<Phrase> {
 fn several_ways(visits: &PoseTest) -> Option<Message> {
     let several = visits.poses.iter().filter(|p| p.approaches().values().filter(|count| **count > 1).count() > 1);
     let poses: Vec<PoseName> = several.map(|p| p.pose).collect();
-    (!poses.is_empty()).then(|| warning!("several-approaches", poses))
+    (!poses.is_empty()).then(|| warning!("several-approaches", count = poses.len(), poses))
 }

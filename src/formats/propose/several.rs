@@ -129,8 +129,35 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         let _ = write!(toml, "\n{}", part.document.toml);
     }
     toml += &tests.unwrap_or_default();
+    toml = as_lists(toml);
     toml += &tail;
     Ok(FilesProposal { documents: parts.into_iter().map(|part| part.document).collect(), toml })
+}
+
+/// Sections that campaign.toml may have several times, as a list.
+const LISTS: [&str; 2] = ["log", "observations"];
+
+/// Lines in which repeated sections are lists. Several logs have names, and a remark on their use.
+fn as_lists(mut toml: String) -> String {
+    for name in LISTS {
+        let head = format!("[{name}]\n");
+        let parts: Vec<&str> = toml.split(&head).collect();
+        if parts.len() < 3 {
+            continue;
+        }
+        let mut text = parts[0].to_owned();
+        for (number, part) in (1..).zip(&parts[1..]) {
+            if name == "log" {
+                let _ = writeln!(text, "# DOUBT: {}", printable(&phrase!("doubt-several-logs").to_string()));
+                let _ = writeln!(text, "[[log]]\nname = \"log_{number}\"");
+            } else {
+                let _ = writeln!(text, "[[{name}]]");
+            }
+            text += part;
+        }
+        toml = text;
+    }
+    toml
 }
 
 /// Kinds of tables of a test by ISO 9283.

@@ -120,7 +120,7 @@ pub fn axis_slip(sweep: &Sweep, axis: &JointAxis) -> Option<Slip> {
     let fit = &axis.fit;
     let aside = fit.used.iter().filter(|used| !**used).count();
     let many = aside as f64 > MANY * fit.used.len() as f64;
-    if (many || smooth(sweep, fit).is_some())
+    if (many || smooth(sweep, fit).is_some() || jumps(sweep, fit))
         && let Some(moved) = target_moved(sweep, fit)
     {
         return Some(moved);
@@ -137,6 +137,14 @@ pub fn axis_slip(sweep: &Sweep, axis: &JointAxis) -> Option<Slip> {
 pub fn smooth(sweep: &Sweep, fit: &SweepFit) -> Option<Smooth> {
     let [rms_mm, noise_mm] = motion::smoothness(sweep, fit)?;
     (rms_mm > SMOOTH * noise_mm && rms_mm > 1e-6).then_some(Smooth { rms_mm, noise_mm })
+}
+
+/// `true` if residuals are much larger than most differences of neighbours, as where a target moves
+/// once.
+fn jumps(sweep: &Sweep, fit: &SweepFit) -> bool {
+    motion::usual_noise_mm(sweep, fit)
+        .zip(motion::smoothness(sweep, fit))
+        .is_some_and(|(noise_mm, [rms_mm, _])| rms_mm > SMOOTH * noise_mm && rms_mm > 1e-6)
 }
 
 /// Root mean square of residuals of all readings (mm).

@@ -1,7 +1,8 @@
 //! Sign, zero and error motions of a joint from its sweep.
 
 use super::{Sweep, SweepFit, SweepReading};
-use etalon_base::pose::{Pose, Vector, dot, minus, norm};
+use etalon_base::pose::{Pose, Vector, minus, norm};
+use etalon_math::statistics::median;
 use nalgebra::DMatrix;
 use std::f64::consts::{PI, TAU};
 
@@ -209,26 +210,33 @@ fn rigid_motion(sweep: &Sweep, fit: &SweepFit) -> Option<(f64, f64)> {
     Some((range(axial.into_iter()), tilt))
 }
 
+/// Second differences of the residuals of the used readings of each target (mm).
+fn second_differences(sweep: &Sweep, fit: &SweepFit) -> Vec<[f64; 2]> {
+    let mut all = Vec::new();
+    for path in &fit.paths {
+        let own = sweep.readings.iter().zip(&fit.residuals_mm).zip(&fit.used);
+        let own: Vec<[f64; 2]> =
+            own.filter(|((r, _), used)| **used && r.target == path.target).map(|((_, res), _)| *res).collect();
+        all.extend(own.windows(3).map(|w| [0, 1].map(|k| w[0][k] - 2.0 * w[1][k] + w[2][k])));
+    }
+    all
+}
+
+/// Noise from point to point (mm) by the median of the second differences, which a few jumps do not
+/// change. The median of the squared length of two normal components is 2 ln 2 times their
+/// variance.
+pub(super) fn usual_noise_mm(sweep: &Sweep, fit: &SweepFit) -> Option<f64> {
+    let squares = second_differences(sweep, fit).into_iter().map(|[a, b]| (a * a + b * b) / 6.0);
+    Some((median(squares)? / (2.0 * std::f64::consts::LN_2)).sqrt())
+}
+
 /// Root mean square of residuals, and noise from point to point, of the used readings (mm).
 ///
 /// Neighbours differ by noise alone where the deviation is smooth (von Neumann 1941): the second
 /// differences of equally spaced readings have six times the variance of a reading.
 pub(super) fn smoothness(sweep: &Sweep, fit: &SweepFit) -> Option<[f64; 2]> {
-    let (mut squares, mut seconds, mut counts) = (0.0, 0.0, [0usize; 2]);
-    for path in &fit.paths {
-        let own = sweep.readings.iter().zip(&fit.residuals_mm).zip(&fit.used);
-        let all: Vec<[f64; 2]> =
-            own.filter(|((r, _), used)| **used && r.target == path.target).map(|((_, res), _)| *res).collect();
-        for r in &all {
-            squares += dot([r[0], r[1], 0.0], [r[0], r[1], 0.0]);
-            counts[0] += 2;
-        }
-        for w in all.windows(3) {
-            let second = [0, 1].map(|k| w[0][k] - 2.0 * w[1][k] + w[2][k]);
-            seconds += (second[0].powi(2) + second[1].powi(2)) / 6.0;
-            counts[1] += 2;
-        }
-    }
-    let root = |sum: f64, count: usize| (sum / count as f64).sqrt();
-    (counts[1] >= 12).then(|| [root(squares, counts[0]), root(seconds, counts[1])])
+    let used = fit.residuals_mm.iter().zip(&fit.used).filter(|(_, used)| **used).map(|(residual, _)| *residual);
+    let root = |all: Vec<[f64; 2]>| (all.iter().flatten().map(|v| v * v).sum::<f64>() / (2 * all.len()) as f64).sqrt();
+    let seconds = second_differences(sweep, fit);
+    (seconds.len() >= 6).then(|| [root(used.collect()), root(seconds) / 6f64.sqrt()])
 }

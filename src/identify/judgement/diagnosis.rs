@@ -31,6 +31,12 @@ pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], terminati
     Error::Failed { termination, cause, set_up }
 }
 
+/// Error if no position of base and targets gives finite residuals.
+pub(crate) fn not_located(robot: &dyn Robot, observations: &[Observation]) -> Error {
+    let cause = cause(robot, observations, &robot.nominal());
+    Error::Failed { termination: Termination::NotANumber, cause, set_up: None }
+}
+
 /// Error if no parameter is left: all are held, or the data do not depend on the free ones at
 /// `start`.
 pub(crate) fn nothing_left(

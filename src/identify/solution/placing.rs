@@ -138,10 +138,12 @@ fn place_all(
         let lengths = held.iter().filter(|&&i| robot.parameters()[i].quantity == Quantity::Length);
         lengths.for_each(|&i| values[i] = nominal[i]);
         let free: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
+        let problem = Placing { sightings: &sightings, free: &free, values: &values };
         if free.is_empty() {
+            // base and targets are known: nothing is to be located
+            best = best.or_else(|| problem.as_stated(points));
             continue;
         }
-        let problem = Placing { sightings: &sightings, free: &free, values: &values };
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let solution = etalon_math::solve(&problem, &x, Options { iterations: 50, step: 1e-6, ..Options::default() });
         let rms_mm = (solution.cost / points).sqrt();
@@ -228,6 +230,14 @@ impl Placing<'_> {
             values[i] = x;
         }
         values
+    }
+
+    /// Residual of the values as they are; `None` if it is not finite.
+    fn as_stated(&self, points: f64) -> Option<Placed> {
+        let mut r = vec![0.0; self.residual_count()];
+        self.residuals(&[], &mut r);
+        let rms_mm = (r.iter().map(|v| v * v).sum::<f64>() / points).sqrt();
+        rms_mm.is_finite().then(|| Placed { rms_mm, values: self.values.to_vec() })
     }
 }
 

@@ -1,12 +1,13 @@
 //! Starting values: a tracker may be anywhere, so base and targets of an arm are computed from the
 //! observations.
 
+use crate::Result;
+use crate::judgement::diagnosis::not_located;
 use crate::solution::fixtures::place_fixtures;
 use crate::solution::placing::{
     MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, readings, spread_mm, spread_over,
 };
 use crate::solution::set_up::{explained, far_from_nominal};
-use crate::{Error, Result};
 use crate::{Observation, Settings};
 use etalon_base::error;
 use etalon_base::pose::shortest;
@@ -55,7 +56,7 @@ fn by_points(
         if !subset.iter().all(there) {
             return far_from_nominal(robot, observations, [f64::INFINITY, 0.0], noise_mm).into();
         }
-        Error::BaseNotFound
+        not_located(robot, observations)
     })?;
     let all: BTreeSet<usize> = readings(robot, observations).into_iter().map(|t| t.0).collect();
     if all.len() > MOST_TARGETS {

@@ -81,7 +81,7 @@ fn the_page_needs_no_network_and_runs_no_script_but_its_own() {
 #[test]
 fn every_id_of_a_message_leads_to_its_explanation() {
     let mut documents = Documents::demo();
-    let several = [3, 4].map(|pose| warning!("few-cycles", least = 30, poses = pose));
+    let several = [3, 4].map(|pose| warning!("few-cycles", least = 30, count = 1, poses = pose));
     documents.parameters.messages.extend(several);
     let page = html(&documents.report()).unwrap();
     assert!(page.matches("<a href=\"#message-few-cycles\" title=\"").count() >= 1, "{page}");

@@ -126,7 +126,7 @@ impl JoinedLog {
         rows.sort_by_key(|row| (row.pose, row.cycle, row.target));
         let column = |name: &String| {
             let found = log.joints.iter().position(|other| other == name).ok_or_else(|| {
-                error!("log-column-missing", log = log.name, column = name)
+                error!("log-joint-missing", log = log.name, joint = name, column = name)
                     .hint_names(name, log.joints.iter().map(String::as_str))
             });
             Ok(found?)
@@ -230,7 +230,8 @@ impl JoinedLog {
         let lacking = |(_, n): &(&(PoseName, i64), &usize)| **n < self.targets.len();
         let poses: BTreeSet<PoseName> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
         let alone = seen.values().all(|count| *count == 1);
-        let message = (!poses.is_empty()).then(|| warning!("targets-missing", poses = listed(&poses)))?;
+        let message =
+            (!poses.is_empty()).then(|| warning!("targets-missing", count = poses.len(), poses = listed(&poses)))?;
         Some(match of_rows.filter(|_| alone) {
             Some(file) => message.hint(phrase!("row-is-a-pose", file)),
             None => message,

@@ -2,6 +2,7 @@
 
 use crate::support::documents_of;
 use etalon::base::message::Message;
+use etalon::base::phrase;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::{Campaign, read_robot};
 use etalon::documents::{ImportDocument, ParameterStatus, VerificationDocument, VerificationVerdict};
@@ -107,7 +108,7 @@ fn ten_poses_verify_the_parameters() {
     let named = wrong.messages.iter().any(|m| m.is("one-pose-contradicts", &[("pose", &group[4].pose)]));
     assert!(wrong.verdict == VerificationVerdict::Other && named, "{:?}", wrong.messages);
     let reversed = changed(&|_, o| o.joints[2] = -o.joints[2]).unwrap_err();
-    assert!(reversed.to_string().contains("with `q3` reversed"), "{reversed}");
+    assert!(reversed.to_string().contains(&phrase!("slip-reversed", joint = "`q3`").to_string()), "{reversed}");
 }
 
 #[test]

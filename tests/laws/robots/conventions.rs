@@ -4,6 +4,7 @@
 use crate::support::arms::SIX_AXES;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::noise::Noise;
+use etalon::base::phrase;
 use etalon::base::pose::{Pose, Vector, centroid, cross, minus, norm, unit};
 use etalon::campaign::{Campaign, read_robot};
 use etalon::identify::{Condition, Fixture, Kind, Observation, Orientation, Settings, identify};
@@ -240,7 +241,7 @@ fn metres_of_a_urdf_joint_read_as_millimetres_are_named() {
     scratch.replace("campaign.toml", "lift_m = ", "lift_mm = ");
     let problems =
         pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).err().expect("refused").to_string();
-    assert!(problems.contains("with `lift` in metres instead of millimetres"), "{problems}");
+    assert!(problems.contains(&phrase!("slip-unit", quantity = "`lift`", slip = "m-mm").to_string()), "{problems}");
 }
 
 /// The three reflectors as one pose: position of their centre and orientation of their frame.

@@ -136,9 +136,6 @@ robot-not-in-table = die Geometrie von `{ $name }` ist nicht in der Robotertabel
 iso230-row-incomplete = eine Zeile hat keine Position, keinen Messwert oder keine Richtung
     .expected = Zahlen und +1 oder -1 als `direction`
 
-iso230-no-rows = die Tabelle hat keine Zeilen
-    .hint = die Datei prüfen
-
 iso230-few-runs = Position { $position } mm hat weniger als zwei Anfahrten in Richtung { $direction }
     .expected = Anfahrten von beiden Seiten, fünf nach ISO 230-2
 
@@ -252,3 +249,130 @@ table-without-row = die Tabelle hat dort keine Zeile
 
 test-point-unreached = Punkt { $point } der Liste `{ $list }` wird nicht erreicht: { $reason }
     .hint = den Arbeitsraum verschieben oder verkleinern (--workspace-mm) oder eine andere Orientierung angeben (--orientation-deg)
+
+check-source = { $rows ->
+        [one] { $file }: 1 Zeile, { $refused } abgelehnt ({ $dialect })
+       *[other] { $file }: { $rows } Zeilen, { $refused } abgelehnt ({ $dialect })
+    }
+check-verdict = { $warnings ->
+        [0] { $file }: alles in Ordnung
+        [one] { $file }: keine Fehler, 1 Warnung
+       *[other] { $file }: keine Fehler, { $warnings } Warnungen
+    }
+study-head = Abweichung: { $error }.
+    Mittel von { $runs } Kalibrierungen, { $draws } Ziehungen: Median [95 % der Ziehungen].
+study-set = Satz
+study-noise = Rauschen µm
+study-error = Abweichung
+study-rms-before = RMS vorher
+study-rms = RMS
+study-largest = max.
+study-parameter = Parameter
+study-actual = wahr
+study-mean = Mittel
+study-spread = 3 s
+targets-compensated = { $count ->
+        [one] 1 Ziel kompensiert
+       *[other] { $count } Ziele kompensiert
+    }; { $left ->
+        [one] 1 Ziel in Gelenkwerten unverändert
+       *[other] { $left } Ziele in Gelenkwerten unverändert
+    }
+batch-counts = { $done } beendet, { $not_met } mit nicht eingehaltenen Grenzwerten, { $failed } fehlgeschlagen, { $skipped } übersprungen
+run-skipped = übersprungen: { $campaign } benötigt Daten unter ${ $name }; die Variable ist nicht gesetzt
+no-controller-files = keine Steuerungsdatei wird geschrieben: Das Ergebnis ist nicht plausibel
+next-recommend = { $command } nennt die Parameter, die zu laden sich lohnt; Steuerungsdateien sind im Ausgabeordner
+unmodelled-said = in keinem Parameter: { $error }
+unmodelled-backlash = Umkehrspiel { $joints }
+unmodelled-interpolation = Interpolation des Gebers { $joints }
+unmodelled-every = { $joint } { $amplitude } alle { $period }
+unmodelled-homing = Referenzfahrt (Standardabweichung) { $joints }
+unmodelled-growth = Wärmedehnung { $growth } µm je Meter und Stunde
+unmodelled-bending = Durchbiegung { $bending } µm in einem Meter Abstand von der Basis
+axis-table-largest = { $count ->
+        [one] 1 Position, größte Abweichung { FIXED($largest, 6) } { $unit }
+       *[other] { $count } Positionen, größte Abweichung { FIXED($largest, 6) } { $unit }
+    }
+iso230-accuracy = Genauigkeit A
+iso230-systematic = systematische Positionierabweichung E
+iso230-repeatability = Wiederholgenauigkeit R
+iso230-mean-systematic = mittlere systematische Abweichung M
+iso230-reversal = Umkehrspanne B
+iso230-mean-reversal = mittlere Umkehrspanne
+iso230-both = beidseitig
+iso230-positive = positiv
+iso230-negative = negativ
+fit-seen-none = keine
+fit-any-element = kein Element
+zone-by-least-squares = --minimum-zone weglassen: Die Anpassung erfolgt dann nach der Methode der kleinsten Quadrate
+fit-head = { $element }: { $count ->
+        [one] 1 Punkt
+       *[other] { $count } Punkte
+    }
+fit-center = Mittelpunkt
+fit-point = Punkt
+fit-normal = Normale
+fit-axis = Achse
+fit-radius = Radius
+fit-minor-radius = kleiner Radius
+fit-apex-angle = Öffnungswinkel
+fit-residuals = Residuen
+fit-flatness = Ebenheit
+fit-held-by = Auflagen
+fit-proof = Nachweis
+fit-probe = Taster
+fit-probe-center = Tastermitte
+fit-its-radius = ihr Radius
+fit-stated-point = angegeb. Punkt
+fit-stated-direction = {"  "}Richtung
+fit-stated-radius = {"  "}Radius
+fit-stated-minor-radius = {"  "}kl. Radius
+fit-stated-apex-angle = {"  "}Öffn.winkel
+fit-held-points = Punkte { $upper } und { $lower }
+fit-proof-global = keine andere Zone ist schmaler
+fit-proof-local = keine benachbarte Zone ist schmaler
+fit-proof-none = keiner
+fit-spread = RMS { $rms }, max. { $max }, Form { $form }
+fit-off = { $value } { $unit }, angepasst { $off } { $unit }
+fit-apart = { $value }, angepasst { $apart } { $unit } entfernt
+axes-head = { $joint } { $kind ->
+        [slides] gleitet
+       *[turns] dreht
+    }: { $count ->
+        [one] 1 Messwert
+       *[other] { $count } Messwerte
+    }{ $aside ->
+        [0] {""}
+       *[other] , { $aside } ausgeschlossen
+    }
+axes-direction = {"  "}Richtung     { $direction }  (u = { $u } deg)
+axes-point = {"  "}Punkt        { $point }  (u = { $u } mm)
+axes-circle = {"  "}`{ $target }`  Radius { $radius } mm (u = { $u } mm), Bogen { $arc } deg
+axes-line = {"  "}`{ $target }`  Länge { $length } mm
+axes-error-motions = {"    "}radiale Bewegungsabweichung { $radial } µm, an der Stirnfläche { $face } µm
+axes-straightness = {"    "}Geradheit { $radial } µm und { $face } µm
+axes-axial-and-tilt = {"  "}axiale Bewegungsabweichung { $axial } µm, Kippbewegungsabweichung { $tilt } deg
+axes-motion = {"  "}Bewegung     { $ratio } × Gelenkwert, Differenz { $rms } { $unit } (RMS)
+axes-base = Basis ({ $rule })
+axes-origin = {"  "}Ursprung     { $point }
+axes-target = Zielmarke `{ $target }` am Flansch
+axes-check-pose = Kontrollpose, Zeile { $line }: { $distance } mm vom Roboter  (u = { $u } mm je Komponente)
+next-paste = diese Zeilen in campaign.toml einfügen; `etalon check ORDNER` probiert sie aus
+next-paste-refused = { $next }; sie würden abgelehnt: { $reasons }
+next-simulate = { $command } schreibt die Exporte und das Protokoll
+next-copy = die Exporte und das Protokoll in { $folder } kopieren; `etalon formats DATEI` schlägt für jede Datei das Lesen vor; { $command }
+next-check-asks = { $command } fragt nach { $keys }
+next-check-refused = { $next }; der Vorschlag würde dann abgelehnt: { $reasons }
+next-command = { $command }
+units-of-joints = den Einheiten der Gelenke
+axis-steps-not-whole = von { $from } bis { $to } sind keine ganzen Schritte von { $step }
+assignment-without-number = `{ $name }` hat keine Zahl
+newer-than-unreadable = die Datei von `--newer-than` kann nicht gelesen werden: { $reason }
+pose-argument-expected = erwartet: x,y,z in mm, oder diese Werte und ein Einheitsquaternion qw,qx,qy,qz
+axis-name-expected = der Name einer Achse besteht aus Buchstaben und Ziffern
+stdout-not-written = stdout kann nicht geschrieben werden
+plan-side = Seite { $side } mm, Prüfebene { $plane }
+converted-by = umgewandelt mit etalon robot convert
+from-other-joints = die Datei hat { $columns } Gelenkspalten, der Roboter { $joints } Gelenke: diejenigen weglassen, die er nicht hat
+from-joints-in-order = die Gelenke sind die von robot.toml in der Reihenfolge der Datei
+from-unit-of-joints = für UNIT deg, rad, mm, m oder um schreiben: die Datei gibt sie nicht an

@@ -40,7 +40,10 @@ campaigns-out-of-order = `{ $first }` ist vor `{ $second }` genannt, hat aber da
 document-not-in-all = { $document } wird nicht verglichen: es fehlt in { $folders }
     .hint = Kampagnen vergleichen, die alle dieses Dokument haben
 
-poses-not-in-all = nicht in jeder Kampagne enthaltene Posen: { $poses }
+poses-not-in-all = { $count ->
+        [one] nicht in jeder Kampagne enthaltene Pose: { $poses }
+       *[other] nicht in jeder Kampagne enthaltene Posen: { $poses }
+    }
     .hint = der Name einer Pose muss in allen Kampagnen dieselbe Pose bedeuten
 
 homing = Referenzfahrt

@@ -141,9 +141,6 @@ platform-out-of-reach = die Plattform erreicht die Mitte nicht
 tower-order = die Säulen stehen nicht im Winkelabstand von 120 deg, von oben gesehen gegen den Uhrzeigersinn
     .hint = sie gegen den Uhrzeigersinn nummerieren: `{ $format }` verlangt diese Reihenfolge
 
-program-not-readable = Programme dieser Sprache können nicht gelesen werden
-    .hint = die Ziele als Tabelle angeben
-
 move-incomplete = `{ $command }` gibt nicht { $coordinates } an
     .hint = alle Koordinaten angeben
 

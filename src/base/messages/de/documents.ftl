@@ -3,16 +3,28 @@
 limits-for-several-robots = Grenzwerte gelten für einen Roboter, die Tabelle enthält aber { $robots }
     .hint = jeden Roboter einzeln prüfen; zusammen ergeben sie die Austauschbarkeit
 
-few-cycles = weniger als { $least } Zyklen (Posen: { $poses })
+few-cycles = weniger als { $least } Zyklen { $count ->
+        [one] an Pose { $poses }
+       *[other] an den Posen { $poses }
+    }
     .hint = 30 Zyklen messen (ISO 9283) oder mit den Intervallen urteilen
 
-few-cycles-of-direction = weniger als { $least } Zyklen (Richtungen: { $directions })
+few-cycles-of-direction = weniger als { $least } Zyklen { $count ->
+        [one] in Richtung { $directions }
+       *[other] in den Richtungen { $directions }
+    }
     .hint = mehr Zyklen messen
 
-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Kenngröße (Posen: { $poses })
+instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Kenngröße { $count ->
+        [one] an Pose { $poses }
+       *[other] an den Posen { $poses }
+    }
     .hint = die Werte als Obergrenzen verwenden oder mit einem besseren Messgerät messen
 
-several-approaches = mehrere Anfahrrichtungen (Posen: { $poses }): AP, RP und ihre Intervalle gelten für alle Anfahrten zusammen
+several-approaches = mehrere Anfahrrichtungen { $count ->
+        [one] an Pose { $poses }
+       *[other] an den Posen { $poses }
+    }: AP, RP und ihre Intervalle gelten für alle Anfahrten zusammen
     .hint = die Werte jeder Anfahrrichtung verwenden: die Werte aller Anfahrten zusammen enthalten vAP, und ihre Streuung ist nicht normalverteilt
 
 path-without-pass = die Aufzeichnung enthält keinen Durchlauf der Sollbahn

@@ -66,10 +66,6 @@ held-axis-zero = die festgehaltene Achse { $axis } hat keine Richtung
     .expected = drei Zahlen, nicht alle null
     .hint = die Achse angeben
 
-element-not-found = für die Punkte wurde kein Element { $element } gefunden
-    .expected = Punkte auf einem Element { $element }
-    .hint = prüfen, ob die Punkte zu diesem Element gehören; sonst die Achse festhalten
-
 element-ambiguous = ein anderes Element { $element } passt fast ebenso gut zu den Punkten
     .hint = dort mehr Punkte messen, wo das Element nicht erfasst ist, oder die Achse festhalten
 

@@ -29,9 +29,6 @@ tool-part-missing = der Werkzeugpunkt ist im Koordinatensystem { $part ->
 
 too-few-poses-planned = { $poses } Posen reichen nicht aus, um { $parameters } Parameter zu bestimmen
 
-base-not-found = Basis und Zielmarken können aus diesen Posen nicht bestimmt werden
-    .expected = mindestens vier Posen, in denen sich der Arm in alle Richtungen bewegt
-
 nothing-to-identify = es bleibt kein Parameter zu identifizieren{ $cause ->
         [none] {""}
        *[other] : { $cause }
@@ -54,14 +51,13 @@ parameter-without-effect = die Daten hängen nicht von `{ $parameter }` ab
 
 parameters-inseparable = `{ $parameter }` ist nicht getrennt von { $others } identifizierbar
 
-identifiability-unsteady = die Menge der getrennt identifizierbaren Parameter ändert sich zwischen den Schritten des Lösers
-
 identification-without-result = die Identifikation endete ohne Ergebnis: { $reason }
 
 solver-ended = { $termination ->
         [iteration-limit] keine Konvergenz innerhalb der Iterationsgrenze
         [not-a-number] ein Residuum ist keine Zahl
         [rank-deficient] Parameter sind nicht getrennt identifizierbar
+        [unsteady] die Menge der getrennt identifizierbaren Parameter ändert sich zwischen den Schritten des Lösers
         [too-few-equations] es gibt weniger Gleichungen als Parameter
        *[converged] Konvergenz, aber das Ergebnis ist nicht eindeutig
     }
@@ -146,7 +142,7 @@ nominal-robot-not-at-joints = der nominale Roboter kann diese Gelenkwerte nicht 
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Verknüpfung von Gelenkwerten und Punkten prüfen
 
 placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
-    .hint = Einheiten, Reihenfolge, Vorzeichen und Versatz der Gelenke und die Nennparameter des Roboters prüfen
+    .hint = Einheiten, Reihenfolge, Vorzeichen und Versatz der Gelenke, festgehaltene Parameter von Basis und Zielmarken und die Nennparameter des Roboters prüfen
 
 reference-moved = ab Pose { $pose } sind die gemessenen Positionen gegenüber den Posen bis { $previous } um { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
     .hint = Basis oder Messsystem hat sich bewegt: die beiden Teile getrennt identifizieren oder neu messen

@@ -84,6 +84,7 @@ doubt-rows-not-read = { $count ->
     } so nicht lesbar; die erste ist Zeile { $line }
 doubt-rows-refused = Zeile { $line }: { $reason }; weitere Zeilen: { $more }
 doubt-second-log = auch das Topic `{ $topic }` hat Gelenkwerte
+doubt-several-logs = mehrere Dateien enthalten Gelenkwerte: jedes Protokoll wird für sich identifiziert, und die Protokolle werden verglichen; Teile eines Protokolls gehören in eine Datei
 doubt-sign-of-difference = das Vorzeichen der Differenz ist nicht angegeben: eine Zeile mit der Messung vergleichen
 doubt-six-without-headings = sechs Zahlen ohne Überschriften: eine Position und drei Winkel oder Gelenke, davon drei Schubgelenke
 doubt-thousands-mark = jedes `{ $mark }` steht vor drei Ziffern: es kann ein Tausendertrennzeichen sein

@@ -978,6 +978,7 @@ smallest-sphere-and-circle = Radius der kleinsten umschließenden Kugel und des 
 solver = Löser
 solver-gradient-vanished = konvergiert: die Residuen sind orthogonal zur Jacobi-Matrix
 solver-iteration-limit = nicht konvergiert innerhalb der zulässigen Iterationen: Startwerte prüfen
+solver-no-start = kein Startwert der Suche führte zu einem Element
 solver-not-finite = abgebrochen: Ein Residuum ist nicht endlich; Startwerte und Daten prüfen
 solver-rank-deficient = abgebrochen: Parameter sind nicht getrennt identifizierbar; einen davon festhalten
 solver-residuals-zero = konvergiert: die Residuen sind bis auf Rundung null

@@ -105,9 +105,6 @@ study-set-empty = eine Gruppe hat keine Pose, die der Roboter erreicht
 study-not-by-position = `{ $model }` kann nicht durch Positionen gestellt werden
     .hint = `joints` oder eine Tabelle in `file` angeben
 
-study-without-tool = `{ $model }` hat keine Werkzeugpose
-    .hint = ein Modell mit Kinematik verwenden
-
 truth-not-touching = Pose { $pose }: keine Gelenkwerte nahe den wahren Werten stellen den Kontakt her
     .hint = Gelenkwerte näher am Kontakt angeben oder den Bereich der Ziehungen vergrößern
 
@@ -115,7 +112,7 @@ angle-uncertainty-missing = die Unsicherheit eines Winkels fehlt
     .hint = `expanded_rotation_uncertainty_deg` in [instrument] oder `urot_deg` in [[observe]] angeben
 
 simulated-table-misread = `{ $file }` würde falsch gelesen: eine Beobachtung von Pose { $pose } weicht um { FIXED($off, 3) } mm oder rad ab
-    .hint = `pose = "row"` und `target` von [observations] setzen eine einzige Zielmarke und eine einzige Zeile je Pose voraus
+    .hint = `columns` von [observations] prüfen; `pose = "row"` und `target` setzen dort eine einzige Zielmarke und eine einzige Zeile je Pose voraus
 
 truth-geometric-without-campaign = [geometric] steht in den wahren Werten, aber nicht in der Kampagne, oder ihr Roboter ist kein PreXYT
     .hint = [geometric] in campaign.toml angeben: der Abschnitt nennt die Bezeichnungen

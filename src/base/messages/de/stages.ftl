@@ -175,12 +175,13 @@ backlash-direction-unknown = Protokoll `{ $log }` enthält vor diesen Posen kein
 targets-out-of-plane = die Höhen der Zielmarken des ebenen Roboters reichen von { FIXED($low_mm, 3) } mm bis { FIXED($high_mm, 3) } mm im Weltkoordinatensystem
     .hint = z der Exporte (Einheit, Vorzeichen, Spalte) und die Punkte prüfen, die die Ebene des Weltkoordinatensystems festlegen
 
-log-column-missing = Protokoll `{ $log }` hat keine Spalte `{ $column }`
-
 column-empty = die Spalte `{ $column }` ist leer oder fehlt
     .hint = die Spalte hinzufügen oder die Zelle ausfüllen
 
-targets-missing = Zielmarken fehlen (Posen: { $poses })
+targets-missing = Zielmarken fehlen { $count ->
+        [one] an Pose { $poses }
+       *[other] an den Posen { $poses }
+    }
     .hint = die übrigen Zielmarken dieser Posen zählen; eine Pose oder Orientierung braucht alle
 
 row-is-a-pose = `{ $file }` hat `pose = "row"`, sodass jede Zeile eine eigene Pose ist: diese Zeile entfernen, wenn mehrere Zielmarken an einer Pose gemessen wurden
@@ -464,9 +465,6 @@ joints-of-pose-differ = die Zeilen dieser Pose haben verschiedene Gelenkwerte
 target-repeated = die Zielmarke `{ $target }` kommt zweimal vor
     .hint = Wiederholungen in der Spalte `cycle` nummerieren
 
-table-without-observations = es gibt keine Beobachtungen
-    .hint = Datei und Ausschlüsse prüfen
-
 arms-apart = mit Nennparametern treffen sich die Arme bei diesen Gelenkwerten nicht
     .hint = Einheit, Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
 
@@ -479,9 +477,6 @@ assembly-mode-ambiguous = beide Montagemodi passen gleich gut: { FIXED($near_mm,
 
 assembly-modes-assumed = der Montagemodus von { $count } Beobachtungen wurde aus der Messung abgeleitet ({ $positive } in Modus +1, { $negative } in Modus -1); am wenigsten eindeutig ist Pose { $pose }: { FIXED($near_mm, 1) } mm und { FIXED($far_mm, 1) } mm
     .hint = eine Spalte `assembly` mit 1 oder -1 angeben, wenn das Protokoll sie enthält
-
-height-missing = den Beobachtungen eines räumlichen Roboters fehlt `z_mm`
-    .hint = die Spalte `z_mm` hinzufügen
 
 uncertainties-twice = die Tabelle gibt sowohl Standardunsicherheiten als auch Kovarianzen von Koordinaten an
     .hint = `ux_mm`, `uy_mm`, `uz_mm` entfernen
@@ -611,15 +606,6 @@ direction-undetermined = aus den Punkten ist seine Richtung nur auf { FIXED($dir
 
 direction-uncertain = seine Richtung hat eine Standardunsicherheit von { FIXED($direction_deg, 2) } deg; Grenzwert { $limit_deg } deg
     .hint = Punkte mit größerem Abstand messen
-
-world-frame-incomplete = das Weltkoordinatensystem { $fault ->
-        [plane] hat keine Ebene
-        [feature] hat eine Ebene, die kein Element ist
-        [origin] hat keinen Ursprung
-        [towards] hat kein `towards`
-       *[axis] braucht entweder `x_axis` oder `y_axis`
-    }
-    .hint = `plane`, `origin`, `x_axis` oder `y_axis` und `towards` in [frame.world] angeben
 
 world-side-undetermined = `towards` liegt auf der Achse: die Seite der anderen Achse ist damit nicht festgelegt
     .hint = einen Punkt neben der Achse angeben
@@ -788,7 +774,6 @@ remedy = { $remedy ->
         [row-uncertainty] sie in jeder Zeile angeben oder mit --standard-uncertainty-um
         [part] `frame` ist `flange` für einen Arm, `platform` für einen PreXYT, `targets` für jeden Roboter
         [positions] mehr Positionen wählen oder Parameter mit `--hold` festhalten
-        [base] mehr Posen messen oder base_x .. base_rz und die Zielmarken unter [nominal] in der Roboterdatei angeben
         [hold-fewer] weniger Parameter festhalten und mehr Posen messen
         [more-poses] mehr Posen messen (Wiederholungen einer Pose bringen nichts) oder Parameter mit `hold` in [identify] oder --hold festhalten
         [hold] Parameter in [identify] festhalten oder mehr Posen messen
@@ -983,9 +968,9 @@ sweep-many-foreign = { $aside } von { $readings } Messwerten der Messreihe von `
     .hint = nach einem zweiten bewegten Gelenk oder nach Zeilen einer anderen Messreihe suchen
 
 sweep-foreign = { $count ->
-        [one] 1 Messwert der Messreihe von `{ $joint }` ist
-       *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind
-    } weggelassen: Zeile { $lines }
+        [one] 1 Messwert der Messreihe von `{ $joint }` ist weggelassen: Zeile { $lines }
+       *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind weggelassen: Zeilen { $lines }
+    }
     .hint = diese Messwerte liegen weit von der Bahn aller anderen
 
 sweep-smooth = in der Messreihe von `{ $joint }` weichen die Zielmarken stetig um { FIXED($rms_um, 1) } µm (RMS) von ihrer Bahn ab; von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } µm; die Unsicherheit der Achse ist zu klein

@@ -106,7 +106,7 @@ output-is-input = `{ $output }` would overwrite the input `{ $input }`
 # Means: The operating system refused to write the output folder.
 # Matters: The earlier folder is unchanged; the new result is not stored.
 # Do: Check the permissions and the free space, and close programs that hold files of the folder.
-# Example: an output folder that is read-only
+# Example: a file in place of the output folder
 cannot-write-folder = cannot write the folder `{ $folder }`: { $reason }
 
 # Means: A document cannot be written in its format.

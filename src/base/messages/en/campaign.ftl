@@ -173,7 +173,7 @@ range-exchanged = `{ $key }` is not a range: { $lower } to { $upper }
 # Means: A coupling or transmission names joints wrongly.
 # Matters: The statement cannot be assigned to joints.
 # Do: Use each joint once, by number or name.
-# Example: `[[coupling]]` of joint 7 of a six-axis arm
+# Example: `harmonics = [8]` of a six-axis arm
 joint-reference-wrong = { $fault ->
         [unknown-number] there is no joint { $joint }
         [unknown-name] there is no joint `{ $joint }`
@@ -297,7 +297,7 @@ nominal-unknown = [nominal] names `{ $parameter }`, which is not a parameter of 
 # Means: A nominal length is zero or negative.
 # Matters: The mirrored robot would explain the measurements equally well.
 # Do: State the length as it is drawn.
-# Example: `l11 = -300`
+# Example: `l11 = -230`
 nominal-length-not-positive = the length `{ $parameter }` must be positive
     .hint = state the length as it is drawn
 
@@ -405,8 +405,7 @@ key-belongs-at-top = `{ $key }` belongs at the top, before the first section
 table-head-missing = is the header of their table missing, like `[section]` or `[[joint]]`?
 
 key-remedy = { $key ->
-        [station] stations of an instrument are a column `station` of a table of observations: state
-        [observations] instead of exports and log
+        [station] stations of an instrument are a column `station` of a table of observations: state {"["}observations] instead of exports and log
        *[base_turn_y_deg] delete it: base_rx, base_ry and base_rz are a rotation vector, and no orientation of the base is singular
     }
 

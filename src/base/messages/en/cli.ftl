@@ -288,7 +288,7 @@ enclosing-minimum-zone = an { $element } has no minimum zone
 # Do: State expanded uncertainty over coverage factor, per coordinate, in µm.
 # Example: `--standard-uncertainty-um 0.0027` for 2.7 µm
 uncertainty-implausible = { $option } cannot be the uncertainty of a coordinate in micrometres
-    .hint = state the expanded uncertainty over the coverage factor, per coordinate: 0.0027 mm is 2.7 um
+    .hint = state the expanded uncertainty over the coverage factor, per coordinate: 0.0027 mm is 2.7 µm
 
 # Means: The named robot is not in the table of `etalon init`.
 # Matters: Geometry is taken from published sources only.
@@ -304,13 +304,6 @@ robot-not-in-table = the geometry of `{ $name }` is not in the table of robots
 # Example: a row with direction 0
 iso230-row-incomplete = a row has no position, no measured value or no direction
     .expected = numbers, and +1 or -1 as `direction`
-
-# Means: The table has no rows.
-# Matters: There is nothing to evaluate.
-# Do: Check the file.
-# Example: a table with its header alone
-iso230-no-rows = the table has no rows
-    .hint = check the file
 
 # Means: A position has fewer than two runs in a direction.
 # Matters: A standard deviation needs two values; ISO 230-2 requires five.
@@ -343,7 +336,7 @@ infinite-solutions = { $joints } joints reach a pose in infinitely many ways
 # Means: The robot model has no kinematics of position and orientation.
 # Matters: The command works on whole poses.
 # Do: Use another model.
-# Example: a model of targets alone
+# Example: a program's own model without kinematics
 no-whole-pose = `{ $model }` has no kinematics of a whole pose
     .hint = use another model
 
@@ -438,13 +431,13 @@ two-files-of-one-name = two files are called `{ $name }`
 # Means: The lines that `etalon formats` proposes for a file are not TOML.
 # Matters: A campaign cannot be written from them.
 # Do: Report the file as a defect; state the format by hand in campaign.toml.
-# Example: none is known
+# Example: two tables of attained poses beside one of commanded poses
 proposal-not-toml = the proposal for `{ $name }` cannot be read: { $error }
 
 # Means: No column of a file is recognised as coordinates or joints.
 # Matters: The campaign would not read the file.
 # Do: Look at the columns with `etalon formats`, and state the format in campaign.toml.
-# Example: a file of comments alone
+# Example: `etalon init NEW --from README.md`
 nothing-recognised = no column of `{ $name }` is recognised
     .hint = `etalon formats { $path }` states what its columns could be
 
@@ -548,3 +541,130 @@ table-without-row = the table has no row for this position
 # Example: a workspace that extends beyond the arm
 test-point-unreached = point { $point } of the list `{ $list }` is not reached: { $reason }
     .hint = move or shrink the workspace (--workspace-mm), or state another orientation (--orientation-deg)
+
+check-source = { $rows ->
+        [one] { $file }: 1 row, { $refused } refused ({ $dialect })
+       *[other] { $file }: { $rows } rows, { $refused } refused ({ $dialect })
+    }
+check-verdict = { $warnings ->
+        [0] { $file }: nothing is wrong
+        [one] { $file }: no errors, 1 warning
+       *[other] { $file }: no errors, { $warnings } warnings
+    }
+study-head = Error: { $error }.
+    Mean of { $runs } calibrations, { $draws } draws: median [95 % of the draws].
+study-set = set
+study-noise = noise µm
+study-error = error
+study-rms-before = before RMS
+study-rms = RMS
+study-largest = max
+study-parameter = parameter
+study-actual = actual
+study-mean = mean
+study-spread = 3 s
+targets-compensated = { $count ->
+        [one] 1 target compensated
+       *[other] { $count } targets compensated
+    }; { $left ->
+        [one] 1 target by joint values left as it is
+       *[other] { $left } targets by joint values left as they are
+    }
+batch-counts = { $done } done, { $not_met } with limits not met, { $failed } failed, { $skipped } skipped
+run-skipped = skipped: { $campaign } needs data below ${ $name }, which is not set
+no-controller-files = no controller file is written: the result is implausible
+next-recommend = { $command } lists the parameters that are worth loading; controller files are in the output folder
+unmodelled-said = not in any parameter: { $error }
+unmodelled-backlash = backlash { $joints }
+unmodelled-interpolation = encoder interpolation { $joints }
+unmodelled-every = { $joint } { $amplitude } every { $period }
+unmodelled-homing = homing (standard deviation) { $joints }
+unmodelled-growth = thermal growth { $growth } µm for each metre and hour
+unmodelled-bending = bending { $bending } µm one metre from the base
+axis-table-largest = { $count ->
+        [one] 1 position, largest deviation { FIXED($largest, 6) } { $unit }
+       *[other] { $count } positions, largest deviation { FIXED($largest, 6) } { $unit }
+    }
+iso230-accuracy = accuracy A
+iso230-systematic = systematic positioning error E
+iso230-repeatability = repeatability R
+iso230-mean-systematic = mean systematic error M
+iso230-reversal = reversal error B
+iso230-mean-reversal = mean reversal error
+iso230-both = bidirectional
+iso230-positive = positive
+iso230-negative = negative
+fit-seen-none = none of any kind
+fit-any-element = any element
+zone-by-least-squares = leave --minimum-zone out: the fit is by least squares then
+fit-head = { $element }: { $count ->
+        [one] 1 point
+       *[other] { $count } points
+    }
+fit-center = center
+fit-point = point
+fit-normal = normal
+fit-axis = axis
+fit-radius = radius
+fit-minor-radius = minor radius
+fit-apex-angle = apex angle
+fit-residuals = residuals
+fit-flatness = flatness
+fit-held-by = held by
+fit-proof = proof
+fit-probe = probe
+fit-probe-center = probe center
+fit-its-radius = its radius
+fit-stated-point = stated point
+fit-stated-direction = {"  "}direction
+fit-stated-radius = {"  "}radius
+fit-stated-minor-radius = {"  "}minor radius
+fit-stated-apex-angle = {"  "}apex angle
+fit-held-points = points { $upper } and { $lower }
+fit-proof-global = no other zone is narrower
+fit-proof-local = no neighbouring zone is narrower
+fit-proof-none = none
+fit-spread = rms { $rms }, max { $max }, form { $form }
+fit-off = { $value } { $unit }, fitted { $off } { $unit }
+fit-apart = { $value }, fitted { $apart } { $unit } apart
+axes-head = { $joint } { $kind ->
+        [slides] slides
+       *[turns] turns
+    }: { $count ->
+        [one] 1 reading
+       *[other] { $count } readings
+    }{ $aside ->
+        [0] {""}
+       *[other] , { $aside } set aside
+    }
+axes-direction = {"  "}direction    { $direction }  (u = { $u } deg)
+axes-point = {"  "}point        { $point }  (u = { $u } mm)
+axes-circle = {"  "}`{ $target }`  radius { $radius } mm (u = { $u } mm), arc { $arc } deg
+axes-line = {"  "}`{ $target }`  length { $length } mm
+axes-error-motions = {"    "}radial error motion { $radial } µm, face error motion { $face } µm
+axes-straightness = {"    "}straightness { $radial } µm and { $face } µm
+axes-axial-and-tilt = {"  "}axial error motion { $axial } µm, tilt error motion { $tilt } deg
+axes-motion = {"  "}motion       { $ratio } × joint value, difference { $rms } { $unit } (rms)
+axes-base = base ({ $rule })
+axes-origin = {"  "}origin       { $point }
+axes-target = target `{ $target }` on the flange
+axes-check-pose = check pose, line { $line }: { $distance } mm from the robot  (u = { $u } mm a component)
+next-paste = paste these lines into campaign.toml; `etalon check FOLDER` tries them
+next-paste-refused = { $next }; they would be refused: { $reasons }
+next-simulate = { $command } writes the exports and the log
+next-copy = copy the exports and the log into { $folder }; `etalon formats FILE` proposes how to read each; { $command }
+next-check-asks = { $command } asks for { $keys }
+next-check-refused = { $next }; the proposal would then be refused: { $reasons }
+next-command = { $command }
+units-of-joints = the units of joints
+axis-steps-not-whole = from { $from } to { $to } are not whole steps of { $step }
+assignment-without-number = `{ $name }` has no number
+newer-than-unreadable = the file of `--newer-than` cannot be read: { $reason }
+pose-argument-expected = expected x,y,z in mm, or these and a unit quaternion qw,qx,qy,qz
+axis-name-expected = an axis is named by letters and digits
+stdout-not-written = stdout cannot be written
+plan-side = side { $side } mm, test plane { $plane }
+converted-by = converted by etalon robot convert
+from-other-joints = the file has { $columns } columns of joints, and the robot { $joints } joints: leave out those that it does not have
+from-joints-in-order = the joints are those of robot.toml in the order of the file
+from-unit-of-joints = for UNIT write deg, rad, mm, m or um: the file does not state it

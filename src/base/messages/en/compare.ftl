@@ -3,14 +3,14 @@
 # Means: A recorded path was not evaluated in every campaign.
 # Matters: Only paths of all campaigns are compared.
 # Do: Give streams of one path the same name in all campaigns.
-# Example: stream `square` in one campaign, `Square 1` in the other
+# Example: a stream with `path` in one campaign and without `path` in the other
 stream-not-in-all = stream `{ $stream }` is not in every campaign
     .hint = give the stream of one path the same name in all campaigns
 
 # Means: The commanded points of a path differ between the campaigns.
 # Matters: AT and RT of different points cannot be compared.
 # Do: Use the same path, frame, `path_points` and `near_mm`.
-# Example: `path_points = 50` in one campaign, 100 in the other
+# Example: a path of 100 mm in one campaign, of 110 mm in the other
 stream-commands-differ = the commanded points of stream `{ $stream }` differ: AT and RT are not compared
     .hint = use the same path, frame, `path_points` and `near_mm` in all campaigns
 
@@ -87,7 +87,7 @@ campaigns-out-of-order = `{ $first }` is named before `{ $second }`, but has the
 # Means: A document is missing in some of the campaigns.
 # Matters: Its values are not compared.
 # Do: Compare campaigns that all have it.
-# Example: a campaign without identification
+# Example: [[stream]] in one campaign alone
 document-not-in-all = { $document } is not compared: it is missing in { $folders }
     .hint = compare campaigns that all have it
 
@@ -95,7 +95,10 @@ document-not-in-all = { $document } is not compared: it is missing in { $folders
 # Matters: Only poses of all campaigns are compared.
 # Do: Give the same pose the same name in all campaigns.
 # Example: poses 1 to 5 in one campaign, 1 to 4 in the other
-poses-not-in-all = not in every campaign: pose { $poses }
+poses-not-in-all = not in every campaign: { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    }
     .hint = the name of a pose must mean the same pose in all campaigns
 
 homing = homing

@@ -83,7 +83,7 @@ file-near-nominal = { $formats_count ->
 # Means: The format leaves out identified parameters, and parameters.json has no covariance of them.
 # Matters: Only the covariance determines how the other parameters change without them.
 # Do: Let the run identify again without these parameters.
-# Example: `etalon export --format linuxcnc` with a covariance that lacks the bending of joint 2
+# Example: `etalon export --format linuxcnc` with an empty `covariance`
 covariance-missing = format `{ $format }` does not hold { $parameters }, and parameters.json has no covariance of them
     .hint = run the campaign with `controllers = ["{ $format }"]`: the run identifies again without these parameters
 
@@ -231,7 +231,7 @@ galil-axes = { $joints } joints are too many for a Galil controller
 # Means: A target needs more encoder counts than a variable of a Galil controller holds.
 # Matters: The controller would move to another position.
 # Do: Check `counts_per_unit` and the target.
-# Example: `counts_per_unit` in counts/m for lengths in mm
+# Example: 1000 counts per mm at 10,000,000 mm
 galil-counts-out-of-range = target { $target }: { $counts } counts are out of range
     .expected = at most { $most } counts
 
@@ -246,7 +246,7 @@ certificate-date-missing = a calibration certificate needs the date of the measu
 # Means: A value of the plan is infinite or not a number.
 # Matters: It must not reach a machine, so no target is written.
 # Do: Check the joint ranges and conditions of the plan.
-# Example: a pose that the inverse kinematics cannot reach
+# Example: a position whose `x_mm` is NaN
 targets-not-finite = a value of the plan is non-finite
     .hint = check the joint ranges and conditions of the plan; no target is written
 
@@ -261,30 +261,23 @@ targets-format-unknown = the ending of `{ $file }` is not a format of targets
 # Means: Two neighbouring axes of the arm are the same line.
 # Matters: Denavit-Hartenberg parameters of such an arm are undefined.
 # Do: Check the robot.toml.
-# Example: two revolute joints on one axis
+# Example: an arm whose links have no length and no twist
 axes-coincide = two axes of the arm coincide
     .hint = check the robot.toml
 
 # Means: The identified robot cannot place its platform at the centre of the base.
 # Matters: The positions of the towers follow from joint values at this place.
 # Do: Check the identified lengths.
-# Example: rods that are shorter than the radius of the towers
+# Example: rods of 1 mm
 platform-out-of-reach = the platform does not reach the centre
     .hint = check the identified lengths
 
 # Means: The towers do not follow each other at 120 deg, counterclockwise seen from above.
 # Matters: The format has the towers in this order; another order would exchange motors.
 # Do: Number the towers counterclockwise in robot.toml.
-# Example: towers numbered clockwise
+# Example: a tower that is 54 degrees from its position
 tower-order = the towers are not at 120 deg from each other, counterclockwise from above
     .hint = number them counterclockwise: `{ $format }` has them in this order
-
-# Means: etalon cannot read targets from programs in this language.
-# Matters: The targets to compensate are unknown.
-# Do: Give the targets as a table.
-# Example: a program in a language that is written only
-program-not-readable = programs of this language cannot be read
-    .hint = give the targets as a table
 
 # Means: A movement does not state all its coordinates.
 # Matters: The missing coordinates are those of the previous position, which depends on the course

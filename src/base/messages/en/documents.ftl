@@ -11,14 +11,20 @@ limits-for-several-robots = limits apply to one robot, but the table has { $robo
 # Matters: The intervals of AP and RP are wider.
 # Do: Measure 30 cycles, or judge with the intervals.
 # Example: 10 cycles at pose 1
-few-cycles = fewer than { $least } cycles at pose { $poses }
+few-cycles = fewer than { $least } cycles at { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    }
     .hint = measure 30 cycles (ISO 9283), or judge with the intervals
 
 # Means: A direction was loaded in fewer cycles than ISO 9283 requires.
 # Matters: The compliance in this direction is less certain.
 # Do: Measure more cycles.
 # Example: one cycle in direction +x
-few-cycles-of-direction = fewer than { $least } cycles in direction { $directions }
+few-cycles-of-direction = fewer than { $least } cycles in { $count ->
+        [one] direction { $directions }
+       *[other] directions { $directions }
+    }
     .hint = measure more cycles
 
 # Means: The expanded uncertainty of the instrument exceeds a quarter of the verified value (ISO
@@ -26,7 +32,10 @@ few-cycles-of-direction = fewer than { $least } cycles in direction { $direction
 # Matters: The scatter is partly that of the instrument: the values are upper bounds for the robot.
 # Do: Measure with a better instrument.
 # Example: RP of 0.02 mm measured with U = 0.01 mm
-instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified value at pose { $poses }
+instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified value at { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    }
     .hint = use the values as upper bounds, or measure with a better instrument
 
 # Means: Poses were approached from several directions.
@@ -34,7 +43,10 @@ instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified
 # well.
 # Do: Use the values of each approach, which are listed separately.
 # Example: pose 1 attained from +x and from −x
-several-approaches = several approaches at pose { $poses }: AP, RP and their intervals include all visits
+several-approaches = several approaches at { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    }: AP, RP and their intervals include all visits
     .hint = use the values of each approach: values of all visits contain vAP, and their scatter is not Gaussian
 
 # Means: The recording has no complete pass of the commanded path.
@@ -49,12 +61,15 @@ path-without-pass = the recording has no pass of the commanded path
 # Means: The distance of a sample from the previous one is larger than any robot moves in this time.
 # Matters: They are errors of the instrument, for example a beam break, and are left out.
 # Do: Check the lines in the recording.
-# Example: a jump of 1 m between two samples at 1 kHz
+# Example: a jump of 0.5 m within 0.01 s
 samples-too-fast = { $count ->
         [one] 1 sample
        *[other] { $count } samples
     } left out: faster than a robot moves
-    .hint = check line { $lines }
+    .hint = check the recording at { $count ->
+            [one] line { $lines }
+           *[other] lines { $lines }
+        }
 
 # Means: A velocity is commanded for a path that is the centre line of a weave.
 # Matters: The tool moves along the weave, not along the centre line.
@@ -91,14 +106,14 @@ corner-in-central-part = the central part of the path holds a corner at { FIXED(
 # Means: The minimum zone is proved to be the narrowest only among neighbouring elements.
 # Matters: Another element farther away may have a narrower zone.
 # Do: Compare the form deviation with that of the least-squares fit.
-# Example: a short arc with large form deviation
+# Example: ten points of a cylinder
 zone-proved-locally = the minimum zone is proved to be the narrowest only among neighbouring elements ({ $element })
     .hint = compare its form deviation with that of the least-squares fit
 
 # Means: The zone found was not proved to be the narrowest.
 # Matters: The true form deviation may be smaller.
 # Do: Measure more of the surface.
-# Example: points that hardly show the element
+# Example: nine points that hardly show a cylinder
 zone-unproved = it was not proved that no other { $element } has a narrower zone
     .hint = measure more of the surface: the element is hardly visible in the scatter of the points
 

@@ -342,7 +342,7 @@ whole-number = a whole number
 # Means: The text is not a date with a time of day, or day and month could be exchanged.
 # Matters: Poses are assigned to a log by time.
 # Do: Export times in one of the forms of the example.
-# Example: `11/02/2024 10:00:00` (11 February or 2 November)
+# Example: `26.11.2026 25:00:00`
 time-invalid = `{ $text }` is not a date with a time of day
     .expected = a time like `11.10.2022 15:06:48.043` or `2022-10-11T15:06:48`
 
@@ -567,7 +567,7 @@ metric-misplaced = `METRIC` is outside of columns 11 to 16: the unit is ambiguou
 # Means: A vertex of a PLY file is infinite or not a number.
 # Matters: It is not a measured point.
 # Do: Export the measured points alone.
-# Example: a vertex of a scanner without a return signal
+# Example: a binary PLY file whose first x is NaN
 vertex-not-finite = vertex { $number } is { $coordinates }
     .expected = finite coordinates
     .hint = export the measured points alone
@@ -626,7 +626,7 @@ id-repeated = id { $id } is used twice, first in line { $line }: references use 
 # Means: The file has more messages than are shown.
 # Matters: Their causes may differ from those of the messages that are shown.
 # Do: Correct the causes of the messages that are shown, and read the file again.
-# Example: a QIF file with 80 broken references
+# Example: a QIF file with 60 repeated ids
 further-messages = { $count ->
         [one] 1 further message
        *[other] { $count } further messages
@@ -729,7 +729,7 @@ ros-messages-of-other-joints = { $count ->
 # Means: The recording (MCAP) has no topic with joint values, poses or points that etalon reads.
 # Matters: The recording has no measurements, or has them in messages of another type.
 # Do: Record JointState, PoseStamped or PointStamped messages.
-# Example: a recording of camera images
+# Example: a recording of the topic `/rosout` alone
 recording-without-known-topics = the recording has no topic with joint values, poses or points: { $found }
     .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped or geometry_msgs/PointStamped
     .hint = record a topic with one of these types

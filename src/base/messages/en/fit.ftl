@@ -109,14 +109,6 @@ held-axis-zero = the held axis { $axis } has no direction
     .expected = three numbers, not all zero
     .hint = state the axis
 
-# Means: The search found no element near the points.
-# Matters: Without a starting value the fit cannot converge.
-# Do: Check that the points belong to this feature; otherwise hold its axis.
-# Example: a cylinder through points of a plane
-element-not-found = no { $element } was found near the points
-    .expected = points on a { $element }
-    .hint = check that the points belong to this feature; otherwise hold the axis
-
 # Means: Another element of the same type fits the points about equally well.
 # Matters: Radius and axis may be those of the other element.
 # Do: Measure more points where the element is not covered, or hold its axis.
@@ -128,7 +120,7 @@ element-ambiguous = another { $element } fits the points about equally well
 # Matters: Its parameters have no finite uncertainty.
 # Do: Check the points: the arc may be too short or too straight, or the element may be wrong;
 # otherwise hold the radius or the axis.
-# Example: a circle through points of a straight edge
+# Example: three points on a line, apart from 1e-10 mm, for a circle
 element-not-determined = no { $element } could be fitted: { $termination }
     .expected = points that determine a { $element }
     .hint = check the points (short arc, straight line, wrong element), or hold the radius or the axis

@@ -883,7 +883,7 @@ xacro-value-too-long = the value is longer than { $most_bytes } bytes, or refers
 # Means: The expanded text is very large.
 # Matters: It would fill the memory.
 # Do: Expand the file with xacro, and check its includes.
-# Example: a file that is included many times
+# Example: 66 attributes with a property of 1 MiB
 xacro-too-large = the expanded text is larger than { $most_mib } MiB
 doubt-numbers-and-text = column { $column } holds numbers in { $count } of { $rows } rows, and `{ $text }`: leave out such rows (`header`, `comment`)
 

@@ -78,13 +78,6 @@ tool-part-missing = the tool point is stated in the frame of the { $part }: `{ $
 # Example: 2 poses for 24 parameters
 too-few-poses-planned = { $poses } poses do not determine { $parameters } parameters
 
-# Means: Neither base nor targets can be located from the poses.
-# Matters: Identification starts from their approximate positions.
-# Do: Measure more poses in different directions, or state nominal positions of base and targets.
-# Example: three poses along one line
-base-not-found = base and targets cannot be located from these poses
-    .expected = at least four poses in which the arm moves in all directions
-
 # Means: All parameters are held, or no observation depends on a free parameter.
 # Matters: The system of equations has no unknowns.
 # Do: Hold fewer parameters; check the set-up if a cause is named.
@@ -123,22 +116,17 @@ parameter-without-effect = the data do not depend on `{ $parameter }`
 # Example: the rotation of the base and the zero of the first joint
 parameters-inseparable = `{ $parameter }` is not separately identifiable from { $others }
 
-# Means: The set of separately identifiable parameters changes between steps of the solver.
-# Matters: The set of identified parameters is undefined.
-# Do: Hold parameters, or measure more poses.
-# Example: poses near a singularity
-identifiability-unsteady = the set of separately identifiable parameters changes between steps of the solver
-
 # Means: The solver ended without a result.
 # Matters: No parameters are identified.
 # Do: Check units, order and signs of the joints, and nominal parameters.
-# Example: joint values in radians read as degrees
+# Example: coordinates of 1e170 mm
 identification-without-result = the identification ended without a result: { $reason }
 
 solver-ended = { $termination ->
         [iteration-limit] not converged within the iteration limit
         [not-a-number] a residual is not a number
         [rank-deficient] some parameters are not separately identifiable
+        [unsteady] the set of separately identifiable parameters changes between steps of the solver
         [too-few-equations] there are fewer equations than parameters
        *[converged] converged, but the result is not unique
     }
@@ -158,7 +146,7 @@ assembly-mode-contradicted = the measured position contradicts the assembly mode
 # Matters: A robot of twice the size would fit equally well: the scale is that of the nominal
 # lengths.
 # Do: Measure a distance, or the position of a target.
-# Example: a campaign of orientations only
+# Example: a ball in four sockets whose distances were not measured
 scale-unobserved = no observation contains a length: the scale of the robot is that of its nominal lengths{ $lengths ->
         [none] {""}
        *[other] {" "}({ $lengths })
@@ -219,7 +207,7 @@ no-redundant-observations = there are as many equations as parameters: the uncer
 # Matters: Standard uncertainties from independent readings would be too small; the scatter of the
 # poses is used instead.
 # Do: Measure more poses, or describe the common error.
-# Example: three targets of one pose that are all 0.02 mm off in the same direction
+# Example: errors of 0.4 µm common to all readings of a pose, and noise of 1.35 µm
 pose-residuals-correlated = residuals of one pose are correlated: standard uncertainties are estimated from the scatter of the poses, { FIXED($ratio, 1) } times those from the instrument
     .hint = the robot has errors that the model does not describe, or the instrument has errors common to the readings of a pose
 
@@ -256,7 +244,7 @@ parameters-fixed-by-frames = { $count } parameters are not separately identifiab
 # Means: No observation depends on a parameter.
 # Matters: It is held at its nominal value.
 # Do: If its value is needed, measure poses that depend on it.
-# Example: the last joint of an arm whose only target is on its axis
+# Example: one reading of one target of an arm
 parameter-held-without-effect = the data do not depend on `{ $parameter }`: it is held at its nominal value
 
 # Means: Changes of this parameter and of the others have the same effect on all observations.
@@ -284,7 +272,7 @@ parameter-separable-poorly = `{ $parameter }` is separable from { $others } only
 # Means: A tool point is stated in the frame of the targets, but the targets do not define a frame.
 # Matters: The point has no defined position.
 # Do: State the point in the frame of the flange, or name the first target as the point.
-# Example: two targets of an arm
+# Example: balls K and L of a PreXYT at one place
 tool-targets-collinear = the targets define no frame for the tool point: a spatial robot needs three targets that are not on one line, a planar robot two
     .hint = state the point in the frame of the flange, or use the first target itself ([0, 0, 0])
 
@@ -308,9 +296,9 @@ nominal-robot-not-at-joints = the nominal robot has no pose at these joint value
 # Means: No position of base and targets brings the nominal robot near the measurements.
 # Matters: The set-up is wrong: identified parameters would absorb the mistake.
 # Do: Check units, order, signs and offsets of the joints, and nominal parameters.
-# Example: joint values in degrees read as radians
+# Example: `hold = ["base_rz", "base_ry"]` where the base is turned
 placement-unexplained = no position of base and targets explains the measurements: residuals are { FIXED($left_mm, 1) } mm, the extent of the measured points is { FIXED($spread_mm, 1) } mm
-    .hint = check units, order, signs and offsets of the joints, and the nominal parameters of the robot
+    .hint = check units, order, signs and offsets of the joints, held parameters of base and targets, and the nominal parameters of the robot
 
 # Means: From one pose on, all measured positions are shifted by one constant vector.
 # Matters: Base or measuring system moved during the measurement. Identified parameters would absorb
@@ -324,7 +312,7 @@ reference-moved = from pose { $pose } on, measured positions are shifted by { FI
 # Matters: Standard uncertainties of single parameters are large. Near the measured poses their
 # errors cancel.
 # Do: Measure poses in which the effects of these parameters differ, or hold one of them.
-# Example: base and first link measured in a small region
+# Example: a ball in four sockets whose distances were not measured
 parameters-weakly-identifiable = { $groups } are weakly identifiable from these poses: standard uncertainties { $uncertainties } (correlation { FIXED($correlation, 6) })
 
 # Means: The poses hardly separate several groups of parameters.
@@ -363,7 +351,7 @@ start-too-large = the start has { $start } candidates, more than the { $position
 # Means: The positions of a study do not determine all parameters.
 # Matters: Errors of the identified robot cannot be simulated.
 # Do: Choose more positions.
-# Example: a study of 3 positions for 12 parameters
+# Example: three of four positions that differ in one actuator, without priors
 study-too-few-positions = { $positions } positions do not determine all parameters
     .hint = choose more positions
 

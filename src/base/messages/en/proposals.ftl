@@ -84,6 +84,7 @@ doubt-rows-not-read = { $count ->
     } not read this way, the first is line { $line }
 doubt-rows-refused = line { $line }: { $reason }, and { $more } more
 doubt-second-log = topic `{ $topic }` has joint values too
+doubt-several-logs = several files have joint values: each log is identified by itself, and the logs are compared; parts of one log belong into one file
 doubt-sign-of-difference = the sign of the difference is not stated: compare a row with the measurement
 doubt-six-without-headings = six numbers without headings: a position and three angles, or six joints, three of them prismatic
 doubt-thousands-mark = every `{ $mark }` is before three digits: it may be a thousands mark

@@ -912,6 +912,7 @@ smallest-sphere-and-circle = radius of the smallest enclosing sphere and circle 
 solver = Solver
 solver-gradient-vanished = converged: the residuals are orthogonal to the Jacobian
 solver-iteration-limit = not converged within the permitted iterations: check the starting values
+solver-no-start = no start of the search led to an element
 solver-not-finite = stopped: a residual is non-finite; check the starting values and the data
 solver-rank-deficient = stopped: some parameters are not separately identifiable; hold one of them
 solver-residuals-zero = converged: the residuals are zero within rounding

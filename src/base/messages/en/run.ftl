@@ -356,7 +356,7 @@ not-an-output-folder = `{ $folder }` is not the output folder of a run: its mani
 # Means: The manifest of an output folder does not list a file.
 # Matters: The run did not write it, so it may belong to another campaign.
 # Do: Run the campaign again.
-# Example: the output of a campaign without [identify], and a command that needs parameters.json
+# Example: a manifest.json that lacks `residuals.parquet`
 file-not-of-run = the run did not write `{ $file }`
     .hint = run the campaign again: `etalon run CAMPAIGN`
 

@@ -115,7 +115,7 @@ simulate-utf8 = `etalon simulate` writes UTF-8
 # Means: A reader of the written export would find another number of rows.
 # Matters: The simulation would not test the campaign as stated.
 # Do: Name target, pose and cycle in `label` or `columns`.
-# Example: two repeats without a cycle
+# Example: a point at 0, 0, 0 in a PolyWorks file, which counts as not measured
 simulated-rows-lost = `{ $file }` would be read with { $read } instead of { $rows } rows
     .hint = name target, pose and cycle in `label` or `columns`; `pose = "row"` is for one target a file; without a cycle, state `cycles = 1` in the truth
 
@@ -187,7 +187,7 @@ point-label-formula = a spreadsheet would take the label `{ $label }` of a [[poi
 # Means: [parameters] lacks coordinates of observed fixed points or surfaces.
 # Matters: Their true positions are unknown.
 # Do: State them in [parameters].
-# Example: a plane that is touched, without its position
+# Example: a target `anchor_A` without `anchor_A_x`
 truth-parameters-missing = [parameters] does not state { $parameters }
     .hint = state the true positions of the observed fixed points and surfaces
 
@@ -207,7 +207,7 @@ unmodelled-period = [unmodelled] `period` of `{ $joint }` must be positive
 # Means: A set of poses does not determine all parameters.
 # Matters: The undetermined parameters would remain at nominal values in all calibrations.
 # Do: Add poses to the set.
-# Example: three poses for 13 parameters
+# Example: two poses that differ in one joint
 study-too-few-poses = too few poses to identify all parameters
     .hint = add poses to the set
 
@@ -221,16 +221,9 @@ study-set-empty = a set has no pose that the robot reaches
 # Means: Poses are stated by positions, but the robot needs joint values.
 # Matters: A position does not determine the joints of this robot.
 # Do: State `joints`, or a table in `file`.
-# Example: `circles` for a serial arm
+# Example: `positions_mm` for a serial arm
 study-not-by-position = `{ $model }` cannot be placed by positions
     .hint = state `joints`, or a table in `file`
-
-# Means: The robot model has no pose of a tool.
-# Matters: A study compares errors of the tool.
-# Do: Use a model with kinematics.
-# Example: a model of targets alone
-study-without-tool = `{ $model }` has no pose of a tool
-    .hint = use a model with kinematics
 
 # Means: No joint values near those of the truth bring the targets into contact.
 # Matters: The observation cannot be simulated.
@@ -249,9 +242,9 @@ angle-uncertainty-missing = the uncertainty of an angle is missing
 # Means: A reader of the written table would find other observations.
 # Matters: The simulation would not test the campaign as stated.
 # Do: Check `pose` and `target` of [observations].
-# Example: `pose = "row"` with two rows a pose
+# Example: `columns = { y_mm = "x_mm" }`
 simulated-table-misread = `{ $file }` would be misread: an observation of pose { $pose } is off by { FIXED($off, 3) } mm or rad
-    .hint = `pose = "row"` and `target` of [observations] need one target and one row for each pose
+    .hint = check `columns` of [observations]; its `pose = "row"` and `target` need one target and one row for each pose
 
 # Means: The truth has [geometric], but the campaign has no [geometric], or its robot is not a
 # PreXYT.

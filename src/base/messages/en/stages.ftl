@@ -313,7 +313,7 @@ clock-from-standstills = the clock of log `{ $log }` is set by { $count ->
 # Means: The world frame is measured at each pose, and could not be determined at some poses.
 # Matters: Points of these poses cannot be expressed in the world; they are left out.
 # Do: Find the refused frame targets in import.json, or measure them again.
-# Example: a frame target hidden at pose 12
+# Example: a frame target that was not measured at pose 2
 pose-without-frame = { $count ->
         [one] 1 pose
        *[other] { $count } poses
@@ -362,12 +362,6 @@ backlash-direction-unknown = log `{ $log }` has no motion of a joint with backla
 targets-out-of-plane = the targets of the planar robot have heights from { FIXED($low_mm, 3) } mm to { FIXED($high_mm, 3) } mm in the world frame
     .hint = check z of the exports (unit, sign, column) and the points that define the plane of the world frame
 
-# Means: The log has no column of a joint of the robot.
-# Matters: Joint values are incomplete.
-# Do: Name the column in `columns` of [log].
-# Example: `columns = ["pose", "q1_deg"]` of a robot with two joints
-log-column-missing = log `{ $log }` has no column `{ $column }`
-
 # Means: A column that each row needs is missing, or has an empty cell.
 # Matters: It is unknown to which item the row refers.
 # Do: Add the column, or complete the cell.
@@ -379,7 +373,10 @@ column-empty = the column `{ $column }` is empty or missing
 # Matters: The measured targets are used. A pose or orientation needs all targets.
 # Do: Measure the poses again if their orientations matter.
 # Example: a hidden reflector at pose 12
-targets-missing = targets are missing at pose { $poses }
+targets-missing = targets are missing at { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    }
     .hint = the other targets of these poses are used; a pose or an orientation needs all targets
 
 row-is-a-pose = `{ $file }` states `pose = "row"`, so that each row is a pose of its own: remove this line if several targets were measured at one pose
@@ -478,7 +475,7 @@ times-missing = { $of ->
 # Means: Several rows of the log are within `tolerance_s` of a measured point.
 # Matters: The nearest row is used; if the robot moved, the choice affects the result.
 # Do: Lower `tolerance_s` to less than half the period of the log.
-# Example: `tolerance_s = 5` with a row each second
+# Example: `tolerance_s = 20` with rows 10 s apart
 several-rows-near = { $count ->
         [one] 1 measured point has
        *[other] { $count } measured points have
@@ -497,7 +494,7 @@ points-without-row = { $count ->
 # Means: Some rows of the log are not the nearest row of any measured point.
 # Matters: They do not take part in the result; import.json lists them.
 # Do: Nothing, if no point was measured at these times.
-# Example: standstills at which no point was measured
+# Example: a row at 99 s, and points up to 20 s
 rows-without-point = { $count ->
         [one] 1 row
        *[other] { $count } rows
@@ -947,25 +944,18 @@ joints-of-pose-differ = rows of one pose and cycle have different joint values
 target-repeated = target `{ $target }` occurs twice
     .hint = number repeats in the column `cycle`
 
-# Means: The table has no rows, or no measured rows.
-# Matters: Parameters cannot be identified without observations.
-# Do: Check the file and its exclusions.
-# Example: a table that holds a header alone
-table-without-observations = there are no observations
-    .hint = check the file and the exclusions
-
 # Means: The arms of the nominal robot are too short, or too far apart, to meet at these joint
 # values.
 # Matters: The pose cannot be computed.
 # Do: Check unit, sign and offset of the joints, and the nominal parameters.
-# Example: joint values in radians read as degrees
+# Example: `theta1` = 180 deg, `theta2` = 0 deg of a five-bar robot
 arms-apart = with nominal parameters the arms do not meet at these joint values
     .hint = check unit, sign and offset of the joints, and the nominal parameters
 
 # Means: Candidates are joint values of a parallel robot without the assembly mode.
 # Matters: The robot has two positions at the same joint values.
 # Do: State 1 or -1 in the column `assembly`, or state candidates as positions.
-# Example: `pose,q1_deg,q2_deg` of a five-bar robot
+# Example: `pose,theta1_deg,theta2_deg` of a five-bar robot
 assembly-mode-missing = the assembly mode is not stated
     .expected = 1 or -1 in the column `assembly`
     .hint = candidates may also be positions: `pose,x_mm,y_mm` without joints gives all working modes
@@ -984,14 +974,6 @@ assembly-mode-ambiguous = both assembly modes fit equally well: { FIXED($near_mm
 # Example: a log of a five-bar robot without `assembly`
 assembly-modes-assumed = the assembly mode of { $count } observations was taken from the measurement ({ $positive } in mode +1, { $negative } in mode -1); the least clear pose is { $pose }: { FIXED($near_mm, 1) } mm and { FIXED($far_mm, 1) } mm
     .hint = state a column `assembly` with 1 or -1 if the log has it
-
-# Means: Measured positions of a spatial robot lack `z_mm`.
-# Matters: A spatial position has three coordinates. For single coordinates, leave cells of the
-# column empty.
-# Do: Add the column `z_mm`.
-# Example: `x_mm,y_mm` of a six-axis arm
-height-missing = observations of a spatial robot lack `z_mm`
-    .hint = add the column `z_mm`
 
 # Means: The table has both columns `ux_mm` .. and columns `cxx_mm2` ..
 # Matters: It is undefined which columns weight the rows.
@@ -1073,7 +1055,7 @@ check-readings = check these readings for exchanged labels and mistakes; measure
 # Matters: The residuals are not normally distributed; standard uncertainties may be too small.
 # Do: Look for errors of the robot that the model does not describe, and check the stated
 # uncertainty.
-# Example: a robot with gear errors that are not modelled
+# Example: base and targets held at nominal values that are wrong
 robust-fit-disagrees = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); no pose disagrees with all others: the residuals are not normal
     .hint = the robot has errors that the model does not describe, or the stated uncertainty is too small
 
@@ -1221,14 +1203,14 @@ validation-far = validation is far from the calibration: the median distance of 
 # Means: The column `quantity` of a table of errors has an unknown name.
 # Matters: The report cannot be written from this table.
 # Do: Run the campaign again with this version.
-# Example: `quantity` is `length`
+# Example: `quantity` is `velocity`
 error-quantity-unknown = `{ $name }` is not a quantity of errors
     .hint = run the campaign again: `etalon run CAMPAIGN`
 
 # Means: The column `set` of a table of errors is neither calibration nor validation.
 # Matters: It is unknown to which statistics the row belongs.
 # Do: Correct the cell.
-# Example: `set = "test"`
+# Example: `set` is `control`
 pose-set-unknown = `{ $name }` is not a set of poses
     .expected = calibration or validation
 
@@ -1254,22 +1236,9 @@ direction-undetermined = its direction has a standard uncertainty of { FIXED($di
 # Means: The direction of a feature has a large standard uncertainty.
 # Matters: A frame defined by it rotates all positions by as much.
 # Do: Measure points farther apart.
-# Example: a plane through three points 10 mm apart
+# Example: one of five readings of a corner of a plane that is off by 5 mm over 300 mm
 direction-uncertain = its direction has a standard uncertainty of { FIXED($direction_deg, 2) } deg; limit { $limit_deg } deg
     .hint = measure points farther apart
-
-# Means: [frame.world] lacks a part of its definition.
-# Matters: A frame needs a plane, an origin, one axis and the side of the other axis.
-# Do: State the missing keys.
-# Example: [frame.world] with `plane` alone
-world-frame-incomplete = the world frame { $fault ->
-        [plane] has no plane
-        [feature] has a plane that is not a feature
-        [origin] has no origin
-        [towards] has no `towards`
-       *[axis] needs one of `x_axis` and `y_axis`
-    }
-    .hint = state `plane`, `origin`, `x_axis` or `y_axis`, and `towards` in [frame.world]
 
 # Means: `towards` of [frame.world] is a point on the axis.
 # Matters: It does not define the side of the other axis.
@@ -1394,14 +1363,14 @@ step-scatters = { $step }: residuals scatter by { FIXED($found_mm, 4) } mm, the 
 # measured.
 # Matters: The table would be empty.
 # Do: Measure both balls in the same cycle, or select other poses.
-# Example: `poses = "9"`, where only K was measured at pose 9
+# Example: `poses = "9-13"`, where only K was measured at these poses
 table-without-poses = the table `{ $title }` has no pose at which K and L were measured together
     .hint = measure both balls in the same cycle, or select other poses
 
 # Means: parameters.json has no covariance: the identification left no degrees of freedom.
 # Matters: It cannot be judged whether new measurements contradict the parameters.
 # Do: Identify again from data with more degrees of freedom.
-# Example: parameters identified from as many coordinates as parameters
+# Example: a parameters.json whose `covariance` is empty
 given-without-covariance = the parameters have no covariance
     .hint = identify again from more data: the identification had no degrees of freedom
 
@@ -1449,7 +1418,7 @@ nominal-value-changed = `{ $parameter }` is nominally { $stated }{ $unit ->
 # determine one.
 # Matters: Expected deviations of new measurements are unknown.
 # Do: Identify with a stated standard uncertainty.
-# Example: an identification without redundancy and without `u_mm`
+# Example: a parameters.json with `degrees_of_freedom` 0 and without a stated uncertainty
 calibration-without-residuals = the calibration does not determine the standard uncertainty of a coordinate
     .hint = identify with a stated standard uncertainty
 
@@ -1467,7 +1436,7 @@ effect-would-prove = { $effect }{ $count ->
 # Means: `outliers = "exclude"` would leave out more than a tenth of all readings.
 # Matters: So many readings are not outliers: the model or the set-up is wrong.
 # Do: Check the readings that `outliers = "keep"` reports.
-# Example: a model without the bending of the robot
+# Example: 16 of 80 readings that are off by 1 mm
 outliers-too-many = `outliers = "exclude"` would leave out more than { $share_percent } % of all readings
     .hint = the model or the set-up is wrong: check the readings that `outliers = "keep"` reports
 
@@ -1548,7 +1517,7 @@ joint-out-of-range = joint `{ $joint }` = { $value } { $unit } is out of range
 # contain more than positions of targets.
 # Matters: `etalon uncertainty` draws common errors for positions only.
 # Do: Use the uncertainties of `etalon run`, which propagates them linearly.
-# Example: [systematic] with a table of distances
+# Example: `expanded_scale_uncertainty_um_per_m` for a campaign of distances
 common-errors-of-conditions = errors common to all readings (scale, temperature, homing) are drawn for positions of targets only
     .hint = `etalon run` states the uncertainties of this campaign by linear propagation
 
@@ -1588,7 +1557,6 @@ remedy = { $remedy ->
         [row-uncertainty] state it in every row, or with --standard-uncertainty-um
         [part] `frame` is `flange` for an arm, `platform` for a PreXYT, `targets` for any robot
         [positions] choose more positions, or hold parameters with `--hold`
-        [base] measure more poses, or state base_x .. base_rz and the targets under [nominal] in the robot file
         [hold-fewer] hold fewer parameters, and measure more poses
         [more-poses] measure more poses (repeats of a pose add nothing), or hold parameters with `hold` in [identify] or --hold
         [hold] hold parameters in [identify], or measure more poses
@@ -1778,7 +1746,7 @@ one-pose-contradicts = without pose `{ $pose }` the observations do not contradi
 # a verification.
 # Matters: The data do not prove which of them occurred.
 # Do: Observe poses with larger differences of the joint values.
-# Example: a verification at three poses beside each other
+# Example: a verification at one pose
 motions-alike = { $count ->
         [one] 1 other motion explains
        *[other] { $count } other motions explain
@@ -1945,7 +1913,7 @@ sweep-other-joint = `{ $moved }` moves in the sweep of `{ $joint }`, which is at
 # Means: A second joint moves during the sweep of a joint.
 # Matters: The paths are not circles or lines; the axis would belong to neither joint.
 # Do: Measure the sweep again with all other joints at rest.
-# Example: a Cartesian motion in place of a motion of one joint
+# Example: a sweep of joint 1 during which joint 2 turns by a tenth of its angle
 sweep-two-joints = `{ $also }` also moves in the sweep of `{ $joint }`, by { $by }
     .hint = measure the sweep again with all other joints at rest
 
@@ -1971,14 +1939,14 @@ sweep-ratio = the targets move by { FIXED($ratio, 5) } × the values of `{ $join
 # Means: Before and after a row, the readings of a target are on two different paths about one axis.
 # Matters: The target slipped in its seat, or the base or the instrument moved.
 # Do: Measure the sweep again, or give the target another name from this row on.
-# Example: a reflector that was removed and replaced during the sweep
-sweep-target-moved = target `{ $target }` moved in the sweep of `{ $joint }` before row { $row }: deviation from one path { FIXED($before_um, 1) } um, from two paths { FIXED($after_um, 1) } um
+# Example: a reflector that slips by 0.5 mm during the sweep
+sweep-target-moved = target `{ $target }` moved in the sweep of `{ $joint }` before row { $row }: deviation from one path { FIXED($before_um, 1) } µm, from two paths { FIXED($after_um, 1) } µm
     .hint = measure the sweep again, or give the target another name from this row on
 
 # Means: Many readings are far from the path of the majority.
 # Matters: The path of the majority may be the wrong one.
 # Do: Check for a second joint that moved, a reflector that turned away, or rows of another sweep.
-# Example: two sweeps of different poses under one name
+# Example: 5 of 24 readings that are off by 0.7 mm
 sweep-many-foreign = { $aside } of { $readings } readings of the sweep of `{ $joint }` are not on the path of the others
     .hint = check for a second joint that moved, or for rows of another sweep
 
@@ -1987,9 +1955,9 @@ sweep-many-foreign = { $aside } of { $readings } readings of the sweep of `{ $jo
 # Do: Check these rows; remove them if the cause is known.
 # Example: a reading of another reflector
 sweep-foreign = { $count ->
-        [one] 1 reading of the sweep of `{ $joint }` is excluded
-       *[other] { $count } readings of the sweep of `{ $joint }` are excluded
-    }: line { $lines }
+        [one] 1 reading of the sweep of `{ $joint }` is excluded: line { $lines }
+       *[other] { $count } readings of the sweep of `{ $joint }` are excluded: lines { $lines }
+    }
     .hint = check these lines: the readings are far from the path of all others
 
 # Means: Readings deviate from their path by much more than neighbouring readings differ: the
@@ -1998,14 +1966,14 @@ sweep-foreign = { $count ->
 # part. The uncertainty of the axis treats the deviations as noise, and is too small.
 # Do: Check that all other joints were at rest; compare the deviations with the run-out of the
 # bearing.
-# Example: a sweep during which a second joint creeps by a tenth of a degree
-sweep-smooth = the targets deviate smoothly from their path in the sweep of `{ $joint }`, by { FIXED($rms_um, 1) } um (root mean square); the noise from reading to reading is { FIXED($noise_um, 1) } um; the uncertainty of the axis is too small
+# Example: a wobble of 0.15 mm with nine periods a turn
+sweep-smooth = the targets deviate smoothly from their path in the sweep of `{ $joint }`, by { FIXED($rms_um, 1) } µm (root mean square); the noise from reading to reading is { FIXED($noise_um, 1) } µm; the uncertainty of the axis is too small
     .hint = check that all other joints were at rest, and compare with the run-out of the bearing
 
 # Means: The direction of an axis is poorly known.
 # Matters: Predicted positions have an error of this angle times their distance from the axis.
 # Do: Measure a longer arc, or a target farther from the axis.
-# Example: a target 2 mm from the axis
+# Example: an arc of 7 degrees
 sweep-weak = the direction of the axis of `{ $joint }` has a standard uncertainty of { FIXED($u_mrad, 2) } mrad
     .hint = measure a longer arc, a target farther from the axis, or more targets
 
@@ -2034,7 +2002,7 @@ sweep-undetermined = the readings of the sweep of `{ $joint }` do not determine 
 # Means: Joints have columns of values but no sweep.
 # Matters: Their axes are unknown; robot.toml is not written.
 # Do: Measure a sweep of each joint.
-# Example: sweeps of q1 to q5 of a six-axis arm
+# Example: sweeps of q1 to q3, and a column of values of q4
 sweep-joint-missing = { $count ->
         [one] joint { $joints } has no sweep
        *[other] joints { $joints } have no sweep
@@ -2076,7 +2044,7 @@ sweep-reversed = `{ $joint }` was swept in negative direction: check poses diffe
 # a transmission. The uncertainty of the robot is too small.
 # Do: Check the seats of the targets and the joint values; start a calibration from this robot
 # (`etalon identify`, `etalon run`).
-# Example: an arm whose second joint bends by 0.1 mm under its weight
+# Example: a target that was moved by 1 mm between two sweeps
 sweeps-disagree = { $what ->
         [checks] check poses differ from the robot by up to { FIXED($distance_mm, 3) } mm
        *[sweeps] the sweeps contradict each other by up to { FIXED($distance_mm, 3) } mm

@@ -165,7 +165,7 @@ weave-too-few-turns = weaving: { $turns ->
 # Means: No command point lies on the half of a leg beside the corner.
 # Matters: Cornering deviations are evaluated there.
 # Do: State more command points.
-# Example: two command points on a leg of 100 mm
+# Example: command points at 0 mm and 10 mm, and a corner at 2 mm
 corner-without-points = cornering: no command point on the half of a leg beside the corner
     .hint = state more command points
 

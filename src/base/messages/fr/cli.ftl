@@ -136,9 +136,6 @@ robot-not-in-table = la géométrie de `{ $name }` n’est pas dans la table des
 iso230-row-incomplete = une ligne n’a pas de position, de valeur mesurée ou de sens
     .expected = des nombres, et +1 ou -1 comme `direction`
 
-iso230-no-rows = le tableau n’a pas de lignes
-    .hint = vérifier le fichier
-
 iso230-few-runs = à la position { $position } mm, moins de deux passages dans le sens { $direction }
     .expected = des passages des deux côtés, cinq selon l’ISO 230-2
 
@@ -252,3 +249,130 @@ table-without-row = le tableau n’y a pas de ligne
 
 test-point-unreached = le point { $point } de la liste `{ $list }` n’est pas atteint : { $reason }
     .hint = déplacer ou réduire l’espace de travail (--workspace-mm), ou indiquer une autre orientation (--orientation-deg)
+
+check-source = { $rows ->
+        [one] { $file } : { $rows } ligne, { $refused } refusées ({ $dialect })
+       *[other] { $file } : { $rows } lignes, { $refused } refusées ({ $dialect })
+    }
+check-verdict = { $warnings ->
+        [0] { $file } : aucune erreur
+        [one] { $file } : aucune erreur, 1 avertissement
+       *[other] { $file } : aucune erreur, { $warnings } avertissements
+    }
+study-head = Erreur : { $error }.
+    Moyenne de { $runs } étalonnages, { $draws } tirages : médiane [95 % des tirages].
+study-set = jeu
+study-noise = bruit µm
+study-error = erreur
+study-rms-before = RMS avant
+study-rms = RMS
+study-largest = max.
+study-parameter = paramètre
+study-actual = vraie
+study-mean = moyenne
+study-spread = 3 s
+targets-compensated = { $count ->
+        [one] { $count } cible compensée
+       *[other] { $count } cibles compensées
+    } ; { $left ->
+        [one] { $left } cible en valeurs articulaires inchangée
+       *[other] { $left } cibles en valeurs articulaires inchangées
+    }
+batch-counts = { $done } terminées, { $not_met } avec des limites non respectées, { $failed } échouées, { $skipped } omises
+run-skipped = omis : { $campaign } nécessite des données sous ${ $name }, qui n’est pas défini
+no-controller-files = aucun fichier de contrôleur n’est écrit : le résultat n’est pas plausible
+next-recommend = { $command } liste les paramètres qu’il est utile de charger ; les fichiers de contrôleur sont dans le dossier de sortie
+unmodelled-said = dans aucun paramètre : { $error }
+unmodelled-backlash = jeu { $joints }
+unmodelled-interpolation = interpolation du codeur { $joints }
+unmodelled-every = { $joint } { $amplitude } tous les { $period }
+unmodelled-homing = prise d’origine (écart-type) { $joints }
+unmodelled-growth = dilatation thermique de { $growth } µm par mètre et par heure
+unmodelled-bending = flexion de { $bending } µm à un mètre de la base
+axis-table-largest = { $count ->
+        [one] { $count } position, plus grand écart { FIXED($largest, 6) } { $unit }
+       *[other] { $count } positions, plus grand écart { FIXED($largest, 6) } { $unit }
+    }
+iso230-accuracy = exactitude A
+iso230-systematic = erreur systématique de positionnement E
+iso230-repeatability = répétabilité R
+iso230-mean-systematic = erreur systématique moyenne M
+iso230-reversal = erreur de réversibilité B
+iso230-mean-reversal = erreur de réversibilité moyenne
+iso230-both = bidirectionnel
+iso230-positive = positif
+iso230-negative = négatif
+fit-seen-none = aucun
+fit-any-element = aucun élément
+zone-by-least-squares = omettre --minimum-zone : l’ajustement se fait alors par moindres carrés
+fit-head = { $element } : { $count ->
+        [one] { $count } point
+       *[other] { $count } points
+    }
+fit-center = centre
+fit-point = point
+fit-normal = normale
+fit-axis = axe
+fit-radius = rayon
+fit-minor-radius = petit rayon
+fit-apex-angle = angle au sommet
+fit-residuals = résidus
+fit-flatness = planéité
+fit-held-by = appuis
+fit-proof = preuve
+fit-probe = palpeur
+fit-probe-center = centre palpé
+fit-its-radius = son rayon
+fit-stated-point = point indiqué
+fit-stated-direction = {"  "}direction
+fit-stated-radius = {"  "}rayon
+fit-stated-minor-radius = {"  "}petit rayon
+fit-stated-apex-angle = {"  "}angle sommet
+fit-held-points = points { $upper } et { $lower }
+fit-proof-global = aucune autre zone n’est plus étroite
+fit-proof-local = aucune zone voisine n’est plus étroite
+fit-proof-none = aucune
+fit-spread = RMS { $rms }, max. { $max }, forme { $form }
+fit-off = { $value } { $unit }, ajusté { $off } { $unit }
+fit-apart = { $value }, ajusté à { $apart } { $unit }
+axes-head = { $joint } { $kind ->
+        [slides] glisse
+       *[turns] tourne
+    } : { $count ->
+        [one] { $count } lecture
+       *[other] { $count } lectures
+    }{ $aside ->
+        [0] {""}
+       *[other] , dont { $aside } écartées
+    }
+axes-direction = {"  "}direction    { $direction }  (u = { $u } deg)
+axes-point = {"  "}point        { $point }  (u = { $u } mm)
+axes-circle = {"  "}`{ $target }`  rayon { $radius } mm (u = { $u } mm), arc { $arc } deg
+axes-line = {"  "}`{ $target }`  longueur { $length } mm
+axes-error-motions = {"    "}mouvement d’erreur radial { $radial } µm, de face { $face } µm
+axes-straightness = {"    "}rectitude { $radial } µm et { $face } µm
+axes-axial-and-tilt = {"  "}mouvement d’erreur axial { $axial } µm, d’inclinaison { $tilt } deg
+axes-motion = {"  "}mouvement    { $ratio } × valeur articulaire, écart { $rms } { $unit } (RMS)
+axes-base = base ({ $rule })
+axes-origin = {"  "}origine      { $point }
+axes-target = cible `{ $target }` sur la bride
+axes-check-pose = pose de contrôle, ligne { $line } : à { $distance } mm du robot  (u = { $u } mm par composante)
+next-paste = coller ces lignes dans campaign.toml ; `etalon check DOSSIER` les essaie
+next-paste-refused = { $next } ; elles seraient refusées : { $reasons }
+next-simulate = { $command } écrit les exports et le journal
+next-copy = copier les exports et le journal dans { $folder } ; `etalon formats FICHIER` propose la lecture de chacun ; { $command }
+next-check-asks = { $command } demande { $keys }
+next-check-refused = { $next } ; la proposition serait alors refusée : { $reasons }
+next-command = { $command }
+units-of-joints = les unités des articulations
+axis-steps-not-whole = de { $from } à { $to }, les pas de { $step } ne sont pas entiers
+assignment-without-number = `{ $name }` n’a pas de nombre
+newer-than-unreadable = le fichier de `--newer-than` ne peut pas être lu : { $reason }
+pose-argument-expected = attendu : x,y,z en mm, ou ces valeurs et un quaternion unité qw,qx,qy,qz
+axis-name-expected = le nom d’un axe se compose de lettres et de chiffres
+stdout-not-written = stdout ne peut pas être écrit
+plan-side = côté { $side } mm, plan d’essai { $plane }
+converted-by = converti par etalon robot convert
+from-other-joints = le fichier a { $columns } colonnes d’articulations, et le robot { $joints } articulations : omettre celles qu’il n’a pas
+from-joints-in-order = les articulations sont celles de robot.toml dans l’ordre du fichier
+from-unit-of-joints = pour UNIT écrire deg, rad, mm, m ou um : le fichier ne l’indique pas

@@ -40,7 +40,10 @@ campaigns-out-of-order = `{ $first }` est indiqué avant `{ $second }`, mais a u
 document-not-in-all = { $document } n’est pas comparé : il manque dans { $folders }
     .hint = comparer des campagnes qui ont toutes ce document
 
-poses-not-in-all = poses absentes d’au moins une campagne : { $poses }
+poses-not-in-all = { $count ->
+        [one] pose absente d’au moins une campagne : { $poses }
+       *[other] poses absentes d’au moins une campagne : { $poses }
+    }
     .hint = le nom d’une pose doit désigner la même pose dans toutes les campagnes
 
 homing = prise d’origine

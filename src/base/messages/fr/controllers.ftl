@@ -141,9 +141,6 @@ platform-out-of-reach = la plate-forme n’atteint pas le centre
 tower-order = les colonnes ne sont pas à 120 deg l’une de l’autre, dans le sens trigonométrique vu d’en haut
     .hint = les numéroter dans le sens trigonométrique : `{ $format }` les exige dans cet ordre
 
-program-not-readable = les programmes de ce langage ne peuvent pas être lus
-    .hint = donner les cibles sous forme de tableau
-
 move-incomplete = `{ $command }` n’indique pas { $coordinates }
     .hint = indiquer toutes les coordonnées
 

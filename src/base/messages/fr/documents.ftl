@@ -3,16 +3,28 @@
 limits-for-several-robots = les limites valent pour un seul robot, or le tableau en contient { $robots }
     .hint = vérifier chaque robot séparément ; ensemble, ils donnent l’interchangeabilité
 
-few-cycles = moins de { $least } cycles (poses : { $poses })
+few-cycles = moins de { $least } cycles { $count ->
+        [one] à la pose { $poses }
+       *[other] aux poses { $poses }
+    }
     .hint = mesurer 30 cycles (ISO 9283), ou juger avec les intervalles
 
-few-cycles-of-direction = moins de { $least } cycles (directions : { $directions })
+few-cycles-of-direction = moins de { $least } cycles { $count ->
+        [one] dans la direction { $directions }
+       *[other] dans les directions { $directions }
+    }
     .hint = mesurer plus de cycles
 
-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la caractéristique évaluée (poses : { $poses })
+instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la caractéristique évaluée { $count ->
+        [one] à la pose { $poses }
+       *[other] aux poses { $poses }
+    }
     .hint = utiliser les valeurs comme majorants, ou mesurer avec un meilleur instrument
 
-several-approaches = plusieurs directions d’approche (poses : { $poses }) : AP, RP et leurs intervalles valent pour l’ensemble des positionnements
+several-approaches = plusieurs directions d’approche { $count ->
+        [one] à la pose { $poses }
+       *[other] aux poses { $poses }
+    } : AP, RP et leurs intervalles valent pour l’ensemble des positionnements
     .hint = utiliser les valeurs de chaque direction d’approche : celles de l’ensemble contiennent vAP, et leur dispersion n’est pas gaussienne
 
 path-without-pass = l’enregistrement ne contient aucun passage de la trajectoire commandée

@@ -66,10 +66,6 @@ held-axis-zero = l’axe fixé { $axis } n’a pas de direction
     .expected = trois nombres, non tous nuls
     .hint = indiquer l’axe
 
-element-not-found = aucun élément { $element } n’a été trouvé pour ces points
-    .expected = des points sur un élément { $element }
-    .hint = vérifier que les points appartiennent à cet élément ; sinon fixer l’axe
-
 element-ambiguous = un autre élément { $element } s’ajuste presque aussi bien aux points
     .hint = mesurer plus de points là où l’élément n’est pas couvert, ou fixer l’axe
 

@@ -29,9 +29,6 @@ tool-part-missing = le point de l’outil est indiqué dans le référentiel de 
 
 too-few-poses-planned = { $poses } poses ne suffisent pas à déterminer { $parameters } paramètres
 
-base-not-found = la base et les cibles ne peuvent pas être localisées à partir de ces poses
-    .expected = au moins quatre poses dans lesquelles le bras se déplace dans toutes les directions
-
 nothing-to-identify = il ne reste aucun paramètre à identifier{ $cause ->
         [none] {""}
        *[other] {" "}: { $cause }
@@ -54,14 +51,13 @@ parameter-without-effect = les données ne dépendent pas de `{ $parameter }`
 
 parameters-inseparable = `{ $parameter }` n’est pas identifiable séparément de { $others }
 
-identifiability-unsteady = l’ensemble des paramètres identifiables séparément change entre les pas du solveur
-
 identification-without-result = l’identification s’est terminée sans résultat : { $reason }
 
 solver-ended = { $termination ->
         [iteration-limit] pas de convergence avant la limite d’itérations
         [not-a-number] un résidu n’est pas un nombre
         [rank-deficient] des paramètres ne sont pas identifiables séparément
+        [unsteady] l’ensemble des paramètres identifiables séparément change entre les pas du solveur
         [too-few-equations] il y a moins d’équations que de paramètres
        *[converged] convergence, mais le résultat n’est pas unique
     }
@@ -146,7 +142,7 @@ nominal-robot-not-at-joints = le robot nominal ne peut pas prendre ces valeurs a
     .hint = vérifier les signes, les unités et l’ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
 
 placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, les points mesurés s’étendent sur { FIXED($spread_mm, 1) } mm
-    .hint = vérifier les unités, l’ordre, les signes et les décalages des articulations, et les paramètres nominaux du robot
+    .hint = vérifier les unités, l’ordre, les signes et les décalages des articulations, les paramètres fixés de la base et des cibles, et les paramètres nominaux du robot
 
 reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) par rapport aux poses précédentes, jusqu’à { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
     .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément, ou mesurer de nouveau

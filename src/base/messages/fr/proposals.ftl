@@ -84,6 +84,7 @@ doubt-rows-not-read = { $count ->
     } de cette façon ; la première est la ligne { $line }
 doubt-rows-refused = ligne { $line } : { $reason } ; autres lignes : { $more }
 doubt-second-log = le topic `{ $topic }` a aussi des valeurs articulaires
+doubt-several-logs = plusieurs fichiers contiennent des valeurs articulaires : chaque journal est identifié séparément, et les journaux sont comparés ; les parties d’un même journal doivent former un seul fichier
 doubt-sign-of-difference = le signe de la différence n’est pas indiqué : comparer une ligne avec la mesure
 doubt-six-without-headings = six nombres sans en-têtes : une position et trois angles, ou des articulations dont trois sont prismatiques
 doubt-thousands-mark = chaque `{ $mark }` précède trois chiffres : ce peut être un séparateur de milliers

@@ -984,6 +984,7 @@ smallest-sphere-and-circle = rayon de la plus petite sphère et du plus petit ce
 solver = Solveur
 solver-gradient-vanished = convergence : les résidus sont orthogonaux à la jacobienne
 solver-iteration-limit = pas de convergence dans le nombre d’itérations permis : vérifier les valeurs de départ
+solver-no-start = aucun départ de la recherche n’a mené à un élément
 solver-not-finite = arrêt : un résidu n’est pas fini ; vérifier les valeurs de départ et les données
 solver-rank-deficient = arrêt : des paramètres ne sont pas identifiables séparément ; en fixer un
 solver-residuals-zero = convergence : les résidus sont nuls à l’arrondi près

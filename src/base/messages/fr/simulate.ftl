@@ -105,9 +105,6 @@ study-set-empty = un ensemble ne contient aucune pose que le robot atteigne
 study-not-by-position = `{ $model }` ne peut pas être positionné par des coordonnées
     .hint = indiquer `joints`, ou un tableau dans `file`
 
-study-without-tool = `{ $model }` n’a pas de pose d’outil
-    .hint = utiliser un modèle avec cinématique
-
 truth-not-touching = pose { $pose } : aucune valeur articulaire proche des valeurs vraies n’établit le contact
     .hint = indiquer des valeurs articulaires plus proches du contact, ou une plage de tirage plus large
 
@@ -115,7 +112,7 @@ angle-uncertainty-missing = l’incertitude d’un angle manque
     .hint = indiquer `expanded_rotation_uncertainty_deg` dans [instrument], ou `urot_deg` dans [[observe]]
 
 simulated-table-misread = `{ $file }` serait mal lu : une observation de la pose { $pose } s’écarte de { FIXED($off, 3) } mm ou rad
-    .hint = `pose = "row"` et `target` de [observations] supposent une seule cible et une seule ligne par pose
+    .hint = vérifier `columns` de [observations] ; ses clés `pose = "row"` et `target` supposent une seule cible et une seule ligne par pose
 
 truth-geometric-without-campaign = [geometric] figure dans les valeurs vraies, mais pas dans la campagne, ou son robot n’est pas un PreXYT
     .hint = indiquer [geometric] dans campaign.toml : cette section donne les étiquettes

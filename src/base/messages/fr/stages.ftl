@@ -175,12 +175,13 @@ backlash-direction-unknown = le journal `{ $log }` ne contient pas de mouvement 
 targets-out-of-plane = les hauteurs des cibles du robot plan vont de { FIXED($low_mm, 3) } mm à { FIXED($high_mm, 3) } mm dans le référentiel atelier
     .hint = vérifier z des exports (unité, signe, colonne) et les points qui définissent le plan du référentiel atelier
 
-log-column-missing = le journal `{ $log }` n’a pas de colonne `{ $column }`
-
 column-empty = la colonne `{ $column }` est vide ou manque
     .hint = ajouter la colonne, ou compléter la cellule
 
-targets-missing = des cibles manquent (poses : { $poses })
+targets-missing = des cibles manquent { $count ->
+        [one] à la pose { $poses }
+       *[other] aux poses { $poses }
+    }
     .hint = les autres cibles de ces poses comptent ; une pose ou une orientation exige toutes les cibles
 
 row-is-a-pose = `{ $file }` indique `pose = "row"` : chaque ligne est alors une pose à part ; supprimer cette ligne si plusieurs cibles ont été mesurées à une même pose
@@ -464,9 +465,6 @@ joints-of-pose-differ = les lignes de cette pose ont des valeurs articulaires di
 target-repeated = la cible `{ $target }` apparaît deux fois
     .hint = numéroter les répétitions dans la colonne `cycle`
 
-table-without-observations = il n’y a pas d’observations
-    .hint = vérifier le fichier et les exclusions
-
 arms-apart = avec les paramètres nominaux, les bras ne se rejoignent pas à ces valeurs articulaires
     .hint = vérifier l’unité, le signe et le décalage des articulations, et les paramètres nominaux
 
@@ -479,9 +477,6 @@ assembly-mode-ambiguous = les deux modes d’assemblage conviennent aussi bien l
 
 assembly-modes-assumed = le mode d’assemblage de { $count } observations a été déduit de la mesure ({ $positive } en mode +1, { $negative } en mode -1) ; le cas le moins net est la pose { $pose } : { FIXED($near_mm, 1) } mm et { FIXED($far_mm, 1) } mm
     .hint = indiquer une colonne `assembly` avec 1 ou -1 si le journal la contient
-
-height-missing = il manque `z_mm` aux observations d’un robot tridimensionnel
-    .hint = ajouter la colonne `z_mm`
 
 uncertainties-twice = le tableau indique à la fois des incertitudes-types et des covariances de coordonnées
     .hint = supprimer `ux_mm`, `uy_mm`, `uz_mm`
@@ -611,15 +606,6 @@ direction-undetermined = avec ces points, sa direction n’est connue qu’à { 
 
 direction-uncertain = sa direction a une incertitude-type de { FIXED($direction_deg, 2) } deg ; limite { $limit_deg } deg
     .hint = mesurer des points plus éloignés les uns des autres
-
-world-frame-incomplete = le référentiel atelier { $fault ->
-        [plane] n’a pas de plan
-        [feature] a un plan qui n’est pas un élément
-        [origin] n’a pas d’origine
-        [towards] n’a pas de `towards`
-       *[axis] nécessite soit `x_axis`, soit `y_axis`
-    }
-    .hint = indiquer `plane`, `origin`, `x_axis` ou `y_axis`, et `towards` dans [frame.world]
 
 world-side-undetermined = `towards` est sur l’axe : il ne détermine pas de quel côté va l’autre axe
     .hint = indiquer un point hors de l’axe
@@ -788,7 +774,6 @@ remedy = { $remedy ->
         [row-uncertainty] l’indiquer à chaque ligne, ou par --standard-uncertainty-um
         [part] `frame` est `flange` pour un bras, `platform` pour un PreXYT, `targets` pour tout robot
         [positions] choisir plus de positions, ou fixer des paramètres par `--hold`
-        [base] mesurer plus de poses, ou indiquer base_x .. base_rz et les cibles sous [nominal] dans le fichier de robot
         [hold-fewer] fixer moins de paramètres, et mesurer plus de poses
         [more-poses] mesurer plus de poses (répéter une pose n’ajoute rien), ou fixer des paramètres par `hold` dans [identify] ou --hold
         [hold] fixer des paramètres dans [identify], ou mesurer plus de poses
@@ -986,9 +971,9 @@ sweep-many-foreign = { $aside } lectures sur { $readings } du balayage de `{ $jo
     .hint = chercher une deuxième articulation qui bouge, ou des lignes d’un autre balayage
 
 sweep-foreign = { $count ->
-        [one] { $count } lecture du balayage de `{ $joint }` est écartée
-       *[other] { $count } lectures du balayage de `{ $joint }` sont écartées
-    } : ligne { $lines }
+        [one] { $count } lecture du balayage de `{ $joint }` est écartée : ligne { $lines }
+       *[other] { $count } lectures du balayage de `{ $joint }` sont écartées : lignes { $lines }
+    }
     .hint = ces lectures sont loin de la trajectoire de toutes les autres
 
 sweep-smooth = dans le balayage de `{ $joint }`, les cibles s’écartent de leur trajectoire de { FIXED($rms_um, 1) } µm (RMS) de façon continue ; d’une lecture à l’autre, le bruit est de { FIXED($noise_um, 1) } µm ; l’incertitude de l’axe est trop petite
