@@ -104,6 +104,7 @@ _CLASSES = {
     "accuracy": "AccuracyDocument",
     "axes": "AxesDocument",
     "batch": "BatchDocument",
+    "cell": "CellDocument",
     "check": "CheckDocument",
     "compare": "CompareDocument",
     "controllers": "ControllersDocument",

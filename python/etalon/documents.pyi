@@ -293,6 +293,79 @@ class CandidatePlace(Record):
     pose: int | str
     """Name of the pose."""
 
+class CellAxisEntry(Record):
+    """External axis."""
+    direction: list[float]
+    """Unit direction of positive motion in the frame of the measured points."""
+    direction_covariance: list[list[float]] | None
+    """Covariance of the direction, 3 × 3."""
+    prismatic: bool
+    """`true` if the axis slides."""
+    radius_mm: float | None
+    """Radius of the first target (mm); absent for a prismatic axis."""
+    scale: float
+    """Motion per unit of the axis value."""
+    scale_standard_uncertainty: float | None
+    """Standard uncertainty of the scale."""
+
+class CellFrameEntry(Record):
+    """Frame in its reference frame."""
+    covariance: list[list[float]] | None
+    """Covariance of the position (mm) and of a small rotation (rad) about the axes of the reference frame, 6 × 6, in
+    this order.
+    """
+    name: str
+    """Name: `tool`, `sensor`, `object`, `base`, `world`, `target` or `axis`."""
+    quaternion: list[float]
+    """Orientation: unit quaternion w, x, y, z."""
+    reference: str
+    """Reference frame: `flange`, `base`, `world` or `points` (the frame of the measured points)."""
+    standard_uncertainty_deg: list[float] | None
+    """Standard uncertainties of a small rotation about the axes of the reference frame (deg)."""
+    standard_uncertainty_mm: list[float] | None
+    """Standard uncertainties of the position; absent without redundancy or stated uncertainty."""
+    xyz_mm: list[float]
+    """Position (mm)."""
+
+class CellNoise(Record):
+    """Standard deviation of positions or orientations."""
+    equations: int
+    """Number of equations."""
+    measure: str
+    """`position` (mm) or `orientation` (deg)."""
+    redundancy: float
+    """Equations minus the parameters that they determine."""
+    standard_deviation: float | None
+    """Standard deviation of the residuals (mm or deg); absent without redundancy."""
+    uncertainties_from: str
+    """Source of the uncertainties: `stated`, or `residuals`."""
+
+class CellPointEntry(Record):
+    """Point in its reference frame."""
+    covariance_mm2: list[list[float]] | None
+    """Covariance (mm²), 3 × 3."""
+    name: str
+    """Name: `tool` or `fixed`."""
+    reference: str
+    """Reference frame: `flange` or `base`."""
+    standard_uncertainty_mm: list[float] | None
+    """Standard uncertainties; absent without redundancy or stated uncertainty."""
+    xyz_mm: list[float]
+    """Position (mm)."""
+
+class CellResidualEntry(Record):
+    """Residual of a reading."""
+    length: float
+    """Length of the residual."""
+    line: int
+    """Line of the reading."""
+    measure: str
+    """`position` (mm) or `orientation` (deg)."""
+    probability: float | None
+    """Probability of a residual at least as large by noise; absent without redundancy."""
+    residual: list[float]
+    """Measured minus predicted; for orientations a rotation vector."""
+
 class CompareBetween(Record):
     """Between-series component of two campaigns in which the model misfits."""
     birge_ratio: float
@@ -2501,6 +2574,31 @@ class CampaignSummary(Document):
     """Lowest and highest temperature (°C) that rows of the exports state."""
     valid_until: str | None
     """Last day on which the calibration is valid, as stated: year-month-day."""
+
+class CellDocument(Document):
+    """Frames and points of a robot cell from controller poses and measurements."""
+    axis: CellAxisEntry | None
+    """Identified external axis."""
+    frames: list[CellFrameEntry]
+    """Identified frames; the first one is the answer."""
+    messages: list[Message]
+    """Warnings."""
+    noise: list[CellNoise]
+    """Standard deviations of the residuals: positions, then orientations."""
+    points: list[CellPointEntry]
+    """Identified points; without frames the first one is the answer."""
+    provenance: "Provenance"
+    """Version and inputs."""
+    readings: int
+    """Number of readings."""
+    residuals: list[CellResidualEntry]
+    """Residuals in the order of the rows."""
+    schema: str
+    """Schema and version: `etalon/cell/1`."""
+    solve: str
+    """Problem that is solved: `tool-point`, `tool-reflector`, `tool-axes`, `hand-eye`, `object`, `three-points`,
+    `linear-axis` or `rotary-axis`.
+    """
 
 class CheckDocument(Document):
     """Findings of `etalon check`. The exit code is 2 if there are errors, otherwise 0."""

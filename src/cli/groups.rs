@@ -6,7 +6,7 @@ use std::fmt::Write;
 /// Tasks in the order of a calibration, each with its commands.
 const GROUPS: [(&str, &[&str]); 7] = [
     ("Start a campaign", &["init", "formats", "check", "simulate"]),
-    ("Calibrate", &["run", "batch", "identify", "axes", "fit"]),
+    ("Calibrate", &["run", "batch", "identify", "axes", "cell", "fit"]),
     ("Judge the result", &["recommend", "validate", "verify", "uncertainty", "compare", "report"]),
     ("Load it into a controller", &["export", "compensate", "axis-table", "kinematics", "robot"]),
     ("Test by a standard", &["iso9283", "iso230"]),

@@ -7,6 +7,7 @@ mod axes;
 mod axis_table;
 mod batch;
 mod capture;
+mod cell;
 mod check;
 mod compare;
 mod compensate;
@@ -76,6 +77,7 @@ enum Command {
     Formats(formats::Formats),
     Fit(fit::FitCommand),
     Axes(axes::AxesCommand),
+    Cell(Box<cell::CellCommand>),
     Run(run::Run),
     Batch(batch::Batch),
     Identify(identify::IdentifyCommand),
@@ -142,6 +144,7 @@ fn run(command: Command) -> u8 {
         Command::Formats(command) => command.run(),
         Command::Fit(command) => command.run(),
         Command::Axes(command) => command.run(),
+        Command::Cell(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Batch(command) => command.run(),
         Command::Identify(command) => command.run(),

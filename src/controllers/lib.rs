@@ -8,6 +8,7 @@
 mod arrays;
 pub mod axis_tables;
 mod c_header;
+pub mod cell;
 mod code;
 pub mod commands;
 mod csv;

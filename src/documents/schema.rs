@@ -10,6 +10,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("axes", schema::<AxesDocument>()),
         ("batch", schema::<BatchDocument>()),
         ("campaign", schema::<CampaignSummary>()),
+        ("cell", schema::<CellDocument>()),
         ("check", schema::<CheckDocument>()),
         ("compare", schema::<CompareDocument>()),
         ("compensation", schema::<CompensationDocument>()),

@@ -28,6 +28,9 @@ pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 /// Columns of the orientation of a body in the world: rotation matrix, row by row.
 pub const MATRIX: [&str; 9] = ["r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"];
 
+/// Beginning of columns of the pose of the flange, in tables of a cell.
+pub const FLANGE: &str = "flange_";
+
 /// Column of the label of a point; in a log, of the point that the robot touches.
 pub const LABEL: &str = "label";
 

@@ -3,6 +3,7 @@
 #![allow(non_snake_case)] // world_T_base: frames in names
 
 pub mod axes;
+pub mod cell;
 mod error;
 pub mod geometric;
 mod judgement;

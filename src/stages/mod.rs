@@ -2,6 +2,7 @@
 
 pub mod apart;
 pub mod candidates;
+pub mod cell;
 mod checks;
 mod commanded;
 pub mod controlled;

@@ -1,6 +1,7 @@
 //! Proposals of `etalon formats` for a corpus of synthetic files, whose right readings are stated beside them in `right.toml`.
 
 mod commanded;
+mod conventions;
 mod init;
 mod public;
 mod recordings;

@@ -5,6 +5,19 @@ use super::{Case, hold};
 const POSES: &str = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n";
 const POINTS: &str = "1 0 0\n0 1 0\n-1 0 0\n0 -1 0.1\n";
 const FLAT: &str = "0 0 0.001\n1 0 0\n0 1 0\n1 1 0.001\n2 0 0\n0 2 0.001\n2 2 0\n1 2 0\n2 1 0.001\n";
+const CELL_FEW: &str =
+    "flange_x_mm,flange_y_mm,flange_z_mm,flange_qw,flange_qx,flange_qy,flange_qz\n1,2,3,1,0,0,0\n2,3,4,0,1,0,0\n";
+const CELL_SAME: &str = "flange_x_mm,flange_y_mm,flange_z_mm,flange_rx_deg,flange_ry_deg,flange_rz_deg\n1,2,3,1,0,0\n2,3,4,1,0,0\n5,3,4,1,0,0\n";
+/// Rotations about the z axis of the flange.
+const CELL_ONE_AXIS: &str = "flange_x_mm,flange_y_mm,flange_z_mm,flange_rx_deg,flange_ry_deg,flange_rz_deg\n100,2,3,0,0,0\n200,3,4,0,0,50\n500,3,4,0,0,-70\n";
+const CELL_ANGLES: &str = "flange_x_mm,flange_y_mm,flange_z_mm,flange_a_deg,flange_b_deg,flange_c_deg\n1,2,3,1,0,0\n";
+const CELL_COINCIDE: &str =
+    "nominal_x_mm,nominal_y_mm,nominal_z_mm,x_mm,y_mm,z_mm\n0,0,0,1,1,1\n0,0,0,2,1,1\n0,0,0,1,3,1\n";
+const CELL_LINE: &str =
+    "nominal_x_mm,nominal_y_mm,nominal_z_mm,x_mm,y_mm,z_mm\n0,0,0,1,1,1\n5,0,0,2,1,1\n9,0,0,1,3,1\n";
+/// Half turns about one place: four tools fit.
+const CELL_AMBIGUOUS: &str = "flange_x_mm,flange_y_mm,flange_z_mm,flange_qw,flange_qx,flange_qy,flange_qz,x_mm,y_mm,z_mm\n\
+    0,0,0,1,0,0,0,10,20,30\n0,0,0,0,1,0,0,10,-20,-30\n0,0,0,0,0,1,0,-10,20,-30\n0,0,0,0,0,0,1,-10,-20,30\n";
 /// Points of a cylinder of radius 10 mm about z, 1 um off.
 const CYLINDER: &str = "10.001 0 0\n0 9.999 0\n-10.001 0 0\n0 -9.999 0\n9.999 0 20\n0 10.001 20\n-9.999 0 20\n0 -10.001 20\n7.071 7.072 10\n-7.072 -7.071 10\n";
 
@@ -25,6 +38,74 @@ const OPTIONS: &[Case] = &[
         "axes @/s.csv",
     ),
     ("sweep-values-partial", "", &[("s.csv", "", "joint,x_mm,y_mm,z_mm,q1_deg,q2_deg\nq1,1,0,0,0,\n")], "axes @/s.csv"),
+    ("cell-few solve=tool-point", "", &[("c.csv", "", CELL_FEW)], "cell @/c.csv --solve tool-point"),
+    ("cell-same-orientation", "", &[("c.csv", "", CELL_SAME)], "cell @/c.csv --solve tool-point"),
+    ("cell-one-axis", "", &[("c.csv", "", CELL_ONE_AXIS)], "cell @/c.csv --solve tool-point"),
+    ("cell-points-coincide", "", &[("c.csv", "", CELL_COINCIDE)], "cell @/c.csv --solve object"),
+    ("cell-points-collinear", "", &[("c.csv", "", CELL_LINE)], "cell @/c.csv --solve object"),
+    ("cell-ambiguous", "", &[("c.csv", "", CELL_AMBIGUOUS)], "cell @/c.csv --solve tool-reflector"),
+    (
+        "cell-orientation-missing prefix=flange_",
+        "",
+        &[("c.csv", "", "flange_x_mm,flange_y_mm,flange_z_mm\n1,2,3\n")],
+        "cell @/c.csv --solve tool-point",
+    ),
+    ("cell-order-missing option=--orientation", "", &[("c.csv", "", CELL_ANGLES)], "cell @/c.csv --solve tool-point"),
+    ("cell-mounting-missing", "", &[("c.csv", "", CELL_FEW)], "cell @/c.csv --solve hand-eye"),
+    (
+        "cell-uncertainty-not-positive",
+        "",
+        &[("c.csv", "", "x_mm,y_mm,z_mm,ux_mm,uy_mm,uz_mm\n1,2,3,1,0,1\n")],
+        "cell @/c.csv --solve object",
+    ),
+    (
+        "cell-point-unknown name=origo",
+        "",
+        &[("c.csv", "", "point,x_mm,y_mm,z_mm\norigo,1,2,3\n")],
+        "cell @/c.csv --solve three-points",
+    ),
+    (
+        "cell-roles-mixed",
+        "",
+        &[("c.csv", "", "point,x_mm,y_mm,z_mm\norigin,1,2,3\nx2,2,2,3\n")],
+        "cell @/c.csv --solve three-points",
+    ),
+    (
+        "cell-axis-missing column=axis_deg",
+        "",
+        &[("c.csv", "", "x_mm,y_mm,z_mm\n1,2,3\n")],
+        "cell @/c.csv --solve rotary-axis",
+    ),
+    (
+        "cell-undetermined",
+        "",
+        &[("c.csv", "", "axis_deg,x_mm,y_mm,z_mm\n5,100,0,0\n5,0,100,0\n5,-100,0,0\n5,0,-100,0\n")],
+        "cell @/c.csv --solve rotary-axis",
+    ),
+    (
+        "cell-no-controller-data solve=linear-axis",
+        "",
+        &[("c.csv", "", "axis_mm,x_mm,y_mm,z_mm\n0,0,0,0\n10,10,0,0\n20,20,0,0.01\n")],
+        "cell @/c.csv --solve linear-axis --controller kuka",
+    ),
+    (
+        "cell-scale",
+        "",
+        &[("c.csv", "", "axis_mm,x_mm,y_mm,z_mm\n0,0,0,0\n10,20,0,0\n20,40,0,0.01\n")],
+        "cell @/c.csv --solve linear-axis",
+    ),
+    (
+        "cell-no-uncertainty",
+        "",
+        &[("c.csv", "", "point,x_mm,y_mm,z_mm\norigin,0,0,0\nx,9,0,0\nxy,1,9,0\n")],
+        "cell @/c.csv --solve three-points",
+    ),
+    (
+        "cell-noise-larger",
+        "",
+        &[("c.csv", "", "point,x_mm,y_mm,z_mm\norigin,0,0,0\norigin,0,0,1\nx,9,0,0\nxy,1,9,0\n")],
+        "cell @/c.csv --solve three-points --standard-uncertainty-um 1",
+    ),
     ("message-unknown id=parameter-twise", "", &[], "explain parameter-twise"),
     ("schema-unknown name=parameter", "", &[], "schema parameter"),
     ("not-an-output-folder", "prexyt-cmm", &[], "report @/exports"),

@@ -3,6 +3,7 @@
 pub(super) mod arms;
 pub(super) mod axes;
 pub(super) mod budget;
+pub(super) mod cell;
 pub(super) mod common;
 pub(super) mod conditions;
 pub(super) mod convergence;

@@ -1075,3 +1075,129 @@ axes-comment-zero = die Gelenkwerte sind zu Beginn der Messreihen null
 axes-comment-target = Zielmarke { $name } am Flansch (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
 
 axes-robot-name = Roboter nach seinen Achsen
+
+cell-few = `{ $solve }` braucht { $needed } Messwerte; vorhanden sind { $readings }
+    .hint = mehr Messwerte aufnehmen; überzählige Messwerte bestimmen die Unsicherheit
+
+cell-same-orientation = der Roboter hat in allen Zeilen dieselbe Orientierung
+    .hint = den Roboter zwischen den Messwerten um mindestens zwei Achsen drehen
+
+cell-one-axis = alle Orientierungen unterscheiden sich durch Drehungen um eine Achse, [{ $direction }] im Flansch: die Lage entlang dieser Achse ist nicht bestimmt
+    .hint = Messwerte mit Drehungen um eine andere Achse hinzufügen
+
+cell-points-coincide = alle Punkte fallen zusammen
+    .hint = Punkte mit Abstand messen; bei Orientierungen um einen festen Punkt `--solve tool-point` verwenden
+
+cell-points-collinear = alle Punkte liegen auf einer Geraden in Richtung [{ $direction }]: die Drehung um diese Gerade ist nicht bestimmt
+    .hint = einen Punkt neben der Geraden messen
+
+cell-ambiguous = zwei verschiedene Koordinatensysteme passen gleich gut zu den Messwerten
+    .hint = Messwerte mit anderen Orientierungen hinzufügen
+
+cell-undetermined = die Messwerte bestimmen nicht alle unbekannten Größen
+    .hint = Messwerte in anderen Posen oder bei anderen Achswerten hinzufügen
+
+cell-orientation-missing = die Posen haben keine Spalten einer Orientierung
+    .expected = { $prefix }qw, { $prefix }qx, { $prefix }qy, { $prefix }qz, oder { $prefix }rx_deg .. eines Rotationsvektors, oder { $prefix }a_deg .. von drei Winkeln, oder { $prefix }r11 .. { $prefix }r33
+    .hint = die Spalten nennen, mit `--column { $prefix }qw=KOPF` bei anderen Spaltenköpfen
+
+cell-order-missing = die Reihenfolge der Winkel { $prefix }a, { $prefix }b, { $prefix }c ist nicht angegeben
+    .hint = sie nach dem Handbuch angeben: `{ $option } zyx` für A B C von KUKA, `{ $option } "fixed xyz"` für W P R von FANUC
+
+cell-mounting-missing = der Teil des Messsystems am Roboter ist nicht angegeben
+    .hint = `--mounting target` (das Messgerät steht) oder `--mounting sensor` (das Messgerät ist am Roboter) angeben
+
+cell-uncertainty-not-positive = eine Standardunsicherheit fehlt oder ist nicht positiv
+
+cell-point-unknown = `{ $name }` ist kein Punkt dieser Aufgabe
+    .expected = { $known }
+
+cell-roles-mixed = Punkte zweier Regeln sind gemischt
+    .expected = origin, x, xy, oder x1, x2, y1
+
+cell-axis-missing = der Tabelle fehlen die Werte der Achse
+    .hint = die Spalte nennen: `--column { $column }=KOPF`
+
+cell-no-controller-data = aus `{ $solve }` folgt weder Werkzeug noch Werkstück-Koordinatensystem
+    .hint = die Zahlen dem Text oder `--json` entnehmen
+
+cell-slip = die Messwerte widersprechen sich um { FIXED($stated_mm, 3) } mm (Standardabweichung); { $count ->
+        [one] eine Änderung lässt { FIXED($left_mm, 4) } mm: { $changes }
+       *[other] jede dieser Änderungen lässt { FIXED($left_mm, 4) } mm oder wenig mehr: { $changes }
+    }
+    .hint = die Tabelle oder die Optionen berichtigen
+
+cell-foreign = der Messwert in Zeile { $line } passt nicht zu den anderen: Residuum { FIXED($residual_mm, 4) } mm
+    .hint = den Messwert prüfen und mit `--without` weglassen, wenn er falsch ist
+
+cell-foreign-turned = die Orientierung in Zeile { $line } passt nicht zu den anderen: Residuum { FIXED($residual_deg, 4) } deg
+    .hint = den Messwert prüfen und mit `--without` weglassen, wenn er falsch ist
+
+cell-noise-larger = die Residuen der Positionen betragen { FIXED($found_um, 1) } um (Standardabweichung), mehr als die angegebene Unsicherheit erklärt; die Unsicherheiten folgen aus den Residuen
+    .hint = die Unsicherheit von Roboter und Messung zusammen angeben
+
+cell-noise-larger-turned = die Residuen der Orientierungen betragen { FIXED($found_deg, 4) } deg (Standardabweichung), mehr als die angegebene Unsicherheit erklärt; die Unsicherheiten folgen aus den Residuen
+    .hint = die Unsicherheit von Roboter und Messung zusammen angeben
+
+cell-no-uncertainty = die Unsicherheit ist unbekannt: die Messwerte haben keine Redundanz, und keine Unsicherheit ist angegeben
+    .hint = mehr Messwerte aufnehmen oder `--standard-uncertainty-um` angeben
+
+cell-unit = alle Positionen des Flansches liegen innerhalb von { FIXED($distance_mm, 3) } mm um die Basis, und das Werkzeug ist kürzer als 2 mm: die Positionen sind wahrscheinlich in Metern
+    .hint = `flange_x_m`, `flange_y_m`, `flange_z_m` für Meter verwenden
+
+cell-tool-active = der Werkzeugmittelpunkt liegt { FIXED($distance_mm, 4) } mm vom Ursprung der Posen (u = { FIXED($u_mm, 4) } mm): die Posen sind wahrscheinlich die des Werkzeugs, nicht des Flansches
+    .hint = Posen mit Werkzeug 0 exportieren
+
+cell-scale = die Achse bewegt sich um { FIXED($scale, 5) } × ihre Werte
+    .hint = die Einheit der Spalte und die Übersetzung der Achse prüfen
+
+cell-change-radians = die Winkel { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } sind in Radiant
+
+cell-change-degrees = die Winkel { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } sind in Grad
+
+cell-change-order = die Winkel { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } haben die Reihenfolge „{ $order }“
+
+cell-change-vector = die Winkel { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } sind ein Rotationsvektor
+
+cell-change-angles = die Rotationsvektoren { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } sind Winkel in der Reihenfolge „{ $order }“
+
+cell-change-scalar-last = die Quaternionen { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } haben den Skalar am Ende
+
+cell-change-turned-back = die Orientierungen { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } sind invers
+
+cell-change-inverse = die Posen { $side ->
+        [flange] des Flansches
+       *[measured] der Messung
+    } sind invers
+
+cell-change-unit = die Positionen { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Punkte
+    } sind in { $unit }
+
+cell-change-scale = die gemessenen Punkte sind mit { $factor } multipliziert
+
+cell-change-mirrored = die bekannten Punkte sind gespiegelt (eine Koordinate hat das andere Vorzeichen)
+
+cell-change-exchanged = die Punkte der Zeilen { $first } und { $second } sind vertauscht

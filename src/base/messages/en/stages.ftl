@@ -2135,3 +2135,225 @@ axes-comment-zero = joint values are zero at the start of the sweeps
 axes-comment-target = target { $name } on the flange (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
 
 axes-robot-name = Robot by its axes
+
+# Means: The table has fewer readings than the problem needs.
+# Matters: The answer is not determined.
+# Do: Measure more readings; redundant readings determine the uncertainty.
+# Example: a tool centre point from two orientations
+cell-few = `{ $solve }` needs { $needed } readings; there are { $readings }
+    .hint = measure more readings; redundant readings determine the uncertainty
+
+# Means: The robot has the same orientation in all rows.
+# Matters: A tool moves with the flange: its position does not show.
+# Do: Turn the robot between the readings, about at least two axes.
+# Example: a tool centre point from poses with one orientation
+cell-same-orientation = the robot has the same orientation in all rows
+    .hint = turn the robot between the readings, about at least two axes
+
+# Means: All orientations of the robot differ by rotations about one axis.
+# Matters: A shift of the tool along this axis changes no reading; the position along it is unknown.
+# Do: Add readings with rotations about another axis.
+# Example: a tool centre point from rotations of the last joint alone
+cell-one-axis = all orientations differ by rotations about one axis, [{ $direction }] in the flange: the position along it is not determined
+    .hint = add readings with rotations about another axis
+
+# Means: All points of the table coincide.
+# Matters: They determine no direction.
+# Do: Measure points that are apart; for orientations about one fixed point use `--solve tool-point`.
+# Example: a reflector that stays at one place while the robot turns
+cell-points-coincide = all points coincide
+    .hint = measure points that are apart; for orientations about one fixed point use `--solve tool-point`
+
+# Means: All points are on one line.
+# Matters: The rotation about this line is not determined.
+# Do: Measure a point beside the line.
+# Example: three corners along one edge of a fixture
+cell-points-collinear = all points are collinear in the direction [{ $direction }]: the rotation about this line is not determined
+    .hint = measure a point beside the line
+
+# Means: Two different frames fit the readings equally well.
+# Matters: The readings do not decide between them.
+# Do: Add readings with other orientations.
+# Example: four readings of a reflector with little rotation
+cell-ambiguous = two different frames fit the readings equally well
+    .hint = add readings with other orientations
+
+# Means: The readings do not determine all unknown quantities.
+# Matters: The answer is unknown.
+# Do: Add readings at other poses or values of the axis.
+# Example: an external axis whose target was measured at one value
+cell-undetermined = the readings do not determine all unknown quantities
+    .hint = add readings at other poses or values of the axis
+
+# Means: The poses lack columns of their orientation.
+# Matters: Without orientations a pose is incomplete.
+# Do: Name the columns, with `--column flange_qw=...` where they have other headings.
+# Example: a table of `flange_x_mm`, `flange_y_mm`, `flange_z_mm` alone
+cell-orientation-missing = the poses have no columns of an orientation
+    .expected = { $prefix }qw, { $prefix }qx, { $prefix }qy, { $prefix }qz, or { $prefix }rx_deg .. of a rotation vector, or { $prefix }a_deg .. of three angles, or { $prefix }r11 .. { $prefix }r33
+    .hint = name the columns, with `--column { $prefix }qw=HEADING` where they have other headings
+
+# Means: Orientations are three angles, and the order of the rotations is not stated.
+# Matters: The orientation depends on the order of the rotations.
+# Do: State the order from the manual of the controller: KUKA A B C "zyx", FANUC W P R and Yaskawa "fixed xyz".
+# Example: `flange_a_deg, flange_b_deg, flange_c_deg` without `--orientation`
+cell-order-missing = the order of the angles { $prefix }a, { $prefix }b, { $prefix }c is not stated
+    .hint = state it from the manual: `{ $option } zyx` for A B C of KUKA, `{ $option } "fixed xyz"` for W P R of FANUC
+
+# Means: Hand-eye calibration needs to know what is on the robot.
+# Matters: A sensor on the robot measures the inverse of what a standing sensor measures.
+# Do: State `--mounting target` if the instrument stands, `--mounting sensor` if it is on the robot.
+# Example: a camera on the flange that sees a standing board
+cell-mounting-missing = the part of the measuring system that is on the robot is not stated
+    .hint = state `--mounting target` (the instrument stands) or `--mounting sensor` (the instrument is on the robot)
+
+# Means: A standard uncertainty in the table is zero, negative or missing.
+# Matters: The weight of the row is undefined.
+# Do: Correct the cell.
+# Example: an empty `uz_mm`
+cell-uncertainty-not-positive = a standard uncertainty is missing or not positive
+
+# Means: The column `point` holds an unknown name.
+# Matters: The part of the point is unknown.
+# Do: Use the names of the problem.
+# Example: `origo` for `origin`
+cell-point-unknown = `{ $name }` is not a point of this problem
+    .expected = { $known }
+
+# Means: Points of both rules are in one table: origin, x, xy and x1, x2, y1.
+# Matters: The rules differ in the origin of the frame.
+# Do: Use the points of one rule.
+# Example: `origin`, `x2`, `y1`
+cell-roles-mixed = points of two rules are mixed
+    .expected = origin, x, xy, or x1, x2, y1
+
+# Means: The table lacks the values of the external axis.
+# Matters: Its direction and scale refer to these values.
+# Do: Name the column.
+# Example: a heading `E1` of the controller
+cell-axis-missing = the table lacks the values of the axis
+    .hint = name the column: `--column { $column }=HEADING`
+
+# Means: Controllers have no data of this form for the answer.
+# Matters: Nothing is written.
+# Do: Take the numbers from the text or `--json`.
+# Example: `--solve linear-axis --controller kuka`
+cell-no-controller-data = no tool or work object follows from `{ $solve }`
+    .hint = take the numbers from the text or `--json`
+
+# Means: Readings that contradict each other agree after a change of the input.
+# Matters: The frame would be wrong.
+# Do: Correct the input if the change is true; with several changes the readings do not decide between them.
+# Example: angles of KUKA (zyx) read in the order xyz
+cell-slip = readings contradict each other by { FIXED($stated_mm, 3) } mm (standard deviation); { $count ->
+        [one] one change leaves { FIXED($left_mm, 4) } mm: { $changes }
+       *[other] each of these changes leaves { FIXED($left_mm, 4) } mm or little more: { $changes }
+    }
+    .hint = correct the table or the options
+
+# Means: A reading fits the others less than noise explains once in a hundred tables.
+# Matters: It shifts the result. The residuals contain it, so uncertainties are larger.
+# Do: Check the reading; leave it out with `--without` if it is wrong.
+# Example: one touch of the tip beside the fixed point
+cell-foreign = the reading of line { $line } does not fit the others: residual { FIXED($residual_mm, 4) } mm
+    .hint = check the reading, and leave it out with `--without` if it is wrong
+
+# Means: An orientation fits the others less than noise explains once in a hundred tables.
+# Matters: It shifts the result.
+# Do: Check the reading; leave it out with `--without` if it is wrong.
+# Example: one pose of a camera with exchanged corners
+cell-foreign-turned = the orientation of line { $line } does not fit the others: residual { FIXED($residual_deg, 4) } deg
+    .hint = check the reading, and leave it out with `--without` if it is wrong
+
+# Means: Residuals of positions are larger than the stated uncertainty explains.
+# Matters: Uncertainties of the result are from the residuals.
+# Do: Check the stated uncertainty: it includes robot and measurement.
+# Example: the uncertainty of the tracker alone
+cell-noise-larger = positions have residuals of { FIXED($found_um, 1) } um (standard deviation), more than the stated uncertainty explains; uncertainties are from the residuals
+    .hint = state the uncertainty of robot and measurement together
+
+# Means: Residuals of orientations are larger than the stated uncertainty explains.
+# Matters: Uncertainties of the result are from the residuals.
+# Do: Check the stated uncertainty: it includes robot and measurement.
+# Example: the uncertainty of the tracker alone
+cell-noise-larger-turned = orientations have residuals of { FIXED($found_deg, 4) } deg (standard deviation), more than the stated uncertainty explains; uncertainties are from the residuals
+    .hint = state the uncertainty of robot and measurement together
+
+# Means: The readings have no redundancy, and no uncertainty is stated.
+# Matters: The uncertainty of the result is unknown.
+# Do: Measure more readings, or state `--standard-uncertainty-um`.
+# Example: a work object from three points, each measured once
+cell-no-uncertainty = the uncertainty is unknown: the readings have no redundancy, and no uncertainty is stated
+    .hint = measure more readings, or state `--standard-uncertainty-um`
+
+# Means: All positions of the flange are within a few millimetres of the base of the robot.
+# Matters: Coordinates in metres under `_mm` give a tool that is a thousand times too small.
+# Do: Use `flange_x_m` .. for metres.
+# Example: poses of a ROS topic in metres under `flange_x_mm`
+cell-unit = all positions of the flange are within { FIXED($distance_mm, 3) } mm of the base, and the tool is shorter than 2 mm: positions are probably in metres
+    .hint = use `flange_x_m`, `flange_y_m`, `flange_z_m` for metres
+
+# Means: The tool centre point is at the origin of the poses, within its uncertainty.
+# Matters: The poses are probably those of an active tool, and the result is its correction.
+# Do: Export poses with tool 0 (flange), or take the result as correction of the active tool.
+# Example: poses of ABB with `tool1` in place of `tool0`
+cell-tool-active = the tool centre point is { FIXED($distance_mm, 4) } mm from the origin of the poses (u = { FIXED($u_mm, 4) } mm): the poses are probably those of the tool, not of the flange
+    .hint = export poses with tool 0
+
+# Means: Targets move by another amount than the values of the axis state.
+# Matters: The values are probably in another unit, or the transmission ratio is wrong.
+# Do: Check the unit of the column and the ratio of the axis.
+# Example: values in degrees under `axis_rad`
+cell-scale = the axis moves by { FIXED($scale, 5) } × its values
+    .hint = check the unit of the column and the ratio of the axis
+
+cell-change-radians = the angles { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } are in radians
+
+cell-change-degrees = the angles { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } are in degrees
+
+cell-change-order = the angles { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } have the order "{ $order }"
+
+cell-change-vector = the angles { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } are a rotation vector
+
+cell-change-angles = the rotation vectors { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } are angles in the order "{ $order }"
+
+cell-change-scalar-last = the quaternions { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } have the scalar last
+
+cell-change-turned-back = the orientations { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } are inverse
+
+cell-change-inverse = the poses { $side ->
+        [flange] of the flange
+       *[measured] that are measured
+    } are inverse
+
+cell-change-unit = the positions { $side ->
+        [flange] of the flange
+       *[measured] of the measured points
+    } are in { $unit }
+
+cell-change-scale = the measured points are multiplied by { $factor }
+
+cell-change-mirrored = the known points are mirrored (one coordinate has the other sign)
+
+cell-change-exchanged = the points of lines { $first } and { $second } are exchanged

@@ -1077,3 +1077,129 @@ axes-comment-zero = les valeurs articulaires sont nulles au début des balayages
 axes-comment-target = cible { $name } sur la bride (mm) : { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
 
 axes-robot-name = Robot décrit par ses axes
+
+cell-few = `{ $solve }` exige { $needed } lectures ; il y en a { $readings }
+    .hint = prendre plus de lectures ; des lectures redondantes déterminent l’incertitude
+
+cell-same-orientation = le robot a la même orientation dans toutes les lignes
+    .hint = tourner le robot entre les lectures, autour d’au moins deux axes
+
+cell-one-axis = toutes les orientations diffèrent par des rotations autour d’un seul axe, [{ $direction }] dans la bride : la position le long de cet axe n’est pas déterminée
+    .hint = ajouter des lectures avec des rotations autour d’un autre axe
+
+cell-points-coincide = tous les points coïncident
+    .hint = mesurer des points distants ; pour des orientations autour d’un point fixe, utiliser `--solve tool-point`
+
+cell-points-collinear = tous les points sont sur une droite de direction [{ $direction }] : la rotation autour de cette droite n’est pas déterminée
+    .hint = mesurer un point à côté de la droite
+
+cell-ambiguous = deux référentiels différents s’ajustent aussi bien aux lectures
+    .hint = ajouter des lectures avec d’autres orientations
+
+cell-undetermined = les lectures ne déterminent pas toutes les grandeurs inconnues
+    .hint = ajouter des lectures à d’autres poses ou valeurs de l’axe
+
+cell-orientation-missing = les poses n’ont pas de colonnes d’orientation
+    .expected = { $prefix }qw, { $prefix }qx, { $prefix }qy, { $prefix }qz, ou { $prefix }rx_deg .. d’un vecteur rotation, ou { $prefix }a_deg .. de trois angles, ou { $prefix }r11 .. { $prefix }r33
+    .hint = nommer les colonnes, par `--column { $prefix }qw=TITRE` si leurs titres sont autres
+
+cell-order-missing = l’ordre des angles { $prefix }a, { $prefix }b, { $prefix }c n’est pas indiqué
+    .hint = l’indiquer d’après le manuel : `{ $option } zyx` pour A B C de KUKA, `{ $option } "fixed xyz"` pour W P R de FANUC
+
+cell-mounting-missing = la partie du système de mesure qui est sur le robot n’est pas indiquée
+    .hint = indiquer `--mounting target` (l’instrument est fixe) ou `--mounting sensor` (l’instrument est sur le robot)
+
+cell-uncertainty-not-positive = une incertitude-type manque ou n’est pas positive
+
+cell-point-unknown = `{ $name }` n’est pas un point de ce problème
+    .expected = { $known }
+
+cell-roles-mixed = des points de deux règles sont mélangés
+    .expected = origin, x, xy, ou x1, x2, y1
+
+cell-axis-missing = les valeurs de l’axe manquent dans la table
+    .hint = nommer la colonne : `--column { $column }=TITRE`
+
+cell-no-controller-data = aucun outil ni objet de travail ne résulte de `{ $solve }`
+    .hint = prendre les nombres dans le texte ou dans `--json`
+
+cell-slip = les lectures se contredisent de { FIXED($stated_mm, 3) } mm (écart-type) ; { $count ->
+        [one] un changement laisse { FIXED($left_mm, 4) } mm : { $changes }
+       *[other] chacun de ces changements laisse { FIXED($left_mm, 4) } mm ou un peu plus : { $changes }
+    }
+    .hint = corriger la table ou les options
+
+cell-foreign = la lecture de la ligne { $line } ne s’accorde pas avec les autres : résidu { FIXED($residual_mm, 4) } mm
+    .hint = vérifier la lecture, et l’omettre par `--without` si elle est fausse
+
+cell-foreign-turned = l’orientation de la ligne { $line } ne s’accorde pas avec les autres : résidu { FIXED($residual_deg, 4) } deg
+    .hint = vérifier la lecture, et l’omettre par `--without` si elle est fausse
+
+cell-noise-larger = les résidus des positions sont de { FIXED($found_um, 1) } um (écart-type), plus que l’incertitude indiquée n’explique ; les incertitudes viennent des résidus
+    .hint = indiquer l’incertitude du robot et de la mesure ensemble
+
+cell-noise-larger-turned = les résidus des orientations sont de { FIXED($found_deg, 4) } deg (écart-type), plus que l’incertitude indiquée n’explique ; les incertitudes viennent des résidus
+    .hint = indiquer l’incertitude du robot et de la mesure ensemble
+
+cell-no-uncertainty = l’incertitude est inconnue : les lectures n’ont pas de redondance, et aucune incertitude n’est indiquée
+    .hint = prendre plus de lectures, ou indiquer `--standard-uncertainty-um`
+
+cell-unit = toutes les positions de la bride sont à moins de { FIXED($distance_mm, 3) } mm de la base, et l’outil mesure moins de 2 mm : les positions sont probablement en mètres
+    .hint = utiliser `flange_x_m`, `flange_y_m`, `flange_z_m` pour des mètres
+
+cell-tool-active = le point d’outil est à { FIXED($distance_mm, 4) } mm de l’origine des poses (u = { FIXED($u_mm, 4) } mm) : les poses sont probablement celles de l’outil et non de la bride
+    .hint = exporter les poses avec l’outil 0
+
+cell-scale = l’axe se déplace de { FIXED($scale, 5) } × ses valeurs
+    .hint = vérifier l’unité de la colonne et le rapport de l’axe
+
+cell-change-radians = les angles { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } sont en radians
+
+cell-change-degrees = les angles { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } sont en degrés
+
+cell-change-order = les angles { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } ont l’ordre « { $order } »
+
+cell-change-vector = les angles { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } sont un vecteur rotation
+
+cell-change-angles = les vecteurs rotation { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } sont des angles dans l’ordre « { $order } »
+
+cell-change-scalar-last = les quaternions { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } ont le scalaire en dernier
+
+cell-change-turned-back = les orientations { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } sont inverses
+
+cell-change-inverse = les poses { $side ->
+        [flange] de la bride
+       *[measured] mesurées
+    } sont inverses
+
+cell-change-unit = les positions { $side ->
+        [flange] de la bride
+       *[measured] des points mesurés
+    } sont en { $unit }
+
+cell-change-scale = les points mesurés sont multipliés par { $factor }
+
+cell-change-mirrored = les points connus sont en miroir (une coordonnée a l’autre signe)
+
+cell-change-exchanged = les points des lignes { $first } et { $second } sont échangés

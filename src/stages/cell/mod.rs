@@ -1,0 +1,592 @@
+//! `etalon cell`: tool, work object, hand and eye, external axes from a table of controller poses
+//! and measurements.
+
+mod changes;
+mod readings;
+
+use super::orientations::AngleOrder;
+use super::table_file::TableFile;
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::{Pose, Vector, norm};
+use etalon_base::{error, phrase, warning};
+use etalon_documents::{
+    CellAxisEntry, CellDocument, CellFrameEntry, CellNoise, CellPointEntry, CellResidualEntry, Provenance,
+};
+use etalon_formats::table;
+use etalon_identify::cell::{
+    AlternativeFit, AxisReading, AxisRole, CellFault, CellFrame, CellPoint, CellResidual, Component, Measure, Mounting,
+    ObjectSlip, Quality, Stated, ThreePointRole, explained, hand_eye, linear_axis, object_frame, object_slips,
+    reflector, rotary_axis, three_points, tool_axes, tool_point,
+};
+use etalon_robots::Quantity;
+use rayon::prelude::*;
+use readings::WrittenPoses;
+use std::collections::BTreeMap;
+
+/// Problem that is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum CellKind {
+    /// Tool centre point from orientations about one fixed point.
+    ToolPoint,
+    /// Point of a reflector on the tool, and base of the robot, from its measured positions.
+    ToolReflector,
+    /// Tool frame from contacts of a fixed point with the tool centre point and its axes.
+    ToolAxes,
+    /// Hand and eye from poses on both sides (AX = YB).
+    HandEye,
+    /// Work object or base frame from points with known coordinates.
+    Object,
+    /// Work object or base frame from three points (origin, x, xy or x1, x2, y1).
+    ThreePoints,
+    /// External linear axis: direction and scale.
+    LinearAxis,
+    /// External rotary axis: frame and ratio.
+    RotaryAxis,
+}
+
+impl CellKind {
+    /// Name on the command line and in the document.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ToolPoint => "tool-point",
+            Self::ToolReflector => "tool-reflector",
+            Self::ToolAxes => "tool-axes",
+            Self::HandEye => "hand-eye",
+            Self::Object => "object",
+            Self::ThreePoints => "three-points",
+            Self::LinearAxis => "linear-axis",
+            Self::RotaryAxis => "rotary-axis",
+        }
+    }
+}
+
+/// Place of the measuring system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum CellMounting {
+    /// The target is on the robot, the measuring system stands.
+    Target,
+    /// The sensor is on the robot, its target stands.
+    Sensor,
+}
+
+/// Statements of the user beside the table.
+#[derive(Clone, Debug)]
+pub(crate) struct CellStated {
+    pub solve: CellKind,
+    /// Order of the angles of the flange.
+    pub order: Option<AngleOrder>,
+    /// Order of the angles of measured poses.
+    pub measured_order: Option<AngleOrder>,
+    pub mounting: Option<CellMounting>,
+    /// Standard uncertainty of a coordinate (mm).
+    pub position_mm: Option<f64>,
+    /// Standard uncertainty of an orientation about any axis (rad).
+    pub rotation_rad: Option<f64>,
+}
+
+/// Largest distance of a flange from the base (mm) that indicates another unit.
+const SMALL_MM: f64 = 10.0;
+/// Largest length of a tool (mm) that indicates another unit.
+const SMALL_TOOL_MM: f64 = 2.0;
+/// Coverage factor of a tool that is at the flange.
+const AT_FLANGE: f64 = 3.0;
+/// Largest standard uncertainty (mm) at which a tool at the flange is named.
+const KNOWN_MM: f64 = 2.0;
+/// Maximum number of changes in a message.
+const NAMED: usize = 4;
+
+/// Answer of one kind.
+#[derive(Default)]
+struct Found {
+    frames: Vec<CellFrameEntry>,
+    points: Vec<CellPointEntry>,
+    axis: Option<CellAxisEntry>,
+    quality: Option<Quality>,
+    messages: Vec<Message>,
+}
+
+/// Solves a problem of a cell.
+pub(crate) fn cell(file: &TableFile, stated: &CellStated) -> Result<CellDocument> {
+    solve(file, stated).map_err(|problems| file.place(problems))
+}
+
+fn solve(file: &TableFile, stated: &CellStated) -> Result<CellDocument> {
+    let task = Task {
+        file,
+        stated,
+        uncertain: Stated {
+            position_mm: stated.position_mm,
+            rotation_rad: stated.rotation_rad,
+            measured_mm: readings::uncertainties(file)?,
+        },
+    };
+    let mut found = match stated.solve {
+        CellKind::ToolPoint => task.tool_point(),
+        CellKind::ToolReflector => task.tool_reflector(),
+        CellKind::ToolAxes => task.tool_axes(),
+        CellKind::HandEye => task.hand_eye(),
+        CellKind::Object => task.object(),
+        CellKind::ThreePoints => task.three_points(),
+        CellKind::LinearAxis | CellKind::RotaryAxis => task.axis(),
+    }?;
+    let quality = found.quality.take();
+    if let Some(quality) = &quality {
+        found.messages.extend(task.remarks(quality));
+    }
+    let inputs = BTreeMap::from([(file.name.clone(), etalon_base::files::sha256(file.text().as_bytes()))]);
+    Ok(CellDocument {
+        schema: "etalon/cell/1".to_owned(),
+        provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: None },
+        solve: stated.solve.name().to_owned(),
+        readings: file.table.height(),
+        frames: found.frames,
+        points: found.points,
+        axis: found.axis,
+        noise: quality.iter().flat_map(|q| &q.components).map(noise).collect(),
+        residuals: quality.iter().flat_map(|q| &q.residuals).map(|r| task.residual(r)).collect(),
+        messages: found.messages,
+    })
+}
+
+fn unit(measure: Measure) -> (&'static str, f64) {
+    match measure {
+        Measure::Position => ("position", 1.0),
+        Measure::Orientation => ("orientation", 1f64.to_degrees()),
+    }
+}
+
+fn noise(component: &Component) -> CellNoise {
+    let (measure, factor) = unit(component.measure);
+    CellNoise {
+        measure: measure.to_owned(),
+        equations: component.equations,
+        redundancy: component.redundancy,
+        standard_deviation: (component.redundancy > 0.5).then_some(component.deviation * factor),
+        uncertainties_from: if component.agrees { "stated" } else { "residuals" }.to_owned(),
+    }
+}
+
+fn frame_entry(name: &str, reference: &str, frame: &CellFrame, known: bool) -> CellFrameEntry {
+    let (of_position, of_rotation) = frame.standard_uncertainties();
+    CellFrameEntry {
+        name: name.to_owned(),
+        reference: reference.to_owned(),
+        xyz_mm: frame.pose.translation_mm,
+        quaternion: frame.pose.quaternion(),
+        standard_uncertainty_mm: known.then_some(of_position),
+        standard_uncertainty_deg: known.then(|| of_rotation.map(f64::to_degrees)),
+        covariance: known.then_some(frame.covariance),
+    }
+}
+
+fn point_entry(name: &str, reference: &str, point: &CellPoint, known: bool) -> CellPointEntry {
+    let u = |i: usize| point.covariance_mm2[i][i].max(0.0).sqrt();
+    CellPointEntry {
+        name: name.to_owned(),
+        reference: reference.to_owned(),
+        xyz_mm: point.at_mm,
+        standard_uncertainty_mm: known.then(|| [u(0), u(1), u(2)]),
+        covariance_mm2: known.then_some(point.covariance_mm2),
+    }
+}
+
+/// Table and statements.
+struct Task<'a> {
+    file: &'a TableFile,
+    stated: &'a CellStated,
+    uncertain: Stated,
+}
+
+impl Task<'_> {
+    fn is_stated(&self, measure: Measure) -> bool {
+        match measure {
+            Measure::Position => self.uncertain.position_mm.is_some() || !self.uncertain.measured_mm.is_empty(),
+            Measure::Orientation => self.uncertain.rotation_rad.is_some(),
+        }
+    }
+
+    fn residual(&self, residual: &CellResidual) -> CellResidualEntry {
+        let (measure, factor) = unit(residual.measure);
+        let value = residual.value.map(|v| v * factor);
+        CellResidualEntry {
+            line: readings::line(self.file, residual.reading),
+            measure: measure.to_owned(),
+            residual: value,
+            length: norm(value),
+            probability: residual.probability,
+        }
+    }
+
+    /// Message of data that do not determine the answer.
+    fn fault(&self, fault: CellFault) -> Problems {
+        let solve = self.stated.solve.name();
+        let shown = |d: Vector| d.map(|v| format!("{v:.3}")).join(" ");
+        match fault {
+            CellFault::TooFew { needed, readings } => error!("cell-few", solve, needed, readings),
+            CellFault::SameOrientation => error!("cell-same-orientation"),
+            CellFault::OneAxis { direction } => error!("cell-one-axis", direction = shown(direction)),
+            CellFault::Coincident => error!("cell-points-coincide"),
+            CellFault::Collinear { direction } => error!("cell-points-collinear", direction = shown(direction)),
+            CellFault::Undetermined => error!("cell-undetermined"),
+        }
+        .into()
+    }
+
+    /// Warnings of the residuals.
+    fn remarks(&self, quality: &Quality) -> Vec<Message> {
+        let mut messages = Vec::new();
+        if let Some(foreign) = quality.foreign() {
+            let (_, factor) = unit(foreign.measure);
+            let size = norm(foreign.value) * factor;
+            let line = readings::line(self.file, foreign.reading);
+            let place = Place { line: Some(line), ..Place::default() };
+            let message = match foreign.measure {
+                Measure::Position => warning!("cell-foreign", line, residual_mm = size),
+                Measure::Orientation => warning!("cell-foreign-turned", line, residual_deg = size),
+            };
+            messages.extend(self.file.place(message.at(place).into()).0);
+        }
+        for component in quality.components.iter().filter(|c| self.is_stated(c.measure) && !c.agrees) {
+            let (_, factor) = unit(component.measure);
+            if component.redundancy > 0.5 {
+                let found = component.deviation * factor;
+                messages.push(match component.measure {
+                    Measure::Position => warning!("cell-noise-larger", found_um = 1000.0 * found),
+                    Measure::Orientation => warning!("cell-noise-larger-turned", found_deg = found),
+                });
+            }
+        }
+        if !quality.has_uncertainty() {
+            messages.push(warning!("cell-no-uncertainty"));
+        }
+        messages
+    }
+
+    /// Refuses data that a change explains, and which cannot be explained as they are.
+    fn refuse_slips(&self, found: &Quality, changes: Vec<AlternativeFit<Phrase>>) -> Result<()> {
+        let explaining = explained(found, changes);
+        let Some(best) = explaining.first() else { return Ok(()) };
+        let deviation = |q: &Quality, k: Measure| q.components.iter().find(|c| c.measure == k).map(|c| c.deviation);
+        let stated_mm = deviation(found, Measure::Position).unwrap_or(0.0);
+        let left_mm = deviation(&best.quality, Measure::Position).unwrap_or(0.0);
+        let count = explaining.len();
+        let changes: Vec<Phrase> = explaining.iter().take(NAMED).map(|a| a.change.clone()).collect();
+        Err(error!("cell-slip", count, changes, stated_mm, left_mm).into())
+    }
+
+    fn flange(&self) -> Result<WrittenPoses> {
+        readings::flange(self.file, self.stated.order)
+    }
+
+    /// Warning of positions that are probably in metres: poses near the base, and a tool that is a
+    /// point.
+    fn unit_warning(poses: &[Pose], tool_mm: Vector) -> Option<Message> {
+        let largest = poses.iter().map(|p| norm(p.translation_mm)).fold(0.0, f64::max);
+        let small = largest > 0.0 && largest < SMALL_MM && norm(tool_mm) < SMALL_TOOL_MM;
+        small.then(|| warning!("cell-unit", distance_mm = largest))
+    }
+
+    fn tool_point(&self) -> Result<Found> {
+        let written = self.flange()?;
+        let poses = written.poses();
+        let uncertain = Stated { measured_mm: Vec::new(), ..self.uncertain.clone() };
+        let fit = tool_point(&poses, &uncertain).map_err(|fault| self.fault(fault))?;
+        let changes = changes::of_orientations(&written, "flange").into_iter().filter_map(|(change, poses)| {
+            Some(AlternativeFit { change, quality: tool_point(&poses, &uncertain).ok()?.quality })
+        });
+        self.refuse_slips(&fit.quality, changes.collect())?;
+        let known = fit.quality.has_uncertainty();
+        let mut messages: Vec<Message> = Self::unit_warning(&poses, fit.tool.at_mm).into_iter().collect();
+        let u = (0..3).map(|i| fit.tool.covariance_mm2[i][i]).sum::<f64>().max(0.0).sqrt();
+        let distance_mm = norm(fit.tool.at_mm);
+        if known && u < KNOWN_MM && distance_mm < AT_FLANGE * u {
+            messages.push(warning!("cell-tool-active", distance_mm, u_mm = u));
+        }
+        Ok(Found {
+            points: vec![
+                point_entry("tool", "flange", &fit.tool, known),
+                point_entry("fixed", "base", &fit.fixed, known),
+            ],
+            quality: Some(fit.quality),
+            messages,
+            ..Found::default()
+        })
+    }
+
+    fn tool_reflector(&self) -> Result<Found> {
+        let written = self.flange()?;
+        let (poses, points) = (written.poses(), readings::coordinates(self.file, "")?);
+        let fit = reflector(&poses, &points, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let few = Few::of(poses.len(), &self.uncertain);
+        let points = few.rows(&points);
+        let solved = |poses: &[Pose], points: &[Vector]| {
+            reflector(&few.rows(poses), points, &few.uncertain).ok().map(|fit| fit.quality)
+        };
+        let own = changes::of_orientations(&written, "flange").into_iter();
+        let changed: Vec<_> = own.chain(changes::of_positions(&written, "flange")).collect();
+        let mut all = explaining(changed, |poses| solved(poses, &points));
+        for (factor, unit) in changes::UNITS {
+            let scaled: Vec<Vector> = points.iter().map(|p| p.map(|v| v * factor)).collect();
+            if let Some(quality) = solved(&poses, &scaled) {
+                let change = phrase!("cell-change-unit", side = "measured", unit);
+                all.push(AlternativeFit { change, quality: quality.in_unit(factor) });
+            }
+        }
+        self.refuse_slips(&few.quality(&fit.quality, || solved(&poses, &points)), all)?;
+        if fit.ambiguous {
+            return Err(error!("cell-ambiguous").into());
+        }
+        let known = fit.quality.has_uncertainty();
+        Ok(Found {
+            points: vec![point_entry("tool", "flange", &fit.tool, known)],
+            frames: vec![frame_entry("base", "world", &fit.world_T_base, known)],
+            messages: Self::unit_warning(&poses, fit.tool.at_mm).into_iter().collect(),
+            quality: Some(fit.quality),
+            ..Found::default()
+        })
+    }
+
+    fn hand_eye(&self) -> Result<Found> {
+        let mounting = match self.stated.mounting {
+            Some(CellMounting::Target) => Mounting::Target,
+            Some(CellMounting::Sensor) => Mounting::Sensor,
+            None => return Err(error!("cell-mounting-missing").into()),
+        };
+        let written = self.flange()?;
+        let seen = readings::poses(self.file, "", self.stated.measured_order)?;
+        let (poses, measured) = (written.poses(), seen.poses());
+        let fit = hand_eye(&poses, &measured, mounting, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let few = Few::of(poses.len(), &self.uncertain);
+        let solved = |poses: &[Pose], measured: &[Pose]| {
+            let fit = hand_eye(&few.rows(poses), &few.rows(measured), mounting, &few.uncertain);
+            fit.ok().map(|fit| fit.quality)
+        };
+        let of_flange = changes::of_orientations(&written, "flange").into_iter();
+        let of_flange: Vec<_> = of_flange.chain(changes::of_positions(&written, "flange")).collect();
+        let mut all = explaining(of_flange, |poses| solved(poses, &measured));
+        all.extend(explaining(changes::of_orientations(&seen, "measured"), |measured| solved(&poses, measured)));
+        for ((change, measured), (factor, _)) in
+            changes::of_positions(&seen, "measured").into_iter().zip(changes::UNITS)
+        {
+            let quality = solved(&poses, &measured).map(|quality| quality.in_unit(factor));
+            all.extend(quality.map(|quality| AlternativeFit { change, quality }));
+        }
+        self.refuse_slips(&few.quality(&fit.quality, || solved(&poses, &measured)), all)?;
+        if fit.ambiguous {
+            return Err(error!("cell-ambiguous").into());
+        }
+        let known = fit.quality.has_uncertainty();
+        let [hand, other] = if mounting == Mounting::Target { ["tool", "world"] } else { ["sensor", "target"] };
+        Ok(Found {
+            frames: vec![
+                frame_entry(hand, "flange", &fit.flange_T_hand, known),
+                frame_entry(other, "base", &fit.base_T_world, known),
+            ],
+            messages: Self::unit_warning(&poses, fit.flange_T_hand.pose.translation_mm).into_iter().collect(),
+            quality: Some(fit.quality),
+            ..Found::default()
+        })
+    }
+
+    fn object(&self) -> Result<Found> {
+        let known = readings::coordinates(self.file, "nominal_")?;
+        let measured = readings::coordinates(self.file, "")?;
+        let fit = object_frame(&known, &measured, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let line = |i: usize| readings::line(self.file, i);
+        let described = |slip: ObjectSlip| match slip {
+            ObjectSlip::Unit(factor) => phrase!("cell-change-scale", factor),
+            ObjectSlip::Mirrored(_) => phrase!("cell-change-mirrored"),
+            ObjectSlip::Exchanged([a, b]) => phrase!("cell-change-exchanged", first = line(a), second = line(b)),
+        };
+        let slips = object_slips(&known, &measured, &self.uncertain, &fit.quality).into_iter();
+        let changes = slips.map(|a| AlternativeFit { change: described(a.change), quality: a.quality }).collect();
+        self.refuse_slips(&fit.quality, changes)?;
+        let has = fit.quality.has_uncertainty();
+        Ok(Found {
+            frames: vec![frame_entry("object", "points", &fit.frame, has)],
+            quality: Some(fit.quality),
+            ..Found::default()
+        })
+    }
+
+    /// Indices of the rows by the names in the column `point`.
+    fn roles(&self, known: &[&str]) -> Result<Vec<usize>> {
+        table::require(&self.file.table, &["point".to_owned()])?;
+        let names = table::texts(&self.file.table, "point")?;
+        let mut problems = Problems::default();
+        let mut roles = Vec::new();
+        for (i, name) in names.iter().enumerate() {
+            match known.iter().position(|role| *role == name.trim()) {
+                Some(role) => roles.push(role),
+                None => {
+                    let place = Place { line: Some(readings::line(self.file, i)), ..Place::default() };
+                    problems.0.push(error!("cell-point-unknown", name, known = known.join(", ")).at(place));
+                }
+            }
+        }
+        problems.check()?;
+        Ok(roles)
+    }
+
+    fn three_points(&self) -> Result<Found> {
+        const NAMES: [&str; 6] = ["origin", "x", "xy", "x1", "x2", "y1"];
+        let (roles, points) = (self.roles(&NAMES)?, readings::coordinates(self.file, "")?);
+        if roles.iter().any(|r| *r < 3) && roles.iter().any(|r| *r >= 3) {
+            return Err(error!("cell-roles-mixed").into());
+        }
+        let first = if roles.iter().any(|r| *r >= 3) { 3 } else { 0 };
+        let role = if first == 3 { ThreePointRole::XXY } else { ThreePointRole::OriginXPlane };
+        let of = |k: usize| -> Vec<Vector> {
+            roles.iter().zip(&points).filter(|(r, _)| **r == first + k).map(|(_, p)| *p).collect()
+        };
+        let all = [of(0), of(1), of(2)];
+        let fit = three_points([&all[0], &all[1], &all[2]], role, self.uncertain.position_mm)
+            .map_err(|fault| self.fault(fault))?;
+        let known = fit.standard_uncertainty_mm.is_some();
+        let mut messages = Vec::new();
+        if !known {
+            messages.push(warning!("cell-no-uncertainty"));
+        }
+        if let (Some(stated), Some((found, _))) = (self.uncertain.position_mm, fit.repeats)
+            && fit.standard_uncertainty_mm != Some(stated)
+        {
+            messages.push(warning!("cell-noise-larger", found_um = 1000.0 * found));
+        }
+        Ok(Found { frames: vec![frame_entry("object", "points", &fit.frame, known)], messages, ..Found::default() })
+    }
+
+    fn tool_axes(&self) -> Result<Found> {
+        let roles = self.roles(&["tip", "z", "x"])?;
+        let written = self.flange()?;
+        let role = |r: &usize| [AxisRole::Tip, AxisRole::Z, AxisRole::X][*r];
+        let with = |poses: Vec<Pose>| -> Vec<(AxisRole, Pose)> { roles.iter().map(role).zip(poses).collect() };
+        let uncertain = Stated { measured_mm: Vec::new(), ..self.uncertain.clone() };
+        let poses = written.poses();
+        let fit = tool_axes(&with(poses.clone()), &uncertain).map_err(|fault| self.fault(fault))?;
+        let changes = changes::of_orientations(&written, "flange").into_iter().filter_map(|(change, poses)| {
+            Some(AlternativeFit { change, quality: tool_axes(&with(poses), &uncertain).ok()?.quality })
+        });
+        self.refuse_slips(&fit.quality, changes.collect())?;
+        let known = fit.quality.has_uncertainty();
+        Ok(Found {
+            frames: vec![frame_entry("tool", "flange", &fit.tool, known)],
+            points: vec![point_entry("fixed", "base", &fit.fixed, known)],
+            messages: Self::unit_warning(&poses, fit.tool.pose.translation_mm).into_iter().collect(),
+            quality: Some(fit.quality),
+            ..Found::default()
+        })
+    }
+
+    fn axis(&self) -> Result<Found> {
+        let prismatic = self.stated.solve == CellKind::LinearAxis;
+        let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
+        let Some(values) = readings::values(&self.file.table, "axis", quantity)? else {
+            return Err(error!("cell-axis-missing", column = if prismatic { "axis_mm" } else { "axis_deg" }).into());
+        };
+        let points = readings::coordinates(self.file, "")?;
+        let has_targets = self.file.table.column("target").is_ok();
+        let names =
+            if has_targets { table::texts(&self.file.table, "target")? } else { vec![String::new(); points.len()] };
+        let mut targets: Vec<&String> = Vec::new();
+        let mut all = Vec::new();
+        for (i, (value, position_mm)) in values.iter().zip(points).enumerate() {
+            if !value.is_finite() {
+                let place = Place { line: Some(readings::line(self.file, i)), ..Place::default() };
+                return Err(error!("table-value-missing").at(place).into());
+            }
+            let target = targets.iter().position(|t| **t == names[i]).unwrap_or_else(|| {
+                targets.push(&names[i]);
+                targets.len() - 1
+            });
+            all.push(AxisReading { target, value: *value, position_mm });
+        }
+        if prismatic { self.linear(&all) } else { self.rotary(&all) }
+    }
+
+    fn linear(&self, readings: &[AxisReading]) -> Result<Found> {
+        let fit = linear_axis(readings, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let known = fit.quality.has_uncertainty();
+        Ok(Found {
+            axis: Some(CellAxisEntry {
+                prismatic: true,
+                direction: fit.direction,
+                direction_covariance: known.then_some(fit.direction_covariance),
+                scale: fit.scale,
+                scale_standard_uncertainty: known.then_some(fit.scale_standard_uncertainty),
+                radius_mm: None,
+            }),
+            messages: scale_warning(fit.scale).into_iter().collect(),
+            quality: Some(fit.quality),
+            ..Found::default()
+        })
+    }
+
+    fn rotary(&self, readings: &[AxisReading]) -> Result<Found> {
+        let fit = rotary_axis(readings, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let known = fit.quality.has_uncertainty();
+        Ok(Found {
+            frames: vec![frame_entry("axis", "points", &fit.frame, known)],
+            axis: Some(CellAxisEntry {
+                prismatic: false,
+                direction: fit.frame.pose.axis(2),
+                direction_covariance: None,
+                scale: fit.ratio,
+                scale_standard_uncertainty: known.then_some(fit.ratio_standard_uncertainty),
+                radius_mm: Some(fit.radius_mm),
+            }),
+            messages: scale_warning(fit.ratio).into_iter().collect(),
+            quality: Some(fit.quality),
+            ..Found::default()
+        })
+    }
+}
+
+/// Maximum number of readings by which changes are judged.
+const MOST_READINGS: usize = 24;
+
+/// Readings by which changes are judged, evenly over the table.
+struct Few {
+    rows: Vec<usize>,
+    all: usize,
+    uncertain: Stated,
+}
+
+impl Few {
+    fn of(all: usize, uncertain: &Stated) -> Self {
+        let count = all.min(MOST_READINGS);
+        let rows: Vec<usize> = (0..count).map(|k| k * all / count.max(1)).collect();
+        let measured_mm = rows.iter().filter_map(|&i| uncertain.measured_mm.get(i).copied()).collect();
+        Self { all, uncertain: Stated { measured_mm, ..uncertain.clone() }, rows }
+    }
+
+    fn rows<T: Copy>(&self, of: &[T]) -> Vec<T> {
+        if of.len() < self.all { of.to_vec() } else { self.rows.iter().map(|&i| of[i]).collect() }
+    }
+
+    /// Residuals of these readings as they are; those of all readings if there are few.
+    fn quality(&self, of_all: &Quality, solved: impl FnOnce() -> Option<Quality>) -> Quality {
+        let own = if self.rows.len() < self.all { solved() } else { None };
+        own.unwrap_or_else(|| of_all.clone())
+    }
+}
+
+/// Residuals after each change that can be solved.
+fn explaining<T: Send>(
+    changed: Vec<(Phrase, T)>,
+    solved: impl Fn(&T) -> Option<Quality> + Sync,
+) -> Vec<AlternativeFit<Phrase>> {
+    let fits = changed.into_par_iter().filter_map(|(change, input)| {
+        let quality = solved(&input)?;
+        Some(AlternativeFit { change, quality })
+    });
+    fits.collect()
+}
+
+/// Largest deviation of the scale of an axis from one without a warning.
+const SCALE: f64 = 0.005;
+
+/// Warning of an axis that moves otherwise than its values say.
+fn scale_warning(scale: f64) -> Option<Message> {
+    ((scale - 1.0).abs() > SCALE).then(|| warning!("cell-scale", scale))
+}

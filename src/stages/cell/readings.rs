@@ -1,0 +1,129 @@
+//! Tables of `etalon cell`: poses of the flange, measured points or poses, known points, values of
+//! an external axis.
+
+use crate::stages::orientations::{self, AngleOrder, Written};
+use crate::stages::table_file::TableFile;
+use etalon_base::error;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::{Pose, Vector};
+use etalon_formats::table::{self, FLANGE, UNCERTAINTIES, XYZ};
+use etalon_robots::{Joint, Quantity};
+use polars::prelude::DataFrame;
+
+/// Poses of a table, as they are written.
+pub(super) struct WrittenPoses {
+    pub positions_mm: Vec<Vector>,
+    pub orientations: Vec<Written>,
+    pub order: Option<AngleOrder>,
+}
+
+/// Message at the line of a row.
+fn at(file: &TableFile, row: usize, message: Message) -> Message {
+    message.at(Place { line: Some(line(file, row)), ..Place::default() })
+}
+
+/// Line of a row in its file.
+pub(super) fn line(file: &TableFile, row: usize) -> usize {
+    table::lines(&file.table).ok().and_then(|line| line(row)).unwrap_or(row + 1)
+}
+
+/// Values of a column in any unit of its quantity (mm or rad); `None` without a column.
+pub(super) fn values(table: &DataFrame, name: &str, quantity: Quantity) -> Result<Option<Vec<f64>>> {
+    let joint = Joint { name: name.to_owned(), quantity };
+    for column in table.get_column_names() {
+        if let Some(factor) = joint.factor(column) {
+            return Ok(Some(table::numbers(table, column)?.into_iter().map(|v| v * factor).collect()));
+        }
+    }
+    Ok(None)
+}
+
+/// Three coordinates (mm) whose columns begin with `prefix`.
+///
+/// # Errors
+/// Reports missing columns and cells.
+pub(super) fn coordinates(file: &TableFile, prefix: &str) -> Result<Vec<Vector>> {
+    let mut columns = Vec::new();
+    for (axis, whole) in ["x", "y", "z"].into_iter().zip(XYZ) {
+        match values(&file.table, &format!("{prefix}{axis}"), Quantity::Length)? {
+            Some(values) => columns.push(values),
+            None => table::require(&file.table, &[format!("{prefix}{whole}")])?,
+        }
+    }
+    let rows: Vec<Vector> = (0..file.table.height()).map(|i| [0, 1, 2].map(|k| columns[k][i])).collect();
+    let bad = |p: &Vector| !p.iter().all(|v| v.is_finite());
+    let missing = (0..rows.len()).filter(|&i| bad(&rows[i])).map(|i| at(file, i, error!("table-value-missing")));
+    Problems(missing.collect()).check()?;
+    Ok(rows)
+}
+
+/// Standard uncertainties of the measured coordinates (mm); empty without columns.
+pub(super) fn uncertainties(file: &TableFile) -> Result<Vec<Vector>> {
+    if UNCERTAINTIES.iter().all(|name| file.table.column(name).is_err()) {
+        return Ok(Vec::new());
+    }
+    table::require(&file.table, &UNCERTAINTIES.map(str::to_owned))?;
+    let [x, y, z] = UNCERTAINTIES.map(|name| table::numbers(&file.table, name));
+    let (x, y, z) = (x?, y?, z?);
+    let rows: Vec<Vector> = (0..x.len()).map(|i| [x[i], y[i], z[i]]).collect();
+    let bad = |u: &Vector| !u.iter().all(|v| v.is_finite() && *v > 0.0);
+    let wrong =
+        (0..rows.len()).filter(|&i| bad(&rows[i])).map(|i| at(file, i, error!("cell-uncertainty-not-positive")));
+    Problems(wrong.collect()).check()?;
+    Ok(rows)
+}
+
+/// Poses of the flange (`flange_x_mm` ...), or measured ones (`x_mm` ...).
+///
+/// # Errors
+/// Reports missing columns, and three angles without their order.
+pub(super) fn poses(file: &TableFile, prefix: &str, order: Option<AngleOrder>) -> Result<WrittenPoses> {
+    let positions_mm = coordinates(file, prefix)?;
+    let table = match prefix.is_empty() {
+        true => file.table.clone(),
+        false => without_prefix(&file.table, prefix)?,
+    };
+    if !orientations::are_in(&table) {
+        let header = Place { line: Some(1), ..Place::default() };
+        return Err(error!("cell-orientation-missing", prefix).at(header).into());
+    }
+    let orientations = orientations::written(&table)?;
+    let unordered = order.is_none() && orientations.iter().any(|o| o.angles().is_some());
+    if unordered {
+        let option = if prefix.is_empty() { "--measured-orientation" } else { "--orientation" };
+        return Err(error!("cell-order-missing", prefix, option).into());
+    }
+    let all = WrittenPoses { positions_mm, orientations, order };
+    let wrong = (0..all.orientations.len()).filter_map(|i| {
+        all.orientations[i].pose(all.order).err().map(|problems| problems.0.into_iter().map(move |m| (i, m)))
+    });
+    Problems(wrong.flatten().map(|(i, message)| at(file, i, message)).collect()).check()?;
+    Ok(all)
+}
+
+/// Columns whose names begin with `prefix`, without it.
+fn without_prefix(table: &DataFrame, prefix: &str) -> Result<DataFrame> {
+    let own = table.columns().iter().filter_map(|column| {
+        let name = column.name().strip_prefix(prefix)?;
+        Some(column.clone().with_name(name.into()))
+    });
+    table::frame(table.height(), own.collect())
+}
+
+impl WrittenPoses {
+    /// Poses by a change of their orientations; the unchanged ones were read before.
+    pub fn poses_with(&self, order: Option<AngleOrder>, change: impl Fn(&Written) -> Written) -> Option<Vec<Pose>> {
+        let both = self.positions_mm.iter().zip(&self.orientations);
+        both.map(|(p, o)| Some(Pose { translation_mm: *p, ..change(o).pose(order).ok()? })).collect()
+    }
+
+    /// Poses as they are written.
+    pub fn poses(&self) -> Vec<Pose> {
+        self.poses_with(self.order, |o| *o).unwrap_or_default()
+    }
+}
+
+/// Poses of the flange.
+pub(super) fn flange(file: &TableFile, order: Option<AngleOrder>) -> Result<WrittenPoses> {
+    poses(file, FLANGE, order)
+}

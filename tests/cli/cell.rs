@@ -1,0 +1,316 @@
+//! `etalon cell`: tables of synthetic cells give their frames; wrong conventions are named, sound ones are not.
+
+use etalon::base::angle_order::AngleOrder;
+use etalon::base::catalogue::Argument;
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, minus, norm};
+use etalon::cli::in_memory::{Answer, answer};
+use etalon::documents::CellDocument;
+use std::fmt::Write;
+
+const FIXED: Vector = [820.0, -310.0, 245.0];
+
+fn drawn(noise: &mut Noise, turn: f64, size: f64) -> Pose {
+    let mut vector = |size: f64| [0; 3].map(|_| noise.uniform(size));
+    Pose { translation_mm: vector(size), ..Pose::from_rotation_vector(vector(turn)) }
+}
+
+fn tool() -> Pose {
+    Pose::from_xyz_rpy([12.5, -4.0, 183.2], [0.3, -0.2, 1.1])
+}
+
+/// Poses of a flange that looks down, with the tool centre point at the fixed point.
+fn touches(count: usize, turn: f64, noise_mm: f64) -> Vec<Pose> {
+    let mut noise = Noise::new(61, 0);
+    let down = Pose::from_xyz_rpy([0.0; 3], [std::f64::consts::PI, 0.0, 0.0]);
+    let touch = |_| {
+        let turned = down.then(&drawn(&mut noise, turn, 0.0));
+        let at = minus(FIXED, turned.rotate(tool().translation_mm)).map(|v| v + noise.gaussian(noise_mm));
+        Pose { translation_mm: at, ..turned }
+    };
+    (0..count).map(touch).collect()
+}
+
+/// Poses that are spread in space.
+fn spread(count: usize) -> Vec<Pose> {
+    let mut noise = Noise::new(62, 0);
+    (0..count)
+        .map(|_| {
+            let pose = drawn(&mut noise, 0.9, 400.0);
+            Pose { translation_mm: [0, 1, 2].map(|k| pose.translation_mm[k] + [900.0, 0.0, 600.0][k]), ..pose }
+        })
+        .collect()
+}
+
+fn noisy(noise: &mut Noise, pose: &Pose, mm: f64, rad: f64) -> Pose {
+    let turn = Pose::from_rotation_vector([0; 3].map(|_| noise.gaussian(rad)));
+    let turned = turn.then(&Pose { translation_mm: [0.0; 3], ..*pose });
+    Pose { translation_mm: pose.translation_mm.map(|v| v + noise.gaussian(mm)), ..turned }
+}
+
+/// Headings and cells of poses, by prefix and form of the orientation.
+fn columns(prefix: &str, form: &str, poses: &[Pose]) -> Vec<String> {
+    let names: &[&str] = match form {
+        "quaternion" => &["qw", "qx", "qy", "qz"],
+        "vector" => &["rx_rad", "ry_rad", "rz_rad"],
+        _ => &["a_deg", "b_deg", "c_deg"],
+    };
+    let head =
+        ["x_mm", "y_mm", "z_mm"].iter().chain(names).map(|n| format!("{prefix}{n}")).collect::<Vec<_>>().join(",");
+    let row = |pose: &Pose| {
+        let numbers: Vec<f64> = match form {
+            "quaternion" => pose.quaternion().to_vec(),
+            "vector" => pose.rotation_vector_rad().to_vec(),
+            order => order.parse::<AngleOrder>().unwrap().angles(pose).map(f64::to_degrees).to_vec(),
+        };
+        let all = pose.translation_mm.iter().chain(&numbers).map(|v| format!("{v:.9}"));
+        all.collect::<Vec<_>>().join(",")
+    };
+    std::iter::once(head).chain(poses.iter().map(row)).collect()
+}
+
+/// A table of columns side by side.
+fn table(parts: &[Vec<String>]) -> String {
+    (0..parts[0].len()).fold(String::new(), |mut out, i| {
+        let _ = writeln!(out, "{}", parts.iter().map(|p| p[i].as_str()).collect::<Vec<_>>().join(","));
+        out
+    })
+}
+
+fn points(prefix: &str, all: &[Vector]) -> Vec<String> {
+    let head = ["x_mm", "y_mm", "z_mm"].map(|n| format!("{prefix}{n}")).join(",");
+    std::iter::once(head).chain(all.iter().map(|p| p.map(|v| format!("{v:.9}")).join(","))).collect()
+}
+
+fn run(table: &str, arguments: &[&str]) -> Answer {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cell.csv");
+    std::fs::write(&path, table).unwrap();
+    let path = path.display().to_string();
+    answer(["etalon", "cell", &path].iter().chain(arguments).map(|a| (*a).into()))
+}
+
+fn document(table: &str, arguments: &[&str]) -> CellDocument {
+    let answer = run(table, &[arguments, &["--json"]].concat());
+    assert_eq!(answer.code, 0, "{}", answer.stderr);
+    serde_json::from_slice(&answer.stdout).unwrap()
+}
+
+/// Ids of the changes that a refusal names.
+fn changes(table: &str, arguments: &[&str]) -> Vec<String> {
+    let answer = run(table, arguments);
+    assert_eq!(answer.code, 2, "{}", answer.stderr);
+    let slip = answer.messages.iter().find(|m| m.id == "cell-slip").unwrap_or_else(|| panic!("{}", answer.stderr));
+    let Argument::List(all) = &slip.arguments["changes"] else { panic!("{slip:?}") };
+    let id = |a: &Argument| if let Argument::Phrase(phrase) = a { phrase.id.to_string() } else { String::new() };
+    all.iter().map(id).collect()
+}
+
+#[test]
+fn a_tool_point_is_found_and_wrong_conventions_are_named() {
+    let poses = touches(8, 0.7, 0.05);
+    let kuka = table(&[columns("flange_", "zyx", &poses)]);
+    let found = document(&kuka, &["--solve", "tool-point", "--orientation", "zyx"]);
+    assert!(found.messages.is_empty(), "{:?}", found.messages);
+    let (at, u) = (found.points[0].xyz_mm, found.points[0].standard_uncertainty_mm.unwrap());
+    assert!((0..3).all(|k| (at[k] - tool().translation_mm[k]).abs() < 4.0 * u[k] && u[k] < 0.2), "{at:?} {u:?}");
+    // another order is an error of the data, and the true one is named
+    assert_eq!(changes(&kuka, &["--solve", "tool-point", "--orientation", "fixed xyz"]), ["cell-change-order"]);
+    let radians = kuka.replace("_deg", "_rad");
+    assert_eq!(changes(&radians, &["--solve", "tool-point", "--orientation", "zyx"]), ["cell-change-degrees"]);
+    let quaternions = table(&[columns("flange_", "quaternion", &poses)]);
+    let last =
+        quaternions.replace("flange_qw,flange_qx,flange_qy,flange_qz", "flange_qx,flange_qy,flange_qz,flange_qw");
+    // the cells stay: the scalar is in the column of x
+    assert!(
+        changes(
+            &last
+                .replace("flange_qx,flange_qy,flange_qz,flange_qw", "flange_qw,flange_qx,flange_qy,flange_qz")
+                .lines()
+                .enumerate()
+                .map(|(i, line)| if i == 0 {
+                    line.to_owned()
+                } else {
+                    let c: Vec<&str> = line.split(',').collect();
+                    [c[0], c[1], c[2], c[4], c[5], c[6], c[3]].join(",")
+                })
+                .collect::<Vec<_>>()
+                .join("\n"),
+            &["--solve", "tool-point"]
+        ) == ["cell-change-scalar-last"]
+    );
+    // inverse poses exchange the tool with the fixed point: residuals do not show them
+    let inverse: Vec<Pose> = poses.iter().map(Pose::inverse).collect();
+    let exchanged = document(&table(&[columns("flange_", "vector", &inverse)]), &["--solve", "tool-point"]);
+    assert!(norm(minus(exchanged.points[1].xyz_mm, tool().translation_mm)) < 0.3);
+    let back: Vec<Pose> = poses.iter().map(|p| Pose { translation_mm: p.translation_mm, ..p.inverse() }).collect();
+    let named = changes(&table(&[columns("flange_", "quaternion", &back)]), &["--solve", "tool-point"]);
+    assert_eq!(named, ["cell-change-turned-back"]);
+}
+
+#[test]
+fn sound_tables_of_unusual_build_have_no_slip() {
+    // small rotations, four readings, large noise
+    for (count, turn, noise_mm) in [(4, 0.7, 0.05), (5, 0.05, 0.05), (12, 0.2, 1.0), (40, 1.4, 0.3), (6, 0.7, 0.0)] {
+        let poses = touches(count, turn, noise_mm);
+        for form in ["zyx", "fixed xyz", "zyz"] {
+            let text = table(&[columns("flange_", form, &poses)]);
+            let found = document(&text, &["--solve", "tool-point", "--orientation", form]);
+            assert!(found.messages.iter().all(|m| m.id == "cell-foreign"), "{count} {turn} {:?}", found.messages);
+        }
+        document(&table(&[columns("flange_", "vector", &poses)]), &["--solve", "tool-point"]);
+    }
+    // poses of an active tool, and in metres
+    let tip: Vec<Pose> = touches(8, 0.7, 0.05);
+    let active: Vec<Pose> =
+        tip.iter().map(|p| p.then(&Pose { translation_mm: tool().translation_mm, ..Pose::identity() })).collect();
+    let ids = |found: &CellDocument| found.messages.iter().map(|m| m.id.to_string()).collect::<Vec<_>>();
+    let found = document(&table(&[columns("flange_", "quaternion", &active)]), &["--solve", "tool-point"]);
+    assert_eq!(ids(&found), ["cell-tool-active"]);
+    let metres: Vec<Pose> =
+        tip.iter().map(|p| Pose { translation_mm: p.translation_mm.map(|v| v / 1000.0), ..*p }).collect();
+    let text = table(&[columns("flange_", "quaternion", &metres)]);
+    assert_eq!(ids(&document(&text, &["--solve", "tool-point"])), ["cell-unit"]);
+    let named = text.replace("flange_x_mm,flange_y_mm,flange_z_mm", "flange_x_m,flange_y_m,flange_z_m");
+    let found = document(&named, &["--solve", "tool-point"]);
+    assert!(found.messages.is_empty() && norm(minus(found.points[0].xyz_mm, tool().translation_mm)) < 0.3);
+}
+
+#[test]
+fn a_reflector_and_a_hand_are_found_and_slips_named() {
+    let poses = spread(10);
+    let world = Pose::from_xyz_rpy([3000.0, -500.0, 900.0], [0.02, -0.01, 2.2]);
+    let mut noise = Noise::new(63, 0);
+    let seen: Vec<Pose> = poses.iter().map(|p| noisy(&mut noise, &world.then(p).then(&tool()), 0.05, 2e-4)).collect();
+    let at: Vec<Vector> = seen.iter().map(|p| p.translation_mm).collect();
+    let flange = columns("flange_", "quaternion", &poses);
+    let found = document(&table(&[flange.clone(), points("", &at)]), &["--solve", "tool-reflector"]);
+    assert!(found.messages.is_empty() && norm(minus(found.points[0].xyz_mm, tool().translation_mm)) < 0.2, "{found:?}");
+    assert!(norm(minus(found.frames[0].xyz_mm, world.translation_mm)) < 1.0);
+    let metres: Vec<Vector> = at.iter().map(|p| p.map(|v| v / 1000.0)).collect();
+    let named = changes(&table(&[flange.clone(), points("", &metres)]), &["--solve", "tool-reflector"]);
+    assert_eq!(named, ["cell-change-unit"]);
+    let target = ["--solve", "hand-eye", "--mounting", "target"];
+    let found = document(&table(&[flange.clone(), columns("", "quaternion", &seen)]), &target);
+    assert!(found.messages.is_empty() && found.frames[0].name == "tool", "{:?}", found.messages);
+    assert!(norm(minus(found.frames[0].xyz_mm, tool().translation_mm)) < 0.2);
+    assert!(norm(minus(found.frames[1].xyz_mm, world.inverse().translation_mm)) < 1.0);
+    assert_eq!(found.noise.len(), 2);
+    // the sensor measures the target: all measured poses are inverse
+    let inverse: Vec<Pose> = seen.iter().map(Pose::inverse).collect();
+    let text = table(&[flange.clone(), columns("", "quaternion", &inverse)]);
+    let named = changes(&text, &target);
+    assert!(named.contains(&"cell-change-inverse".to_owned()), "{named:?}");
+    let text = table(&[flange, columns("", "fixed xyz", &seen)]);
+    let named = changes(&text, &[&target[..], &["--measured-orientation", "zyx"]].concat());
+    assert_eq!(named, ["cell-change-order"]);
+    let all: Vec<Pose> = poses.iter().map(|p| p.then(&tool()).inverse().then(&world)).collect();
+    let seen: Vec<Pose> = all.iter().map(|p| noisy(&mut noise, p, 0.05, 2e-4)).collect();
+    let text = table(&[columns("flange_", "zyx", &poses), columns("", "vector", &seen)]);
+    let found = document(&text, &["--solve", "hand-eye", "--mounting", "sensor", "--orientation", "zyx"]);
+    assert!(found.frames[0].name == "sensor" && norm(minus(found.frames[0].xyz_mm, tool().translation_mm)) < 2.0);
+}
+
+#[test]
+fn objects_axes_and_tool_frames_are_found() {
+    let mut noise = Noise::new(64, 0);
+    let object = Pose::from_xyz_rpy([950.0, 120.0, 410.0], [0.01, -0.02, 0.5]);
+    let known = [[0.0; 3], [400.0, 0.0, 0.0], [400.0, 250.0, 0.0], [0.0, 250.0, 0.0], [120.0, 60.0, 60.0]];
+    let at: Vec<Vector> = known.iter().map(|p| object.apply(*p).map(|v| v + noise.gaussian(0.03))).collect();
+    let text = table(&[points("nominal_", &known), points("", &at)]);
+    let found = document(&text, &["--solve", "object"]);
+    assert!(found.messages.is_empty() && norm(minus(found.frames[0].xyz_mm, object.translation_mm)) < 0.1);
+    let mut swapped = at.clone();
+    swapped.swap(1, 3);
+    let text = table(&[points("nominal_", &known), points("", &swapped)]);
+    assert_eq!(changes(&text, &["--solve", "object"]), ["cell-change-exchanged"]);
+    let mirrored: Vec<Vector> = known.iter().map(|p| [p[0], -p[1], p[2]]).collect();
+    let text = table(&[points("nominal_", &mirrored), points("", &at)]);
+    assert_eq!(changes(&text, &["--solve", "object"]), ["cell-change-mirrored"]);
+    let named = ["point", "origin", "x", "xy"].map(str::to_owned).to_vec();
+    let text = table(&[named, points("", &[at[0], at[1], at[3]])]);
+    let found = document(&text, &["--solve", "three-points", "--standard-uncertainty-um", "30"]);
+    assert!(found.messages.is_empty() && norm(minus(found.frames[0].xyz_mm, at[0])) < 1e-6);
+    assert!(found.frames[0].standard_uncertainty_deg.unwrap().iter().all(|u| *u > 1e-3 && *u < 2e-2));
+    // tool axes
+    let tips = touches(5, 0.7, 0.03);
+    let mut rows: Vec<(&str, Pose)> = tips.iter().map(|p| ("tip", *p)).collect();
+    for (name, place) in [("z", [0.0, 0.0, 120.0]), ("x", [80.0, 0.0, 0.0])] {
+        let turn = Pose { translation_mm: [0.0; 3], ..tips[1] };
+        rows.push((name, Pose { translation_mm: minus(FIXED, turn.rotate(tool().apply(place))), ..turn }));
+    }
+    let roles = std::iter::once("point".to_owned()).chain(rows.iter().map(|r| r.0.to_owned())).collect();
+    let poses: Vec<Pose> = rows.iter().map(|r| r.1).collect();
+    let found = document(&table(&[roles, columns("flange_", "quaternion", &poses)]), &["--solve", "tool-axes"]);
+    let pose = Pose::from_quaternion(found.frames[0].quaternion);
+    assert!(pose.inverse().then(&tool()).angle_rad() < 2e-3, "{found:?}");
+    // external axes
+    let values: Vec<f64> = (0..8).map(|i| f64::from(i) * 25.0).collect();
+    let column =
+        |name: &str| std::iter::once(name.to_owned()).chain(values.iter().map(f64::to_string)).collect::<Vec<_>>();
+    let slid: Vec<Vector> =
+        values.iter().map(|v| object.apply([1.0005 * v, 0.0, 0.0]).map(|c| c + noise.gaussian(0.01))).collect();
+    let found = document(&table(&[column("axis_mm"), points("", &slid)]), &["--solve", "linear-axis"]);
+    let axis = found.axis.unwrap();
+    assert!((axis.scale - 1.0005).abs() < 4.0 * axis.scale_standard_uncertainty.unwrap() && found.messages.is_empty());
+    let turned: Vec<Vector> = values
+        .iter()
+        .map(|v| object.turn_z(v.to_radians()).apply([300.0, 0.0, 0.0]).map(|c| c + noise.gaussian(0.01)))
+        .collect();
+    let text = table(&[column("axis_deg"), points("", &turned)]);
+    let found = document(&text, &["--solve", "rotary-axis"]);
+    assert!(norm(minus(found.frames[0].xyz_mm, object.translation_mm)) < 0.1 && found.messages.is_empty());
+    // values in another unit
+    let radians = document(&text.replace("axis_deg", "axis_rad"), &["--solve", "rotary-axis"]);
+    assert!(radians.messages.iter().any(|m| m.id == "cell-scale"), "{:?}", radians.messages);
+    let column = |name: &str| {
+        std::iter::once(name.to_owned()).chain(values.iter().map(|v| v.to_radians().to_string())).collect::<Vec<_>>()
+    };
+    let degrees = document(&table(&[column("axis_deg"), points("", &turned)]), &["--solve", "rotary-axis"]);
+    let scale = degrees.axis.as_ref().unwrap().scale;
+    assert!(degrees.messages.iter().any(|m| m.id == "cell-scale") && (scale - 57.296).abs() < 0.01, "{scale}");
+}
+
+#[test]
+fn a_foreign_reading_is_named_by_its_line() {
+    let mut poses = touches(10, 0.7, 0.02);
+    poses[6].translation_mm[1] += 1.5;
+    let found = document(&table(&[columns("flange_", "quaternion", &poses)]), &["--solve", "tool-point"]);
+    let foreign = found.messages.iter().find(|m| m.id == "cell-foreign").unwrap();
+    assert_eq!(foreign.arguments["line"], Argument::Whole(8));
+}
+
+#[test]
+fn orientations_that_do_not_fit_are_named() {
+    let (poses, mut noise) = (spread(10), Noise::new(65, 0));
+    let world = Pose::from_xyz_rpy([3000.0, -500.0, 900.0], [0.02, -0.01, 2.2]);
+    let mut seen: Vec<Pose> =
+        poses.iter().map(|p| noisy(&mut noise, &world.then(p).then(&tool()), 0.05, 2e-4)).collect();
+    let solve = ["--solve", "hand-eye", "--mounting", "target", "--standard-uncertainty-um", "50"];
+    let flange = columns("flange_", "quaternion", &poses);
+    let text = table(&[flange.clone(), columns("", "quaternion", &seen)]);
+    let found = document(&text, &[&solve[..], &["--rotation-uncertainty-deg", "0.001"]].concat());
+    assert!(found.messages.iter().any(|m| m.id == "cell-noise-larger-turned"), "{:?}", found.messages);
+    assert_eq!(found.noise.iter().map(|n| n.uncertainties_from.as_str()).collect::<Vec<_>>(), ["stated", "residuals"]);
+    seen[3] = seen[3].turn_x(0.02);
+    let text = table(&[flange, columns("", "quaternion", &seen)]);
+    let found = document(&text, &solve);
+    let foreign = found.messages.iter().find(|m| m.id == "cell-foreign-turned").unwrap();
+    assert_eq!(foreign.arguments["line"], Argument::Whole(5));
+}
+
+#[test]
+fn data_of_controllers_are_printed() {
+    let poses = touches(8, 0.7, 0.05);
+    let text = table(&[columns("flange_", "quaternion", &poses)]);
+    for (maker, part) in [
+        ("abb", "PERS tooldata grip:=[TRUE,[["),
+        ("kuka", "TOOL_DATA[1]={X "),
+        ("fanuc", "UTOOL[1]=PR[1]"),
+        ("ur", "set_tcp(p["),
+    ] {
+        let answer = run(&text, &["--solve", "tool-point", "--controller", maker, "--name", "grip"]);
+        let shown = String::from_utf8(answer.stdout).unwrap();
+        assert!(answer.code == 0 && shown.contains(part), "{maker}: {shown}{}", answer.stderr);
+    }
+}
