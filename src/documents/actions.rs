@@ -151,9 +151,20 @@ impl Action {
 
 /// Length with three significant digits, in µm below 0.1 mm.
 fn length(mm: f64) -> String {
-    let (value, unit) = if mm.abs() < 0.1 { (1e3 * mm, "µm") } else { (mm, "mm") };
-    let before = if value.abs() >= 1.0 { value.abs().log10().floor() as i32 } else { -1 };
-    format!("{value:.*} {unit}", (2 - before).clamp(0, 3) as usize)
+    let [text] = lengths([mm]);
+    text
+}
+
+/// Lengths that are compared, in one unit: µm if the smallest is below 0.1 mm and the largest below
+/// 1 mm.
+fn lengths<const N: usize>(mm: [f64; N]) -> [String; N] {
+    let (smallest, largest) = mm.iter().fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v.abs()), b.max(v.abs())));
+    let (factor, unit) = if smallest < 0.1 && largest < 1.0 { (1e3, "µm") } else { (1.0, "mm") };
+    mm.map(|v| {
+        let value = factor * v;
+        let before = if value.abs() > 0.0 { value.abs().log10().floor() as i32 } else { -1 };
+        format!("{value:.*} {unit}", (2 - before).clamp(0, 5) as usize)
+    })
 }
 
 fn listed(poses: &[PoseName]) -> String {
@@ -221,13 +232,9 @@ impl Evidence<'_> {
             false => phrase!("action-load", file = first.file, count = names.len() - 1, others),
         };
         let PositionErrors { rms_mm: nominal, .. } = errors.nominal;
-        let reason = phrase!(
-            "action-load-reason",
-            expected = length(best.rms_mm),
-            nominal = length(nominal),
-            count = set.poses,
-            set = set.name.name()
-        );
+        let [expected, nominal_error] = lengths([best.rms_mm, nominal]);
+        let reason =
+            phrase!("action-load-reason", expected, nominal = nominal_error, count = set.poses, set = set.name.name());
         let action = Action::new(ActionKind::Load, what, reason).file(first.file.as_str());
         Some(action.gain(Some(nominal - best.rms_mm)))
     }
@@ -290,13 +297,9 @@ impl Evidence<'_> {
             }
             Reason::HardlyBetter { formats, nominal, written } => {
                 let what = phrase!("action-keep-nominal", count = formats.len(), formats = formats.join(", "));
-                let reason = phrase!(
-                    "action-keep-nominal-reason",
-                    rms = length(written.rms_mm),
-                    max = length(written.max_mm),
-                    nominal_rms = length(nominal.rms_mm),
-                    nominal_max = length(nominal.max_mm)
-                );
+                let compared = [written.rms_mm, written.max_mm, nominal.rms_mm, nominal.max_mm];
+                let [rms, max, nominal_rms, nominal_max] = lengths(compared);
+                let reason = phrase!("action-keep-nominal-reason", rms, max, nominal_rms, nominal_max);
                 Some(Action::new(ActionKind::KeepNominal, what, reason).command("etalon recommend ."))
             }
             _ => None,
@@ -311,7 +314,7 @@ impl Evidence<'_> {
             let all = self.errors.iter().filter(|e| e.set == deciding && e.quantity == quantity);
             all.max_by(|a, b| norm(a.after_mm).total_cmp(&norm(b.after_mm)))
         });
-        let name = limit.name.to_string();
+        let name = limit.name.phrase();
         let what = match worst {
             Some(worst) => phrase!("action-meet-limit-at-pose", limit = name, pose = worst.pose),
             None => phrase!("action-meet-limit", limit = name),
@@ -331,7 +334,7 @@ impl Evidence<'_> {
     fn decide(&self, limit: &LimitVerdict) -> Option<Action> {
         let (value, u) = (limit.value?, limit.expanded_uncertainty?);
         let enough = (limit.limit - value).abs();
-        let what = phrase!("action-reduce-uncertainty", limit = limit.name.to_string());
+        let what = phrase!("action-reduce-uncertainty", limit = limit.name.phrase());
         let (present, required) = (in_unit(u, limit), in_unit(enough, limit));
         let source = limit.name.of_errors().and_then(|of| largest_source(self.judged.accuracy?, of));
         let reason = match source {
@@ -378,7 +381,8 @@ impl Evidence<'_> {
 
 /// Effect that proves itself at poses that are left out.
 fn add_effect(proof: &EffectProof) -> Action {
-    let reason = phrase!("action-add-effect-reason", without = length(proof.without_mm), with = length(proof.with_mm));
+    let [without, with] = lengths([proof.without_mm, proof.with_mm]);
+    let reason = phrase!("action-add-effect-reason", without, with);
     let (file, line) = match &proof.robot_key {
         Some(key) => ("robot.toml", key.clone()),
         None => ("campaign.toml", "effects = \"proven\"".to_owned()),

@@ -4,6 +4,7 @@
 use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
 use crate::stages::remedies::remedied;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -308,6 +309,16 @@ fn rotation_per_mm(o: &Observation, planar: bool) -> Option<f64> {
     Some(trace.sqrt()).filter(|u| u.is_finite())
 }
 
+/// Definition of the errors by the quantities that were measured.
+fn error_of_targets(sets: &[AccuracySet]) -> Phrase {
+    let measured = |quantity| sets.iter().any(|s| s.of(quantity).is_some());
+    match (measured(ErrorQuantity::Position), measured(ErrorQuantity::Orientation)) {
+        (true, true) => phrase!("error-of-targets"),
+        (true, false) => phrase!("error-of-positions"),
+        (false, _) => phrase!("error-of-quantities"),
+    }
+}
+
 /// Statistics of the errors, and the verdict on the campaign's limits.
 pub fn evaluate(
     robot: &dyn Robot,
@@ -327,7 +338,7 @@ pub fn evaluate(
     let (point, error) = match robot.platform() {
         // parameters that shift balls and tool alike do not show in these errors
         Some(_) => (phrase!("platform-as-measured"), phrase!("error-of-platform")),
-        None => (phrase!("targets-as-measured"), phrase!("error-of-targets")),
+        None => (phrase!("targets-as-measured"), error_of_targets(&sets)),
     };
     let definition = phrase!("error-definition", error, values = phrase!("values-of-identification"));
     AccuracyDocument {
@@ -536,6 +547,25 @@ mod tests {
         assert_eq!((s.mean, s.p95, s.max), (11.0, 20.0, 21.0));
         assert!((s.rms - (3311.0f64 / 21.0).sqrt()).abs() < 1e-12);
         assert_eq!(summarise(Vec::new()).max, 0.0);
+    }
+
+    #[test]
+    fn the_definition_of_errors_names_what_was_measured() {
+        let zero = summarise(Vec::new());
+        let error = |quantity, unit: &str| ErrorStatistics {
+            quantity,
+            count: 1,
+            unit: unit.to_owned(),
+            before: zero,
+            after: zero,
+            expanded_uncertainty: None,
+        };
+        let id = |errors: Vec<ErrorStatistics>| {
+            error_of_targets(&[AccuracySet { name: PoseSet::Validation, poses: 1, count: 1, errors }]).id
+        };
+        assert_eq!(id(vec![error(Position, "mm"), error(Orientation, "deg")]), "error-of-targets");
+        assert_eq!(id(vec![error(Position, "mm")]), "error-of-positions");
+        assert_eq!(id(vec![error(ErrorQuantity::Distance, "mm")]), "error-of-quantities");
     }
 
     #[test]

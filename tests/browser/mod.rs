@@ -255,6 +255,7 @@ fn marks_answer_to_the_pointer_and_to_the_keyboard(browser: &mut Browser, report
             "{}: {said:?}",
             page.display()
         );
+        a_click_marks_the_pose_everywhere(browser, &at, page);
         // away from it, and on with the keys
         browser.call("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": 1, "y": 1 }));
         assert_eq!(browser.evaluate(tip), "", "{}", page.display());
@@ -271,6 +272,33 @@ fn marks_answer_to_the_pointer_and_to_the_keyboard(browser: &mut Browser, report
     }
 }
 
+/// The pose of a mark stays marked in all figures after a click, and no other pose with it.
+fn a_click_marks_the_pose_everywhere(browser: &mut Browser, at: &Value, page: &std::path::Path) {
+    let click = |browser: &mut Browser| {
+        for kind in ["mousePressed", "mouseReleased"] {
+            let event = json!({ "type": kind, "x": at[0], "y": at[1], "button": "left", "clickCount": 1 });
+            browser.call("Input.dispatchMouseEvent", event);
+        }
+        browser.call("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": 1, "y": 1 }));
+    };
+    click(browser);
+    let marked = "(() => {
+        const texts = (document.getElementById('texts') || { content: { textContent: '' } }).content.textContent.split('\\n');
+        const pose = mark => (/^pose ([^,:]+)/i.exec(mark.dataset.text || texts[mark.dataset.i] || '') || [])[1];
+        const all = [...document.querySelectorAll('svg [data-i], svg [data-text]')], linked = all.filter(m => m.classList.contains('linked'));
+        const of = linked.length && pose(linked[0]).trim();
+        return [linked.length, new Set(linked.map(m => m.closest('svg'))).size,
+            all.filter(m => (pose(m) || '').trim() === of).length === linked.length] })()";
+    let found = browser.evaluate(marked);
+    assert!(found[0].as_u64() > Some(1) && found[1].as_u64() > Some(1), "{}: {found}", page.display());
+    assert_eq!(found[2], true, "{}: {found}", page.display());
+    // the same pose again: unmarked
+    browser.call("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": at[0], "y": at[1] }));
+    click(browser);
+    assert_eq!(browser.evaluate(marked)[0], 0, "{}", page.display());
+    browser.call("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": at[0], "y": at[1] }));
+}
+
 fn before_and_after_are_switched_without_a_script(browser: &mut Browser, reports: &Pages) {
     browser.open(&reports.pages[0]);
     let shown = "[...document.querySelector('.pair').querySelectorAll('figure')].map(f => f.checkVisibility())";
@@ -281,6 +309,14 @@ fn before_and_after_are_switched_without_a_script(browser: &mut Browser, reports
     }
     browser.evaluate("document.querySelector('.switch input[value=after]').checked = true");
     browser.media("print");
+    assert_eq!(browser.evaluate(shown), json!([true, true]));
+    browser.media("");
+    // what was chosen is chosen in the next report
+    browser.evaluate("document.querySelector('.switch input[value=before]').click()");
+    browser.open(&reports.pages[1]);
+    assert_eq!(browser.evaluate(shown), json!([true, false]));
+    browser.evaluate("document.querySelector('.switch input[value=both]').click()");
+    browser.open(&reports.pages[0]);
     assert_eq!(browser.evaluate(shown), json!([true, true]));
 }
 

@@ -23,8 +23,44 @@
     var mark = node instanceof Element ? node.closest("svg circle, svg path, svg rect") : null;
     return mark && (mark.dataset.i || mark.dataset.text || mark.querySelector("title")) ? mark : null;
   }
+  // the marks of one pose in all pictures: texts of a pose begin with its name
+  var poses = null, pinned = null, down = [0, 0];
+  function poseOf(mark) {
+    var name = mark && /^pose ([^,:]+)/i.exec(text(mark));
+    return name ? name[1].trim() : null;
+  }
+  function link(pose) {
+    document.querySelectorAll(".linked").forEach(function (mark) { mark.classList.remove("linked"); });
+    if (pose === null) return;
+    if (!poses) {
+      poses = new Map();
+      document.querySelectorAll("svg").forEach(function (picture) {
+        marks(picture).forEach(function (mark) {
+          var of = poseOf(mark);
+          if (of !== null) poses.set(of, (poses.get(of) || []).concat(mark));
+        });
+      });
+    }
+    (poses.get(pose) || []).forEach(function (mark) { mark.classList.add("linked"); });
+  }
+  function pin(mark) {
+    var pose = poseOf(mark);
+    pinned = pose === pinned ? null : pose;
+    link(pinned);
+  }
+  document.addEventListener("pointerdown", function (event) { down = [event.clientX, event.clientY]; }, true);
+  document.addEventListener("click", function (event) {
+    // a picture that turns holds the pointer: what lies below it
+    var at = event.detail ? document.elementFromPoint(event.clientX, event.clientY) : event.target;
+    var turned = event.detail && Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4;
+    if (at instanceof Element && at.closest("svg") && !turned) pin(markOf(at));
+  });
+
   function hide() {
-    if (chosen) chosen.classList.remove("chosen");
+    if (chosen) {
+      chosen.classList.remove("chosen");
+      link(pinned);
+    }
     chosen = null;
     tip.hidden = true;
   }
@@ -34,6 +70,7 @@
     chosen = mark;
     byKey = key;
     mark.classList.add("chosen");
+    link(poseOf(mark) || pinned);
     tip.textContent = text(mark);
     tip.hidden = false;
     place();
@@ -61,7 +98,12 @@
     picture.addEventListener("blur", hide);
     picture.addEventListener("keydown", function (event) {
       var step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-      if (event.key === "Escape") hide();
+      if (event.key === "Enter" && chosen) pin(chosen);
+      if (event.key === "Escape") {
+        pinned = null;
+        hide();
+        link(null);
+      }
       if (!step || event.shiftKey) return;
       event.preventDefault();
       var all = marks(picture);
@@ -256,6 +298,19 @@
     });
     [[0.3, 0], [-0.3, 0], [0, 0.2], [0, -0.2]].forEach(function (way, i) { button(tools, words[4 + i], function () { all(way[0], way[1]); }); });
   }
+
+  // scale and side of figures are remembered for the next report, where the browser allows it
+  function remembered(key, value) {
+    try {
+      if (value !== undefined) localStorage.setItem(key, value);
+      return localStorage.getItem(key);
+    } catch (refused) { return null; }
+  }
+  document.querySelectorAll(".switch input").forEach(function (choice) {
+    var kind = "etalon-" + (choice.name.endsWith("-scale") ? "scale" : "side");
+    if (remembered(kind) === choice.value) choice.checked = true;
+    choice.addEventListener("change", function () { remembered(kind, choice.value); });
+  });
 
   // annexes are printed: the style sheet unfolds them where a browser knows ::details-content
   var unfolded = [];

@@ -48,46 +48,71 @@ pub(crate) fn pictures(data: &Data, words: &Words) -> [Vec<Figure>; 2] {
         name: tr!(words, "distance-from-base-in-mm"),
         of: Box::new(move |p| Some(norm(minus(p.at_mm, base)))),
     });
-    let up = Axis::from_zero("mm", largest(points::readable(data.errors).into_iter().map(points::after_mm)));
+    let quantities = points::by_quantity(data.errors);
+    let single = quantities.len() == 1;
+    let drawn: Vec<OfQuantity> = quantities.into_iter().map(|of| OfQuantity::new(of, single)).collect();
     let trend = |along: &Along| {
         data.trends.iter().find(|t| t.against == along.key && t.p_value < SIGNIFICANCE).map(|t| t.p_value)
     };
     let (mut significant, mut others) = (Vec::new(), Vec::new());
     for along in joints.chain(reach) {
         let p = trend(&along);
-        let figure = picture(data, &along, (&up, p), words);
+        let figures = drawn.iter().filter_map(|of| picture(data, &along, (of, p), words));
         match p {
-            Some(p) => significant.extend(figure.map(|figure| (p, figure))),
-            None => others.extend(figure),
+            Some(p) => significant.extend(figures.map(|figure| (p, figure))),
+            None => others.extend(figures),
         }
     }
     significant.sort_by(|a, b| a.0.total_cmp(&b.0));
     [significant.into_iter().map(|(_, figure)| figure).collect(), others]
 }
 
-fn picture(data: &Data, along: &Along, (up, p): (&Axis, Option<f64>), words: &Words) -> Option<Figure> {
+/// Errors of one quantity with their axis.
+struct OfQuantity<'a> {
+    quantity: ErrorQuantity,
+    errors: Vec<&'a PointError>,
+    up: Axis,
+    /// `true` if the trends are those of this quantity alone.
+    single: bool,
+}
+
+impl<'a> OfQuantity<'a> {
+    fn new((quantity, errors): (ErrorQuantity, Vec<&'a PointError>), single: bool) -> Self {
+        let up = Axis::from_zero("mm", largest(points::readable(&errors).into_iter().map(points::after_mm)));
+        Self { quantity, errors, up, single }
+    }
+}
+
+fn picture(data: &Data, along: &Along, (of, p): (&OfQuantity, Option<f64>), words: &Words) -> Option<Figure> {
+    let OfQuantity { quantity, errors, up, single } = of;
     let known: Vec<&PointError> =
-        data.errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
+        errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
     // many figures: half of the marks of others
     let drawn = points::thin(&points::readable(&known), points::MARKS / 2, points::after_mm);
     let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
-    let name = tr!(words, "position-error-in", unit = up.shown().unit);
+    let (unit, of, against) = (up.shown().unit, words.tr(&quantity.phrase()), along.name.clone());
+    let (title, name) = match quantity {
+        ErrorQuantity::Position => {
+            (tr!(words, "position-error-against", quantity = against), tr!(words, "position-error-in", unit))
+        }
+        _ => (tr!(words, "error-against", quantity = of, against), tr!(words, "error-in-unit", unit)),
+    };
     let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up.clone()], [along.name.clone(), name]);
     for p in &drawn {
         let at = chart.at((along.of)(p)?, points::after_mm(p));
         chart.svg.mark(points::look(p), at, 2.4, &points::tooltip(p, words));
     }
     points::legend(&mut chart.svg, &drawn, words);
-    chart.limit(data.limits, ErrorQuantity::Position, (false, words));
-    let title = tr!(words, "position-error-against", quantity = along.name.clone());
+    chart.limit(data.limits, *quantity, (false, words));
     let description = tr!(words, "errors-against-description");
-    let judged = match p {
-        Some(p) => tr!(words, "trend-in-picture", probability = number::p_value(p)),
+    let judged = match p.map(number::p_value) {
+        Some(probability) if *single => format!(" {}", tr!(words, "trend-in-picture", probability)),
+        Some(probability) => format!(" {}", tr!(words, "trend-of-all-quantities", probability)),
         None => String::new(),
     };
-    let judged = if judged.is_empty() { judged } else { format!(" {judged}") };
     let caption = description.clone() + &judged + &points::how_many(drawn.len(), known.len(), words);
-    Some(Figure { caption, ..chart.figure(&format!("against-{}", along.id), title, description) })
+    let id = format!("against-{}", points::key_of(*quantity, &along.id));
+    Some(Figure { caption, ..chart.figure(&id, title, description) })
 }
 
 #[cfg(test)]
@@ -116,6 +141,26 @@ mod tests {
         assert!(significant[0].caption.contains("Unmodelled trend (p = 0.0030)."), "{}", significant[0].caption);
         (data.joints, data.base_mm) = (&[], None);
         assert!(pictures(&data, &Words::default()).iter().all(Vec::is_empty));
+    }
+
+    #[test]
+    fn quantities_are_apart_and_a_trend_is_that_of_all_together() {
+        let mut errors: Vec<_> = (0..18).map(|i| point(i, [0.0; 3], [0.1; 3], [0.01; 3])).collect();
+        for (i, p) in errors.iter_mut().enumerate() {
+            p.joints = vec![i as f64];
+            p.quantity = if i < 9 { ErrorQuantity::Distance } else { ErrorQuantity::Surface };
+        }
+        let all: Vec<_> = errors.iter().collect();
+        let trend = ResidualTrend { against: "q1_deg".to_owned(), explained_mm: 0.01, f: 9.0, p_value: 0.003 };
+        let trends = [trend];
+        let joints = ["q1_deg".to_owned()];
+        let data = Data { errors: &all, joints: &joints, base_mm: None, limits: &[], trends: &trends };
+        let [significant, _] = pictures(&data, &Words::default());
+        let titles: Vec<&str> = significant.iter().map(|f| f.title.as_str()).collect();
+        let title = |of: &str| format!("Error after calibration: {of}, versus q1 (deg)");
+        assert_eq!(titles, [title("distance"), title("surface")]);
+        assert!(significant[0].caption.contains("of all measured quantities together"), "{}", significant[0].caption);
+        assert!(!significant[0].svg.contains("position error"));
     }
 
     #[test]

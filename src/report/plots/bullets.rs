@@ -109,14 +109,25 @@ fn stated(l: &LimitVerdict, words: &Words) -> String {
     }
 }
 
+/// Error before and after calibration with its unit.
+fn numbers_of(h: &Headline) -> String {
+    format!("{} → {} {}", h.before, h.after, h.unit)
+}
+
+/// Height of a row; a name that does not fit beside its numbers is above them.
+fn row(h: &Headline) -> f64 {
+    let beside = BOLD * proportional(&h.what) + width(&numbers_of(h)) + 30.0 <= NARROW;
+    if beside { 40.0 } else { 55.0 }
+}
+
 /// Errors before and after calibration; errors of the same unit are on one axis.
 pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Option<Figure> {
     let units = ["mm", "deg"].into_iter().filter(|unit| all.iter().any(|h| h.in_documents.0 == *unit));
     if all.is_empty() {
         return None;
     }
-    let rows = |unit: &str| all.iter().filter(|h| h.in_documents.0 == unit).count() as f64;
-    let height = units.clone().map(|unit| 40.0 * rows(unit) + 44.0).sum();
+    let rows = |unit: &str| all.iter().filter(|h| h.in_documents.0 == unit).map(row).sum::<f64>();
+    let height = units.clone().map(|unit| rows(unit) + 44.0).sum();
     let mut svg = Svg::new(NARROW, height);
     let mut top = 0.0;
     for unit in units {
@@ -124,7 +135,7 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         let values = of_unit.iter().flat_map(|h| h.in_documents.1);
         let axis = Axis::from_zero(unit, largest(values));
         let at = |v: f64| SIDE + axis.share(v) * (NARROW - 2.0 * SIDE);
-        let bottom = top + 40.0 * of_unit.len() as f64 + 6.0;
+        let bottom = top + of_unit.iter().copied().map(row).sum::<f64>() + 6.0;
         for (v, label) in axis.ticks(5) {
             svg.line("grid", (at(v), top + 18.0), (at(v), bottom));
             let half = 0.5 * width(&label) + 2.0;
@@ -134,10 +145,11 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         svg.line("axis", (SIDE, bottom), (NARROW - SIDE, bottom));
         let shown = if axis.shown().unit.is_empty() { unit } else { axis.shown().unit };
         svg.text("mid", (0.5 * NARROW, bottom + 30.0), &tr!(words, "error-in-unit", unit = shown));
-        for (i, h) in of_unit.iter().enumerate() {
-            let ([before, after], y) = (h.in_documents.1, top + 40.0 * i as f64 + 28.0);
-            let numbers = format!("{} → {} {}", h.before, h.after, h.unit);
-            svg.text("start name-of", (SIDE, y - 14.0), &cut(&h.what, NARROW - 30.0 - width(&numbers), BOLD));
+        for h in of_unit {
+            let ([before, after], numbers) = (h.in_documents.1, numbers_of(h));
+            svg.text("start name-of", (SIDE, top + 14.0), &cut(&h.what, NARROW - 2.0 * SIDE, BOLD));
+            top += row(h);
+            let y = top - 12.0;
             svg.text("end", (NARROW - SIDE, y - 14.0), &numbers);
             svg.line("leader", (at(before), y), (at(after), y));
             svg.mark(Look::new(Shape::Circle, "before"), (at(before), y), 5.0, &numbers);

@@ -7,12 +7,16 @@ use etalon_documents::{CurvePoint, PlanDocument};
 /// Margin at the right for the labels and the name of the second axis.
 const ROOM: f64 = 56.0;
 
+/// Largest condition number that is drawn; larger ones are those of singular choices.
+const REGULAR: f64 = 1e9;
+
 /// Curve of the greedy choice; `None` with fewer than two points.
 pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let points: Vec<_> = plan.greedy.curve.iter().filter(|p| p.value.is_finite() && p.condition.is_finite()).collect();
     let configurations = range(points.iter().map(|p| p.configurations as f64)).filter(|_| points.len() > 1)?;
     let index = Axis::over("", range(points.iter().map(|p| p.value))?, 0.1);
-    let condition = Axis::from_zero("", range(points.iter().map(|p| p.condition))?.1);
+    let regular = |p: &CurvePoint| p.condition < REGULAR;
+    let condition = Axis::from_zero("", largest(points.iter().map(|p| p.condition).filter(|c| *c < REGULAR)));
     let axes = [Axis::over("", configurations, 0.03), index];
     let mut chart = Chart::with_room(ROOM, axes, NARROW, [tr!(words, "configurations"), plan.index.clone()]);
     chart.second(&condition, &tr!(words, "condition-number"));
@@ -24,11 +28,14 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let x = |p: &CurvePoint| p.configurations as f64;
     let of_condition = |p: &CurvePoint| (chart.at(x(p), 0.0).0, chart.frame.level(&condition, p.condition));
     let of_index = |p: &CurvePoint| chart.at(x(p), p.value);
-    let places = |at: &dyn Fn(&CurvePoint) -> Place| points.iter().map(|p| at(p)).collect::<Vec<_>>();
-    let curves = [(VALIDATION, "arrow-val", places(&of_condition)), (CALIBRATION, "arrow-cal", places(&of_index))];
-    for (look, line, places) in curves {
-        chart.svg.lines(line, &places);
-        for (p, at) in points.iter().zip(places) {
+    let of = |shown: &dyn Fn(&CurvePoint) -> bool, at: &dyn Fn(&CurvePoint) -> Place| {
+        points.iter().filter(|p| shown(p)).map(|p| (*p, at(p))).collect::<Vec<_>>()
+    };
+    let curves =
+        [(VALIDATION, "arrow-val", of(&regular, &of_condition)), (CALIBRATION, "arrow-cal", of(&|_| true, &of_index))];
+    for (look, line, curve) in curves {
+        chart.svg.lines(line, &curve.iter().map(|(_, at)| *at).collect::<Vec<_>>());
+        for (p, at) in curve {
             let (value, condition) = (significant(p.value, 4), significant(p.condition, 3));
             let tip = tr!(
                 words,
@@ -46,6 +53,11 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     chart.svg.legend(VALIDATION, &tr!(words, "condition-number"));
     let title = tr!(words, "curve-title", index = plan.index);
     let description = tr!(words, "curve-description");
+    let singular = points.iter().filter(|p| !regular(p)).count();
+    let singular = match singular {
+        0 => String::new(),
+        n => format!(" {}", tr!(words, "curve-singular", count = n)),
+    };
     let row = |p: &&CurvePoint| {
         vec![
             p.positions.to_string(),
@@ -55,7 +67,7 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
         ]
     };
     Some(Figure {
-        caption: tr!(words, "curve-caption") + " " + &tr!(words, "knee-caption"),
+        caption: tr!(words, "curve-caption") + " " + &tr!(words, "knee-caption") + &singular,
         table_title: tr!(words, "numbers-of-the-curve"),
         header: vec![
             tr!(words, "positions"),

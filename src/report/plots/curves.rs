@@ -39,15 +39,18 @@ impl Curves {
         let points = || self.curves.iter().flat_map(|c| &c.points);
         let ends = self.marks.iter().flat_map(|m| m.interval).flat_map(|(low, high)| [low, high]);
         let (_, largest) = range(points().map(|p| p.1).chain(ends.filter(|e| drawable(*e))))?;
+        // numbers of cycles or sets have no decimals
+        let whole = points().all(|p| p.0.fract() == 0.0);
+        let place = |x: f64, digits: usize| if whole { format!("{x:.0}") } else { number::significant(x, digits) };
         let across = Axis::over("", range(points().map(|p| p.0))?, 0.01);
         let mut chart = Chart::new(WIDE, [across, Axis::from_zero("", largest)], [&self.across, &self.up]);
         for (i, curve) in self.curves.iter().enumerate() {
             let stride = curve.points.len().div_ceil(LIMIT);
             let drawn: Vec<(f64, f64)> = curve.points.iter().step_by(stride).copied().collect();
             let places: Vec<_> = drawn.iter().map(|(x, y)| chart.at(*x, *y)).collect();
-            chart.svg.lines("grid", &places);
+            chart.svg.lines("leader", &places);
             for ((x, y), at) in drawn.into_iter().zip(places) {
-                let values = [number::significant(y, 4), number::significant(x, 4)];
+                let values = [number::significant(y, 4), place(x, 4)];
                 let tip = tr!(words, "curve-point-tooltip", curve = curve.name, value = values[0], at = values[1]);
                 chart.svg.mark(Look::group(i), at, 2.6, &tip);
             }
@@ -64,7 +67,8 @@ impl Curves {
             chart.svg.text("over", (at.0 + 8.0, at.1 - 6.0), &mark.name);
         }
         let rows = self.curves.iter().flat_map(|c| {
-            c.points.iter().map(|p| vec![c.name.clone(), number::significant(p.0, 5), number::significant(p.1, 4)])
+            let row = |p: &(f64, f64)| vec![c.name.clone(), place(p.0, 5), number::significant(p.1, 4)];
+            c.points.iter().map(row).collect::<Vec<_>>()
         });
         Some(Figure {
             table_title: tr!(words, "numbers-of-this-picture"),

@@ -1,12 +1,14 @@
 //! Effect of each parameter at the point that it moves most: change with its interval, and the
 //! stated tolerance (forest plot).
 
-use super::intervals::shortened;
+use super::intervals::shortened_to;
 use super::layer::*;
 use etalon_documents::ParameterInfluence;
 
 /// Maximum number of rows; a table has all parameters.
 pub(crate) const ROWS: usize = 10;
+/// Maximum number of letters of a name.
+const LETTERS: usize = 34;
 /// Margin at the right for the numbers.
 const ROOM: f64 = 150.0;
 
@@ -20,7 +22,7 @@ pub(crate) fn picture(all: &[ParameterInfluence], words: &Words) -> Option<Figur
         return None;
     }
     let shown = number::shown("mm", reach);
-    let labels = shown_rows.iter().enumerate().map(|(i, p)| (i as f64, shortened(&p.name))).collect();
+    let labels = shown_rows.iter().enumerate().map(|(i, p)| (i as f64, shortened_to(LETTERS, &p.name))).collect();
     let axes = [Axis::both_ways(shown, reach), Axis::rows(shown_rows.len(), labels, 0.5)];
     let name = tr!(words, "effect-at-worst-pose", unit = shown.unit);
     let mut chart = Chart::with_room(ROOM, axes, WIDE, [name.as_str(), ""]);
@@ -34,9 +36,10 @@ pub(crate) fn picture(all: &[ParameterInfluence], words: &Words) -> Option<Figur
         let at = |v: f64| chart.at(v, i as f64);
         let (middle, left, right) = (at(p.change_mm), at(p.change_mm - expanded(p)), at(p.change_mm + expanded(p)));
         chart.svg.line("interval", left, right);
-        let u = p.standard_uncertainty_mm.map(|u| u * shown.factor);
-        let value = number::with_uncertainty(p.change_mm * shown.factor, u);
-        let half = number::significant(expanded(p) * shown.factor, 2);
+        // U has two digits, and the change as many decimals
+        let expanded = p.standard_uncertainty_mm.map(|u| 2.0 * u * shown.factor);
+        let value = number::with_uncertainty(p.change_mm * shown.factor, expanded);
+        let half = expanded.map_or_else(|| "–".to_owned(), |u| number::with_uncertainty(u, expanded));
         let tip = tr!(words, "effect-tooltip", name = p.name, value, half, unit = shown.unit, pose = p.pose);
         chart.svg.mark(CALIBRATION, middle, 3.4, &tip);
         chart.svg.text("end", (WIDE - 4.0, middle.1 + 4.0), &format!("{value} ± {half}"));
@@ -68,7 +71,7 @@ mod tests {
         let svg = picture(&all, &Words::default()).unwrap().svg;
         // the legend has a mark too
         assert_eq!(svg.matches("<circle class=\"cal\"").count(), ROWS + 1, "{svg}");
-        assert!(svg.contains("p0: 190.0 ± 10 µm at pose 0"), "{svg}");
+        assert!(svg.contains("p0: 190 ± 10 µm at pose 0"), "{svg}");
         // tolerance of 50 µm on an axis of ±200 µm: a quarter of it
         let bars = numbers(&svg, "rect", "width");
         let lines = numbers(&svg, "line", "x2");

@@ -73,11 +73,16 @@ fn picture(
 
 /// Shortens a long name by its middle.
 pub(super) fn shortened(name: &str) -> String {
+    shortened_to(LETTERS, name)
+}
+
+/// Shortens a name to a number of letters by its middle.
+pub(super) fn shortened_to(letters: usize, name: &str) -> String {
     let count = name.chars().count();
-    if count <= LETTERS {
+    if count <= letters {
         return name.to_owned();
     }
-    name.chars().take(LETTERS - 1 - LAST).chain(['…']).chain(name.chars().skip(count - LAST)).collect()
+    name.chars().take(letters - 1 - LAST).chain(['…']).chain(name.chars().skip(count - LAST)).collect()
 }
 
 #[cfg(test)]

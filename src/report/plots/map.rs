@@ -11,12 +11,23 @@ const NEAR: f64 = 2.0;
 /// `w0` to `w15` of the figure's own scale.
 const LEVELS: usize = 16;
 
-/// Figures before and after calibration for every plane of the workspace, and for space if
-/// three-dimensional.
-pub(crate) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
-    let all = Seen::planes(planar).iter().copied().chain((!planar).then_some(Seen::Space));
-    let common = scale(errors.iter().flat_map(|p| [points::before_mm(p), points::after_mm(p)]));
-    all.flat_map(|seen| [false, true].map(|after| map(errors, seen, after, &common, words))).collect()
+/// Errors of one quantity with the scale that is common to before and after.
+struct Mapped<'a> {
+    quantity: ErrorQuantity,
+    errors: &'a [&'a PointError],
+    common: Axis,
+}
+
+/// Figures before and after calibration for every quantity, for every plane of the workspace, and
+/// for space if three-dimensional.
+pub(crate) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Vec<Figure>> {
+    let of_quantity = |(quantity, errors): (ErrorQuantity, Vec<&PointError>)| {
+        let common = scale(errors.iter().flat_map(|p| [points::before_mm(p), points::after_mm(p)]));
+        let mapped = Mapped { quantity, errors: &errors, common };
+        let all = Seen::planes(planar).iter().copied().chain((!planar).then_some(Seen::Space));
+        all.flat_map(|seen| [false, true].map(|after| map(&mapped, seen, after, words))).collect()
+    };
+    points::by_quantity(errors).into_iter().map(of_quantity).collect()
 }
 
 /// Colour scale from zero to the largest length (mm).
@@ -39,7 +50,8 @@ fn level(share: f64) -> usize {
     (share.clamp(0.0, 1.0) * (LEVELS - 1) as f64).round() as usize
 }
 
-fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &Words) -> Figure {
+fn map(mapped: &Mapped, seen: Seen, after: bool, words: &Words) -> Figure {
+    let Mapped { quantity, errors, common } = mapped;
     let size = points::size(after);
     let own = scale(errors.iter().map(|p| size(p)));
     let mut map = Workspace::new(seen, &errors.iter().map(|p| p.at_mm).collect::<Vec<_>>(), words);
@@ -57,9 +69,12 @@ fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &W
         Seen::Plane(_) => tr!(words, "plane-named", plane = seen.name()),
         Seen::Space => tr!(words, "in-space"),
     };
-    let title = match after {
-        false => tr!(words, "position-error-before", plane = name),
-        true => tr!(words, "position-error-after", plane = name),
+    let of = words.tr(&quantity.phrase());
+    let title = match (*quantity, after) {
+        (ErrorQuantity::Position, false) => tr!(words, "position-error-before", plane = name),
+        (ErrorQuantity::Position, true) => tr!(words, "position-error-after", plane = name),
+        (_, false) => tr!(words, "error-before-in-plane", quantity = of, plane = name),
+        (_, true) => tr!(words, "error-after-in-plane", quantity = of, plane = name),
     };
     let (largest_mm, own_top) = (length(largest(errors.iter().map(|p| size(p)))), top(&own));
     let description = tr!(words, "error-map-description", top = top(common), largest = largest_mm.clone());
@@ -70,7 +85,7 @@ fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &W
         }
         false => points::how_many(drawn.len(), errors.len(), words),
     };
-    let (key, side) = (seen.name(), points::side(after));
+    let (key, side) = (points::key_of(*quantity, &seen.name()), points::side(after));
     Figure {
         pair: format!("map-{key}"),
         side,
@@ -192,7 +207,7 @@ mod tests {
         let mut errors: Vec<_> =
             (0..15).map(|i| point(i, [0.001 * i as f64, 0.0, 0.0], [1.0; 3], [size(i), 0.0, 0.0])).collect();
         errors.push(point(99, [100.0, 80.0, 0.0], [1.0; 3], [0.001, 0.0, 0.0]));
-        let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
+        let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[0][1];
         assert_eq!(map.svg.matches("cycle 1").count(), 2);
         // 1.73 mm before calibration: in mm, to two digits of the error after
         assert!(map.svg.contains("1.7321 mm before, 0.0070 mm after"));
@@ -207,7 +222,7 @@ mod tests {
     fn before_and_after_have_one_scale_of_colours_and_their_own_beside_it() {
         let errors = [point(1, [0.0; 3], [0.35, 0.0, 0.0], [0.002, 0.0, 0.0]), point(2, [9.0; 3], [1.2; 3], [0.0; 3])];
         let errors: Vec<_> = errors.iter().collect();
-        let maps = maps(&errors, false, &Words::default());
+        let maps = maps(&errors, false, &Words::default()).remove(0);
         assert_eq!(maps.len(), 8);
         for map in &maps {
             assert!(map.caption.contains("colour and size from 0 to 2.5 mm"), "{}", map.caption);
@@ -228,10 +243,27 @@ mod tests {
     }
 
     #[test]
+    fn each_quantity_has_its_name_and_its_scale() {
+        let mut errors = vec![point(1, [0.0; 3], [2.0, 0.0, 0.0], [0.1, 0.0, 0.0]); 2];
+        errors[0].quantity = ErrorQuantity::Distance;
+        errors[1].quantity = ErrorQuantity::Contact;
+        errors[1].before_mm = [0.02, 0.0, 0.0];
+        errors[1].after_mm = [0.01, 0.0, 0.0];
+        let maps = maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default());
+        let titles: Vec<&str> = maps.iter().map(|of_one| of_one[1].title.as_str()).collect();
+        assert_eq!(
+            titles,
+            ["Error after calibration: distance, xy plane", "Error after calibration: contact, xy plane"]
+        );
+        assert!(maps[0][0].caption.contains("from 0 to 2.0 mm") && maps[1][0].caption.contains("from 0 to 20 µm"));
+        assert_ne!(maps[0][0].pair, maps[1][0].pair);
+    }
+
+    #[test]
     fn of_several_errors_at_one_place_the_largest_is_drawn() {
         let at = |pose, x: f64, after: f64| point(pose, [x, 0.0, 0.0], [1.0; 3], [after, 0.0, 0.0]);
         let errors = [at(1, 5.0, 0.001), at(2, 5.0, 0.003), at(3, 5.0, 0.002), at(4, 9.0, 0.001)];
-        let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
+        let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[0][1];
         let drawn = |pose: i64| map.svg.contains(&format!("pose {pose}, "));
         assert_eq!([1, 2, 3, 4].map(drawn), [false, true, false, true]);
         assert!(map.caption.contains("The largest error at each of 2 positions is drawn (total 4 errors)."));

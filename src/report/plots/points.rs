@@ -97,6 +97,14 @@ pub(crate) fn by_quantity<'a>(points: &[&'a PointError]) -> Vec<(ErrorQuantity, 
     all.filter(|(_, points)| !points.is_empty()).collect()
 }
 
+/// Identifier of a figure of a quantity, from the identifier of the same figure of positions.
+pub(crate) fn key_of(quantity: ErrorQuantity, key: &str) -> String {
+    match quantity {
+        ErrorQuantity::Position => key.to_owned(),
+        _ => format!("{quantity}-{key}"),
+    }
+}
+
 /// Style of the mark of a point.
 pub(crate) fn look(p: &PointError) -> Look<'static> {
     look_of(p.set)

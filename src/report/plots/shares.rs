@@ -5,6 +5,8 @@ use etalon_documents::{FigureBudget, UncertaintySource};
 
 /// Smallest share whose number is shown.
 const WRITTEN: f64 = 0.08;
+/// Smallest share that is visible as a bar.
+const DRAWN: f64 = 0.001;
 /// Smallest share of a second source that is worth a figure.
 const VISIBLE: f64 = 0.01;
 
@@ -19,6 +21,8 @@ pub(crate) fn picture(budget: &[FigureBudget], name_of: fn(&FigureBudget) -> Phr
         let of = f.contributions.iter().filter(|c| c.source == source);
         of.map(|c| square(c.standard_uncertainty_mm)).sum::<f64>() / whole
     };
+    // what no figure shows is not in the legend
+    sources.retain(|source| budget.iter().any(|f| share(f, *source) >= DRAWN));
     let parts = |f: &FigureBudget| sources.iter().filter(|s| share(f, **s) >= VISIBLE).count();
     if sources.len() > COLOURS.len() || !budget.iter().any(|f| parts(f) > 1) {
         return None;
@@ -75,6 +79,9 @@ mod tests {
         let svg = draw(&mixed).unwrap().svg;
         assert!(svg.contains(">36 %<") && svg.contains(">64 %<") && svg.contains(">100 %<"), "{svg}");
         assert_eq!(svg.matches("<rect").count(), 3);
+        let unseen = figure(Statistic::Rms, &[(Instrument, 0.003), (Model, 0.004), (UncertaintySource::Frame, 1e-6)]);
+        let svg = draw(&[unseen]).unwrap().svg;
+        assert!(svg.contains(">model<") && !svg.contains(">world frame<"), "{svg}");
         assert!(draw(&mixed[1..]).is_none(), "a bar of one source says nothing");
         assert!(draw(&[]).is_none());
     }

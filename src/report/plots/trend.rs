@@ -30,7 +30,7 @@ pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], word
     let across = Axis::rows(labels.len(), numbers.collect(), 0.5);
     let mut chart = Chart::new(NARROW, [across, up], [tr!(words, "campaign"), name]);
     let places: Vec<_> = points.iter().map(|(i, value, _)| chart.at(*i as f64, *value)).collect();
-    chart.svg.lines("grid", &places);
+    chart.svg.lines("leader", &places);
     for ((i, value, v), at) in points.iter().zip(places) {
         let ends: Vec<_> = ends(v).map(|end| chart.at(*i as f64, end)).collect();
         chart.svg.interval("arrow-cal", at, ends);

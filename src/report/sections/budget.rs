@@ -83,8 +83,9 @@ fn table(document: &ParametersDocument, words: &Words) -> Table {
 /// Contribution, shown `factor` times as large, to the second digit of the whole; empty if smaller.
 fn part(u: Option<f64>, whole: Option<f64>, factor: f64) -> Cell {
     let whole = whole.map(|u| factor * u);
-    let shows = |u: &f64| whole.is_none_or(|whole| factor * u > 0.005 * whole);
-    shown(u.filter(shows), |u| number::with_uncertainty(factor * u, whole))
+    let text = |u: f64| number::with_uncertainty(factor * u, whole);
+    let is_zero = |u: f64| !text(u).contains(|c: char| ('1'..='9').contains(&c));
+    shown(u.filter(|u| !is_zero(*u)), text)
 }
 
 /// Source with the largest contribution to a parameter.
@@ -123,7 +124,9 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     });
     let whole = |f: &FigureBudget| part(Some(f.standard_uncertainty_mm), Some(f.standard_uncertainty_mm), 1e3);
     let columns = columns.both("u (k = 1)", "mm", whole).shown_in("µm");
-    Table::of(words, document.budget.iter().filter(|f| is_named(f)), columns).on("Budget of errors")
+    Table::of(words, document.budget.iter().filter(|f| is_named(f)), columns)
+        .on("Budget of errors")
+        .without_empty_columns()
 }
 
 /// Sentence on repeats of poses.

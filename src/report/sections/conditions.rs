@@ -7,12 +7,12 @@ use crate::Report;
 use crate::model::{Block, Cell, Section};
 use crate::number;
 use crate::words::{Words, tr};
-use etalon_documents::{CampaignSummary, Characteristics, DecisionRule, Iso9283Document};
+use etalon_documents::{CampaignSummary, DecisionRule, ErrorQuantity, Iso9283Document};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let campaign = report.campaign;
     let mut section = Section::new("conditions", tr!(words, "robot-instrument-conditions"));
-    let (identity, conditions) = (identity(report, words), facts(campaign, report.tested, words));
+    let (identity, conditions) = (identity(report, words), facts(report, words));
     for (what, said) in identity.iter().chain(&conditions) {
         section.summarise(what, said.clone(), "");
     }
@@ -72,7 +72,7 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
 /// Statements of a certificate on report, customer, item, place, dates and traceability, including
 /// those that are missing.
 pub(super) fn of_certificate(report: &Report, words: &Words) -> Vec<(String, Cell)> {
-    let conditions = facts(report.campaign, report.tested, words);
+    let conditions = facts(report, words);
     let traced = [
         tr!(words, "instrument"),
         tr!(words, "instrument-uncertainty"),
@@ -112,8 +112,8 @@ fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
 }
 
 /// Statements of a campaign on the conditions.
-fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -> Vec<(String, Cell)> {
-    let (c, given) = (campaign, &campaign.conditions);
+fn facts(report: &Report, words: &Words) -> Vec<(String, Cell)> {
+    let (c, given, tested) = (report.campaign, &report.campaign.conditions, report.tested);
     let text = |text: &Option<String>| text.clone();
     let in_unit = |value: Option<f64>, unit: &str| value.map(|v| words.number(&format!("{v} {unit}")));
     let centre = given.load_centre_mm.map(|[x, y, z]| words.number(&format!("x {x}, y {y}, z {z} mm")));
@@ -135,7 +135,7 @@ fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) ->
         (tr!(words, "environment"), text(&given.environment)),
         (tr!(words, "warm-up-before-the-test"), in_unit(given.warm_up_minutes, "min")),
         (tr!(words, "instrument"), text(&c.instrument)),
-        (tr!(words, "instrument-uncertainty"), uncertainty(c, words)),
+        (tr!(words, "instrument-uncertainty"), uncertainty(report, words)),
         (tr!(words, "instrument-calibration"), text(&given.instrument_calibration)),
         (tr!(words, "traceability"), text(&given.traceability)),
     ];
@@ -153,11 +153,18 @@ fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) ->
     facts
 }
 
-fn uncertainty(c: &CampaignSummary, words: &Words) -> Option<String> {
+/// Stated uncertainty of the instrument: of a coordinate, or of a reading if no position was
+/// measured.
+fn uncertainty(report: &Report, words: &Words) -> Option<String> {
+    let c = report.campaign;
     let u = c.expanded_uncertainty_um.map(number::stated)?;
-    let of_coordinate = match c.coverage_factor.map(number::stated) {
-        Some(k) => tr!(words, "instrument-uncertainty-with-k", uncertainty = u, k),
-        None => tr!(words, "instrument-uncertainty-without-k", uncertainty = u),
+    let sets = report.identified.map_or(&[][..], |i| &i.accuracy.sets);
+    let positions = sets.is_empty() || sets.iter().any(|s| s.of(ErrorQuantity::Position).is_some());
+    let of_coordinate = match (c.coverage_factor.map(number::stated), positions) {
+        (Some(k), true) => tr!(words, "instrument-uncertainty-with-k", uncertainty = u, k),
+        (Some(k), false) => tr!(words, "reading-uncertainty-with-k", uncertainty = u, k),
+        (None, true) => tr!(words, "instrument-uncertainty-without-k", uncertainty = u),
+        (None, false) => tr!(words, "reading-uncertainty-without-k", uncertainty = u),
     };
     let of_position = c.expanded_position_uncertainty_um.map(number::stated);
     let of_position =
@@ -195,9 +202,11 @@ mod tests {
 
     #[test]
     fn reports_of_tests_and_calibrations_list_what_is_not_stated() {
-        let campaign = Documents::demo().campaign;
-        let test = facts(&campaign, &crate::tests::demo_iso9283::tested(), &Words::default());
-        let calibration = facts(&campaign, &Characteristics::default(), &Words::default());
+        let mut documents = Documents::demo();
+        documents.tested = Default::default();
+        let calibration = facts(&documents.report(), &Words::default());
+        documents.tested = crate::tests::demo_iso9283::tested();
+        let test = facts(&documents.report(), &Words::default());
         for what in
             ["controller", "mounting", "load", "warm-up before the test", "deviations from the method", "traceability"]
         {
@@ -216,16 +225,22 @@ mod tests {
 
     #[test]
     fn what_is_stated_has_its_unit_and_no_deviation_is_not_an_unstated_one() {
-        let mut campaign = Documents::demo().campaign;
-        let c = &mut campaign.conditions;
+        let mut documents = Documents::demo();
+        let c = &mut documents.campaign.conditions;
         (c.load_kg, c.load_centre_mm) = (Some(0.5), Some([0.0, 1.5, 30.0]));
         (c.velocities_percent, c.velocities_mm_s) = (Some(vec![100.0, 50.0]), Some(vec![400.0]));
         c.deviations = Some(vec![]);
-        let all = facts(&campaign, &Characteristics::default(), &Words::default());
+        let all = facts(&documents.report(), &Words::default());
         assert_eq!(of(&all, "load").as_deref(), Some("0.5 kg"));
         assert_eq!(of(&all, "load centre, from the mechanical interface").as_deref(), Some("x 0, y 1.5, z 30 mm"));
         assert_eq!(of(&all, "velocities").as_deref(), Some("100, 50 % of the rated velocity; 400 mm/s"));
         assert_eq!(of(&all, "deviations from the method").as_deref(), Some("none"));
         assert_eq!(of(&all, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per coordinate (k = 2)"));
+        for set in &mut documents.accuracy.sets {
+            set.errors.retain(|e| e.quantity == ErrorQuantity::Position);
+            set.errors.iter_mut().for_each(|e| e.quantity = ErrorQuantity::Distance);
+        }
+        let distances = facts(&documents.report(), &Words::default());
+        assert_eq!(of(&distances, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per reading (k = 2)"));
     }
 }

@@ -211,14 +211,17 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     let maps = map::maps(&drawable, planar, words);
     let expected = accuracy.map.iter().flat_map(|map| prediction::pictures(map, planar, words)).collect();
     let vectors = arrows::arrows(&drawable, planar, words);
-    // space, or the first plane; the other views are folded
+    // space, or the first plane, of the first quantity; the other views are folded
     let (mut figures, mut more) = (Vec::new(), Vec::new());
-    for (views, first) in [(maps, !planar), (vectors, false)] {
+    let mut maps = maps.into_iter();
+    let first = maps.next().unwrap_or_default();
+    for (views, first) in [(first, !planar), (vectors, false)] {
         let shown = if first { views.len().saturating_sub(2) } else { 0 };
         for (i, figure) in views.into_iter().enumerate() {
             if (shown..shown + 2).contains(&i) { figures.push(figure) } else { more.push(figure) }
         }
     }
+    more.extend(maps.flatten());
     more.extend::<Vec<Figure>>(expected);
     let at = figures.len().min(2);
     // the first quantity that was measured; others are folded

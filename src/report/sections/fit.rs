@@ -84,8 +84,11 @@ fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
 
 fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     let three = |v: f64| significant(v, 3);
+    // readings other than positions, for example distances
+    let readings = r.kind == ResidualKind::Targets && r.position_rms_mm.is_none();
     let count = match r.kind {
         ResidualKind::Pose => tr!(words, "pose-coordinates", count = r.count),
+        ResidualKind::Targets if readings => tr!(words, "measured-values", count = r.count),
         ResidualKind::Targets => tr!(words, "target-coordinates", count = r.count),
     };
     let from = match r.uncertainties_from {
@@ -103,6 +106,7 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     };
     let own = match (r.stated_standard_uncertainty_mm.map(derived), r.common_standard_uncertainty_mm.map(derived)) {
         (Some(own), Some(common)) => Some(tr!(words, "coordinate-uncertainty-in-common", uncertainty = own, common)),
+        (Some(own), None) if readings => Some(tr!(words, "reading-uncertainty", uncertainty = own)),
         (own, _) => own.map(|own| tr!(words, "coordinate-uncertainty", uncertainty = own)),
     };
     let chi_square =

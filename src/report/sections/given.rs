@@ -1,7 +1,7 @@
 //! Judgement of given parameters: whether they still apply, and which of them should be loaded.
 
 use crate::model::{Block, Columns, Grade, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
-use crate::number;
+use crate::number::{self, Shown};
 use crate::words::{Words, names, tr};
 use etalon_base::phrase;
 use etalon_documents::{
@@ -24,11 +24,13 @@ pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Ve
     let mut judged = Section::new("judged", tr!(words, "how-changes-are-judged")).on_terminal();
     let p = words.number(&number::p_value(document.p_value));
     let limit = tr!(words, "changed-below", significance = number::stated(document.significance));
-    let [rms, expected] = [document.position_rms_mm, document.expected_position_rms_mm].map(|mm| number::fixed(mm, 4));
+    let compared = [document.position_rms_mm, document.expected_position_rms_mm];
+    let Shown { unit, factor } = number::shown("mm", compared.into_iter().fold(0.0, f64::max));
+    let [rms, expected] = compared.map(|mm| number::significant(mm * factor, 3));
     let count = document.of_changes.degrees_of_freedom + document.of_rest.degrees_of_freedom;
     judged.push(Block::facts(vec![
         (tr!(words, "probability-by-chance"), format!("{p}; {limit}").into()),
-        (tr!(words, "position-residuals-rms"), tr!(words, "rms-expected", value = rms, expected).into()),
+        (tr!(words, "position-residuals-rms"), tr!(words, "rms-expected", value = rms, expected, unit).into()),
         (tr!(words, "coordinates"), tr!(words, "count-at-poses", count, poses = document.poses).into()),
     ]));
     vec![judged, detected(&document.power.least, document.power.probability, document.power.naming, words)]
@@ -39,16 +41,19 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
     let percent = |p: f64| number::fixed(100.0 * p, 0);
     let title = tr!(words, "detected-with-probability", percent = percent(probability));
     let mut power = Section::new("power", title).on_terminal();
-    let least =
-        |v: Option<f64>| numbers(v.map_or_else(|| tr!(words, "not-by-these-poses"), |v| number::significant(v, 3)));
+    let unit = |l: &LeastDetectable| number::shown(&l.unit, l.value.or(l.named).unwrap_or(0.0));
+    let least = |l: &LeastDetectable, v: Option<f64>| {
+        let shown = |v: f64| number::significant(v * unit(l).factor, 3);
+        numbers(v.map_or_else(|| tr!(words, "not-by-these-poses"), shown))
+    };
     let joint = |l: &LeastDetectable| !l.name.starts_with("base ");
     let columns = Columns::<LeastDetectable>::new()
         .both(phrase!("motion"), "", |l| {
             names::movement(&l.name).map_or_else(|| Text::name(&l.name), |p| Text::name(&words.tr(&p)))
         })
-        .both(phrase!("detected-from"), "", |l| least(l.value))
-        .both(phrase!("named-from"), "", |l| joint(l).then(|| least(l.named)))
-        .both(phrase!("unit"), "", |l| l.unit.as_str());
+        .both(phrase!("detected-from"), "", |l| least(l, l.value))
+        .both(phrase!("named-from"), "", |l| joint(l).then(|| least(l, l.named)))
+        .both(phrase!("unit"), "", |l| if unit(l).unit.is_empty() { l.unit.as_str() } else { unit(l).unit });
     power.push(Block::Table(Table::of(words, all, columns)));
     power.push(Block::note(tr!(words, "naming-probability", percent = percent(naming))));
     power

@@ -176,7 +176,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
     let planar = errors.iter().all(|e| e.at_mm[2] == 0.0);
     let mut figures = parameter_errors::pictures(document, words);
     if !drawable.is_empty() {
-        figures.extend(map::maps(&drawable, planar, words));
+        figures.extend(map::maps(&drawable, planar, words).into_iter().flatten());
     }
     section.push(Block::heading(tr!(words, "pictures-of-thesis")));
     section.figures(figures);

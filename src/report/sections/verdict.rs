@@ -9,9 +9,9 @@ use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity,
-    ErrorStatistics, Figure, Iso9283Document, Iso9283Variation, Judged, LimitVerdict, ParametersDocument,
-    PoseCharacteristic, PoseSet, Reason, ToolAccuracy, VerdictDocument,
+    Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, Figure,
+    Iso9283Document, Iso9283Variation, Judged, LimitVerdict, ParametersDocument, PoseCharacteristic, PoseSet, Reason,
+    ToolAccuracy, VerdictDocument,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -48,14 +48,14 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
         }
         None => tr!(words, "errors-before-after", set = words.tr(&s.name.phrase())),
     });
-    let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
-    let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| headlines(i.accuracy, set, words));
+    let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| at_tool(tool, words));
+    let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| before_after(i.accuracy, set, words));
     let verdict = Verdict {
         class: Grade::of_verdict(judgement.verdict),
         met: judgement.passes(),
         sentences,
         about: about.unwrap_or_default(),
-        headlines: shown.into_iter().chain(tool).collect(),
+        headlines: headlines(shown.into_iter().chain(tool).collect()),
         ..Verdict::default()
     };
     page_one::complete(report, &judgement, verdict, words)
@@ -293,18 +293,31 @@ fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
     counted().find(|s| s.name == PoseSet::Validation).or_else(|| counted().next())
 }
 
+/// Error before and after calibration (mm or deg) for a headline.
+struct BeforeAfter {
+    what: String,
+    unit: &'static str,
+    values: [f64; 2],
+    expanded_uncertainty: Option<f64>,
+}
+
 /// Limited errors; without limits, maximum and RMS of the leading error and of orientations.
-fn headlines(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<Headline> {
+fn before_after(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<BeforeAfter> {
     let of = |quantity: ErrorQuantity, figure: Figure| {
-        let name = words.tr(&quantity.phrase());
-        let what = match figure {
-            Figure::Mean => tr!(words, "mean-of", quantity = name),
-            Figure::Rms => tr!(words, "rms-of", quantity = name),
-            Figure::Max => tr!(words, "max-of", quantity = name),
+        let errors = set.of(quantity)?;
+        let what = match (quantity, figure) {
+            (ErrorQuantity::Position, _) | (_, Figure::Max) => words.tr(&names::error(quantity, figure)),
+            (_, Figure::Mean) => tr!(words, "mean-of", quantity = words.tr(&quantity.phrase())),
+            (_, Figure::Rms) => tr!(words, "rms-of", quantity = words.tr(&quantity.phrase())),
         };
-        Some(headline(set.of(quantity)?, what, figure))
+        Some(BeforeAfter {
+            what,
+            unit: if errors.unit == "deg" { "deg" } else { "mm" },
+            values: [figure.of(&errors.before), figure.of(&errors.after)],
+            expanded_uncertainty: errors.expanded_uncertainty,
+        })
     };
-    let limited: Vec<Headline> =
+    let limited: Vec<_> =
         accuracy.limits.iter().filter_map(|l| l.name.of_errors()).filter_map(|(q, figure)| of(q, figure)).collect();
     if !limited.is_empty() {
         return limited;
@@ -313,25 +326,32 @@ fn headlines(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> V
     kinds.flat_map(|q| [of(q, Figure::Max), of(q, Figure::Rms)]).flatten().collect()
 }
 
-/// Headline of the expected error at the tool point.
-fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
-    let Shown { unit, factor } = number::shown("mm", tool.before.max);
-    let text = |v: f64| number::significant(v * factor, 3);
-    let what = tr!(words, "tool-point-headline");
-    let in_documents = ("mm", [tool.before.rms, tool.after.rms]);
-    Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit, in_documents }
+/// Expected error at the tool point.
+fn at_tool(tool: &ToolAccuracy, words: &Words) -> BeforeAfter {
+    BeforeAfter {
+        what: tr!(words, "tool-point-headline"),
+        unit: "mm",
+        values: [tool.before.rms, tool.after.rms],
+        expanded_uncertainty: None,
+    }
 }
 
-fn headline(errors: &ErrorStatistics, what: String, figure: Figure) -> Headline {
-    let (before, after) = (figure.of(&errors.before), figure.of(&errors.after));
-    let Shown { unit, factor } = number::shown(&errors.unit, errors.before.max);
-    let by_uncertainty = errors.expanded_uncertainty.and_then(|u| number::decimals(u * factor, 2));
-    let text = |v: f64| match by_uncertainty {
-        Some(decimals) => number::fixed(v * factor, decimals),
-        None => number::significant(v * factor, 3),
+/// Headlines; those on one axis have one unit, which is that of the axis.
+fn headlines(all: Vec<BeforeAfter>) -> Vec<Headline> {
+    let largest = ["mm", "deg"].map(|unit| {
+        let of_unit = all.iter().filter(|e| e.unit == unit).flat_map(|e| e.values);
+        number::shown(unit, of_unit.fold(0.0, f64::max))
+    });
+    let headline = |e: BeforeAfter| {
+        let Shown { unit, factor } = largest[usize::from(e.unit == "deg")];
+        let by_uncertainty = e.expanded_uncertainty.and_then(|u| number::decimals(u * factor, 2));
+        let [before, after] = e.values.map(|v| match by_uncertainty {
+            Some(decimals) => number::fixed(v * factor, decimals),
+            None => number::significant(v * factor, 3),
+        });
+        Headline { what: e.what, before, after, unit, in_documents: (e.unit, e.values) }
     };
-    let in_documents = (if errors.unit == "deg" { "deg" } else { "mm" }, [before, after]);
-    Headline { what, before: text(before), after: text(after), unit, in_documents }
+    all.into_iter().map(headline).collect()
 }
 
 /// Sentences on the worst accuracy and repeatability: their limits, the evidence of their
@@ -508,6 +528,19 @@ mod tests {
         documents.parameters.solver.termination = Termination::IterationLimit;
         let verdict = of(&documents);
         assert!(verdict.class == Grade::Bad && verdict.sentences[0].contains("not converged"), "{verdict:?}");
+    }
+
+    #[test]
+    fn headlines_have_the_unit_of_their_axis() {
+        let of = |unit, before, after| BeforeAfter {
+            what: String::new(),
+            unit,
+            values: [before, after],
+            expanded_uncertainty: Some(0.016),
+        };
+        let all = headlines(vec![of("mm", 0.472, 0.0252), of("deg", 0.03, 0.01), of("mm", 1.35, 0.0103)]);
+        let shown: Vec<_> = all.iter().map(|h| format!("{} → {} {}", h.before, h.after, h.unit)).collect();
+        assert_eq!(shown, ["0.472 → 0.025 mm", "0.030 → 0.010 deg", "1.350 → 0.010 mm"]);
     }
 
     #[test]

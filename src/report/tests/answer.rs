@@ -35,6 +35,12 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     let e = set.leading().unwrap();
     assert!((first.gain_mm.unwrap() - (e.before.rms - e.after.rms)).abs() < 1e-12);
     assert!(first.what_phrase.as_ref().unwrap().id == "action-load", "{first:?}");
+    let load = first.reason_phrase.as_ref().unwrap();
+    let unit = |key: &str| match &load.arguments[key] {
+        etalon_base::catalogue::Argument::Text(text) => text.split(' ').next_back().unwrap().to_owned(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(unit("expected"), unit("nominal"), "{load:?}");
     documents.campaign.synthetic = Some("simulated".to_owned());
     let synthetic = &actions(&documents)[0];
     assert!(synthetic.what.contains("not into a robot"), "{synthetic:?}");
@@ -49,6 +55,11 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     if let Some(worst) = worst {
         assert!(meet.what.contains(&format!("pose {worst}")), "{meet:?}");
     }
+    // in words, not as a key
+    let what = meet.what_phrase.as_ref().unwrap();
+    let limit = etalon_base::phrase!("limit-position-max");
+    assert_eq!(what.arguments["limit"], etalon_base::catalogue::Argument::Phrase(limit));
+    assert!(!meet.what.contains("position_max"), "{meet:?}");
     let reason = meet.reason_phrase.as_ref().unwrap();
     assert_eq!(reason.id, "action-meet-limit-reason");
     assert_eq!(reason.arguments["beyond"], etalon_base::catalogue::Argument::Text("34.2 µm".to_owned()));

@@ -235,6 +235,10 @@ curve = Kurve
 curve-caption = In jedem Schritt kommt die beste Position mit allen ihren Konfigurationen hinzu.
 curve-description = Kreise: Index, linke Achse. Rauten: Konditionszahl, rechte Achse.
 curve-point-tooltip = { $curve }: { $value } bei { $at }
+curve-singular = { $count ->
+    [one] Die erste Auswahl ist singulär: ihre Konditionszahl ist nicht gezeichnet.
+   *[other] Die ersten { $count } Auswahlen sind singulär: ihre Konditionszahlen sind nicht gezeichnet.
+}
 curve-title = { $index } und Konditionszahl über der Anzahl der Positionen
 curve-tooltip = { $positions ->
         [one] 1 Position
@@ -323,12 +327,15 @@ enclosing-sphere-radius = umschließende Kugel, Radius
 end-of-report = Ende des Berichts
 environment = Umgebung
 error = Abweichung
+error-after-in-plane = Abweichung nach der Kalibrierung: { $quantity }, { $plane }
+error-against = Abweichung nach der Kalibrierung: { $quantity }, über { $against }
 error-at-poses = { $quantity } an { $count ->
         [one] 1 Pose
        *[other] { $count } Posen
     } ({ $set }): { $before } → { $after } { $unit }.
 error-axis-linear = Die Achse der Abweichung ist linear: Die größte Abweichung vor der Kalibrierung ist höchstens das { $factor }-Fache des Medians nach der Kalibrierung.
 error-axis-logarithmic = Die Achse der Abweichung ist logarithmisch: Die größte Abweichung vor der Kalibrierung übersteigt das { $factor }-Fache des Medians nach der Kalibrierung.
+error-before-in-plane = Abweichung vor der Kalibrierung: { $quantity }, { $plane }
 error-definition = Abweichung: { $error }; { $values }; Statistik über die Beträge, jede Wiederholung einzeln gezählt
 error-in = Abweichung in { $quantity } ({ $unit })
 error-by-pose = Abweichungen je Pose: { $quantity }
@@ -338,6 +345,8 @@ error-left-out = RMS-Abweichung an den ausgelassenen Posen: { $nominal } mm mit
 error-map-description = Marken an den gemessenen Positionen: Farbe und Größe von 0 bis { $top }, vorher und nachher gleiche Skala; größte Abweichung { $largest }.
 error-map-own-scale = Marken an den gemessenen Positionen: Farbe und Größe von 0 bis { $top }, Skala nur für dieses Bild; größte Abweichung { $largest }.
 error-of-platform = gemessene Pose der Plattformmitte C (aus den Kugeln) minus der aus den Gelenkwerten vorhergesagten Pose; Positionen: C im Basiskoordinatensystem
+error-of-positions = gemessene minus aus den Gelenkwerten vorhergesagte Position jeder Zielmarke; Positionen: Zielmarken im Weltkoordinatensystem
+error-of-quantities = gemessener minus aus den Gelenkwerten vorhergesagter Wert jeder Messgröße (Abstand, Abstand von einer Fläche oder einer Aufnahme, einzelne Koordinate)
 error-of-targets = gemessene minus aus den Gelenkwerten vorhergesagte Position jeder Zielmarke; Orientierung: Drehung zwischen den gemessenen und den vorhergesagten Zielmarken; Positionen: Zielmarken im Weltkoordinatensystem
 error-of-tool = Abweichung: wahre Position von { $point } im Basiskoordinatensystem minus der von der Steuerung berechneten Position
 error-sizes-after = Verteilung der Abweichungen nach der Kalibrierung: { $quantity }
@@ -553,7 +562,6 @@ margin = Reserve
 max = max.
 max-after = max. nachher
 max-before = max. vorher
-max-of = { $quantity }, max.
 mean = Mittel
 mean-distance-from-mean = mittlerer Abstand von der mittleren Position
 mean-error = mittlere Abweichung
@@ -574,6 +582,7 @@ meaning-and-sign = Bedeutung und Vorzeichen
 meanings-title = Bedeutung der Parameter
 measured = gemessen
 measured-minus-predicted-in = gemessen minus vorhergesagt ({ $unit })
+measured-values = { $count } Messwerte (mm)
 measurement-dates = Datum der Messungen
 measurement-place = Ort der Messungen
 measurement-point = Messpunkt
@@ -684,7 +693,7 @@ orientation-error-in = Orientierungsabweichung ({ $unit })
 orientation-max = Orientierung, max.
 orientation-title = Orientierung
 origin-in-the-exports = Ursprung in den Exporten
-other-planes = Andere Ebenen
+other-planes = Weitere Ansichten
 outliers-note = Farbige Zahlen: Ausreißer (modifizierter z-Wert über 3,5; Iglewicz und Hoaglin, 1993). Bezug: die Kampagnen desselben Roboters oder, wenn er weniger als acht hat, die von Robotern derselben Bauart.
 outliers-then-largest-errors = Abweichungen je Pose: Ausreißer, dann die größten
 overshoot = Überschwingen
@@ -725,7 +734,7 @@ path-velocity = Bahngeschwindigkeit
 percent-of-rated = { $percent } % der Nenngeschwindigkeit
 permissible = Fehlergrenze
 permissible-over-certificate = Fehlergrenze / Unsicherheit des Kalibrierscheins
-picture-marks = Kreise: Kalibrierposen; Rauten: Validierungsposen. Am Bildschirm den Mauszeiger auf eine Marke setzen, um Pose, Zyklus, Zielmarke und Abweichung zu lesen. Werte: siehe die Tabelle je Pose und die Tabellen unter den Bildern.
+picture-marks = Kreise: Kalibrierposen; Rauten: Validierungsposen. Am Bildschirm den Mauszeiger auf eine Marke setzen, um Pose, Zyklus, Zielmarke und Abweichung zu lesen; ein Klick markiert die Pose in allen Bildern. Werte: siehe die Tabelle je Pose und die Tabellen unter den Bildern.
 pictures = Bilder
 pictures-of-thesis = Bilder (Dissertation, Bilder 4.8 und 4.9)
 place-of-the-base = Lage der Basis
@@ -820,6 +829,9 @@ rank-cut = Rangschwelle { $value }
 ratio = Verhältnis
 reached = erreicht
 read-as = gelesen als
+reading-uncertainty = { $uncertainty } mm (k = 1) je Messwert
+reading-uncertainty-with-k = U = { $uncertainty } µm je Messwert (k = { $k })
+reading-uncertainty-without-k = U = { $uncertainty } µm je Messwert (Erweiterungsfaktor nicht angegeben)
 readings = Messwerte
 readings-not-judged = { $target } ({ $readings ->
         [one] 1 Messwert
@@ -892,7 +904,7 @@ rms-and-largest = RMS { $rms } µm, größter Wert { $largest } µm
 rms-and-max = RMS und max.
 rms-and-max-values = { $rms } und { $max }
 rms-before = RMS vorher
-rms-expected = { $value } mm, erwartet { $expected } mm
+rms-expected = { $value } { $unit }, erwartet { $expected } { $unit }
 rms-of = { $quantity }, RMS
 rms-ratio = RMS-Verhältnis
 rms-with-it = RMS mit dem Effekt
@@ -1034,7 +1046,7 @@ target-named = Zielmarke { $target }
 targets-as-measured = gemessene Zielmarken
 targets-from-their-places = Abstand der Zielmarken von ihren Referenzpositionen
 targets-in-world = den Zielmarken im Weltkoordinatensystem
-targets-placed-by-validation = Keine Kalibrierpose misst { $targets }: aus den Messwerten an den Validierungsposen bestimmt, bei festgehaltenen identifizierten Roboterparametern. Jede dieser Abweichungen ist durch √r geteilt (r: Redundanz).
+targets-placed-by-validation = Keine Kalibrierpose misst { $targets }: aus den Messwerten an den Validierungsposen bestimmt, bei festgehaltenen identifizierten Roboterparametern. Jede dieser Abweichungen ist durch √r geteilt (r: Redundanz). U ist die der anderen Messwerte.
 temperature = Temperatur
 temperature-range = { $lowest } °C bis { $highest } °C in den Exporten
 test-certificate = Prüfschein
@@ -1071,6 +1083,7 @@ trend = Trend
 trend-description = Eine Marke je Kampagne mit ihrem 95-%-Intervall; Rauten: signifikante Änderung.
 trend-in-picture = Nicht modellierter Trend ({ $probability }).
 trend-of = Verlauf von
+trend-of-all-quantities = Nicht modellierter Trend aller gemessenen Größen zusammen ({ $probability }).
 trends-note = F-Tests der mittleren Abweichungen der Kalibrierposen nach der Identifikation: Parabel gegen Konstante; p-Werte für mehrfaches Testen korrigiert (Holm 1979). Ein Trend ist eine Abweichung, die das Modell nicht beschreibt.
 trends-of-the-residuals = Trends der Residuen
 true = wahr
@@ -1156,7 +1169,7 @@ weight = Gewicht
 what-changed = Änderungen zwischen Kampagnen
 what-differs-between-series = Unterschiede zwischen den Messreihen
 what-no-reading-shows = nicht aufdeckbare Fehler
-wider-than-window = Die Tabelle ist breiter als das Fenster: seitwärts scrollen.
+wider-than-window = Breiter als das Fenster: seitwärts scrollen.
 with-colon = { $label }:
 workspace = Arbeitsraum
 workspace-outlines = Umrisse dieser Bereiche; dicke Linie: mit jeder Orientierung erreichbar.

@@ -238,6 +238,10 @@ curve = courbe
 curve-caption = À chaque pas, la meilleure position est ajoutée avec toutes ses configurations.
 curve-description = Cercles : indice, axe de gauche. Losanges : conditionnement, axe de droite.
 curve-point-tooltip = { $curve } : { $value } à { $at }
+curve-singular = { $count ->
+    [one] Le premier choix est singulier : son conditionnement n’est pas tracé.
+   *[other] Les { $count } premiers choix sont singuliers : leurs conditionnements ne sont pas tracés.
+}
 curve-title = { $index } et conditionnement en fonction du nombre de positions
 curve-tooltip = { $positions ->
         [one] { $positions } position
@@ -326,12 +330,15 @@ enclosing-sphere-radius = sphère englobante, rayon
 end-of-report = Fin du rapport
 environment = environnement
 error = erreur
+error-after-in-plane = Erreur après étalonnage : { $quantity }, { $plane }
+error-against = Erreur après étalonnage : { $quantity }, en fonction de : { $against }
 error-at-poses = { $quantity } sur { $count ->
         [one] { $count } pose
        *[other] { $count } poses
     } ({ $set }) : { $before } → { $after } { $unit }.
 error-axis-linear = L’axe des erreurs est linéaire : la plus grande erreur avant étalonnage vaut au plus { $factor } fois la médiane après étalonnage.
 error-axis-logarithmic = L’axe des erreurs est logarithmique : la plus grande erreur avant étalonnage dépasse { $factor } fois la médiane après étalonnage.
+error-before-in-plane = Erreur avant étalonnage : { $quantity }, { $plane }
 error-definition = erreur : { $error } ; { $values } ; statistiques sur les normes, chaque répétition étant comptée
 error-in = erreur selon { $quantity } ({ $unit })
 error-by-pose = Erreurs par pose : { $quantity }
@@ -341,6 +348,8 @@ error-left-out = erreur RMS aux poses omises : { $nominal } mm avec les param�
 error-map-description = Marques aux positions mesurées : couleur et taille de 0 à { $top }, même échelle avant et après ; erreur maximale { $largest }.
 error-map-own-scale = Marques aux positions mesurées : couleur et taille de 0 à { $top }, échelle propre à cette figure ; erreur maximale { $largest }.
 error-of-platform = pose mesurée du centre C de la plate-forme (d’après les billes) moins la pose prédite à partir des valeurs articulaires ; positions : C dans le référentiel de la base
+error-of-positions = position mesurée moins position prédite de chaque cible, d’après les valeurs articulaires ; positions : cibles dans le référentiel atelier
+error-of-quantities = valeur mesurée moins valeur prédite de chaque grandeur mesurée (distance, distance à une surface ou à un logement, coordonnée isolée), d’après les valeurs articulaires
 error-of-targets = position mesurée moins position prédite de chaque cible, d’après les valeurs articulaires ; orientation : rotation entre les cibles mesurées et prédites ; positions : cibles dans le référentiel atelier
 error-of-tool = erreur : position vraie de { $point } dans le référentiel de la base moins la position calculée par le système de commande
 error-sizes-after = Distribution des erreurs après étalonnage : { $quantity }
@@ -556,7 +565,6 @@ margin = marge
 max = max.
 max-after = max. après
 max-before = max. avant
-max-of = { $quantity }, max.
 mean = moyenne
 mean-distance-from-mean = distance moyenne à la position moyenne
 mean-error = erreur moyenne
@@ -577,6 +585,7 @@ meaning-and-sign = signification et signe
 meanings-title = Signification des paramètres
 measured = mesuré
 measured-minus-predicted-in = mesuré moins prédit ({ $unit })
+measured-values = { $count } valeurs mesurées (mm)
 measurement-dates = date des mesures
 measurement-place = lieu des mesures
 measurement-point = point de mesure
@@ -687,7 +696,7 @@ orientation-error-in = erreur d’orientation ({ $unit })
 orientation-max = orientation, max.
 orientation-title = Orientation
 origin-in-the-exports = origine dans les exports
-other-planes = Autres plans
+other-planes = Autres vues
 outliers-note = Nombres en couleur : valeurs aberrantes (z modifié supérieur à 3,5 ; Iglewicz et Hoaglin, 1993). Référence : les campagnes du même robot ou, s’il en a moins de huit, celles de robots du même type.
 outliers-then-largest-errors = Erreurs par pose : valeurs aberrantes, puis les plus grandes
 overshoot = dépassement
@@ -731,7 +740,7 @@ path-velocity = vitesse de trajectoire
 percent-of-rated = { $percent } % de la vitesse assignée
 permissible = erreur maximale tolérée
 permissible-over-certificate = erreur maximale tolérée / incertitude du certificat
-picture-marks = Cercles : poses d’étalonnage ; losanges : poses de validation. À l’écran, pointer une marque pour lire sa pose, son cycle, sa cible et son erreur. Valeurs : voir le tableau par pose et les tableaux sous les figures.
+picture-marks = Cercles : poses d’étalonnage ; losanges : poses de validation. À l’écran, pointer une marque pour lire sa pose, son cycle, sa cible et son erreur ; un clic marque la pose dans toutes les figures. Valeurs : voir le tableau par pose et les tableaux sous les figures.
 pictures = Figures
 pictures-of-thesis = Figures (thèse, figures 4.8 et 4.9)
 place-of-the-base = Position de la base
@@ -826,6 +835,9 @@ rank-cut = seuil de rang { $value }
 ratio = rapport
 reached = atteint
 read-as = lu comme
+reading-uncertainty = { $uncertainty } mm (k = 1) par lecture
+reading-uncertainty-with-k = U = { $uncertainty } µm par lecture (k = { $k })
+reading-uncertainty-without-k = U = { $uncertainty } µm par lecture (facteur d’élargissement non indiqué)
 readings = lectures
 readings-not-judged = { $target } ({ $readings ->
         [one] { $readings } lecture
@@ -898,7 +910,7 @@ rms-and-largest = RMS { $rms } µm, maximum { $largest } µm
 rms-and-max = RMS et max.
 rms-and-max-values = { $rms } et { $max }
 rms-before = RMS avant
-rms-expected = { $value } mm, attendu { $expected } mm
+rms-expected = { $value } { $unit }, attendu { $expected } { $unit }
 rms-of = { $quantity }, RMS
 rms-ratio = rapport des RMS
 rms-with-it = RMS avec l’effet
@@ -1040,7 +1052,7 @@ target-named = la cible { $target }
 targets-as-measured = cibles mesurées
 targets-from-their-places = distance des cibles à leurs positions de référence
 targets-in-world = cibles dans le référentiel atelier
-targets-placed-by-validation = Aucune pose d’étalonnage ne mesure { $targets } : cibles localisées d’après les lectures aux poses de validation, les paramètres identifiés du robot étant fixés. Chacune de ces erreurs est divisée par √r (r : redondance).
+targets-placed-by-validation = Aucune pose d’étalonnage ne mesure { $targets } : cibles localisées d’après les lectures aux poses de validation, les paramètres identifiés du robot étant fixés. Chacune de ces erreurs est divisée par √r (r : redondance). U est celle des autres lectures.
 temperature = température
 temperature-range = de { $lowest } °C à { $highest } °C dans les exports
 test-certificate = Certificat d’essai
@@ -1077,6 +1089,7 @@ trend = tendance
 trend-description = Une marque par campagne avec son intervalle à 95 % ; losanges : changement significatif.
 trend-in-picture = Tendance non modélisée ({ $probability }).
 trend-of = Évolution de
+trend-of-all-quantities = Tendance non modélisée de toutes les grandeurs mesurées ensemble ({ $probability }).
 trends-note = Tests F des erreurs moyennes des poses d’étalonnage après identification : parabole contre constante ; valeurs p corrigées de la multiplicité des tests (Holm 1979). Une tendance est une erreur que le modèle ne décrit pas.
 trends-of-the-residuals = Tendances des résidus
 true = vrai
@@ -1162,7 +1175,7 @@ weight = poids
 what-changed = Changements entre campagnes
 what-differs-between-series = Différences entre les séries
 what-no-reading-shows = erreurs non décelables
-wider-than-window = Le tableau est plus large que la fenêtre : faire défiler latéralement.
+wider-than-window = Plus large que la fenêtre : faire défiler latéralement.
 with-colon = { $label } :
 workspace = Espace de travail
 workspace-outlines = Contours de ces régions ; trait fort : accessible sous toutes les orientations.
