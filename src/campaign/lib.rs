@@ -33,7 +33,7 @@ use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::xacro::Expanded;
 use etalon_identify::{FrameError, Settings, Systematic};
-use etalon_robots::{Joint, LongestChain, Quantity, Robot};
+use etalon_robots::{Joint, Quantity, Robot, TreeChain};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -124,7 +124,11 @@ impl Campaign {
             // reported with the campaign
             _ if unread.affects(&["robot"]) => (None, Problems::default(), Stamp::default()),
             Ok(((text, stamp), path)) => {
-                let (robot, more) = RobotFile::recover(&path, &text);
+                let questions = open_questions(&path.display().to_string(), &text);
+                let (robot, more) = match questions.0.is_empty() {
+                    true => RobotFile::recover(&path, &text),
+                    false => (None, questions),
+                };
                 (robot, more, stamp)
             }
             Err(more) => (None, more.at(&here), Default::default()),
@@ -348,15 +352,25 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 /// # Errors
 /// Fails like [`read_robot`].
 pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
+    let questions = open_questions(&path.display().to_string(), text);
+    if !questions.0.is_empty() {
+        return Err(questions);
+    }
     let (robot, problems) = RobotFile::recover(path, text);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
 /// Reads a URDF file: its chain with the most moving joints, and its text without xacro.
 /// `arguments` are those of a xacro file: NAME:=VALUE.
-pub fn read_urdf(path: &Path, arguments: &[String]) -> Result<(LongestChain, Expanded)> {
+pub fn read_urdf(path: &Path, arguments: &[String]) -> Result<(TreeChain, Expanded)> {
     let expanded = urdf::expand(path, files::read_text(path)?, arguments)?;
     Ok((urdf::read(&expanded)?.longest_chain()?, expanded))
+}
+
+/// Reads a URDF file like [`read_urdf`]: a chain from the root for each list of moving joints.
+pub fn read_urdf_chains(path: &Path, arguments: &[String]) -> Result<(Vec<TreeChain>, Expanded)> {
+    let expanded = urdf::expand(path, files::read_text(path)?, arguments)?;
+    Ok((urdf::read(&expanded)?.tree.chains(), expanded))
 }
 
 /// Reads only the true parameters of a simulation, by name (mm, deg or 1), from a truth or from a

@@ -7,7 +7,7 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_formats::xacro::{self, Expanded};
 use etalon_formats::xml::{Elements, Node};
-use etalon_robots::{At, Fault, Faults, Link, LongestChain, Mimic, Tree, TreeJoint};
+use etalon_robots::{At, Fault, Faults, Link, Mimic, Tree, TreeChain, TreeJoint};
 use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::Arc;
@@ -34,7 +34,7 @@ impl Urdf {
     }
 
     /// Chain with the most moving joints.
-    pub fn longest_chain(&self) -> Result<LongestChain> {
+    pub fn longest_chain(&self) -> Result<TreeChain> {
         self.tree.longest_chain().map_err(|Faults(faults)| {
             let message = |fault: &Fault| {
                 let place = self.place(&fault.at).unwrap_or_else(|| Place::file(self.name.as_str()));
@@ -117,6 +117,9 @@ fn joint(node: Node) -> Result<TreeJoint> {
         }
         Ok([lower, upper])
     });
+    if node.children().filter(|child| child.name() == "mimic").count() > 1 {
+        return Err(error!("urdf-mimics-several", joint = name).at(node.place()).into());
+    }
     let mimic = node.child("mimic").map(|mimic| -> Result<Mimic> {
         Ok(Mimic {
             joint: text(mimic, "joint")?,

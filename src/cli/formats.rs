@@ -36,7 +36,7 @@ impl Formats {
                 print(if self.json { etalon_documents::to_json(&document)? } else { text })?;
             }
             files => {
-                let FilesProposal { documents, toml } = propose_files(files, robot)?;
+                let FilesProposal { documents, toml, .. } = propose_files(files, robot)?;
                 if let (Some(path), false) = (&self.robot, self.json) {
                     refusal = refusal_of_lines(path, files, &toml);
                 }

@@ -2,6 +2,7 @@
 
 mod from;
 mod own;
+mod tool_link;
 mod trial;
 
 pub(super) use trial::refusal_of_lines;
@@ -12,7 +13,7 @@ use etalon_base::message::Problems;
 use etalon_base::{error, phrase};
 use etalon_campaign::{parse, read_urdf};
 use etalon_formats::xacro::plain_name;
-use etalon_robots::{Joint, LongestChain, Quantity};
+use etalon_robots::{Joint, Quantity, TreeChain};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt::Write;
@@ -67,7 +68,10 @@ impl Init {
             print_written(files::write_new(&self.folder, &files)?, self.json)?;
             let (_, text) = &files[0];
             if !self.json {
-                next_step(self.json, trial::next(&self.folder, &String::from_utf8_lossy(text)));
+                let robot =
+                    files.iter().find(|(name, _)| name == "robot.toml").map_or(&[][..], |(_, text)| text.as_slice());
+                let [text, robot] = [text.as_slice(), robot].map(String::from_utf8_lossy);
+                next_step(self.json, trial::next(&self.folder, &text, &robot));
             }
             return Ok(Verdict::Met);
         }
@@ -109,7 +113,7 @@ impl Init {
     /// The robot of a campaign from files.
     fn robot_files(&self) -> anyhow::Result<from::RobotFiles> {
         if let Some(path) = &self.urdf {
-            let Described { name, robot, text, joints } = described(path, &self.argument)?;
+            let Described { name, robot, text, joints } = tool_link::described(path, &self.argument, &self.from)?;
             let files = vec![("robot.toml".to_owned(), robot), (name, text)];
             let controllers = "[\"json\", \"urdf\"]";
             let path = path.with_file_name("robot.toml");
@@ -199,7 +203,7 @@ pub fn known_text(name: &str) -> Result<String, Problems> {
 }
 
 /// The robot.toml of a chain of a URDF file.
-pub fn urdf_text(file: &str, chain: &LongestChain) -> String {
+pub fn urdf_text(file: &str, chain: &TreeChain) -> String {
     let quoted = |text: &str| toml::Value::from(text).to_string();
     format!(
         "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
@@ -225,10 +229,14 @@ fn described(path: &Path, arguments: &[String]) -> anyhow::Result<Described> {
     }
     let text = expanded.text;
     let robot = urdf_text(&name, &chain);
+    Ok(Described { name, robot: robot.into_bytes(), text: text.into_bytes(), joints: joint_keys(&chain) })
+}
+
+/// Keys of the joints of a chain, with the units of a URDF.
+fn joint_keys(chain: &TreeChain) -> Vec<String> {
     let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
     let key = |joint: &Joint| format!("{}_{}", joint.name, unit(joint.quantity));
-    let joints = chain.joints.iter().map(key).collect();
-    Ok(Described { name, robot: robot.into_bytes(), text: text.into_bytes(), joints })
+    chain.joints.iter().map(key).collect()
 }
 
 /// The robot of this name in the table.

@@ -39,6 +39,10 @@ pub struct Export {
     /// Pose number from the number of the data row: `row`, or `row + 100` with an offset for a
     /// second file of the same targets.
     pub pose: Option<FromRow>,
+    /// Name of the station of the instrument, if the coordinates are not in the frame of the
+    /// world: position and orientation of the station are identified.
+    #[schemars(with = "Option<String>")]
+    pub station: Option<Spanned<String>>,
 }
 
 impl Export {
@@ -117,9 +121,9 @@ impl Pattern {
 
     /// Returns target, pose and cycle of `label`; `None` if it does not have this form.
     ///
-    /// If several readings are possible, the first `known` one with a numeric pose counts, then the
-    /// `known` one of the longest target with a named pose. A named pose is read only if it is
-    /// `known`.
+    /// If several readings are possible, the first `known` one with a numeric pose counts, then
+    /// the `known` one of the longest target with a named pose. A named pose is read only if it
+    /// is `known`.
     pub fn read(&self, label: &str, known: impl Fn(&LabelNames) -> bool) -> Option<LabelNames> {
         let numbers = readings(&self.0, label, false);
         let first = || numbers.first().cloned();

@@ -2,6 +2,7 @@
 //! its end. Text is decoded strictly, in the stated encoding or in that of the byte-order mark.
 
 use super::exports::Format;
+use super::logs::LogKind;
 use super::{magic, ros_bag, workbook};
 use crate::dialect::Encoding;
 use encoding_rs::{DecoderResult, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
@@ -26,12 +27,14 @@ pub fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &F
 
 /// Text of a file like [`text_of`], in the memory of its bytes where they are text already.
 pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format: &Format) -> Read<String> {
+    let arrays = LogKind::of_arrays(&bytes);
     let text = match &format.dialect.sheet {
         _ if format.about().binary => return Ok(bytes.iter().map(|byte| char::from(*byte)).collect()),
         Some(topic) if ros_bag::is_recording(&bytes) => ros_bag::text(&bytes, topic),
+        Some(array) if arrays.is_some() => arrays.map_or(Ok(String::new()), |kind| kind.sheet(&bytes, array)),
         Some(topic) if ros_bag::is_topic(topic) => Err(error!("recording-missing", topic)),
         Some(sheet) => workbook::text(&bytes, sheet),
-        None if magic::arrays(&bytes).is_some() => return Err(arrays_not_text(path, &bytes).into()),
+        None if arrays.is_some() => return Err(arrays_not_text(path, &bytes).into()),
         None if ros_bag::is_recording(&bytes) => Err(topic_not_stated(&bytes)),
         None if workbook::is_workbook(&bytes) => Err(sheet_not_stated(&bytes)),
         None => decode(bytes, encoding),
@@ -170,13 +173,12 @@ fn is_document(bytes: &[u8]) -> bool {
 }
 
 /// First bytes of kinds of files without text, and the kind.
-const KINDS: [(&[u8], &str); 7] = [
+const KINDS: [(&[u8], &str); 6] = [
     (b"MATLAB 7.3 MAT-file", "matlab-hdf5"),
     (b"\x89HDF", "hdf5"),
     (b"\x1f\x8b", "gzip"),
     (b"\xd0\xcf\x11\xe0", "xls"),
     (b"%PDF", "pdf"),
-    (b"SQLite format 3\0", "rosbag2"),
     (b"#ROSBAG V2.0", "rosbag1"),
 ];
 

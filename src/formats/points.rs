@@ -48,8 +48,8 @@ pub struct Stated {
     pub standard_uncertainty_mm: Option<Vector>,
     /// Direction of surface or probe (unit vector), if the file states it.
     pub direction: Option<Vector>,
-    /// Orientation of the measured body in the frame of the file (quaternion, scalar first), if the
-    /// file states it.
+    /// Orientation of the measured body in the frame of the file (quaternion, scalar first), if
+    /// the file states it.
     pub orientation: Option<[f64; 4]>,
     /// Temperature during the measurement (°C), if the file states it.
     pub temperature_c: Option<f64>,
@@ -93,6 +93,20 @@ impl Point {
             false => Place::line(file, line, &*self.text),
         }
     }
+}
+
+/// `true` if the frame of the rows is built on measured points: one row is the origin, and another
+/// row lies on an axis, with exact zeros across it.
+///
+/// Axes along which no row differs, as across a plane, do not count.
+pub fn has_frame_on_points(rows: &[Point]) -> bool {
+    let measured = || rows.iter().filter(|row| row.refused.is_none() && row.xyz_mm.iter().all(|v| v.is_finite()));
+    if measured().filter(|row| row.xyz_mm == [0.0; 3]).take(2).count() != 1 {
+        return false;
+    }
+    let varies = [0, 1, 2].map(|axis| measured().any(|row| row.xyz_mm[axis] != 0.0));
+    let varying = varies.iter().filter(|varies| **varies).count();
+    varying > 1 && measured().any(|row| row.xyz_mm.iter().filter(|v| **v != 0.0).count() == 1)
 }
 
 impl Deref for Point {
@@ -216,8 +230,8 @@ impl Debug for Line {
 pub struct Names(IndexSet<SharedText>);
 
 impl Names {
-    /// Maximum number of stored names. Beyond it names probably differ from row to row, and storing
-    /// them costs more than it saves.
+    /// Maximum number of stored names. Beyond it names probably differ from row to row, and
+    /// storing them costs more than it saves.
     const MOST: usize = 4096;
 
     /// Returns the name, sharing the memory of an equal name before it.

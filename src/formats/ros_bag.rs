@@ -1,10 +1,12 @@
-//! Topics of an MCAP recording (the default storage of rosbag2) as rows of text: cells separated by
-//! tabs, a row for each message, columns named after the fields of the message definition.
+//! Topics of a recording of ROS 2, MCAP or a database of rosbag2 (`.db3`), as rows of text: cells
+//! separated by tabs, a row for each message, columns named after the fields of the message
+//! definition.
 //!
 //! Sources: MCAP specification (records, chunks); OMG DDS-XTypes 1.3, 7.4 (CDR version 1: 4 bytes
 //! of encapsulation, primitive types aligned to their size); `sensor_msgs/msg/JointState.msg`
 //! (position in rad or m); REP 103 (m, s).
 
+use crate::sqlite::{self, Database, Value};
 use etalon_base::error;
 use etalon_base::message::Message;
 use std::borrow::Cow;
@@ -24,9 +26,14 @@ pub(crate) const STAMP: &str = "header.stamp";
 /// Beginning of the columns of joint values.
 pub(crate) const POSITION: &str = "position.";
 
-/// `true` if the bytes begin like an MCAP recording.
+/// `true` if the bytes begin like a recording: MCAP, or a database of rosbag2.
 pub(crate) fn is_recording(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
+    bytes.starts_with(MAGIC) || is_database(bytes)
+}
+
+/// `true` if the bytes begin like a database.
+pub(crate) fn is_database(bytes: &[u8]) -> bool {
+    bytes.starts_with(sqlite::MAGIC)
 }
 
 /// `true` for the name of a topic. Names of sheets of a workbook cannot contain `/`.
@@ -244,8 +251,43 @@ fn one_cell(name: &str) -> String {
     name.replace(char::is_control, " ")
 }
 
+/// Receiver of the topic and the data of each message.
+type EachMessage<'a> = dyn FnMut(&Topic, &[u8]) -> Result<(), Message> + 'a;
+
+/// Calls `each` with the topic and the data of each message of a database, in the order of the
+/// file.
+///
+/// Tables of rosbag2: `topics` (id, name, type, serialization_format, ..), `messages` (id,
+/// topic_id, timestamp, data).
+fn each_row(bytes: &[u8], each: &mut EachMessage) -> Result<(), Message> {
+    let database = Database::new(bytes)?;
+    let foreign = || error!("database-unreadable", fault = "tables");
+    let (Some(topics), Some(messages)) = (database.table("topics")?, database.table("messages")?) else {
+        return Err(foreign());
+    };
+    let mut known: BTreeMap<i64, Topic> = BTreeMap::new();
+    database.each_row(topics, &mut |(id, values)| {
+        let text = |at: usize| values.get(at).and_then(Value::text);
+        let (Some(name), Some(message), Some(encoding)) = (text(1), text(2), text(3)) else { return Err(foreign()) };
+        let kind = Kind::named(message);
+        let topic = Topic { name: name.to_owned(), message: message.to_owned(), encoding: encoding.to_owned(), kind };
+        known.insert(id, topic);
+        Ok(())
+    })?;
+    database.each_row(messages, &mut |(_, values)| {
+        let topic = values.get(1).and_then(Value::whole).and_then(|id| known.get(&id));
+        match (topic, values.get(3)) {
+            (Some(topic), Some(Value::Bytes(data))) => each(topic, data),
+            _ => Err(foreign()),
+        }
+    })
+}
+
 /// Calls `each` with the topic and the data of each message, in the order of the file.
 fn each_message(bytes: &[u8], mut each: impl FnMut(&Topic, &[u8]) -> Result<(), Message>) -> Result<(), Message> {
+    if is_database(bytes) {
+        return each_row(bytes, &mut each);
+    }
     let mut known = Known::default();
     let mut left = bytes.strip_prefix(MAGIC).ok_or_else(|| unreadable("end"))?;
     loop {
@@ -520,7 +562,8 @@ mod tests {
         [&(text.len() as u32).to_le_bytes(), text.as_bytes()].concat()
     }
 
-    /// Topic, type, encoding and data of each message, in a recording by the specification of MCAP.
+    /// Topic, type, encoding and data of each message, in a recording by the specification of
+    /// MCAP.
     fn archive(compression: &str, messages: &[(&str, &str, &str, Vec<u8>)]) -> Vec<u8> {
         let mut inside = Vec::new();
         for (i, (topic, message, encoding, data)) in (1_u16..).zip(messages) {

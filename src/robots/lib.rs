@@ -30,7 +30,7 @@ pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
 pub use prexyt::Prexyt;
 pub use serial::Serial;
 pub use tables::{AxisLine, AxisTable, LostTilt, NEAR_PARALLEL_RAD, frame, modified_table, standard_table};
-pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
+pub use urdf::{Link, Mimic, Tree, TreeChain, TreeJoint};
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::expression::Formula;

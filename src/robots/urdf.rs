@@ -1,8 +1,8 @@
 //! `model = "urdf"`: a chain of joints from a tree in the Unified Robot Description Format.
 //!
 //! Small errors precede each moving joint of the chain, in the frame of its origin: two rotations
-//! and, for a revolute joint, two translations. They are complete and minimal for any directions of
-//! the axes, so that parallel axes need no special parameters.
+//! and, for a revolute joint, two translations. They are complete and minimal for any directions
+//! of the axes, so that parallel axes need no special parameters.
 
 use super::conventions::EffectKeys;
 use super::keys::{Description, Reader};
@@ -119,36 +119,34 @@ struct Step<'a> {
     upward: bool,
 }
 
-/// Chain of a URDF with the most moving joints.
+/// Chain of a URDF from its root to a link.
 #[derive(Clone, Debug)]
-pub struct LongestChain {
+pub struct TreeChain {
     /// Root link, which no joint carries.
     pub base_link: String,
-    /// End link, which carries no joint.
+    /// Link at the end of the chain.
     pub tool_link: String,
+    /// `true` if the link carries no joint.
+    pub is_end: bool,
     /// Joints whose values move the chain.
     pub joints: Vec<Joint>,
 }
 
 impl Tree {
     /// Finds the chain with the most moving joints, the first of the file in case of ties.
-    pub fn longest_chain(&self) -> Result<LongestChain, Faults> {
+    pub fn longest_chain(&self) -> Result<TreeChain, Faults> {
         let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);
-        let mut longest: Option<(usize, LongestChain)> = None;
+        let mut longest: Option<(usize, TreeChain)> = None;
         for leaf in self.links.iter().filter(|link| !is_parent(link)) {
             let base = self.upward(&leaf.name)?.last().map_or(leaf.name.as_str(), |joint| joint.parent.as_str());
             let chain = self.chain([base, &leaf.name])?;
-            let mut joints: Vec<Joint> = Vec::new();
-            let moving = chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");
-            for joint in moving.clone() {
-                let (driver, ..) = self.driven_by(joint)?;
-                if joints.iter().all(|known| known.name != driver.name) {
-                    joints.push(Joint { name: driver.name.clone(), quantity: driver.quantity() });
-                }
-            }
-            let count = moving.count();
+            let moving: Vec<&TreeJoint> =
+                chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed").collect();
+            let joints = self.drivers(&moving)?;
+            let count = moving.len();
             if longest.as_ref().is_none_or(|(most, _)| count > *most) {
-                let chain = LongestChain { base_link: base.to_owned(), tool_link: leaf.name.clone(), joints };
+                let chain =
+                    TreeChain { base_link: base.to_owned(), tool_link: leaf.name.clone(), is_end: true, joints };
                 longest = Some((count, chain));
             }
         }
@@ -158,6 +156,42 @@ impl Tree {
         }
         let moving = longest.filter(|(count, _)| *count > 0);
         Ok(moving.ok_or_else(|| Fault::tree(At::Tree, TreeFault::NoMovingJoint))?.1)
+    }
+
+    /// Returns a chain from the root for each list of moving joints, to a link without joints of
+    /// its own where there is one. Chains that cannot be a robot are left out.
+    pub fn chains(&self) -> Vec<TreeChain> {
+        let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);
+        let (inner, ends): (Vec<&Link>, Vec<&Link>) = self.links.iter().partition(is_parent);
+        let mut found: Vec<(Vec<&str>, TreeChain)> = Vec::new();
+        for (link, is_end) in
+            ends.into_iter().map(|link| (link, true)).chain(inner.into_iter().map(|link| (link, false)))
+        {
+            let Ok(upward) = self.upward(&link.name) else { continue };
+            let base = upward.last().map_or(link.name.as_str(), |joint| joint.parent.as_str());
+            let Ok(chain) = self.chain([base, &link.name]) else { continue };
+            let moving: Vec<&TreeJoint> =
+                chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed").collect();
+            let names: Vec<&str> = moving.iter().map(|joint| joint.name.as_str()).collect();
+            let Ok(joints) = self.drivers(&moving) else { continue };
+            if !names.is_empty() && found.iter().all(|(known, _)| *known != names) {
+                let (base_link, tool_link) = (base.to_owned(), link.name.clone());
+                found.push((names, TreeChain { base_link, tool_link, is_end, joints }));
+            }
+        }
+        found.into_iter().map(|(_, chain)| chain).collect()
+    }
+
+    /// Returns the joints whose values move these joints.
+    fn drivers(&self, moving: &[&TreeJoint]) -> Result<Vec<Joint>, Faults> {
+        let mut joints: Vec<Joint> = Vec::new();
+        for joint in moving {
+            let (driver, ..) = self.driven_by(joint)?;
+            if joints.iter().all(|known| known.name != driver.name) {
+                joints.push(Joint { name: driver.name.clone(), quantity: driver.quantity() });
+            }
+        }
+        Ok(joints)
     }
 
     fn joint(&self, name: &str) -> Option<&TreeJoint> {

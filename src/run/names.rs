@@ -17,7 +17,7 @@ const MOST_TARGETS: usize = 12;
 
 /// Reports labels and features that do not exist: as a warning if an unread export may have them.
 pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) {
-    let points = &imported.points;
+    let points = imported.all_points();
     // labels that name a target at a pose are not proposed
     let (mut plain, mut labels, mut targets) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
     // one by one: building the sets from iterators would first collect all points
@@ -134,7 +134,7 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
 /// none if the table that names them does not read.
 pub(super) fn targets_to_state(mut problems: Problems, imported: &Gathered, unread: bool) -> Problems {
     problems.0.retain(|message| !unread || message.id != "no-target");
-    let at_poses = imported.points.iter().filter(|point| point.pose.is_some());
+    let at_poses = imported.all_points().filter(|point| point.pose.is_some());
     let targets: BTreeSet<&str> = at_poses.filter_map(|point| point.target.as_deref()).collect();
     for message in problems.0.iter_mut().filter(|message| message.id == "no-target" && !targets.is_empty()) {
         let targets = format!("{:?}", targets.iter().take(MOST_TARGETS).collect::<Vec<_>>());
@@ -159,10 +159,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
             etalon_formats::is_common_column(key)
                 || robot.joints().iter().any(|j| etalon_formats::is_joint_column(key, j) || key == j.direction_column())
         };
-        for key in log
-            .columns
-            .keys()
-            .filter(|key| !known(key.get_ref()) && etalon_formats::log_column(key.get_ref()).is_some())
+        for key in log.keys().filter(|key| !known(key.get_ref()) && etalon_formats::log_column(key.get_ref()).is_some())
         {
             let joints: Vec<String> = robot.joints().iter().map(|joint| joint.column()).collect();
             problems.0.push(error!("log-joint-unknown", key = key.get_ref(), joints).at(campaign.place(key)));
@@ -174,7 +171,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
             let column = joint.column();
             // a key of the joint in another unit is reported by itself
             let is_meant = |key: &str| key.rsplit_once('_').is_some_and(|(name, _)| name == joint.name);
-            let keys = || log.columns.keys().map(|key| key.get_ref().as_str());
+            let keys = || log.keys().map(|key| key.get_ref().as_str());
             if !keys().any(|key| etalon_formats::is_joint_column(key, joint) || is_meant(key)) {
                 let message = error!("log-joint-missing", log = log.name, joint = joint.name, column);
                 problems.0.push(message.at(campaign.place(&log.file)));
@@ -189,7 +186,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
     if campaign.file.join_by() == Some(JoinBy::Label) {
         return;
     }
-    let mut measured: BTreeSet<&str> = imported.points.iter().filter_map(|p| p.target.as_deref()).collect();
+    let mut measured: BTreeSet<&str> = imported.all_points().filter_map(|p| p.target.as_deref()).collect();
     measured.remove("");
     // targets in [join] are reported with the labels
     let reported = |target: &String| campaign.file.join_targets().any(|t| t.get_ref() == target);
@@ -214,7 +211,7 @@ fn unstated_form(campaign: &Campaign, export: &Export, imported: &Gathered, robo
     if export.label.is_some() || export.target.is_some() {
         return None;
     }
-    let own = imported.points.iter().filter(|p| *p.export == **export.file.get_ref());
+    let own = imported.all_points().filter(|p| *p.export == **export.file.get_ref());
     let labels: Vec<&str> = own.filter(|p| p.target.is_none()).map(|p| &*p.label).collect();
     let (form, targets) = etalon_formats::label_form(&labels)?;
     let file = export.file.get_ref();
@@ -226,7 +223,7 @@ fn unstated_form(campaign: &Campaign, export: &Export, imported: &Gathered, robo
 fn other_form(campaign: &Campaign, export: &Export, imported: &Gathered) -> Option<Message> {
     let form = export.label.as_ref()?;
     let pattern = etalon_formats::LabelPattern::parse(form.get_ref()).ok()?;
-    let own = || imported.points.iter().filter(|p| *p.export == **export.file.get_ref());
+    let own = || imported.all_points().filter(|p| *p.export == **export.file.get_ref());
     let first = &own().next()?.label;
     if own().any(|p| p.pose.is_some() || pattern.read(&p.label, |_| false).is_some()) {
         return None;

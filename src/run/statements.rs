@@ -141,7 +141,7 @@ fn observations(campaign: &Campaign, problems: &mut Problems) {
 
 /// Line that describes standstills of the joints of the logs, as a hint proposes it.
 fn standstill_line(campaign: &Campaign) -> String {
-    let keys = || campaign.file.logs.iter().flat_map(|log| log.columns.keys());
+    let keys = || campaign.file.logs.iter().flat_map(|log| log.keys());
     let has = |units: &[&str]| keys().any(|key| units.iter().any(|unit| key.get_ref().ends_with(unit)));
     let turns = if has(&["_deg", "_rad"]) { ", within_deg = 0.02" } else { "" };
     let slides = if has(&["_mm", "_m", "_um"]) { ", within_mm = 0.01" } else { "" };
@@ -188,8 +188,12 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
     if join.tolerance_s.is_some_and(|t| t < 0.0) {
         problems.0.push(error!("key-negative", key = "tolerance_s").at(campaign.place_of(&["join", "tolerance_s"])));
     }
+    for station in file.exports.iter().filter_map(|export| export.station.as_ref()).filter(|_| join.by == JoinBy::Label)
+    {
+        problems.0.push(error!("station-join-by-label", station = station.get_ref()).at(campaign.place(station)));
+    }
     for log in file.logs.iter().filter(|_| !campaign.unread.affects(&["log"])) {
-        let column = log.columns.keys().find(|key| key.get_ref() == LABEL);
+        let column = log.keys().find(|key| key.get_ref() == LABEL);
         match (column, join.by == JoinBy::Label) {
             (None, true) => {
                 problems.0.push(error!("join-label-missing", log = log.name).at(campaign.place_of(&["join", "by"])));

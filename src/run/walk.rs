@@ -265,7 +265,7 @@ impl Walk {
     /// Checks the set-up and the selections of poses; without a join, poses are selected from all
     /// points.
     fn select(&mut self, campaign: &Campaign) {
-        let mut poses: BTreeSet<PoseName> = self.gathered.points.iter().filter_map(|p| p.pose).collect();
+        let mut poses: BTreeSet<PoseName> = self.gathered.all_points().filter_map(|p| p.pose).collect();
         if let (Some(robot), Some(joined)) = (&mut self.robot, &self.joined) {
             let shown = self.problems.keep(preview(campaign, robot.as_mut(), joined)).unwrap_or_default();
             let (errors, warnings): (Vec<_>, Vec<_>) =

@@ -1,5 +1,6 @@
 //! Tables of commands and campaigns: all are read here.
 
+use super::{kinds, orientations, shown};
 use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result};
@@ -10,7 +11,9 @@ use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
 use etalon_formats::{Format, TableLayout};
+use etalon_robots::Joint;
 use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
+use std::collections::BTreeSet;
 use std::path::Path;
 use toml::Spanned;
 
@@ -25,6 +28,9 @@ pub(crate) struct TableFile {
     /// times their number.
     more: Vec<(String, String)>,
 }
+
+/// Maximum number of columns in a message.
+const NAMED: usize = 8;
 
 /// Offset of the line numbers of each further file.
 const FILE: usize = 1_000_000_000;
@@ -228,10 +234,38 @@ impl CampaignTables<'_> {
             let place = self.campaign.place_of(&["observations", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
-        self.listed(&stated.file, SourceKind::Table, phrase!("table-of-observations"), |path, bytes| {
+        let holds = phrase!("table-of-observations");
+        let table = self.listed(&stated.file, SourceKind::Table, holds.clone(), |path, bytes| {
             let form = TableForm { layout: stated.layout(), encoding: stated.encoding, sheet: stated.sheet.clone() };
             TableFile::observations(path, &bytes, &form)
-        })
+        })?;
+        let unread = self.not_read(&table);
+        if let Some(source) = self.sources.last_mut().filter(|_| !unread.is_empty()) {
+            source.read_as(phrase!("read-except-columns", read = holds, columns = shown(unread.into_iter(), NAMED)));
+        }
+        Ok(table)
+    }
+
+    /// Columns of a table of observations that no kind of observation reads.
+    fn not_read(&self, table: &TableFile) -> Vec<String> {
+        let robot = self.campaign.build_robot().ok();
+        let of_joint = |name: &str| {
+            robot.as_ref().is_none_or(|robot| {
+                let of = |joint: &Joint| joint.factor(name).is_some() || joint.direction_column() == name;
+                robot.joints().iter().any(of)
+            })
+        };
+        let common = ["line", "pose", "cycle", table::ASSEMBLY];
+        let positions = table::XYZ.into_iter().chain(table::UNCERTAINTIES).chain(table::COVARIANCES);
+        let known: BTreeSet<&str> = common
+            .into_iter()
+            .chain(positions)
+            .chain(kinds::columns())
+            .chain(orientations::columns())
+            .chain(table::TEXTS)
+            .collect();
+        let names = table.table.get_column_names().into_iter().map(|name| name.as_str());
+        names.filter(|name| !known.contains(name) && !of_joint(name)).map(|name| format!("`{name}`")).collect()
     }
 
     /// A recorded motion: an export in its format, or a table of etalon.

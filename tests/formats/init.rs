@@ -206,6 +206,16 @@ fn labels_and_poses_join_an_export_and_a_log() {
 /// Writes `arm.urdf`, `run.mcap`, a recording of the joints in motion, and `tracker.csv`, points with the times of another
 /// clock in the format of `stamp`; gives the parameters of the arm. All data are synthetic.
 fn record(at: &Path, targets: &[&str], stamp: &dyn Fn(f64) -> String) -> Vec<(String, f64)> {
+    record_rows(at, targets, stamp, (5, &|pose| 8 + (pose * 7) % 5))
+}
+
+/// Writes the files of [`record`] with this number of messages between two poses, and at each pose.
+fn record_rows(
+    at: &Path,
+    targets: &[&str],
+    stamp: &dyn Fn(f64) -> String,
+    (moves, stands): (i32, &dyn Fn(i32) -> i32),
+) -> Vec<(String, f64)> {
     let names = ["elbow", "pan", "shoulder", "wrist_1", "wrist_2", "wrist_3"];
     let mut urdf = "<robot name=\"arm\"><link name=\"root\"/>\n".to_owned();
     let origins = [
@@ -253,12 +263,13 @@ fn record(at: &Path, targets: &[&str], stamp: &dyn Fn(f64) -> String) -> Vec<(St
     };
     for pose in 0..36 {
         let next: Vec<f64> = (0..6).map(|_| noise.uniform(1.4)).collect();
-        for step in 1..=5 {
+        for step in 1..=moves {
             time += 0.2;
-            emit(&q.iter().zip(&next).map(|(a, b)| a + (b - a) * f64::from(step) / 5.0).collect::<Vec<_>>(), time);
+            let share = f64::from(step) / f64::from(moves);
+            emit(&q.iter().zip(&next).map(|(a, b)| a + (b - a) * share).collect::<Vec<_>>(), time);
         }
         q = next;
-        let stand = 8 + (pose * 7) % 5;
+        let stand = stands(pose);
         for (k, name) in targets.iter().enumerate() {
             let p = arm.position(&values, &q, k).map(|v| v + noise.gaussian(0.01));
             let share = (k + 1) as f64 / (targets.len() + 1) as f64;
@@ -403,6 +414,236 @@ fn labels_that_name_no_pose_of_the_log_join_by_row() {
     assert!(text.contains("pose = \"row\"") && text.contains("by = \"row\""), "{text}");
     assert_eq!(answer(at, &[("name", "\"tracker\""), ("expanded_uncertainty_um", "20")]).len(), 2);
     is_calibrated(&found(at));
+}
+
+/// Two to four messages at each pose: standstills join them all the same, by their duration.
+#[test]
+fn a_recording_with_few_messages_at_each_point_is_joined() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    record_rows(at, &["SMR"], &|time| format!("{time:.3}"), (1, &|pose| 2 + (pose * 7) % 3));
+    let (code, said) = program(at, &["init", "mine", "--urdf", "arm.urdf", "--from", "tracker.csv", "run.mcap"]);
+    assert_eq!(code, Some(0), "{said}");
+    let text = std::fs::read_to_string(at.join("mine/campaign.toml")).unwrap();
+    assert!(text.contains("clock_offset_s = \"standstills\"") && text.contains("at_least_s = 0.2"), "{text}");
+    let answers = [("name", "\"tracker\""), ("expanded_uncertainty_um", "20"), ("unit", "\"mm\"")];
+    assert_eq!(answer(at, &answers).len(), 3);
+    assert!(found(at).residuals.rms < 0.03);
+    // one message at each point states the offset of the clocks; without a point it is open
+    let other = tempfile::tempdir().unwrap();
+    let at = other.path();
+    record_rows(at, &["SMR"], &|time| format!("{time:.3}"), (1, &|_| 0));
+    let lines = |file: &str| {
+        let (code, said) = program(at, &["formats", file, "run.mcap"]);
+        assert_eq!(code, Some(0), "{said}");
+        said
+    };
+    let said = lines("tracker.csv");
+    assert!(said.contains("by = \"time\"\nclock_offset_s = ") && said.contains("tolerance_s = 0.01"), "{said}");
+    let whole = std::fs::read_to_string(at.join("tracker.csv")).unwrap();
+    let (first, _) = whole.trim_end().rsplit_once('\n').unwrap();
+    std::fs::write(at.join("part.csv"), format!("{first}\n")).unwrap();
+    let said = lines("part.csv");
+    assert!(said.contains("by = \"?\"") && said.contains("the times do not join `run.mcap`"), "{said}");
+}
+
+/// Two logs of the same poses are sections with names of their own; the first identifies.
+#[test]
+fn two_logs_are_two_sections() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let head = "pose;J1;J2;J3;J4;J5;J6\n".to_owned();
+    let (mut first, mut second, mut export) = (head.clone(), head, "Name,X,Y,Z\n".to_owned());
+    for (i, (q, p, _)) in (1..).zip(measured(at, 60)) {
+        let cells =
+            |added: f64| q.iter().map(|v| format!("{:.5}", v.to_degrees() + added)).collect::<Vec<_>>().join(";");
+        let _ = writeln!(first, "{i};{}", cells(0.0));
+        // the second log lacks some poses
+        if i % 9 != 0 {
+            let _ = writeln!(second, "{i};{}", cells(0.002));
+        }
+        let _ = writeln!(export, "SMR-{i},{:.4},{:.4},{:.4}", p[0], p[1], p[2]);
+    }
+    for (file, text) in [("motor.csv", second), ("load.csv", first), ("points.csv", export)] {
+        std::fs::write(at.join(file), text).unwrap();
+    }
+    let from = ["init", "mine", "--robot", "ur5e", "--from", "motor.csv", "load.csv", "points.csv"];
+    let (code, said) = program(at, &from);
+    assert_eq!(code, Some(0), "{said}");
+    let text = std::fs::read_to_string(at.join("mine/campaign.toml")).unwrap();
+    // the log of all poses is the first
+    let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("{part}: {text}"));
+    assert!(
+        text.matches("\n[[log]]\n").count() == 2 && place("name = \"load_2\"") < place("name = \"motor_1\""),
+        "{text}"
+    );
+    let mut answers = vec![("name", "\"tracker\""), ("expanded_uncertainty_um", "20")];
+    answers.push(("UNIT", "deg"));
+    answer(at, &answers);
+    is_calibrated(&found(at));
+    let (code, said) = program(at, &["init", "logs", "--robot", "ur5e", "--from", "motor.csv", "load.csv"]);
+    assert!(code == Some(0) && at.join("logs/campaign.toml").exists(), "{said}");
+}
+
+/// Adds a flange, a tool frame and the finger of a gripper to the arm of [`record`].
+fn with_gripper(at: &Path) {
+    let urdf = std::fs::read_to_string(at.join("arm.urdf")).unwrap();
+    let more = "<link name=\"finger\"/><joint name=\"grip\" type=\"prismatic\"><parent link=\"l6\"/><child link=\"finger\"/>\
+                <axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"0.05\"/></joint>\
+                <link name=\"tool0\"/><joint name=\"mount\" type=\"fixed\"><parent link=\"l6\"/><child link=\"tool0\"/></joint></robot>";
+    std::fs::write(at.join("arm.urdf"), urdf.replace("</robot>", more)).unwrap();
+}
+
+/// Rows of joints of the arm and points of a reflector on its flange, or on the finger, which moves.
+fn rows_of_arm(at: &Path, tool_link: &str, grip: &dyn Fn(u32) -> f64) -> String {
+    let robot = format!("model = \"urdf\"\nfile = \"arm.urdf\"\nbase_link = \"root\"\ntool_link = \"{tool_link}\"\n");
+    std::fs::write(at.join("true.toml"), robot).unwrap();
+    let arm = etalon::campaign::read_robot(&at.join("true.toml")).unwrap().build(&["SMR".to_owned()]).unwrap();
+    let mut values = arm.nominal();
+    for (p, value) in arm.parameters().iter().zip(&mut values) {
+        *value += match p.name.as_str() {
+            "base_x" => 900.0,
+            "SMR_x" => 60.0,
+            "elbow_x" => 0.5,
+            _ => 0.0,
+        };
+    }
+    let mut noise = Noise::new(31, 1);
+    let mut text = "pan [rad],shoulder [rad],elbow [rad],wrist_1 [rad],wrist_2 [rad],wrist_3 [rad],grip [m],X [mm],Y [mm],Z [mm]\n".to_owned();
+    for row in 0..60 {
+        let q: Vec<f64> = (0..6).map(|_| noise.uniform(1.4)).collect();
+        let mut joints = q.clone();
+        if tool_link == "finger" {
+            joints.push(1000.0 * grip(row));
+        }
+        let p = arm.position(&values, &joints, 0).map(|v| v + noise.gaussian(0.01));
+        let cells: Vec<String> = q.iter().chain(&[grip(row)]).chain(&p).map(|v| format!("{v:.6}")).collect();
+        let _ = writeln!(text, "{}", cells.join(","));
+    }
+    text
+}
+
+#[test]
+fn the_tool_link_is_that_of_the_measured_points() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    record(at, &["SMR"], &|time| format!("{time:.3}"));
+    with_gripper(at);
+    let chosen = |file: &str, log: &str| {
+        let _ = std::fs::remove_dir_all(at.join("mine"));
+        let from = ["init", "mine", "--urdf", "arm.urdf", "--from", file, log];
+        let (code, said) = program(at, if log.is_empty() { &from[..6] } else { &from });
+        assert_eq!(code, Some(0), "{said}");
+        std::fs::read_to_string(at.join("mine/robot.toml")).unwrap()
+    };
+    // the recording has no finger
+    let robot = chosen("tracker.csv", "run.mcap");
+    assert!(robot.contains("tool_link = \"tool0\"") && robot.contains("# tool_link: the files name"), "{robot}");
+    // a finger that stands still, and one that carries the reflector and moves
+    std::fs::write(at.join("flange.csv"), rows_of_arm(at, "tool0", &|_| 0.01)).unwrap();
+    let robot = chosen("flange.csv", "");
+    assert!(robot.contains("tool_link = \"tool0\"") && robot.contains("further joints do not reduce it"), "{robot}");
+    let moving = |row: u32| 0.001 * f64::from(row * 17 % 50);
+    std::fs::write(at.join("finger.csv"), rows_of_arm(at, "finger", &moving)).unwrap();
+    let robot = chosen("finger.csv", "");
+    assert!(robot.contains("tool_link = \"finger\"") && robot.contains("at least three times as much"), "{robot}");
+    // joints alone, with a finger that moves: the files do not decide
+    let log: String = rows_of_arm(at, "finger", &moving)
+        .lines()
+        .map(|line| line.splitn(8, ',').take(7).collect::<Vec<_>>().join(",") + "\n")
+        .collect();
+    std::fs::write(at.join("joints.csv"), log).unwrap();
+    let robot = chosen("joints.csv", "");
+    assert!(robot.contains("tool_link = \"?\"") && robot.matches("fits the files").count() == 2, "{robot}");
+    // a finger that moves, and a reflector on the flange
+    std::fs::write(at.join("both.csv"), rows_of_arm(at, "tool0", &moving)).unwrap();
+    let robot = chosen("both.csv", "");
+    assert!(robot.contains("tool_link = \"tool0\""), "{robot}");
+}
+
+/// Four numbers without a named scalar: the nominal robot decides the order, a wrong one remains a question.
+#[test]
+fn the_robot_decides_the_order_of_a_quaternion() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rows = measured(at, 40);
+    let proposed = |order: &dyn Fn([f64; 4]) -> [f64; 4]| {
+        let mut text =
+            "J1 [deg],J2 [deg],J3 [deg],J4 [deg],J5 [deg],J6 [deg],X [mm],Y [mm],Z [mm],q1,q2,q3,q4\n".to_owned();
+        for (q, p, o) in &rows {
+            let cells = q.iter().map(|v| v.to_degrees()).chain(*p).chain(order(*o));
+            let _ = writeln!(text, "{}", cells.map(|v| format!("{v:.6}")).collect::<Vec<_>>().join(","));
+        }
+        std::fs::write(at.join("rows.csv"), text).unwrap();
+        let (code, said) = program(at, &["formats", "rows.csv", "--robot", "nominal/robot.toml"]);
+        assert_eq!(code, Some(0), "{said}");
+        said
+    };
+    let first = proposed(&|o| o);
+    assert!(first.contains("qw = \"q1\"") && !first.contains("is the scalar"), "{first}");
+    let last = proposed(&|[w, x, y, z]| [x, y, z, w]);
+    assert!(last.contains("qw = \"q4\"") && last.contains("qx = \"q1\"") && !last.contains("is the scalar"), "{last}");
+    // the sign of a quaternion has no meaning
+    let signs = proposed(&|[w, x, y, z]| if x > 0.0 { [-x, -y, -z, -w] } else { [x, y, z, w] });
+    assert!(signs.contains("qw = \"q4\"") && !signs.contains("is the scalar"), "{signs}");
+    // two components exchanged, and the orientation of the instrument in the body
+    for slip in [proposed(&|[w, x, y, z]| [w, y, x, z]), proposed(&|[w, x, y, z]| [w, -x, -y, -z])] {
+        assert!(slip.contains("QUESTION: which of `q1`, `q2`, `q3`, `q4` is the scalar"), "{slip}");
+    }
+}
+
+/// Half of the poses from a second place of the tracker: with `station` its pose is identified, without it the points contradict.
+#[test]
+fn an_export_of_a_second_station_is_joined() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let [mut first, mut second] = ["pose,x,y,z\n", "pose,x,y,z\n"].map(str::to_owned);
+    let mut log = "pose,J1,J2,J3,J4,J5,J6\n".to_owned();
+    let turned = Pose::from_rotation_vector([0.1, -0.2, 0.7]);
+    let seen = Pose { translation_mm: [400.0, -900.0, 150.0], ..turned };
+    for (i, (q, p, _)) in (1..).zip(measured(at, 60)) {
+        let cells: Vec<String> = q.iter().map(|v| format!("{:.6}", v.to_degrees())).collect();
+        let _ = writeln!(log, "{i},{}", cells.join(","));
+        let (text, p) = if i % 2 == 0 { (&mut second, seen.apply(p)) } else { (&mut first, p) };
+        let _ = writeln!(text, "{i},{:.5},{:.5},{:.5}", p[0], p[1], p[2]);
+    }
+    assert_eq!(program(at, &["init", "mine", "--robot", "ur5e"]).0, Some(0));
+    for (file, text) in [("a.csv", first), ("b.csv", second), ("log.csv", log)] {
+        std::fs::write(at.join("mine").join(file), text).unwrap();
+    }
+    let export = |file: &str, station: &str| {
+        format!(
+            "[[export]]\nfile = \"{file}\"\nunit = \"mm\"\ntarget = \"SMR\"\n{station}\
+             format = {{ delimiter = \",\", header = 1, columns = [\"pose\", \"x\", \"y\", \"z\"] }}\n"
+        )
+    };
+    let joints: Vec<String> = (1..=6).map(|i| format!("q{i}_deg = \"J{i}\"")).collect();
+    let campaign = |station: &str| {
+        let text = format!(
+            "name = \"s\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"t\"\nexpanded_uncertainty_um = 20\ncoverage_factor = 2\n\
+             {}{}[log]\nfile = \"log.csv\"\ncolumns = {{ pose = \"pose\", {} }}\n[join]\nby = [\"pose\"]\ntargets = [\"SMR\"]\n\
+             [frame.world]\nas_exported = true\n[identify]\ncalibration = \"all\"\n",
+            export("a.csv", ""),
+            export("b.csv", station),
+            joints.join(", ")
+        );
+        std::fs::write(at.join("mine/campaign.toml"), text).unwrap();
+        program(at, &["run", "mine"])
+    };
+    let (code, said) = campaign("station = \"B\"\n");
+    assert_eq!(code, Some(0), "{said}");
+    let document = found(at);
+    is_calibrated(&document);
+    let place = seen.inverse().translation_mm;
+    let value = |name: &str| document.parameters.iter().find(|p| p.name == name).map(|p| p.value);
+    let close = ["B_x", "B_y", "B_z"]
+        .iter()
+        .zip(place)
+        .all(|(name, right)| value(name).is_some_and(|v| (v - right).abs() < 0.1));
+    let names: Vec<&str> = document.parameters.iter().map(|p| p.name.as_str()).collect();
+    assert!(close, "{place:?}: {names:?}");
+    let (code, said) = campaign("");
+    assert!(code != Some(0), "{said}");
 }
 
 #[test]

@@ -111,7 +111,7 @@ fn slips_in_the_statement_of_a_topic_are_refused() {
     refused(&bytes, &format!("{topic}columns = {{ q2_mm = \"position.rail\" }}"), "column-unit-differs");
     refused(&bytes, &format!("{topic}columns = {{ time_ns = \"header.stamp\" }}"), "column-unit-differs");
     refused(b"t,a\n1,2\n", &format!("{topic}columns = {{ q1_rad = \"a\" }}"), "recording-missing");
-    refused(b"SQLite format 3\0 and more", &format!("{topic}columns = {{ q1_rad = \"a\" }}"), "file-not-text");
+    refused(b"SQLite format 3\0 and more", &format!("{topic}columns = {{ q1_rad = \"a\" }}"), "database-unreadable");
     let empty = recording(&[("/joint_states", JOINTS, Cdr::joints((1, 0), &["elbow"], &[]))]);
     refused(&empty, &format!("{topic}columns = {{ q1_rad = \"position.elbow\" }}"), "topic-without-positions");
 }
@@ -220,4 +220,78 @@ fn real_variables_of_matlab_are_read() {
     let document = propose_file(&folder.join("leica_rep_wall1_dataset.mat")).unwrap();
     assert_eq!((document.format.as_deref(), document.kind.as_str()), (Some("matlab"), "log"), "{document:?}");
     println!("{}", document.toml);
+}
+
+/// A database with the tables of rosbag2, written by SQLite 3.40 in pages of 512 bytes: messages are longer than a page.
+#[test]
+fn a_database_of_rosbag2_is_read_like_a_recording() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formats/bags/rosbag2.db3");
+    let bytes = std::fs::read(&path).unwrap();
+    let stated = "topic = \"/joint_states\"\ncolumns = { time_s = \"header.stamp\", \
+                  a_rad = \"position.shoulder_with_a_long_name_0\", b_rad = \"position.shoulder_with_a_long_name_11\" }";
+    let read_so = read(&bytes, stated).unwrap_or_else(|e| panic!("{e}"));
+    let times: Vec<f64> = (0..40).map(|k| 100.0 + f64::from(k / 10) + 0.1 * f64::from(k % 10)).collect();
+    let near = |found: &[f64], right: &[f64]| {
+        found.len() == right.len() && found.iter().zip(right).all(|(a, b)| (a - b).abs() < 1e-9)
+    };
+    assert!(near(&column(&read_so, "time_s"), &times));
+    let joint = |of: f64| (0..40).map(|k| (0.01 * f64::from(k) + of).to_degrees()).collect::<Vec<f64>>();
+    assert!(near(&column(&read_so, "a_deg"), &joint(0.0)) && near(&column(&read_so, "b_deg"), &joint(11.0)));
+    let document = propose_file(&path).unwrap();
+    assert_eq!((document.kind.as_str(), document.format.as_deref(), document.rows), ("log", Some("db3"), 40));
+    assert!(document.toml.contains("topic = \"/tracker/pose\""), "{}", document.toml);
+    refused(&bytes, &stated.replace("/joint_states", "/joints"), "topic-missing");
+
+    // a database that was cut, one with a write-ahead log, and another one
+    refused(&bytes[..bytes.len() / 2], stated, "database-unreadable");
+    let mut log = bytes.clone();
+    log[18..20].fill(2);
+    refused(&log, stated, "database-unreadable");
+    let mut other = bytes.clone();
+    for at in (0..bytes.len() - 8).filter(|at| &bytes[*at..at + 8] == b"messages") {
+        other[at..at + 8].copy_from_slice(b"passages");
+    }
+    let said = read(&other, stated).map(|_| ()).unwrap_err();
+    assert!(said.0.iter().any(|m| m.id == "database-unreadable"), "{said}");
+    // damage is an error and no panic
+    for at in (100..bytes.len()).step_by(37) {
+        let mut damaged = bytes.clone();
+        damaged[at] ^= 0x5a;
+        let _ = read_bytes(&damaged);
+    }
+}
+
+fn read_bytes(bytes: &[u8]) -> Result<(), Problems> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.db3");
+    std::fs::write(&path, bytes).unwrap();
+    propose_file(&path).map(|_| ())
+}
+
+/// An array is the sheet of an export; arrays of the same length beside it are further columns.
+#[test]
+fn an_array_is_an_export() {
+    // column by column
+    let points = [1.0, 4.0, 7.0, 8.0, 2.0, 5.0, 9.0, 9.5, 3.0, 6.0, 1.5, 2.5];
+    let times = variable("t", 4, 1, &[10.0, 20.0, 30.0, 40.0]);
+    let bytes = mat(&[times, variable("P", 4, 3, &points), variable("k", 3, 1, &[1.0; 3])]);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("points.mat");
+    std::fs::write(&path, bytes).unwrap();
+    let document = propose_file(&path).unwrap();
+    assert_eq!((document.kind.as_str(), document.doubts.len()), ("export", 1), "{}", document.toml);
+    let lines: toml::Table = toml::from_str(&document.toml).unwrap_or_else(|e| panic!("{e}: {}", document.toml));
+    let stated: etalon::formats::Format = lines["export"][0]["format"].clone().try_into().unwrap();
+    let read = |format: &etalon::formats::Format| {
+        etalon::formats::read_file(&path, None, format, etalon::formats::dialect::Unit::Metre)
+    };
+    let read_so = read(&stated).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((read_so[0].xyz_mm, read_so[1].xyz_mm), ([1000.0, 2000.0, 3000.0], [4000.0, 5000.0, 6000.0]));
+    assert_eq!(read_so[1].time_s, Some(20.0));
+    let other: etalon::formats::Format =
+        toml::from_str::<toml::Table>("f = { sheet = \"Q\", header = 1, columns = { x = 1, y = 2 } }").unwrap()["f"]
+            .clone()
+            .try_into()
+            .unwrap();
+    assert!(read(&other).unwrap_err().0[0].is("array-missing", &[("column", &"Q")]));
 }

@@ -41,7 +41,7 @@ fn errors_about_values_say_what_to_do() {
         &scratch,
         &["error[selection-without-pose]: `validation`", "59 poses are measured and joined, from 1 to 59"],
     );
-    for (cell, id) in [("--", "[not-a-number]: `--`"), ("", "[number-empty]")] {
+    for (cell, id) in [("x9", "[not-a-number]: `x9`"), ("1e", "[not-a-number]: `1e`")] {
         let scratch = copy_sample("prexyt-cmm");
         let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
         let line = text.lines().nth(1).unwrap();

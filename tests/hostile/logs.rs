@@ -199,3 +199,35 @@ fn every_truncation_of_a_log_ends_without_a_panic() {
         }
     }
 }
+
+/// Rows without a value are left out and listed, as in every table; columns may be computed or constant.
+#[test]
+fn missing_computed_and_constant_columns_of_a_log() {
+    let text = "P;A;B\n1;2,5;1\n2;---;4\n1;4,5;1,5\n3;5;\n2;6;2\n";
+    let stated = "delimiter = \";\"\ndecimal = \",\"\n\
+                  columns = { pose = \"P\", a_mm = \"A\", b_m = \"(A - B) / 1000\", c_mm = \"2 * $3\" }\n\
+                  constants = { cycle = \"visit\", d_m = 0.25 }\nmissing = [\"---\", \"\"]";
+    let imported = read(text, stated).unwrap_or_else(|said| panic!("{said}"));
+    assert_eq!(column(&imported, "a_mm"), [2.5, 4.5, 6.0]);
+    assert_eq!(column(&imported, "b_mm"), [1.5, 3.0, 4.0]);
+    assert_eq!(column(&imported, "c_mm"), [2.0, 3.0, 4.0]);
+    assert_eq!(column(&imported, "d_mm"), [250.0; 3]);
+    assert_eq!(column(&imported, "cycle"), [1.0, 2.0, 1.0]);
+    // rows keep their numbers
+    assert_eq!(column(&imported, "row"), [1.0, 3.0, 5.0]);
+    let source = imported.document.sources.iter().find(|source| source.file == "encoders.csv").unwrap();
+    let lines: Vec<(usize, &str)> = source.refused.iter().map(|refused| (refused.line, &*refused.reason)).collect();
+    assert_eq!(lines, [(3, "not measured: a_mm is `---`"), (5, "not measured: b_m is ``")]);
+
+    for (stated, part) in [
+        ("columns = { a_mm = \"$9 + 1\" }", "[column-number-unknown]"),
+        ("columns = { a_mm = \"A + C\" }", "[column-unknown]"),
+        ("columns = { a_mm = \"A / (B - B)\" }", "[computed-not-finite]"),
+        ("columns = { a_mm = \"A\" }\nconstants = { a_m = 1 }", "[log-column-twice]"),
+        ("columns = { a_mm = \"A\" }\nconstants = { bb = 1 }", "[log-column-unknown]"),
+        ("columns = { a_mm = \"A\" }\nconstants = { cycle = \"visit\" }", "[log-constant-invalid]"),
+        ("columns = { a_mm = \"A\" }\nconstants = { b_mm = \"none\" }", "[log-constant-invalid]"),
+    ] {
+        refused("A,B\n1,2\n3,4\n", stated, &[part]);
+    }
+}

@@ -103,6 +103,26 @@ fn trap_7_the_origin_counts_as_not_measured_unless_the_campaign_says_otherwise()
 }
 
 #[test]
+fn trap_7_a_frame_on_measured_points_has_its_origin_at_one() {
+    let read = |text: &str| {
+        let export =
+            format!("[[export]]\nfile = \"o.txt\"\nunit = \"mm\"\nformat = {{ delimiter = \"blank\", {LXYZ} }}");
+        let imported = campaign(&export, &[("o.txt", text)]).1.unwrap();
+        let warned = imported.document.messages.iter().any(|message| message.id == "origin-not-measured");
+        (imported.points.len(), warned)
+    };
+    // the second point on the x axis, the third in the plane
+    assert_eq!(read("K 0 0 0\nL 500.123 0 0\nM 300.4 400.2 0\nN 1.5 2.5 3.5\n"), (4, false));
+    // measured points: one lost target, with a warning, or several
+    assert_eq!(read("L 500.123 0.2 0.1\nK 0 0 0\nM 300.4 400.2 0.3\n"), (2, true));
+    assert_eq!(read("K 0 0 0\nL 500.123 0.2 0.1\nM 0 0 0\nN 300.4 400.2 0.3\n"), (2, false));
+    // two rows at the origin are no frame, whatever lies on an axis
+    assert_eq!(read("K 0 0 0\nL 500.123 0 0\nM 0 0 0\n"), (1, false));
+    // across a plane, z is 0 in all rows
+    assert_eq!(read("K 0 0 0\nL 500.123 0.2 0\nM 300.4 400.2 0\n"), (2, true));
+}
+
+#[test]
 fn trap_9_names_that_occur_twice_are_no_key() {
     let named = "{ delimiter = \",\", header = 1, columns = { label = \"name\", x = \"x\", y = \"y\", z = \"z\" } }";
     let told = said("name,x,y,z,x\nA,1,2,3,4\n", named);

@@ -66,6 +66,12 @@ const FILES: &[Case] = &[
         CHECK,
     ),
     (
+        "urdf-mimics-several joint=elbow",
+        URDF,
+        &[(U, ELBOW, "<joint name=\"elbow\" type=\"revolute\"><mimic joint=\"wrist_1\"/><mimic joint=\"wrist_2\"/>")],
+        CHECK,
+    ),
+    (
         "urdf-mimics-itself joint=elbow",
         URDF,
         &[(U, ELBOW, "<joint name=\"elbow\" type=\"revolute\"><mimic joint=\"elbow\"/>")],

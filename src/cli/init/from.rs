@@ -38,7 +38,7 @@ pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<V
         }
     }
     let built = robot.built();
-    let FilesProposal { documents, toml } = propose_files(paths, built.as_deref())?;
+    let FilesProposal { documents, toml, .. } = propose_files(paths, built.as_deref())?;
     let mut lines = toml;
     for document in &documents {
         let own = joints_named(document.toml.clone(), document, &robot);
@@ -148,7 +148,8 @@ fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFile
         Some((number, column.heading.clone().unwrap_or_default()))
     });
     let mut columns: Vec<(usize, String)> = columns.collect();
-    if columns.is_empty() {
+    // without a tool link the joints of the robot are open
+    if columns.is_empty() || robot.joints.is_empty() {
         return lines;
     }
     let in_order = columns.is_sorted_by_key(|(number, _)| *number);

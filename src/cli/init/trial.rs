@@ -20,9 +20,11 @@ const JOINT_UNITS: &str = "UNIT";
 /// Maximum number of errors that are repeated.
 const SHOWN: usize = 3;
 
-/// Returns the next step for a folder with this campaign.toml.
-pub(super) fn next(folder: &Path, text: &str) -> Phrase {
+/// Returns the next step for a folder with this campaign.toml and robot.toml.
+pub(super) fn next(folder: &Path, text: &str, robot: &str) -> Phrase {
     let mut keys: Vec<&str> = text.lines().filter_map(open).collect();
+    keys.extend(robot.lines().filter_map(open));
+    let is_robot_open = robot.lines().any(|line| open(line).is_some());
     keys.dedup();
     let named = |key: &str| if key == JOINT_UNITS { phrase!("units-of-joints").argument() } else { key.argument() };
     let keys: Vec<Argument> = keys.into_iter().map(named).collect();
@@ -31,7 +33,7 @@ pub(super) fn next(folder: &Path, text: &str) -> Phrase {
         true => phrase!("next-command", command),
         false => phrase!("next-check-asks", command, keys),
     };
-    match refusal(folder, text) {
+    match refusal(folder, text).filter(|_| !is_robot_open) {
         Some(reasons) => phrase!("next-check-refused", next, reasons),
         None => next,
     }

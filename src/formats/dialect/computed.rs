@@ -43,6 +43,21 @@ impl Expression {
         }
     }
 
+    /// Returns the index of a column that is the whole expression.
+    pub fn column(&self) -> Option<usize> {
+        if let Self::Column(at) = self { Some(*at) } else { None }
+    }
+
+    /// Returns an error if the expression names a column beyond the last one of a table.
+    pub fn check_columns(&self, width: usize) -> Result<(), Message> {
+        let mut columns = Vec::new();
+        self.add_columns(&mut columns);
+        match columns.into_iter().max() {
+            Some(at) if at >= width => Err(error!("column-number-unknown", number = at + 1, columns = width)),
+            _ => Ok(()),
+        }
+    }
+
     /// Parses an expression. A name is the longest heading that begins at its place; `$3` is the
     /// third column.
     ///

@@ -275,10 +275,13 @@ fn resolved(
                 wrong.push(error!("column-stated-twice", column = format!("${}", one + 1), first, second).at(at()));
             }
             ([one], _) => roles[*one] = *role,
-            ([], ColumnAt::Name(text)) if Expression::is_likely(text) => match Expression::parse(text, fields) {
-                Ok(expression) => computed.push((*role, expression)),
-                Err(message) => wrong.push(message.at(at())),
-            },
+            ([], ColumnAt::Name(text)) if Expression::is_likely(text) => {
+                let parsed = Expression::parse(text, fields);
+                match parsed.and_then(|expression| expression.check_columns(width).map(|()| expression)) {
+                    Ok(expression) => computed.push((*role, expression)),
+                    Err(message) => wrong.push(message.at(at())),
+                }
+            }
             ([], ColumnAt::Name(name)) => {
                 let message = error!("column-unknown", column = name).hint_names(name, fields.iter().map(Cow::as_ref));
                 wrong.push(message.at(at()));

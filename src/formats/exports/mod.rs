@@ -23,8 +23,10 @@ mod spatialanalyzer;
 mod stamps;
 mod vda_fs;
 
+pub(crate) use stamps::seconds as stamp_seconds;
+
 use super::lexer::written;
-use super::points::{Line, Point, SharedText, Stated};
+use super::points::{Line, Point, SharedText, Stated, has_frame_on_points};
 use crate::dialect::{Decimal, Dialect, Unit};
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems};
@@ -209,9 +211,12 @@ impl Format {
         }
     }
 
-    /// `true` if coordinates that are all zero mean "not measured".
-    pub fn origin_is_missing(&self) -> bool {
-        self.dialect.missing.origin()
+    /// `true` if coordinates that are all zero mean "not measured" in these rows.
+    ///
+    /// Trackers write such rows for a lost target in tables of rows. Formats of elements list
+    /// measured ones alone, and a frame that is built on measured points has its origin at one.
+    pub fn origin_is_missing(&self, rows: &[Point]) -> bool {
+        self.dialect.missing.origin() && self.about().by_rows && !has_frame_on_points(rows)
     }
 
     pub(crate) fn about(&self) -> About {
@@ -404,8 +409,8 @@ impl<'a> Text<'a> {
     }
 }
 
-/// Error if the unit of the file differs from that of the campaign; `how` is the record of the file
-/// that states it.
+/// Error if the unit of the file differs from that of the campaign; `how` is the record of the
+/// file that states it.
 fn unit_agrees(stated: Unit, of_file: Unit, how: &impl IntoArgument, place: Place) -> Result<(), Message> {
     if stated == of_file {
         return Ok(());

@@ -20,11 +20,10 @@ pub use joint_log::{JointLog, LogRow, is_joint_column};
 pub(crate) use sheet::{one_column, row_width, words_missing};
 pub use write::write;
 
-use super::dialect::{Cells, Column, ColumnAt, Decimal, Delimiter, Dialect, Encoding, FromRow, Header, Thousands};
-use super::exports::{Format, Recognised};
-use super::input::{bytes_of, text_of};
+use super::dialect::{Cells, Column, Constant, Decimal, Delimiter, Encoding, FromRow, Header, Missing, Thousands};
+use super::exports::Recognised;
 use crate::ros_bag;
-use crate::table::ASSEMBLY;
+use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
@@ -35,7 +34,6 @@ use sheet::Sheet;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::path::Path;
 use toml::Spanned;
 
 /// A file of a controller.
@@ -67,13 +65,17 @@ pub struct Log {
     /// `delimiter` and `encoding` do not apply.
     #[serde(alias = "topic")]
     pub sheet: Option<String>,
-    /// Header rows before the data; the last one names the columns: a number, `true` (one), `false`
-    /// (none), or words of the last one.
+    /// Header rows before the data; the last one names the columns: a number, `true` (one),
+    /// `false` (none), or words of the last one.
     #[serde(default = "one_row")]
     #[schemars(extend("default" = true))]
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
+    /// Cells that mean "not measured", beside empty ones: rows without a value of a joint or a
+    /// time are left out.
+    #[serde(default)]
+    pub missing: Missing,
     /// Rows that are read: those with one of these cells in each of these columns.
     #[serde(default)]
     pub only: BTreeMap<String, Cells>,
@@ -85,6 +87,11 @@ pub struct Log {
     /// (`q1_direction`: +1 from below, -1 from above).
     #[schemars(with = "BTreeMap<String, Column>")]
     pub columns: BTreeMap<Spanned<String>, Column>,
+    /// Columns with the same value in all rows, e.g. `q7_mm = 0`; `cycle = "visit"` counts the
+    /// rows of each pose.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Constant>")]
+    pub constants: BTreeMap<Spanned<String>, Constant>,
     /// Pose number from the number of the data row: `row`, or `row + 100` with an offset for a
     /// second file of the same targets.
     pub pose: Option<FromRow>,
@@ -124,27 +131,14 @@ impl Log {
         }
     }
 
+    /// Returns the keys of the columns and of the constants.
+    pub fn keys(&self) -> impl Iterator<Item = &Spanned<String>> {
+        self.columns.keys().chain(self.constants.keys())
+    }
+
     /// `true` if a row names the columns.
     pub fn has_header(&self) -> bool {
         self.header != Header::Rows(0)
-    }
-
-    /// Reads the text of the file, and its bytes.
-    ///
-    /// # Errors
-    /// Fails if the file cannot be read, is not text of this encoding, or lacks the sheet.
-    pub fn text(&self, path: &Path) -> Result<(String, Vec<u8>)> {
-        let bytes = bytes_of(path)?;
-        let named = self.columns.values().filter_map(|column| match &column.at {
-            ColumnAt::Name(name) => Some(name.as_str()),
-            ColumnAt::Number(_) => None,
-        });
-        if let Some(text) = self.format.0.table(&bytes, &named.collect::<Vec<_>>()) {
-            let file = path.display().to_string();
-            return Ok((text.map_err(|message| message.within(phrase!("in-file", file)))?, bytes));
-        }
-        let format = Format::from(Dialect { sheet: self.sheet.clone(), ..Dialect::default() });
-        Ok((text_of(path, &bytes, self.encoding, &format)?, bytes))
     }
 }
 
@@ -297,9 +291,34 @@ impl LogKind {
         FORMATS.into_iter().find(|format| format.holds(bytes)).map(Self)
     }
 
+    /// Returns the wanted parts of the arrays of a file as a text with tabs; `None` for files of
+    /// text.
+    pub(crate) fn table(self, bytes: &[u8], wanted: &[&str]) -> Option<std::result::Result<String, Message>> {
+        self.0.table(bytes, wanted)
+    }
+
     /// Returns the arrays of a file, with the text of each part that can be a column.
     pub(crate) fn arrays(self, bytes: &[u8]) -> std::result::Result<Vec<ArrayParts>, Message> {
         self.0.arrays(bytes)
+    }
+
+    /// Returns an array of a file, and all arrays of the same length beside it, as the cells of a
+    /// sheet: their parts are the columns, which the first row names.
+    ///
+    /// # Errors
+    /// Fails if the file cannot be read, or has no such array.
+    pub(crate) fn sheet(self, bytes: &[u8], name: &str) -> std::result::Result<String, Message> {
+        let arrays = self.arrays(bytes)?;
+        // the array of an `.npy` file has no name
+        let is_meant = |array: &&ArrayParts| array.name == name || array.name.is_empty();
+        let Some(meant) = arrays.iter().find(is_meant) else {
+            let known = arrays.iter().map(|array| array.name.as_str());
+            return Err(error!("array-missing", column = name).hint_names(name, known));
+        };
+        let beside = arrays.iter().filter(|array| array.count == meant.count && array.name != meant.name);
+        let parts: Vec<&str> =
+            std::iter::once(meant).chain(beside).flat_map(|array| &array.parts).map(String::as_str).collect();
+        self.0.table(bytes, &parts).unwrap_or_else(|| Err(error!("array-missing", column = name)))
     }
 
     /// Returns the unit of the column with this name, if the format fixes it.
@@ -409,7 +428,8 @@ impl Wanted<'_> {
     }
 }
 
-/// Reads a log, with its warnings. If the campaign states `standstill`, each standstill is one row.
+/// Reads a log, with its warnings. If the campaign states `standstill`, each standstill is one
+/// row.
 pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
     let Columns { rows, lines, columns, said } = columns(stated, log, text, source)?;
     let mut read = JointLog { name: log.name.clone(), file: log.file.get_ref().clone(), ..JointLog::default() };
@@ -463,12 +483,62 @@ pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut So
     let mut problems = Problems::default();
     let wanted = wanted(stated, log, &mut problems);
     match log.kind().0.read(LogText { log, stated, text }, &wanted, source) {
-        Ok(columns) => problems.check().map(|_| columns),
+        Ok(mut columns) => {
+            for (key, constant) in &log.constants {
+                let Some((name, factor)) = meaning(key.get_ref()) else { continue };
+                let values = constant_values(&columns, &name, (constant, factor)).map_err(|m| m.at(stated.place(key)));
+                columns.columns.extend(problems.keep(values.map_err(Problems::from)).map(|values| (name, values)));
+            }
+            problems.check().map(|_| columns)
+        }
         Err(more) => {
             problems.0.extend(more.0);
             Err(problems)
         }
     }
+}
+
+/// Cell of the constant `cycle` of a log whose rows are in the order of measurement: the n-th row
+/// of a pose is cycle n.
+const VISIT: &str = "visit";
+
+/// Returns the values of a constant column with a factor, one for each row.
+fn constant_values(
+    log: &Columns,
+    name: &str,
+    (constant, factor): (&Constant, f64),
+) -> std::result::Result<Values, Message> {
+    let count = log.rows.len();
+    let invalid = || error!("log-constant-invalid", column = name, value = constant.cell());
+    Ok(match (name, constant) {
+        (LABEL, constant) => Values::Text(vec![constant.cell(); count]),
+        ("pose", constant) => {
+            let pose = PoseName::new(&constant.cell()).map_err(|_| invalid())?;
+            Values::Poses(vec![pose; count])
+        }
+        ("cycle", Constant::Text(text)) if text == VISIT => {
+            let poses = log.columns.iter().find_map(|(_, values)| match values {
+                Values::Poses(poses) => Some(poses),
+                _ => None,
+            });
+            Values::Real(visits(poses.ok_or_else(invalid)?))
+        }
+        ("cycle", Constant::Number(number)) if number.fract() != 0.0 => return Err(invalid()),
+        (ASSEMBLY, Constant::Number(number)) if number.abs() != 1.0 => return Err(invalid()),
+        (_, Constant::Number(number)) if number.is_finite() => Values::Real(vec![factor * number; count]),
+        _ => return Err(invalid()),
+    })
+}
+
+/// Returns the number of each row among the rows of its pose, from 1.
+fn visits(poses: &[PoseName]) -> Vec<f64> {
+    let mut counts: BTreeMap<PoseName, f64> = BTreeMap::new();
+    let visit = |pose: &PoseName| {
+        let count = counts.entry(*pose).or_insert(0.0);
+        *count += 1.0;
+        *count
+    };
+    poses.iter().map(visit).collect()
 }
 
 /// Returns the column to read for each key of `columns`.
@@ -493,6 +563,7 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
         }
         wanted.push(wants);
     }
+    check_constants(stated, log, &wanted, problems);
     let here = |message: Message| message.at(stated.place(&log.file));
     if log.period_s.is_some_and(|period| period <= 0.0 || !period.is_finite()) {
         problems.0.push(here(error!("key-not-positive", key = "period_s")));
@@ -519,6 +590,23 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
         problems.0.push(here(inapplicable("header")));
     }
     wanted
+}
+
+/// Checks that each constant is a known column, and stated once.
+fn check_constants(stated: SourceText, log: &Log, wanted: &[Wanted], problems: &mut Problems) {
+    let mut names: Vec<String> = wanted.iter().map(|wanted| wanted.name.clone()).collect();
+    names.extend(log.period_s.map(|_| "time_s".to_owned()));
+    names.extend(log.pose.map(|_| "pose".to_owned()));
+    for key in log.constants.keys() {
+        let Some((name, _)) = meaning(key.get_ref()) else {
+            problems.0.push(error!("log-column-unknown", key = key.get_ref()).at(stated.place(key)));
+            continue;
+        };
+        if names.contains(&name) {
+            problems.0.push(error!("log-column-twice", key = key.get_ref(), name).at(stated.place(key)));
+        }
+        names.push(name);
+    }
 }
 
 /// Returns the error that a key means nothing for logs of this format.

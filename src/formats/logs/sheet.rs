@@ -1,7 +1,7 @@
 //! Logs that are one table: a header row with names, and a row for each time.
 
 use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
-use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header};
+use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Expression, Header};
 use crate::filter::Filter;
 use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, marked, parsed, pose_name, split as split_rows};
@@ -80,17 +80,21 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     log.kind().0.name_columns(&mut sheet, &mut problems);
     let numbers: BTreeMap<usize, i64> = (1..).zip(&sheet.rows).map(|(number, row)| (row.line, number)).collect();
     let is_filtered = !(log.only.is_empty() && log.without.is_empty());
-    let left_out = if is_filtered { filtered(&mut sheet, log)? } else { Vec::new() };
-    let mut placed = Vec::new();
+    let mut left_out = if is_filtered { filtered(&mut sheet, log)? } else { Vec::new() };
+    let mut placed: Vec<(Expression, &Wanted)> = Vec::new();
     for wanted in wanted {
-        match place_of(log, wanted, &sheet) {
-            Ok(at) => placed.push((at, wanted)),
+        match source_of(log, wanted, &sheet) {
+            Ok(from) => placed.push((from, wanted)),
             Err(message) => problems.0.push(message.at(stated.place(wanted.key))),
         }
     }
     if problems.0.is_empty() {
-        source.refused = log.kind().0.cut(&mut sheet, &placed, &mut problems);
+        let plain: Vec<(usize, &Wanted)> =
+            placed.iter().filter_map(|(from, wanted)| Some((from.column()?, *wanted))).collect();
+        source.refused = log.kind().0.cut(&mut sheet, &plain, &mut problems);
+        left_out.extend(not_measured(&mut sheet, log, &placed)?);
     }
+    let is_filtered = is_filtered || !left_out.is_empty();
     source.refused.extend(left_out);
     source.refused.sort_by_key(|refused| refused.line);
     let of_row = |(number, row): (i64, &Row)| if is_filtered { numbers.get(&row.line).copied() } else { Some(number) };
@@ -99,8 +103,8 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
         lines: sheet.rows.iter().map(|row| row.line as i64).collect(),
         ..Columns::default()
     };
-    for (at, wanted) in placed {
-        let values = cells(&sheet, log, wanted, at, &mut problems);
+    for (from, wanted) in placed {
+        let values = cells(&sheet, log, wanted, &from, &mut problems);
         columns.columns.push((wanted.name.clone(), values));
     }
     // row by row, so that one cause in many rows is one message
@@ -125,6 +129,35 @@ fn filtered(sheet: &mut Sheet, log: &Log) -> Result<Vec<Refused>> {
         return Err(error!("no-row-selected").at(sheet.place()).into());
     }
     Ok(left_out)
+}
+
+/// Leaves out the rows without a value of a joint, a time or a cycle, and lists them.
+fn not_measured(sheet: &mut Sheet, log: &Log, placed: &[(Expression, &Wanted)]) -> Result<Vec<Refused>> {
+    let mut needed: Vec<(usize, &str)> = Vec::new();
+    for (from, wanted) in placed.iter().filter(|(_, wanted)| ![LABEL, "pose"].contains(&wanted.name.as_str())) {
+        let mut columns = Vec::new();
+        from.add_columns(&mut columns);
+        needed.extend(columns.into_iter().map(|at| (at, wanted.key.get_ref().as_str())));
+    }
+    // a message definition has no mark of a missing value
+    if log.sheet.as_deref().is_some_and(ros_bag::is_topic) {
+        return Ok(Vec::new());
+    }
+    let mut left_out = Vec::new();
+    let mut last = None;
+    sheet.rows.retain(|row| match needed.iter().find(|(at, _)| log.missing.says(row.field(*at))) {
+        Some((at, column)) => {
+            let reason = phrase!("row-not-measured", column, cell = row.field(*at));
+            left_out.push(Refused::new(row.line, row.text, reason));
+            last = Some(*column);
+            false
+        }
+        None => true,
+    });
+    match last.filter(|_| sheet.rows.is_empty()) {
+        Some(column) => Err(error!("log-without-values", column).at(sheet.place()).into()),
+        None => Ok(left_out),
+    }
 }
 
 /// Splits the text into a header and rows of one width.
@@ -190,6 +223,19 @@ pub(crate) fn one_column(delimiter: Delimiter, guess: Option<&Dialect>) -> Messa
     }
 }
 
+/// Returns the source of a column: a column of the file, or an expression of columns.
+fn source_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<Expression, Message> {
+    let headings = sheet.header.as_ref().map_or(&[][..], |header| &header.fields);
+    match &wanted.column.at {
+        ColumnAt::Name(text) if Expression::is_likely(text) && headings.iter().all(|heading| heading != text) => {
+            let from = Expression::parse(text, headings)?;
+            from.check_columns(sheet.width())?;
+            Ok(from)
+        }
+        _ => place_of(log, wanted, sheet).map(Expression::Column),
+    }
+}
+
 /// Returns the index of a column given by number or heading.
 fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<usize, Message> {
     log.kind().0.statement(wanted).map_or(Ok(()), Err)?;
@@ -238,7 +284,8 @@ fn is_number(field: &str, decimal: Decimal) -> bool {
 }
 
 /// Returns the values of one column (mm, deg, s), and reports cells that cannot be read.
-fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Problems) -> Values {
+fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, from: &Expression, problems: &mut Problems) -> Values {
+    let at = from.column().unwrap_or(usize::MAX);
     if wanted.name == LABEL {
         return Values::Text(sheet.rows.iter().map(|row| row.field(at).to_owned()).collect());
     }
@@ -253,10 +300,21 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     let before = problems.0.len();
     let mut read = Vec::with_capacity(sheet.rows.len());
     for row in &sheet.rows {
-        let cell = row.field(at);
-        match if nanoseconds { seconds(cell) } else { marked(cell, log.decimal, log.thousands) } {
-            Ok(value) => read.push(value),
-            Err(message) => {
+        let number = |at: usize| marked(row.field(at), log.decimal, log.thousands).map(Some);
+        let value = match from {
+            Expression::Column(at) if nanoseconds => {
+                seconds(row.field(*at)).map(Some).map_err(|message| (*at, message))
+            }
+            _ => from.value(&number),
+        };
+        match value {
+            Ok(Some(value)) if value.is_finite() => read.push(value),
+            Ok(value) => {
+                let value = value.unwrap_or(f64::NAN);
+                let message = error!("computed-not-finite", column = wanted.key.get_ref(), value);
+                problems.0.push(message.at(row.place(sheet.file)));
+            }
+            Err((at, message)) => {
                 let has_hint = message.hint.is_some();
                 let message = if has_hint { message } else { message.hint(phrase!("log-row-needs-values")) };
                 problems.0.push(message.at(sheet.cell(row, at)));
@@ -266,19 +324,23 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     if problems.0.len() > before {
         return Values::Real(read);
     }
-    if wanted.is_joint() {
+    if wanted.is_joint()
+        && let Some(at) = from.column()
+    {
         log.kind().0.check_joint(sheet, at, &read, problems);
     }
     let (whole, modes) = (wanted.name == "cycle", wanted.name == ASSEMBLY);
     for (value, row) in read.iter().zip(&sheet.rows) {
+        let place = || from.column().map_or_else(|| row.place(sheet.file), |at| sheet.cell(row, at));
         let message = if modes && value.abs() != 1.0 {
             error!("assembly-mode-invalid", value)
         } else if whole && (value.fract() != 0.0 || value.abs() > WHOLE) {
-            error!("not-whole-number", value = row.field(at), column = "cycle")
+            let shown = from.column().map_or_else(|| value.to_string(), |at| row.field(at).to_owned());
+            error!("not-whole-number", value = shown, column = "cycle")
         } else {
             continue;
         };
-        problems.0.push(message.at(sheet.cell(row, at)));
+        problems.0.push(message.at(place()));
     }
     let value = |read: f64| if nanoseconds { read } else { wanted.value(read) };
     Values::Real(read.into_iter().map(value).collect())

@@ -3,6 +3,7 @@
 use super::kinematics::{FEWEST, Origin, Outcome, Reading, Sample, confirmed, test};
 use super::meaning::{Interpretation, Meaning, PointSet};
 use super::table::{Column, Table};
+use super::turned;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_robots::Robot;
@@ -207,6 +208,9 @@ fn apply(
     remarks: &mut Remarks,
 ) {
     name_joints(robot, &trial.joints, reading, (&mut *table, &mut *found), remarks);
+    let value = |row: usize, k: usize| table.columns[trial.joints[k]].values.get(row).copied().unwrap_or(f64::NAN);
+    let flanges: Vec<_> = (0..table.rows).map(|row| turned::flange(robot, reading, &|k| value(row, k))).collect();
+    remarks.reasons.extend(turned::order(&flanges, &reading.base_R_world, (table, found)));
     if let (Some(at), None) = (trial.target, found.first(Meaning::Target)) {
         found.take(at, Meaning::Target, phrase!("why-targets-fit"));
         remarks.reasons.push(phrase!("robot-finds-targets", column = table.called(at)));

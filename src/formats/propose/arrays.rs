@@ -1,5 +1,7 @@
-//! Proposal for a file of arrays of NumPy or MATLAB: a log.
+//! Proposal for a file of arrays of NumPy or MATLAB: an export of an array of three columns,
+//! otherwise a log.
 
+use super::several::{POSE_LINE, TARGET_LINE};
 use super::with_remarks;
 use crate::dialect::quoted;
 use crate::logs::{ArrayParts, LogKind};
@@ -36,6 +38,26 @@ pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<For
         ["t", "time", "times", "timestamp", "stamp", "tout"].contains(&name.as_str())
     };
     let time = arrays.iter().filter(beside).find(is_time);
+    if let [x, y, z] = &widest.parts[..] {
+        // three columns: coordinates rather than joints
+        document.kind = "export".to_owned();
+        document.doubt(phrase!("doubt-array-columns", array = widest.name, count = 3));
+        document.ask(phrase!("ask-unit"));
+        document.ask(phrase!("ask-order-of-columns"));
+        let times = time.map(|time| format!("time_s = {}, ", quoted(&time.name))).unwrap_or_default();
+        let lines = format!(
+            "[[export]]\nfile = {}\nformat = {{ sheet = {}, header = 1, columns = {{ {times}x = {}, y = {}, z = {} }} }}\n\
+             unit = \"?\"                 # mm, m, um or inch: the file does not state it, and it is never guessed\n{TARGET_LINE}{}",
+            quoted(file),
+            quoted(&widest.name),
+            quoted(x),
+            quoted(y),
+            quoted(z),
+            if times.is_empty() { POSE_LINE } else { "" }
+        );
+        document.toml = with_remarks(&document, &lines);
+        return Ok(document);
+    }
     let mut columns: Vec<String> = Vec::new();
     if let Some(time) = time {
         columns.push(format!("time_s = {}", quoted(&time.name)));

@@ -207,7 +207,12 @@ fn words(text: &str) -> Vec<String> {
         last = c;
     }
     words.retain(|word| !word.is_empty());
-    words
+    // `ux` is the uncertainty of x
+    let parts = |word: String| match word.as_str() {
+        "ux" | "uy" | "uz" => vec!["u".to_owned(), word[1..].to_owned()],
+        _ => vec![word],
+    };
+    words.into_iter().flat_map(parts).collect()
 }
 
 /// Returns a letter in lower case without accent.
@@ -246,6 +251,7 @@ mod tests {
         assert_eq!(of("Température (°C)"), ("temperature".into(), Some("C")));
         assert_eq!(of("q1_deg"), ("q 1".into(), Some("deg")));
         assert_eq!(of("m_00"), ("m 00".into(), None));
+        assert_eq!(of("ux_mm"), ("u x".into(), Some("mm")));
         assert!(Heading::of("x_m").bare_metre && !Heading::of("x [m]").bare_metre);
         assert!(Heading::of("Soll X").has(Word::Commanded) && Heading::of("mesuré x").has(Word::Measured));
     }

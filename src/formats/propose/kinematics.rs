@@ -59,6 +59,8 @@ pub(super) struct Reading {
     pub rows: usize,
     /// Origin of the coordinates.
     pub origin: Origin,
+    /// Rotation from the frame of the coordinates to the base.
+    pub base_R_world: [[f64; 3]; 3],
 }
 
 /// Origin of coordinates, by their residuals.
@@ -154,6 +156,7 @@ struct Residual {
     largest_mm: f64,
     unit: &'static str,
     unit_mm: f64,
+    base_R_world: [[f64; 3]; 3],
 }
 
 /// Tests the columns of joints against the coordinates. A thorough test also tries orders and
@@ -197,6 +200,7 @@ pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcom
         unit: residual.unit,
         rms_mm: residual.rms_mm,
         rows: many.rows(),
+        base_R_world: residual.base_R_world,
     });
     match (readings.next(), readings.next()) {
         (Some(first), Some(second)) => Outcome::Ambiguous(first, second),
@@ -218,6 +222,7 @@ pub(super) fn confirmed(robot: &dyn Robot, sample: &Sample, reading: &Reading) -
         unit: residual.unit,
         rms_mm: residual.rms_mm,
         rows: many.rows(),
+        base_R_world: residual.base_R_world,
         ..reading.clone()
     })
 }
@@ -299,7 +304,8 @@ fn permutations(order: &mut Vec<usize>, from: usize, all: &mut Vec<Vec<usize>>) 
     }
 }
 
-fn factor(unit: &str) -> f64 {
+/// Returns the factor from a unit of joints to mm or rad.
+pub(super) fn factor(unit: &str) -> f64 {
     match unit {
         "deg" => 1f64.to_radians(),
         "m" => 1000.0,
@@ -362,7 +368,8 @@ fn residual(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Resid
     };
     let squares: Vec<f64> = (0..rows).map(square).collect();
     let largest_mm = squares.iter().copied().fold(0.0, f64::max).sqrt();
-    Some(Residual { rms_mm: (squares.iter().sum::<f64>() / rows as f64).sqrt(), largest_mm, unit, unit_mm })
+    let rms_mm = (squares.iter().sum::<f64>() / rows as f64).sqrt();
+    Some(Residual { rms_mm, largest_mm, unit, unit_mm, base_R_world: m.map(|row| row.map(|v| v / unit_mm)) })
 }
 
 /// Returns the unit of lengths whose size (mm) is the scale of a rotation matrix.

@@ -9,6 +9,7 @@ use crate::dialect::{
 use crate::exports::delimited::point_rows;
 use crate::guess::{Guess, names};
 use crate::logs::LogKind;
+use crate::points::{Point, has_frame_on_points};
 use crate::table::QUATERNION;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -298,8 +299,23 @@ impl Proposal<'_> {
     /// are.
     fn not_read(&self) -> Option<Phrase> {
         let named = self.table.columns.iter().any(|column| column.name.is_some());
+        let has_point = !self.found.points.is_empty();
+        let roles = roles(self.found, 0);
+        // without joints, an orientation is read as a quaternion or a matrix alone
+        let turned = self.found.joint_columns().len() >= 2 && self.found.points.len() == 1;
         let unread = |(i, taken): (usize, &super::meaning::Taken)| {
-            let unread = taken.meaning == Meaning::Unknown || taken.meaning == Meaning::Count && !named;
+            let unread = match taken.meaning {
+                Meaning::Unknown => true,
+                Meaning::Count => !named,
+                Meaning::Rotation(_) => has_point && !turned,
+                Meaning::Uncertainty(_)
+                | Meaning::ExpandedUncertainty(_)
+                | Meaning::Distance
+                | Meaning::Azimuth
+                | Meaning::Zenith
+                | Meaning::Elevation => has_point && roles.get(i) == Some(&ColumnRole::Skip),
+                _ => false,
+            };
             let column = &self.table.columns[i];
             let name = || column.name.as_ref().map(|name| format!(" `{name}`")).unwrap_or_default();
             (unread && column.is_numeric()).then(|| format!("{}{}", i + 1, name()))
@@ -325,7 +341,8 @@ impl Proposal<'_> {
         if problems.0.len() > SHOWN {
             doubts.push(phrase!("doubt-more-problems", count = problems.0.len() - SHOWN));
         }
-        let origin = points.iter().find(|p| p.refused.is_none() && p.xyz_mm == [0.0; 3]);
+        let at_origin = |p: &&Point| p.refused.is_none() && p.xyz_mm == [0.0; 3];
+        let origin = points.iter().find(at_origin).filter(|_| !has_frame_on_points(&points));
         let refused: Vec<_> = points.iter().filter(|p| p.refused.is_some()).collect();
         doubts.extend(origin.map(|p| phrase!("doubt-origin", line = p.line)));
         if let Some((line, reason)) = refused.first().and_then(|p| Some((p.line, p.refused.as_deref()?))) {

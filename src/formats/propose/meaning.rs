@@ -340,11 +340,13 @@ impl Interpretation {
 
     /// Finds four neighbouring columns of length 1 in all rows under headings of any spelling.
     fn quaternion_by_values(&mut self, table: &Table) {
-        let without_unit = |(i, column): (usize, &Column)| column.heading.unit.is_none().then_some(i);
+        let without_unit = |(i, column): (usize, &Column)| {
+            (column.heading.unit.is_none() || column.component_letter().is_some()).then_some(i)
+        };
         let free: Vec<usize> = self.free(table).filter_map(without_unit).collect();
         let neighbours = free.windows(4).filter_map(|four| <[usize; 4]>::try_from(four).ok());
         for all in neighbours.filter(|all| all[3] - all[0] == 3) {
-            let named = components(all.map(|at| &table.columns[at].heading));
+            let named = components(all.map(|at| &table.columns[at]));
             let varies = || {
                 all.iter().any(|at| !table.columns[*at].is_constant())
                     && all.iter().all(|at| table.columns[*at].largest() > UNUSED)
@@ -373,19 +375,28 @@ const UNUSED: f64 = 1e-3;
 /// Returns the component (w, x, y, z) that each of four headings names.
 ///
 /// Three axes beside any fourth heading make it the scalar; numbers from 0 to 3 begin with the
-/// scalar. Other numbers do not state which is the scalar.
-fn components(headings: [&Heading; 4]) -> Option<[usize; 4]> {
-    let component = |heading: &Heading| {
-        let last = heading.words.last()?;
+/// scalar. Numbers from 1 to 4 do not state which is the scalar.
+fn components(columns: [&Column; 4]) -> Option<[usize; 4]> {
+    let number = |column: &Column| column.heading.words.last()?.parse::<usize>().ok();
+    let numbers = columns.map(number);
+    if (0..4).all(|k| numbers.contains(&Some(k))) {
+        return Some(numbers.map(|number| number.unwrap_or(0)));
+    }
+    let component = |column: &Column| {
+        match column.component_letter() {
+            Some('k') => return Some(3),
+            Some(_) => return None,
+            None => {}
+        }
+        let last = column.heading.words.last()?;
         let axis = |word: &str| ["x", "y", "z"].iter().position(|axis| *axis == word).map(|axis| axis + 1);
         let imaginary = |word: &str| ["i", "j", "k"].iter().position(|unit| *unit == word).map(|unit| unit + 1);
-        let number = last.parse::<usize>().ok().filter(|number| *number < 4);
-        axis(last).or_else(|| axis(last.strip_prefix('q')?)).or_else(|| imaginary(last)).or(number)
+        axis(last).or_else(|| axis(last.strip_prefix('q')?)).or_else(|| imaginary(last))
     };
-    let mut found = headings.map(component);
+    let mut found = columns.map(component);
     let holds = |found: &[Option<usize>; 4], k: usize| found.iter().filter(|at| **at == Some(k)).count() == 1;
     let axes = (1..4).all(|k| holds(&found, k));
-    let other = found.iter_mut().find(|at| at.is_none_or(|k| k == 0)).filter(|_| axes)?;
+    let other = found.iter_mut().find(|at| at.is_none()).filter(|_| axes)?;
     *other = Some(0);
     Some(found.map(|k| k.unwrap_or(0)))
 }

@@ -7,11 +7,13 @@ mod headings;
 mod kinematics;
 mod lines;
 mod meaning;
+mod motion;
 mod own;
 mod recording;
 mod several;
 mod structure;
 mod table;
+mod turned;
 
 pub use lines::JOINTS as JOINTS_REMARK;
 pub use several::{FilesProposal, label_form, propose_files};
@@ -454,14 +456,21 @@ mod tests {
             let document = of(head, &turns);
             assert!(document.toml.contains(columns) && !asks(&document), "{head}: {}", document.toml);
         }
-        // a second family of x, y, z is in doubt, and not dropped in silence
-        for head in ["ori_x,ori_y,ori_z,ori_s", "q_i,q_j,q_k,q_r"] {
-            assert!(!of(head, &turns).doubts.is_empty(), "{head}");
+        for head in ["ori_x,ori_y,ori_z,ori_s", "q_i,q_j,q_k,q_r", "Quat x,Quat y,Quat z,Quat w"] {
+            let document = of(head, &turns);
+            let read = document.toml.contains("\"z\", \"qx\", \"qy\", \"qz\", \"qw\"]");
+            assert!(read && document.doubts.is_empty() && !asks(&document), "{head}: {}", document.toml);
         }
+        assert!(of("q3,q0,q1,q2", &turns).toml.contains("\"z\", \"qz\", \"qw\", \"qx\", \"qy\"]"));
         // nothing names the scalar: a question
-        let document = of("A,B,C,D", &turns);
-        assert!(document.toml.contains("\"qw\"") || !document.doubts.is_empty(), "{}", document.toml);
-        assert!(!document.toml.contains("\"qw\"") || asks(&document), "{}", document.toml);
+        for head in ["A,B,C,D", "q1,q2,q3,q4", "e1,e2,e3,e4"] {
+            let document = of(head, &turns);
+            assert!(!document.toml.contains("\"qw\"") || asks(&document), "{head}: {}", document.toml);
+            assert!(document.toml.contains("\"qw\"") || !document.doubts.is_empty(), "{head}: {}", document.toml);
+        }
+        // numbers from 1 of another length are joints
+        let joints = of("q1,q2,q3,q4", &["0.5,0.5,0.5,-0.4", "0.48,0.6,0.64,0", "0.1,0.7,0.1,0.7", "0.8,0,0.36,0.48"]);
+        assert!(joints.toml.contains("q4_UNIT = \"q4\"") && !joints.toml.contains("qw"), "{}", joints.toml);
         // a direction beside an empty column, and numbers of another length
         for (head, rows) in [
             ("nx,ny,nz,k", ["0.6,0.8,0,0", "0.36,0.48,0.8,0", "0,0,1,0", "0.8,0,0.6,0"]),
@@ -470,6 +479,24 @@ mod tests {
             let document = of(head, &rows);
             assert!(!document.toml.contains("qw"), "{}", document.toml);
         }
+    }
+
+    #[test]
+    fn columns_that_nothing_reads_are_in_doubt() {
+        let unread = |text: &str| {
+            let document = propose("m.csv", text);
+            document.doubt_phrases.into_iter().find(|doubt| doubt.id == "doubt-columns-not-read")
+        };
+        for (text, columns) in [
+            ("X,Y,Z,Rx,Ry,Rz\n1.5,2.5,3.5,0.1,0.2,0.3\n4.5,5.5,7.5,0.2,0.1,0.4\n", vec!["4 `Rx`", "5 `Ry`", "6 `Rz`"]),
+            ("X,Y,Z,sigma x\n1.5,2.5,3.5,0.1\n4.5,5.5,7.5,0.2\n", vec!["4 `sigma x`"]),
+            ("X,Y,Z,Distance\n1.5,2.5,3.5,100.5\n4.5,5.5,7.5,101.5\n", vec!["4 `Distance`"]),
+            ("X,Y,Z,Laune\n1.5,2.5,3.5,7.25\n4.5,5.5,7.5,6.25\n", vec!["4 `Laune`"]),
+        ] {
+            assert_eq!(unread(text), Some(phrase!("doubt-columns-not-read", columns, more = 0)), "{text}");
+        }
+        let whole = "X,Y,Z,ux,uy,uz,speed\n1.5,2.5,3.5,0.1,0.1,0.2,4.5\n4.5,5.5,7.5,0.2,0.1,0.2,5.5\n";
+        assert_eq!(unread(whole), None);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Proposal for a recording of ROS 2 (MCAP): a log for the first topic of joint values, an export
 //! for each topic of measured poses or points.
 
+use super::motion::Motion;
 use super::with_remarks;
 use crate::dialect::quoted;
 use crate::ros_bag::{self, Kind, POSITION, STAMP, Topic};
@@ -9,6 +10,9 @@ use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
 use etalon_robots::{Joint, Quantity, Robot};
 use std::fmt::Write as _;
+
+/// Name of the storage of a recording in MCAP.
+const MCAP: &str = "mcap";
 
 /// Proposes lines for the topics of a recording.
 ///
@@ -23,8 +27,9 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
     }
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
-    document.format = Some("mcap".to_owned());
-    document.because(phrase!("because-recording"));
+    let storage = if ros_bag::is_database(bytes) { "db3" } else { MCAP };
+    document.format = Some(storage.to_owned());
+    document.because(phrase!("because-recording", storage));
     let mut lines = String::new();
     let mut is_named = false;
     // joint values first: the document is a log if there are any
@@ -68,6 +73,26 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
     }
     document.toml = with_remarks(&document, &lines);
     Ok(document)
+}
+
+/// Returns the motion of the first topic of joint values.
+pub(super) fn motion(bytes: &[u8]) -> Option<Motion> {
+    let topics = ros_bag::topics(bytes).ok()?;
+    let topic = topics.iter().find(|topic| topic.kind == Some(Kind::JointState))?;
+    let text = ros_bag::text(bytes, &topic.name).ok()?;
+    let mut lines = text.lines();
+    let head: Vec<&str> = lines.next()?.split('\t').collect();
+    let time = head.iter().position(|name| *name == STAMP)?;
+    let (mut times_s, mut joints) = (Vec::new(), Vec::new());
+    for line in lines {
+        let cells: Vec<&str> = line.split('\t').collect();
+        let number = |at: usize| cells.get(at).and_then(|cell| cell.parse().ok()).unwrap_or(f64::NAN);
+        times_s.push(number(time));
+        joints.push((0..head.len()).filter(|at| head[*at].starts_with(POSITION)).map(number).collect());
+    }
+    let mut motion = Motion::new(times_s, joints)?;
+    motion.names = head.iter().filter_map(|name| name.strip_prefix(POSITION)).map(str::to_owned).collect();
+    Some(motion)
 }
 
 /// Columns of joints that the robot names.

@@ -3,10 +3,13 @@
 use super::against::{Remarks, described, name_joints};
 use super::kinematics::{Outcome, Sample, test};
 use super::meaning::{Interpretation, Meaning};
+use super::motion::{Meeting, Motion};
 use super::table::{Column, Table};
-use super::{FormatsDocument, against, propose_corrected};
+use super::{FormatsDocument, against, propose_corrected, recording, turned};
 use crate::dialect::quoted;
 use crate::export::Pattern;
+use crate::exports::stamp_seconds;
+use crate::input::bytes_of;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Result, printable};
 use etalon_base::phrase;
@@ -35,7 +38,7 @@ const MOST_TARGETS: usize = 12;
 const LABEL_LINE: &str =
     "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
 /// Line of a proposal for the target of all rows.
-const TARGET_LINE: &str = "target = \"?\"               # which target the rows are of\n";
+pub(super) const TARGET_LINE: &str = "target = \"?\"               # which target the rows are of\n";
 
 /// Line of a proposal for poses that are the rows of the file.
 pub(super) const POSE_LINE: &str =
@@ -48,6 +51,8 @@ pub struct FilesProposal {
     pub documents: Vec<FormatsDocument>,
     /// Lines of all files for campaign.toml.
     pub toml: String,
+    /// Names of joints that do not move in the logs.
+    pub still: Vec<String>,
 }
 
 /// A file with its proposal and, of a table, its interpretation.
@@ -55,6 +60,8 @@ struct Part {
     path: PathBuf,
     document: FormatsDocument,
     read: Option<(Table, Interpretation)>,
+    /// Motion of a recording of messages.
+    motion: Option<Motion>,
 }
 
 /// Minimum number of rows of a recorded motion per measured point.
@@ -89,9 +96,8 @@ struct Join {
 /// Fails if a file is missing, or is not a table.
 pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<FilesProposal> {
     let mut parts = paths.iter().map(|path| Part::of(path, robot)).collect::<Result<Vec<Part>>>()?;
-    let log = parts.iter().position(|part| part.document.kind == "log");
     let exports: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "export").collect();
-    let recorded = log.is_some_and(|log| exports.iter().all(|at| stands(&parts[*at], &parts[log])));
+    let (log, order) = ordered(robot, &mut parts, &exports);
     let mut joined: Vec<(usize, Join)> = Vec::new();
     let mut targets: Vec<String> = Vec::new();
     for &at in &exports {
@@ -108,56 +114,36 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         name_targets(part, &keys, None, &mut targets);
     }
     // a recorded table may have poses that join it; a recording of messages has times alone
-    let by_standstills = recorded && log.is_some_and(|log| joined.is_empty() || is_mcap(&parts[log]));
+    let timed = log.filter(|log| joined.is_empty() || is_recording_of_messages(&parts[*log]));
+    let meeting = timed.and_then(|log| meeting(&parts, &exports, log, targets.len()));
     let tail = match log {
-        Some(log) if by_standstills && !exports.is_empty() => {
-            // a point belongs to the standstill at its time: several targets share one pose
-            for at in &exports {
-                parts[*at].document.toml = parts[*at].document.toml.replace(POSE_LINE, "");
+        Some(log) if !exports.is_empty() => match meeting {
+            Some(Meeting::Standstills { at_least_s, .. }) => {
+                // a point belongs to the standstill at its time: several targets share one pose
+                for at in &exports {
+                    parts[*at].document.toml = parts[*at].document.toml.replace(POSE_LINE, "");
+                }
+                standstills(&mut parts[log], at_least_s, &targets)
             }
-            standstills(&mut parts[log], &targets)
-        }
-        Some(log) if !exports.is_empty() => tail(&mut parts, log, &joined, &targets),
+            Some(Meeting::Rows { offset_s, spread_s }) => rows_in_time([offset_s, spread_s], &targets),
+            open => tail(&mut parts, log, &joined, (&targets, open)),
+        },
         _ => String::new(),
     };
     let tests = poses(&parts);
+    name_sections(&mut parts);
     let mut toml = String::new();
     for part in &parts {
         let _ = writeln!(toml, "# {}", printable(&part.summary()));
     }
-    for part in parts.iter().filter(|part| tests.is_none() || !TABLES_OF_POSES.contains(&part.document.kind.as_str())) {
+    let in_order = order.iter().map(|at| &parts[*at]);
+    for part in in_order.filter(|part| tests.is_none() || !TABLES_OF_POSES.contains(&part.document.kind.as_str())) {
         let _ = write!(toml, "\n{}", part.document.toml);
     }
     toml += &tests.unwrap_or_default();
-    toml = as_lists(toml);
     toml += &tail;
-    Ok(FilesProposal { documents: parts.into_iter().map(|part| part.document).collect(), toml })
-}
-
-/// Sections that campaign.toml may have several times, as a list.
-const LISTS: [&str; 2] = ["log", "observations"];
-
-/// Lines in which repeated sections are lists. Several logs have names, and a remark on their use.
-fn as_lists(mut toml: String) -> String {
-    for name in LISTS {
-        let head = format!("[{name}]\n");
-        let parts: Vec<&str> = toml.split(&head).collect();
-        if parts.len() < 3 {
-            continue;
-        }
-        let mut text = parts[0].to_owned();
-        for (number, part) in (1..).zip(&parts[1..]) {
-            if name == "log" {
-                let _ = writeln!(text, "# DOUBT: {}", printable(&phrase!("doubt-several-logs").to_string()));
-                let _ = writeln!(text, "[[log]]\nname = \"log_{number}\"");
-            } else {
-                let _ = writeln!(text, "[[{name}]]");
-            }
-            text += part;
-        }
-        toml = text;
-    }
-    toml
+    let still = parts.iter().filter_map(Part::motion).flat_map(|motion| motion.still()).collect();
+    Ok(FilesProposal { still, documents: parts.into_iter().map(|part| part.document).collect(), toml })
 }
 
 /// Kinds of tables of a test by ISO 9283.
@@ -172,8 +158,87 @@ fn poses(parts: &[Part]) -> Option<String> {
     Some(format!("\n[poses]\nattained = {attained}\ncommanded = {commanded}\n{reference}"))
 }
 
-/// Returns the lines of the join and of the world.
-fn tail(parts: &mut [Part], log: usize, joined: &[(usize, Join)], targets: &[String]) -> String {
+/// Returns the log that is joined, and the order of the files in the proposal: of several logs,
+/// the log that has a row for the most points is the first.
+fn ordered(robot: Option<&dyn Robot>, parts: &mut [Part], exports: &[usize]) -> (Option<usize>, Vec<usize>) {
+    let mut order: Vec<usize> = (0..parts.len()).collect();
+    let logs: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "log").collect();
+    let matching = |log: usize| {
+        let join = |at: &usize| best_join(robot, &parts[*at], &Keys::of(&parts[*at]), &parts[log]);
+        exports.iter().filter_map(join).map(|join| join.matching).sum::<usize>()
+    };
+    let best = logs.iter().copied().reduce(|best, log| if matching(log) > matching(best) { log } else { best });
+    if let (Some(first), Some(best), true) = (logs.first(), best, logs.len() > 1) {
+        order.swap(*first, best);
+        let file = parts[best].document.file.clone();
+        parts[best].doubt(phrase!("doubt-several-logs", first = file, count = logs.len()));
+    }
+    (best, order)
+}
+
+/// Writes sections of which there are several as elements of a list, logs with a name each.
+fn name_sections(parts: &mut [Part]) {
+    for (kind, section) in [("log", "[log]\n"), ("observations", "[observations]\n")] {
+        let of_kind = |part: &&mut Part| part.document.kind == kind && part.document.toml.contains(section);
+        let mut several: Vec<&mut Part> = parts.iter_mut().filter(of_kind).collect();
+        if several.len() < 2 {
+            continue;
+        }
+        for (number, part) in (1..).zip(&mut several) {
+            let mut stem = stem(&part.document.file);
+            stem.retain(|c| c.is_ascii());
+            let name = if kind == "log" { format!("name = \"{stem}_{number}\"\n") } else { String::new() };
+            part.document.toml = part.document.toml.replacen(section, &format!("[{}]\n{name}", section.trim_end()), 1);
+        }
+    }
+}
+
+/// Returns letters, digits and `_` of the name of a file without its ending.
+fn stem(file: &str) -> String {
+    let stem = Path::new(file).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    stem.chars().filter(|c| c.is_alphanumeric() || *c == '_').collect()
+}
+
+/// Returns the relation of the times of the points to the recording; `None` without times.
+fn meeting(parts: &[Part], exports: &[usize], log: usize, targets: usize) -> Option<Meeting> {
+    let motion = parts[log].motion();
+    let motion = match motion {
+        Some(motion) => motion,
+        // rows without some joints, of a recording that is long enough
+        None if !exports.is_empty() && exports.iter().all(|at| stands(&parts[*at], &parts[log])) => {
+            return Some(Meeting::Standstills { count: 0, at_least_s: 1.0 });
+        }
+        None => return None,
+    };
+    let times: Vec<Vec<f64>> = exports.iter().map(|at| parts[*at].times_s()).collect::<Option<_>>()?;
+    let mut times = times.concat();
+    times.sort_by(f64::total_cmp);
+    let long = || exports.iter().all(|at| stands(&parts[*at], &parts[log]));
+    match motion.meeting(&times, targets) {
+        _ if times.is_empty() => None,
+        // the campaign states how many standstills are missing
+        Meeting::Open { standstills } if long() => Some(Meeting::Standstills { count: standstills, at_least_s: 1.0 }),
+        found => Some(found),
+    }
+}
+
+/// Returns the lines of a join of points with the rows at their times.
+fn rows_in_time([offset_s, spread_s]: [f64; 2], targets: &[String]) -> String {
+    let tolerance_s = (2.0 * spread_s).max(0.01);
+    format!(
+        "\n[join]\nby = \"time\"\nclock_offset_s = {offset_s:.4}   # each point has one row at this offset, within {spread_s:.4} s\n\
+         tolerance_s = {tolerance_s:.3}\ntargets = {targets:?}\n\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument\n"
+    )
+}
+
+/// Returns the lines of the join and of the world; `meeting` is the relation of the times, where
+/// the files state them.
+fn tail(
+    parts: &mut [Part],
+    log: usize,
+    joined: &[(usize, Join)],
+    (targets, meeting): (&[String], Option<Meeting>),
+) -> String {
     let log_file = parts[log].document.file.clone();
     let log_rows = parts[log].document.rows;
     let mut out = "\n[join]\n".to_owned();
@@ -203,6 +268,10 @@ fn tail(parts: &mut [Part], log: usize, joined: &[(usize, Join)], targets: &[Str
         _ => {
             let text = phrase!("files-not-joined", log = &*log_file, rows = log_rows);
             let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
+            if let Some(Meeting::Open { standstills }) = meeting {
+                let text = phrase!("recording-not-joined", log = &*log_file, standstills);
+                let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
+            }
             out += "by = \"?\"                 # [\"pose\"], [\"pose\", \"cycle\"], \"label\", \"time\" or \"row\"\n";
         }
     }
@@ -215,19 +284,22 @@ fn stands(export: &Part, log: &Part) -> bool {
     let timed = export.read.as_ref().is_some_and(|(_, found)| {
         [Meaning::Time, Meaning::Clock, Meaning::TimeOfDay].iter().any(|time| found.first(*time).is_some())
     });
-    let recorded = is_mcap(log) || Keys::of(log).times.is_some();
+    let recorded = is_recording_of_messages(log) || Keys::of(log).times.is_some();
     timed && recorded && log.document.rows > MORE * export.document.rows
 }
 
-fn is_mcap(log: &Part) -> bool {
-    log.document.format.as_deref() == Some("mcap")
+fn is_recording_of_messages(log: &Part) -> bool {
+    matches!(log.document.format.as_deref(), Some("mcap" | "db3"))
 }
 
 /// Returns the lines of a join of points with the standstills of a recording, which determine the
 /// offset of the clocks.
-fn standstills(log: &mut Part, targets: &[String]) -> String {
-    log.document.toml += "# the robot stands still at each point for so long, and no joint moves by more; within_mm for prismatic joints\n\
-                          standstill = { at_least_s = 1.0, within_deg = 0.02 }\n";
+fn standstills(log: &mut Part, at_least_s: f64, targets: &[String]) -> String {
+    let _ = write!(
+        log.document.toml,
+        "# the robot stands still at each point for so long, and no joint moves by more; within_mm for prismatic joints\n\
+         standstill = {{ at_least_s = {at_least_s:?}, within_deg = 0.02 }}\n"
+    );
     format!(
         "\n[join]\nby = \"time\"\nclock_offset_s = \"standstills\"   # the offset at which every point falls into a standstill\n\
          tolerance_s = 0.05          # a point may be so far outside of its standstill\n\
@@ -247,6 +319,12 @@ fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), jo
         }
         return Ok(());
     };
+    let mut flanges = vec![None; parts[at].read.as_ref().map_or(0, |(table, _)| table.rows)];
+    if let Some((table, _)) = &parts[log].read {
+        for (row, of_log) in &join.pairs {
+            flanges[*row] = turned::flange(robot, reading, &|k| table.columns[columns[k]].values[*of_log]);
+        }
+    }
     let by_kinematics = parts[log].read.as_ref().is_some_and(|(_, found)| found.by_kinematics);
     if !by_kinematics {
         parts[log].again(&mut |table, found| {
@@ -262,6 +340,7 @@ fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), jo
             described(table, [x, y, z], reading, true, &mut remarks);
             found.by_kinematics = true;
         }
+        remarks.reasons.extend(turned::order(&flanges, &reading.base_R_world, (table, found)));
         remarks
     })
 }
@@ -365,10 +444,7 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
             targets.push(name.to_owned());
         }
     };
-    let stem: String = Path::new(&part.document.file)
-        .file_stem()
-        .map(|stem| stem.to_string_lossy().chars().filter(|c| c.is_alphanumeric() || *c == '_').collect())
-        .unwrap_or_default();
+    let stem = stem(&part.document.file);
     let stem = if stem.is_empty() || stem == "base" { "reflector".to_owned() } else { stem };
     let toml = &mut part.document.toml;
     if toml.contains(TARGET_LINE) {
@@ -425,7 +501,43 @@ impl Part {
                 remarks.unwrap_or_default()
             }),
         )?;
-        Ok(Self { path: path.to_owned(), document, read })
+        let is_recording = matches!(document.format.as_deref(), Some("mcap" | "db3"));
+        let motion = is_recording.then(|| bytes_of(path).ok().and_then(|bytes| recording::motion(&bytes))).flatten();
+        Ok(Self { path: path.to_owned(), document, read, motion })
+    }
+
+    /// Returns the motion of a log with times.
+    fn motion(&self) -> Option<Motion> {
+        if self.motion.is_some() {
+            return self.motion.clone();
+        }
+        let (table, found) = self.read.as_ref()?;
+        let times = &table.columns[found.first(Meaning::Time)?].values;
+        let factor = if found.time_unit == Some("ms") { 1e-3 } else { 1.0 };
+        let columns = found.joint_columns();
+        let joints = (0..table.rows).map(|row| columns.iter().map(|at| table.columns[*at].values[row]).collect());
+        let mut motion = Motion::new(times.iter().map(|time| factor * time).collect(), joints.collect())?;
+        motion.names = columns.iter().filter_map(|at| table.columns[*at].name.clone()).collect();
+        Some(motion)
+    }
+
+    /// Returns the times of the points (s), in order.
+    fn times_s(&self) -> Option<Vec<f64>> {
+        let (table, found) = self.read.as_ref()?;
+        let mut times: Vec<f64> = match found.first(Meaning::Time) {
+            Some(at) => {
+                let factor = if found.time_unit == Some("ms") { 1e-3 } else { 1.0 };
+                table.columns[at].values.iter().map(|time| factor * time).collect()
+            }
+            None => {
+                let at = found.first(Meaning::Clock).or(found.first(Meaning::TimeOfDay))?;
+                let cells = table.columns[at].cells.iter();
+                cells.map(|cell| stamp_seconds("", cell).unwrap_or(f64::NAN)).collect()
+            }
+        };
+        times.retain(|time| time.is_finite());
+        times.sort_by(f64::total_cmp);
+        Some(times)
     }
 
     /// Writes the proposal again with another correction.

@@ -120,6 +120,15 @@ impl Column {
         self.cells.push(field.into());
     }
 
+    /// Returns the letter at the end of the heading that is a unit or the component of a
+    /// quaternion: `ori_s` (the scalar, or seconds), `q_k` (the third, or kelvin).
+    pub fn component_letter(&self) -> Option<char> {
+        let name = self.name.as_deref()?.trim_end();
+        let letter = name.chars().last()?.to_ascii_lowercase();
+        let is_unit = matches!((self.heading.unit, letter), (Some("s"), 's') | (Some("K"), 'k'));
+        (is_unit && name[..name.len() - 1].ends_with(['_', ' ', '.', '-'])).then_some(letter)
+    }
+
     /// `true` for a column of numbers.
     pub fn is_numeric(&self) -> bool {
         !self.values.is_empty()

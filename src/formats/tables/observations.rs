@@ -132,7 +132,8 @@ impl TableLayout {
                     error!("column-number-unknown", number, columns = width)
                 }
                 (None, ColumnSource::Heading(text)) if Expression::is_likely(text) => {
-                    match Expression::parse(text, &headings) {
+                    let parsed = Expression::parse(text, &headings);
+                    match parsed.and_then(|from| from.check_columns(width).map(|()| from)) {
                         Ok(from) => {
                             computed.push(ReadColumn { name: Cow::Owned(name.clone()), from });
                             continue;

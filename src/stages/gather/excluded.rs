@@ -26,7 +26,8 @@ pub(super) fn leave_out(
                 continue;
             }
         };
-        let of_file = columns.points.iter().filter(|point| *point.export == **file);
+        let all = || columns.points.iter().chain(columns.stationed.iter().map(|of| &of.point));
+        let of_file = all().filter(|point| *point.export == **file);
         if of_file.clone().next().is_none() {
             let names = campaign.file.exports.iter().map(|export| export.file.get_ref().as_str());
             problems.0.push(error!("exclusion-file-unknown", file).at(place()).hint_names(file, names));
@@ -43,13 +44,14 @@ pub(super) fn leave_out(
         if let Some(source) =
             sources.iter_mut().find(|source| source.file == *file && source.kind == SourceKind::Export)
         {
-            let left_out =
-                columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row.into()));
+            let left_out = all().filter(|point| *point.export == **file && excluded.contains(&point.row.into()));
             let refused = |p: &etalon_formats::Point| Refused::new(p.line as usize, &p.text, reason.clone());
             source.refused.extend(left_out.map(refused));
             source.refused.sort_by_key(|refused| refused.line);
         }
-        columns.points.retain(|point| *point.export != **file || !excluded.contains(&point.row.into()));
+        let stays = |point: &etalon_formats::Point| *point.export != **file || !excluded.contains(&point.row.into());
+        columns.points.retain(stays);
+        columns.stationed.retain(|of| stays(&of.point));
         let message = warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason = rule.reason);
         problems.0.push(message.within(phrase!("of-name", name = file)).routine());
     }

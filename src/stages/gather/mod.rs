@@ -23,6 +23,7 @@ use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, Source, SourceKind};
 use etalon_formats::{Export, JointLog, Line, Log, LogRow, Point, SharedText};
 use points::PointColumns;
+pub use points::Stationed;
 use std::collections::BTreeMap;
 
 /// Points, joint values and tables of a campaign's files.
@@ -30,12 +31,21 @@ use std::collections::BTreeMap;
 pub struct Gathered {
     /// Every measured point.
     pub points: Vec<Point>,
+    /// Points of further stations of the instrument, in the frames of the stations.
+    pub stationed: Vec<Stationed>,
     /// Joint values of each log.
     pub logs: Vec<JointLog>,
     /// The table of observations, if the campaign has one.
     pub(crate) observations: Option<TableFile>,
     /// Files that were read, and rows that were refused.
     pub document: ImportDocument,
+}
+
+impl Gathered {
+    /// Points of all stations.
+    pub fn all_points(&self) -> impl Iterator<Item = &Point> {
+        self.points.iter().chain(self.stationed.iter().map(|of| &of.point))
+    }
 }
 
 /// Reads all exports and logs of a campaign.
@@ -129,7 +139,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         messages: Problems(messages).grouped().0,
         unmatched: Vec::new(),
     };
-    (Gathered { points: columns.points, logs, observations, document }, problems)
+    (Gathered { points: columns.points, stationed: columns.stationed, logs, observations, document }, problems)
 }
 
 /// Size of an export (bytes) above which its text is released once it is read: later messages name

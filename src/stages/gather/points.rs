@@ -10,10 +10,21 @@ use etalon_documents::{Refused, Source};
 use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point, SharedText};
 use std::collections::BTreeSet;
 
+/// A point in the frame of a further station of the instrument.
+#[derive(Clone, Debug)]
+pub struct Stationed {
+    /// Name of the station.
+    pub station: SharedText,
+    /// The point.
+    pub point: Point,
+}
+
 /// All points of a campaign.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PointColumns {
     pub points: Vec<Point>,
+    /// Points of further stations, in the frames of the stations.
+    pub stationed: Vec<Stationed>,
     /// Warnings about exports as a whole.
     pub remarks: Vec<Message>,
 }
@@ -33,8 +44,8 @@ impl PointColumns {
         problems
     }
 
-    /// Adds the rows of an export; rows that were not measured are added to the refused rows of the
-    /// source. Returns the errors of the other rows.
+    /// Adds the rows of an export; rows that were not measured are added to the refused rows of
+    /// the source. Returns the errors of the other rows.
     fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<Point>, source: &mut Source) -> Problems {
         let mut problems = Problems::default();
         let pattern = export.label.as_ref().and_then(|text| {
@@ -49,9 +60,11 @@ impl PointColumns {
         let known = |named: &LabelNames| named.target.as_ref().is_none_or(|target| targets.contains(target));
         let file: SharedText = export.file.get_ref().as_str().into();
         let mut shared = Names::default();
+        let origin_is_missing = export.format.origin_is_missing(&rows);
+        self.remarks.extend(single_origin(campaign, export, &rows).filter(|_| origin_is_missing));
         // in the memory of the rows: exports have millions
         let kept = rows.into_iter().enumerate().filter_map(|(i, row)| {
-            let zero = row.xyz_mm == [0.0; 3] && export.format.origin_is_missing();
+            let zero = origin_is_missing && row.xyz_mm == [0.0; 3];
             let reason = row.refused.as_deref().cloned().or_else(|| zero.then(|| phrase!("row-at-origin")));
             if let Some(reason) = reason {
                 source.refused.push(Refused::new(row.line as usize, &row.text, reason));
@@ -83,7 +96,18 @@ impl PointColumns {
             }
             Some(row)
         });
-        let mut kept: Vec<Point> = kept.collect();
+        let kept: Vec<Point> = kept.collect();
+        self.keep(export, kept);
+        problems
+    }
+
+    /// Adds the points of an export behind those of the exports before it, or to a further station.
+    fn keep(&mut self, export: &Export, mut kept: Vec<Point>) {
+        if let Some(station) = &export.station {
+            let station: SharedText = station.get_ref().as_str().into();
+            self.stationed.extend(kept.into_iter().map(|point| Stationed { station: station.clone(), point }));
+            return;
+        }
         // the larger part stays where it is
         match self.points.len() < kept.len() {
             true => {
@@ -92,16 +116,16 @@ impl PointColumns {
             }
             false => self.points.append(&mut kept),
         }
-        problems
     }
 
     /// Errors about points with the same target, pose and cycle as a previous one.
     pub fn measured_twice(&self, campaign: &Campaign) -> Vec<Message> {
         let mut first = std::collections::BTreeMap::new();
         let mut errors = Vec::new();
-        for point in &self.points {
+        let stationed = self.stationed.iter().map(|of| (Some(&of.station), &of.point));
+        for (station, point) in self.points.iter().map(|point| (None, point)).chain(stationed) {
             let (Some(target), Some(pose)) = (&point.target, point.pose) else { continue };
-            let before = *first.entry((target, pose, point.cycle)).or_insert(point);
+            let before = *first.entry((station, target, pose, point.cycle)).or_insert(point);
             if !std::ptr::eq(before, point) {
                 let numbered = |e: &Export| e.pose.is_some() && *e.file.get_ref() == *point.export;
                 let several = point.export != before.export && campaign.file.exports.iter().any(numbered);
@@ -137,6 +161,15 @@ impl PointColumns {
         let message = warning!("labels-unused", count = idle.len(), label = &*first.label);
         vec![message.at(first.place())]
     }
+}
+
+/// Returns a warning if the origin is a row of an export once: a lost target, or a measured point
+/// that is the origin of the frame.
+fn single_origin(campaign: &Campaign, export: &Export, rows: &[Point]) -> Option<Message> {
+    let mut at_origin = rows.iter().filter(|row| row.refused.is_none() && row.xyz_mm == [0.0; 3]);
+    let (Some(row), None) = (at_origin.next(), at_origin.next()) else { return None };
+    let file = export.file.get_ref();
+    Some(warning!("origin-not-measured", file, line = row.line).at(campaign.place(&export.file)))
 }
 
 /// Targets of the robot and of the world frame: labels with these targets may name a pose by a

@@ -52,6 +52,7 @@ pub(super) fn by_label(
             target: 0,
             world_mm: world_T_export.apply(mean.at_mm),
             orientation: mean.body.filter(|_| is_posed).map(|body| world_T_export.then(&body).quaternion()),
+            station: None,
             covariance_mm2: mean.covariance_mm2.map(|c| turned(&c, &world_T_export.rotation)),
             time_s: row.time_s,
             assembly: row.assembly,

@@ -11,7 +11,7 @@ mod unmatched;
 pub use observations::{JoinedLog, ObservationTime, Observations};
 
 use crate::stages::exclusions::Exclusion;
-use crate::stages::gather::Gathered;
+use crate::stages::gather::{Gathered, Stationed};
 use crate::stages::joint_range::{self, JointRow, Joints};
 use by_key::by_key;
 use by_label::by_label;
@@ -23,7 +23,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, ClockOffset, ClockRate, Join, JoinBy};
 use etalon_documents::{FramesDocument, SourceKind, Unmatched};
-use etalon_formats::{JointLog, LogRow, Point};
+use etalon_formats::{JointLog, LogRow, Point, SharedText};
 use etalon_identify::{Covariance, directions, turned};
 use etalon_robots::{Quantity, Robot};
 use polars::prelude::DataFrame;
@@ -74,6 +74,8 @@ struct Target<'a> {
     covariance_mm2: Option<Covariance>,
     /// Orientation of the body in the world, as a quaternion.
     orientation: Option<[f64; 4]>,
+    /// Station in whose frame position and orientation are, if it is not the world.
+    station: Option<SharedText>,
 }
 
 /// A target with the joint values at which it was measured.
@@ -84,6 +86,7 @@ struct Row {
     world_mm: Vector,
     covariance_mm2: Option<Covariance>,
     orientation: Option<[f64; 4]>,
+    station: Option<SharedText>,
     /// Time of the export or, if the export has none, of the log (s).
     time_s: Option<f64>,
     assembly: Option<f64>,
@@ -102,6 +105,7 @@ impl Row {
             world_mm: target.world_mm,
             covariance_mm2: target.covariance_mm2,
             orientation: target.orientation,
+            station: target.station.clone(),
             time_s: target.point.time_s.or(met.time_s),
             assembly: met.assembly,
             joints: met.joints.clone(),
@@ -124,6 +128,7 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
         let message = error!("key-missing", key = "join", has_section = "no", section = "");
         return Err(message.at(Place::file(campaign.path.as_str())).into());
     };
+    check_stations(campaign, imported)?;
     let (mut remarks, mut problems) = (Remarks::default(), Problems::default());
     let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);
     let mut observations = Vec::new();
@@ -150,8 +155,8 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
                     remarks.messages.extend(moved_out);
                     remarks.messages.extend(joined.incomplete(of_rows(campaign, &targets)));
                 }
-                // poses are rows of a table of observations
-                let observed = if joined.has_orientations() {
+                // poses, and points of further stations, are rows of a table of observations
+                let observed = if joined.has_orientations() || joined.has_stations() {
                     Observations::Table(joined.table()?)
                 } else {
                     Observations::Log(joined)
@@ -280,7 +285,7 @@ pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Re
         return Ok(());
     }
     let points =
-        || imported.points.iter().filter(|p| robot.targets().iter().any(|t| Some(t.as_str()) == p.target.as_deref()));
+        || imported.all_points().filter(|p| robot.targets().iter().any(|t| Some(t.as_str()) == p.target.as_deref()));
     let found = imported.logs.iter().map(|log| equal_counts(campaign, imported, points(), log));
     Problems(found.filter_map(Result::err).flat_map(|p| p.0).collect()).check().map(|_| ())
 }
@@ -323,12 +328,44 @@ fn targets_in_world<'a>(
             world_mm: world_T_export.apply(point.xyz_mm),
             covariance_mm2,
             orientation,
+            station: None,
         });
     }
+    targets.extend(stationed(imported, robot, remarks));
     if !lost.is_empty() {
         remarks.messages.push(warning!("pose-without-frame", count = lost.len(), poses = listed(&lost)));
     }
     targets
+}
+
+/// The targets that further stations measured, in the frames of the stations.
+fn stationed<'a>(imported: &'a Gathered, robot: &dyn Robot, remarks: &mut Remarks) -> Vec<Target<'a>> {
+    let mut targets = Vec::new();
+    for Stationed { station, point } in &imported.stationed {
+        let Some(index) = robot.targets().iter().position(|t| Some(t.as_str()) == point.target.as_deref()) else {
+            let reason = phrase!("row-of-station-unused", station = &**station);
+            remarks.unmatched.push(At::point(point).unmatched(point.label.to_string(), &reason));
+            continue;
+        };
+        let (world_mm, orientation, station) = (point.xyz_mm, point.orientation, Some(station.clone()));
+        targets.push(Target { point, index, world_mm, covariance_mm2: None, orientation, station });
+    }
+    targets
+}
+
+/// Checks that rows of further stations have one uncertainty.
+fn check_stations(campaign: &Campaign, imported: &Gathered) -> Result<()> {
+    let mut problems = Problems::default();
+    for export in campaign.file.exports.iter().filter(|export| export.station.is_some()) {
+        let name = export.station.as_ref().map_or("", |station| station.get_ref());
+        let mut own = imported.stationed.iter().map(|of| &of.point).filter(|p| *p.export == **export.file.get_ref());
+        if let Some(point) = own.find(|point| own_covariance(campaign, point).is_some()) {
+            let fault = if point.standard_uncertainty_mm.is_some() { "uncertainties" } else { "covariance" };
+            let message = error!("station-row-unsupported", station = name, fault, kind = "point");
+            problems.0.push(message.at(At::point(point).place()));
+        }
+    }
+    problems.check().map(|_| ())
 }
 
 /// The covariance of a point along the axes of its export, if its row states one or the instrument

@@ -7,9 +7,9 @@ use crate::stages::positions;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_formats::JointLog;
 use etalon_formats::table;
 use etalon_formats::tables::joints::{stated_mode, wrong_direction};
+use etalon_formats::{JointLog, SharedText};
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
 use polars::prelude::{Column, DataFrame};
@@ -33,6 +33,8 @@ pub struct JoinedLog {
     logged: Vec<Vec<f64>>,
     /// Orientations of the bodies at each position, in the world, if they were measured.
     orientations: Vec<Option<[f64; 4]>>,
+    /// Stations in whose frames the positions are, if it is not the world.
+    stations: Vec<Option<SharedText>>,
     /// Columns of the joint values.
     joints: Vec<String>,
     targets: Vec<String>,
@@ -138,6 +140,7 @@ impl JoinedLog {
         let factors: Vec<f64> = factors.chain(robot.approached().iter().map(|_| 1.0)).collect();
         let (mut measured, mut logged) = (Vec::with_capacity(rows.len()), Vec::with_capacity(rows.len()));
         let orientations = rows.iter().map(|row| row.orientation).collect();
+        let stations = rows.iter().map(|row| row.station.clone()).collect();
         for row in rows {
             let (Some(pose), Some(cycle)) = (row.pose, row.cycle) else {
                 let column = if row.pose.is_none() { "pose" } else { "cycle" };
@@ -159,7 +162,13 @@ impl JoinedLog {
         }
         let has_modes = robot.has_assembly_modes() && log.has(table::ASSEMBLY);
         let targets = robot.targets().to_vec();
-        Ok(Self { measured, logged, orientations, joints, targets, dimension: robot.dimension(), has_modes })
+        let dimension = robot.dimension();
+        Ok(Self { measured, logged, orientations, stations, joints, targets, dimension, has_modes })
+    }
+
+    /// `true` if a further station measured positions.
+    pub(super) fn has_stations(&self) -> bool {
+        self.stations.iter().any(Option::is_some)
     }
 
     /// `true` if an orientation was measured.
@@ -190,6 +199,10 @@ impl JoinedLog {
             Column::new("cycle".into(), rows().map(|m| Some(m.cycle)).collect::<Vec<_>>()),
             Column::new("target".into(), rows().map(|m| self.targets[m.target].as_str()).collect::<Vec<_>>()),
         ];
+        if self.has_stations() {
+            let names: Vec<Option<&str>> = self.stations.iter().map(|station| station.as_deref()).collect();
+            columns.push(Column::new("station".into(), names));
+        }
         for (axis, name) in table::XYZ[..self.dimension].iter().enumerate() {
             columns.push(real(name, &|m| Some(m.at_mm[axis])));
         }

@@ -109,6 +109,8 @@ urdf-mimic-unknown = Gelenk `{ $joint }` folgt dem Gelenk `{ $mimics }`, das in 
 
 urdf-mimics-itself = Gelenk `{ $joint }` folgt sich selbst
     .hint = in <mimic> ein anderes Gelenk nennen
+urdf-mimics-several = Gelenk `{ $joint }` folgt mehreren Gelenken
+    .hint = ein `mimic` behalten: ein Gelenk einer URDF folgt einem Gelenk. Hängt es von mehreren ab, alle entfernen: es ist dann ein eigenes Gelenk mit einer Spalte im Protokoll
 
 urdf-nothing-moves = zwischen `{ $from }` und `{ $to }` bewegt sich kein Gelenk
     .hint = `base_link` und `tool_link` prüfen

@@ -193,6 +193,13 @@ two-files-of-one-name = zwei Dateien heißen `{ $name }`
     .hint = einer davon einen anderen Namen geben
 
 proposal-not-toml = der Vorschlag für `{ $name }` ist nicht lesbar: { $error }
+tool-link-longest = die Kette mit den meisten beweglichen Gelenken: die Dateien haben keine Gelenke
+tool-link-by-names = die Dateien nennen die Gelenke dieser Kette
+tool-link-by-count = die Dateien haben { $count } Spalten von Gelenken, wie nur diese Kette
+tool-link-by-residual = mit dieser Kette gibt der nominale Roboter die Punkte mit einem Residuum von { FIXED($rms_mm, 2) } mm wieder, mit jeder anderen mindestens mit dem Dreifachen
+tool-link-shortest = mit dieser Kette gibt der nominale Roboter die Punkte mit einem Residuum von { FIXED($rms_mm, 2) } mm wieder; weitere Gelenke verkleinern es nicht
+tool-link-moves = die Dateien nennen die Gelenke dieser Kette; weitere Gelenke bewegen sich nicht
+tool-link-fits = `{ $link }` passt zu den Dateien: die Gelenke sind { $joints }
 
 nothing-recognised = in `{ $name }` wurde nichts erkannt
     .hint = `etalon formats { $path }` nennt, was seine Spalten sein können

@@ -16,6 +16,19 @@ name-a-file = der Ordner enthält { $files }
 
 line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
     .hint = die Datei als Text mit Zeilen exportieren: sie ist wohl eine binäre Aufzeichnung oder ein Archiv
+database-unreadable = die SQLite-Datenbank ist nicht als Aufzeichnung von rosbag2 lesbar: { $fault ->
+        [log] sie hat ein Write-Ahead-Log
+        [tables] ihr fehlen die Tabellen `topics` und `messages`
+        [encoding] ihre Texte sind in UTF-16
+        [end] sie endet zu früh
+        [page] eine Seite ist fehlerhaft
+       *[record] ein Datensatz ist fehlerhaft
+    }
+    .hint = { $fault ->
+        [log] das Log einarbeiten: sqlite3 DATEI "PRAGMA journal_mode=DELETE"
+        [tables] ihre Tabelle als Text exportieren und die Spalten angeben
+       *[record] die Datei erneut kopieren; `ros2 bag reindex ORDNER` repariert eine unterbrochene Aufzeichnung
+    }
 
 file-not-text = `{ $file }` ist { $kind ->
         [matlab] eine MATLAB-Datei
@@ -25,19 +38,17 @@ file-not-text = `{ $file }` ist { $kind ->
         [gzip] mit gzip komprimiert
         [xls] eine alte Excel-Mappe (.xls)
         [rosbag1] eine Aufzeichnung von ROS 1 (.bag)
-        [rosbag2] eine SQLite-Datenbank, wie rosbag2 sie aufzeichnet (.db3)
        *[pdf] ein PDF-Dokument
     }
     .expected = Text, eine Arbeitsmappe (.xlsx) oder eine Aufzeichnung (.mcap)
     .hint = { $kind ->
-        [matlab] ist es ein Protokoll, `format = "matlab"` angeben; sonst die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
+        [matlab] den Namen des Arrays als `sheet` angeben, in einem Protokoll auch `format = "matlab"`
         [matlab-hdf5] sie in MATLAB neu mit `-v7` speichern: S = load('DATEI'); save('NEU.mat', '-struct', 'S', '-v7')
-        [numpy] ist es ein Protokoll, `format = "numpy"` angeben; sonst die Tabelle mit `numpy.savetxt` als Text schreiben und die Spalten angeben
+        [numpy] den Namen des Arrays als `sheet` angeben, in einem Protokoll auch `format = "numpy"`
         [hdf5] die Tabelle als Text schreiben und die Spalten angeben
         [gzip] die Datei entpacken
         [xls] sie als .xlsx oder als Text speichern
         [rosbag1] sie umwandeln: `rosbags-convert --src DATEI --dst ORDNER --dst-storage mcap`; dann die .mcap-Datei und `topic` angeben
-        [rosbag2] sie in MCAP umwandeln: `ros2 bag convert -i DATEI -o out.yaml`; out.yaml enthält `output_bags: [{"{"} uri: mcap, storage_id: mcap, all_topics: true {"}"}]`
        *[pdf] die Punkte als Text exportieren
     }
 

@@ -359,6 +359,15 @@ stated-and-in-table = `{ $key }` ist angegeben, aber die Tabelle hat auch eine S
 
 no-row-selected = `only` und `without` wählen keine Zeile aus
     .hint = ihre Zellen mit denen der Datei vergleichen
+log-without-values = keine Zeile des Protokolls hat einen Wert für `{ $column }`
+    .hint = die Spalte berichtigen oder in `missing` andere Zellen angeben
+log-constant-invalid = die Konstante { $value } kann nicht die Spalte `{ $column }` eines Protokolls sein
+    .hint = { $column ->
+        [cycle] eine ganze Zahl angeben, oder "visit" in einem Protokoll mit Posen
+        [assembly] 1 oder -1 angeben
+        [pose] eine Zahl oder einen Namen angeben
+       *[other] eine Zahl angeben
+    }
 
 computed-not-finite = der berechnete Wert von `{ $column }` ist { $value }
     .hint = den Ausdruck prüfen: Division durch null oder Überlauf
@@ -412,6 +421,10 @@ robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der 
 robot-orders = der nominale Roboter passt mit den Gelenken in der Reihenfolge { $columns }
 
 robot-reproduces = der nominale Roboter reproduziert { $points } in { $unit } mit einem Residuum von { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert aus { $rows } Zeilen, Basis und Zielmarke frei)
+robot-orders-quaternion = die Orientierungen des nominalen Roboters passen zum Quaternion mit dem Skalar { $scalar ->
+        [first] an erster Stelle
+       *[last] an letzter Stelle
+    }
 
 points-commanded = { $points }: Sollwerte oder berechnete Werte, keine Messwerte; der nominale Roboter ergibt sie bis auf die Rundung (Residuum { FIXED($rms_mm, 6) } mm)
 
@@ -437,6 +450,7 @@ file-is = `{ $file }`: { $kind }, { $rows ->
 files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine Zeile in `{ $log }` (Schlüssel: { $by })
 
 files-not-joined = kein Schlüssel verknüpft alle Exporte mit den { $rows } Zeilen von `{ $log }`
+recording-not-joined = weder Zeilen noch Stillstände von mindestens 1 s ({ $standstills }) gehören je zu einem Punkt: die Zeiten verknüpfen `{ $log }` nicht
 expand-xacro = die Datei expandieren und stattdessen die URDF-Datei angeben: { $command }
 
 attribute-malformed = ein Attribut, das nicht lesbar ist
@@ -468,4 +482,4 @@ xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte oder brauch
 xacro-too-large = der expandierte Text ist größer als { $most_mib } MiB
 doubt-numbers-and-text = Spalte { $column } enthält in { $count } von { $rows } Zeilen Zahlen, und `{ $text }`: solche Zeilen weglassen (`header`, `comment`)
 
-doubt-array-columns = `{ $array }` hat { $count } Spalten: Gelenke, Koordinaten oder beides nebeneinander; Arrays werden nur als Protokolle gelesen
+doubt-array-columns = `{ $array }` hat { $count } Spalten: Gelenke, Koordinaten oder beides nebeneinander

@@ -37,7 +37,10 @@ because-line = Zeile { $line } { $is ->
     }
 because-log = ein Protokoll: { $reason }
 because-numbers = jede Zeile hat { $count } Zahlen, ohne Richtung darunter
-because-recording = es ist eine Aufzeichnung von ROS 2: sie beginnt wie eine MCAP-Datei
+because-recording = es ist eine Aufzeichnung von ROS 2: { $storage ->
+        [db3] eine SQLite-Datenbank mit Topics
+       *[mcap] sie beginnt wie eine MCAP-Datei
+    }
 because-sampled = die Werte der ersten { $rows } Zeilen wurden geprüft; die Datei enthält mehr
 because-several-points = die Überschriften nennen { $count } gemessene Punkte je Zeile: jeder ist ein [[export]] der Datei
 because-topic = das Topic `{ $topic }` hat { $count ->
@@ -84,7 +87,7 @@ doubt-rows-not-read = { $count ->
     } so nicht lesbar; die erste ist Zeile { $line }
 doubt-rows-refused = Zeile { $line }: { $reason }; weitere Zeilen: { $more }
 doubt-second-log = auch das Topic `{ $topic }` hat Gelenkwerte
-doubt-several-logs = mehrere Dateien enthalten Gelenkwerte: jedes Protokoll wird für sich identifiziert, und die Protokolle werden verglichen; Teile eines Protokolls gehören in eine Datei
+doubt-several-logs = { $count } Protokolle: { $first } identifiziert den Roboter, die anderen werden damit verglichen; Zeilen einer Aufzeichnung in mehreren Dateien gehören in eine Datei
 doubt-sign-of-difference = das Vorzeichen der Differenz ist nicht angegeben: eine Zeile mit der Messung vergleichen
 doubt-six-without-headings = sechs Zahlen ohne Überschriften: eine Position und drei Winkel oder Gelenke, davon drei Schubgelenke
 doubt-thousands-mark = jedes `{ $mark }` steht vor drei Ziffern: es kann ein Tausendertrennzeichen sein

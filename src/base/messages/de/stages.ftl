@@ -89,6 +89,8 @@ column-step = { $column } auf { $step } { $unit }
 
 coordinates-rounded = die Koordinaten von `{ $file }` sind gerundet ({ $columns }): Standardunsicherheit der Rundung { FIXED($rounding_um, 1) } µm, Messgerät { FIXED($instrument_um, 1) } µm
     .hint = sie mit mehr Nachkommastellen exportieren
+origin-not-measured = Zeile { $line } von `{ $file }` ist 0 0 0: sie gilt als nicht gemessen
+    .hint = wenn es ein gemessener Punkt im Ursprung des Koordinatensystems ist, ein Format mit `missing = [""]` angeben
 
 labels-missing = kein Punkt hat eine Bezeichnung der Form `{ $pattern }`
     .hint = das Muster berichtigen oder den Export hinzufügen
@@ -338,6 +340,8 @@ station-row-unsupported = { $fault ->
        *[uncertainties] von Station `{ $station }` gemessene Koordinaten haben eigene Unsicherheiten
     }
     .expected = Zeilen der Art `point` oder `pose` mit x_mm, y_mm, z_mm und einer Unsicherheit `u_mm`, für alle Stationen außer der ersten
+station-join-by-label = die Punkte der Station `{ $station }` werden nach Bezeichnung verknüpft
+    .hint = sie nach Pose, Zeile oder Zeit verknüpfen: ein angetasteter Punkt wird im Weltkoordinatensystem gemessen
 
 uncertainty-not-positive = `{ $column }` = { $value } ist keine Standardunsicherheit
     .expected = eine positive Zahl
@@ -1025,6 +1029,7 @@ table-tilt-not-held = die Tabelle behandelt { $joint ->
     .hint = `etalon identify` bestimmt beta; `poe` enthält es
 row-excluded = ausgeschlossen: { $reason }
 row-at-origin = nicht gemessen: 0 0 0
+row-of-station-unused = Station `{ $station }`: der Punkt ist keine Zielmarke des Roboters
 row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste zählt
 no-rows-around = dem Protokoll `{ $log }` fehlt innerhalb von { $tolerance_s } s eine Zeile vor oder nach diesem Punkt
 no-row-near = keine Zeile des Protokolls `{ $log }` liegt innerhalb von { $tolerance_s } s
@@ -1044,6 +1049,7 @@ recorded-motion-file = aufgezeichnete Bewegung
 read-in-unit = { $format }, Einheit { $unit }
 read-in-frame = { $read }, bezogen auf `{ $frame }`
 read-without-columns = { $read }, { $unread } von { $all } Spalten nicht gelesen
+read-except-columns = { $read }, nicht gelesen: { $columns }
 
 side-stated = wie vom Benutzer angegeben
 side-from-values = aus { $of ->

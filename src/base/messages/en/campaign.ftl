@@ -246,6 +246,13 @@ urdf-mimic-unknown = joint `{ $joint }` mimics `{ $mimics }`, which the file doe
 urdf-mimics-itself = joint `{ $joint }` mimics itself
     .hint = name another joint in <mimic>
 
+# Means: A joint has several elements `mimic`. URDF couples a joint to one other joint.
+# Matters: With one of them alone the kinematics would be wrong.
+# Do: Keep the element that applies, or remove all of them and log the value of the joint.
+# Example: a wrist whose angle is the sum of two motor angles
+urdf-mimics-several = joint `{ $joint }` mimics several joints
+    .hint = keep one `mimic`: a URDF joint follows one master. If the joint depends on several, remove all of them: it is then a joint of its own, with a column in the log
+
 # Means: All joints between base link and tool link are fixed.
 # Matters: There is nothing to identify.
 # Do: Check `base_link` and `tool_link`.

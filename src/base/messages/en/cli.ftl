@@ -433,6 +433,13 @@ two-files-of-one-name = two files are called `{ $name }`
 # Do: Report the file as a defect; state the format by hand in campaign.toml.
 # Example: two tables of attained poses beside one of commanded poses
 proposal-not-toml = the proposal for `{ $name }` cannot be read: { $error }
+tool-link-longest = the chain with the most moving joints: the files have no joints
+tool-link-by-names = the files name the joints of this chain
+tool-link-by-count = the files have { $count } columns of joints, as this chain alone
+tool-link-by-residual = with this chain the nominal robot reproduces the points with a residual of { FIXED($rms_mm, 2) } mm, with every other chain at least three times as much
+tool-link-shortest = with this chain the nominal robot reproduces the points with a residual of { FIXED($rms_mm, 2) } mm; further joints do not reduce it
+tool-link-moves = the files name the joints of this chain; further joints of them do not move
+tool-link-fits = `{ $link }` fits the files: its joints are { $joints }
 
 # Means: No column of a file is recognised as coordinates or joints.
 # Matters: The campaign would not read the file.

@@ -31,6 +31,24 @@ name-a-file = the folder has { $files }
 line-too-long = `{ $file }`: line { $line } is longer than { $most_mib } MiB
     .hint = export the measurements as text, one row a line: the file may be a binary recording or an archive
 
+# Means: A `.db3` file is not complete, is written with a write-ahead log, or is another database.
+# Matters: Messages could be missing.
+# Do: Follow the hint.
+# Example: a `.db3` that was copied while ROS was recording
+database-unreadable = the SQLite database cannot be read as a recording of rosbag2: { $fault ->
+        [log] it has a write-ahead log
+        [tables] it has no tables `topics` and `messages`
+        [encoding] its texts are in UTF-16
+        [end] it ends early
+        [page] a page is malformed
+       *[record] a record is malformed
+    }
+    .hint = { $fault ->
+        [log] merge the log: sqlite3 FILE "PRAGMA journal_mode=DELETE"
+        [tables] export its table as text, and state the columns
+       *[record] copy the file again; `ros2 bag reindex FOLDER` repairs a recording that was cut
+    }
+
 # Means: The first bytes of the file are those of a binary format without text.
 # Matters: Measurements are read from text, Excel workbooks (.xlsx), XML and PLY.
 # Do: Convert the file as the hint says.
@@ -43,19 +61,17 @@ file-not-text = `{ $file }` is { $kind ->
         [gzip] compressed with gzip
         [xls] an old Excel workbook (.xls)
         [rosbag1] a recording of ROS 1 (.bag)
-        [rosbag2] a SQLite database, as rosbag2 records it (.db3)
        *[pdf] a PDF document
     }
     .expected = text, a workbook (.xlsx), or a recording (.mcap)
     .hint = { $kind ->
-        [matlab] as a log, state `format = "matlab"`; otherwise write its table as text with `writematrix`, and state the columns
+        [matlab] state the name of its array as `sheet`, or in a log `format = "matlab"`
         [matlab-hdf5] save it again in MATLAB with `-v7`: S = load('FILE'); save('NEW.mat', '-struct', 'S', '-v7')
-        [numpy] as a log, state `format = "numpy"`; otherwise write its table as text with `numpy.savetxt`, and state the columns
+        [numpy] state the name of its array as `sheet`, or in a log `format = "numpy"`
         [hdf5] write its table as text, and state the columns
         [gzip] unpack the file
         [xls] save it as .xlsx or as text
         [rosbag1] convert it: `rosbags-convert --src FILE --dst FOLDER --dst-storage mcap`; then state the .mcap file and `topic`
-        [rosbag2] convert it to MCAP: `ros2 bag convert -i FILE -o out.yaml`, where out.yaml holds `output_bags: [{"{"} uri: mcap, storage_id: mcap, all_topics: true {"}"}]`
        *[pdf] export the points as text
     }
 

@@ -708,6 +708,26 @@ stated-and-in-table = `{ $key }` is stated, and the table has a column of this n
 no-row-selected = `only` and `without` select no row
     .hint = compare their cells with the cells of the file
 
+# Means: All rows of the log lack a value of this column: its cells are empty or mean "not measured".
+# Matters: No row of the log has all joint values.
+# Do: Correct the name or number of the column, or state in `missing` which cells mean "not measured".
+# Example: a channel that was selected and not recorded
+log-without-values = no row of the log has a value of `{ $column }`
+    .hint = correct the column, or state other cells in `missing`
+
+# Means: A constant of `[log]` is no value of its column: a text for a number, a fraction for a cycle,
+# or `cycle = "visit"` in a log without the column `pose`.
+# Matters: The rows of the log would have no such value.
+# Do: Correct the constant.
+# Example: `constants = { q7_mm = "zero" }`
+log-constant-invalid = the constant { $value } cannot be the column `{ $column }` of a log
+    .hint = { $column ->
+        [cycle] state a whole number, or "visit" in a log with poses
+        [assembly] state 1 or -1
+        [pose] state a number or a name
+       *[other] state a number
+    }
+
 # Means: A computed column has an infinite or undefined value in a row.
 # Matters: The value cannot be used.
 # Do: Check the expression: it divides by zero or overflows.
@@ -781,6 +801,10 @@ robot-reverses = { $column } counts against the direction of `{ $joint }`: the n
 robot-orders = the nominal robot fits with the joints in the order { $columns }
 
 robot-reproduces = the nominal robot reproduces { $points } in { $unit } with a residual of { FIXED($rms_mm, 4) } mm (root mean square of { $rows } rows, base and target fitted)
+robot-orders-quaternion = the orientations of the nominal robot fit the quaternion with the scalar { $scalar ->
+        [first] first
+       *[last] last
+    }
 
 points-commanded = { $points } are commanded or computed, not measured: the nominal robot reproduces them to their rounding (residual { FIXED($rms_mm, 6) } mm)
 
@@ -806,6 +830,7 @@ file-is = `{ $file }`: { $kind }, { $rows ->
 files-join = { $matching } of { $keys } rows of `{ $file }` have a row of `{ $log }` by { $by }
 
 files-not-joined = no key joins all exports with the { $rows } rows of `{ $log }`
+recording-not-joined = neither its rows nor its standstills of 1 s or more ({ $standstills }) are one for each point, so that the times do not join `{ $log }`
 
 expand-xacro = expand the file, and name the URDF instead: { $command }
 
@@ -887,4 +912,4 @@ xacro-value-too-long = the value is longer than { $most_bytes } bytes, or refers
 xacro-too-large = the expanded text is larger than { $most_mib } MiB
 doubt-numbers-and-text = column { $column } holds numbers in { $count } of { $rows } rows, and `{ $text }`: leave out such rows (`header`, `comment`)
 
-doubt-array-columns = `{ $array }` has { $count } columns: joints, coordinates, or both beside each other; arrays are read as logs only
+doubt-array-columns = `{ $array }` has { $count } columns: joints, coordinates, or both beside each other

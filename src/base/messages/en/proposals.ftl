@@ -37,7 +37,10 @@ because-line = line { $line } { $is ->
     }
 because-log = a log: { $reason }
 because-numbers = every row is { $count } numbers, and no direction among them
-because-recording = it is a recording of ROS 2: it begins like an MCAP file
+because-recording = it is a recording of ROS 2: { $storage ->
+        [db3] a SQLite database with topics
+       *[mcap] it begins like an MCAP file
+    }
 because-sampled = the values of the first { $rows } rows were examined; the file has more
 because-several-points = the headings name { $count } measured points in each row: each is an [[export]] of the file
 because-topic = topic `{ $topic }` has { $count ->
@@ -84,7 +87,7 @@ doubt-rows-not-read = { $count ->
     } not read this way, the first is line { $line }
 doubt-rows-refused = line { $line }: { $reason }, and { $more } more
 doubt-second-log = topic `{ $topic }` has joint values too
-doubt-several-logs = several files have joint values: each log is identified by itself, and the logs are compared; parts of one log belong into one file
+doubt-several-logs = { $count } logs: { $first } identifies the robot, the others are compared with it; rows of one recording in several files belong into one file
 doubt-sign-of-difference = the sign of the difference is not stated: compare a row with the measurement
 doubt-six-without-headings = six numbers without headings: a position and three angles, or six joints, three of them prismatic
 doubt-thousands-mark = every `{ $mark }` is before three digits: it may be a thousands mark

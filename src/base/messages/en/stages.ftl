@@ -204,6 +204,14 @@ column-step = { $column } to { $step } { $unit }
 coordinates-rounded = coordinates of `{ $file }` are rounded ({ $columns }): standard uncertainty of the rounding { FIXED($rounding_um, 1) } µm, of the instrument { FIXED($instrument_um, 1) } µm
     .hint = export them with more decimals
 
+# Means: One row of an export is exactly 0 0 0. Trackers write such rows for a lost target; a frame
+# with its origin at a measured point has such a row too, and nothing else in the file shows it.
+# Matters: The row is left out and listed in import.json.
+# Do: If the point was measured, state `missing = [""]` in `format`.
+# Example: coordinates relative to the first point: `1 0 0 0`, `2 12.503 -3.118 0.044`
+origin-not-measured = line { $line } of `{ $file }` is 0 0 0: the row counts as not measured
+    .hint = if it is a measured point at the origin of the frame, state a format with `missing = [""]`
+
 # Means: No point has a label of the form that a step of a procedure states.
 # Matters: The step cannot be evaluated.
 # Do: Correct the pattern, or add the export.
@@ -683,6 +691,13 @@ station-row-unsupported = { $fault ->
        *[uncertainties] coordinates measured by station `{ $station }` have separate uncertainties
     }
     .expected = rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first
+
+# Means: An `[[export]]` states `station`, and `[join]` has `by = "label"`.
+# Matters: Points that the robot touches are measured once, in the frame of the world.
+# Do: Join by pose, row or time, or export all points in one frame.
+# Example: sockets on a table, measured by a tracker at a second place
+station-join-by-label = points of station `{ $station }` are joined by label
+    .hint = join them by pose, row or time: a touched point is measured in the frame of the world
 
 # Means: The standard uncertainty of a row is zero or negative.
 # Matters: The weight of the row depends on its uncertainty.
@@ -2078,6 +2093,7 @@ table-tilt-not-held = the table treats { $joint ->
     .hint = `etalon identify` determines beta; `poe` contains the angle
 row-excluded = excluded: { $reason }
 row-at-origin = not measured: 0 0 0
+row-of-station-unused = station `{ $station }`: the point is no target of the robot
 row-of-several = { $rows } rows of log `{ $log }` are within { $tolerance_s } s: the nearest row is used
 no-rows-around = log `{ $log }` lacks a row before or after the point within { $tolerance_s } s
 no-row-near = no row of log `{ $log }` is within { $tolerance_s } s
@@ -2097,6 +2113,7 @@ recorded-motion-file = recorded motion
 read-in-unit = { $format }, unit { $unit }
 read-in-frame = { $read }, relative to `{ $frame }`
 read-without-columns = { $read }, { $unread } of { $all } columns not read
+read-except-columns = { $read }, not read: { $columns }
 
 side-stated = as stated by the user
 side-from-values = from the { $values } { $of }

@@ -109,6 +109,8 @@ urdf-mimic-unknown = l’articulation `{ $joint }` imite `{ $mimics }`, absente 
 
 urdf-mimics-itself = l’articulation `{ $joint }` s’imite elle-même
     .hint = indiquer une autre articulation dans <mimic>
+urdf-mimics-several = l’articulation `{ $joint }` imite plusieurs articulations
+    .hint = garder un seul `mimic` : une articulation URDF en imite une seule. Si elle dépend de plusieurs, les supprimer tous : elle devient une articulation à part, avec sa colonne dans le journal
 
 urdf-nothing-moves = aucune articulation ne bouge entre `{ $from }` et `{ $to }`
     .hint = vérifier `base_link` et `tool_link`

@@ -193,6 +193,13 @@ two-files-of-one-name = deux fichiers s’appellent `{ $name }`
     .hint = donner un autre nom à l’un d’eux
 
 proposal-not-toml = la proposition pour `{ $name }` n’est pas lisible : { $error }
+tool-link-longest = la chaîne qui a le plus d’articulations mobiles : les fichiers n’en ont aucune
+tool-link-by-names = les fichiers nomment les articulations de cette chaîne
+tool-link-by-count = les fichiers ont { $count } colonnes d’articulations, comme cette seule chaîne
+tool-link-by-residual = avec cette chaîne, le robot nominal reproduit les points avec un résidu de { FIXED($rms_mm, 2) } mm, avec toute autre d’au moins trois fois plus
+tool-link-shortest = avec cette chaîne, le robot nominal reproduit les points avec un résidu de { FIXED($rms_mm, 2) } mm ; d’autres articulations ne le réduisent pas
+tool-link-moves = les fichiers nomment les articulations de cette chaîne ; les autres ne bougent pas
+tool-link-fits = `{ $link }` convient aux fichiers : ses articulations sont { $joints }
 
 nothing-recognised = rien n’est reconnu dans `{ $name }`
     .hint = `etalon formats { $path }` indique ce que peuvent être ses colonnes

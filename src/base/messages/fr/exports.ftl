@@ -16,6 +16,19 @@ name-a-file = le dossier contient { $files }
 
 line-too-long = `{ $file }` : la ligne { $line } dépasse { $most_mib } Mio
     .hint = exporter le fichier en texte avec des lignes : c’est peut-être un enregistrement binaire ou une archive
+database-unreadable = la base SQLite ne se lit pas comme un enregistrement de rosbag2 : { $fault ->
+        [log] elle a un journal d’écriture (WAL)
+        [tables] les tables `topics` et `messages` y manquent
+        [encoding] ses textes sont en UTF-16
+        [end] elle se termine trop tôt
+        [page] une page est malformée
+       *[record] un enregistrement est malformé
+    }
+    .hint = { $fault ->
+        [log] intégrer le journal : sqlite3 FICHIER "PRAGMA journal_mode=DELETE"
+        [tables] exporter sa table en texte, et indiquer les colonnes
+       *[record] copier de nouveau le fichier ; `ros2 bag reindex DOSSIER` répare un enregistrement interrompu
+    }
 
 file-not-text = `{ $file }` est { $kind ->
         [matlab] un fichier MATLAB
@@ -25,19 +38,17 @@ file-not-text = `{ $file }` est { $kind ->
         [gzip] compressé avec gzip
         [xls] un ancien classeur Excel (.xls)
         [rosbag1] un enregistrement de ROS 1 (.bag)
-        [rosbag2] une base SQLite, comme rosbag2 l’enregistre (.db3)
        *[pdf] un document PDF
     }
     .expected = du texte, un classeur (.xlsx) ou un enregistrement (.mcap)
     .hint = { $kind ->
-        [matlab] si c’est un journal, indiquer `format = "matlab"` ; sinon exporter son tableau en texte avec `writematrix`, et indiquer les colonnes
+        [matlab] indiquer le nom de son tableau comme `sheet`, ou dans un journal `format = "matlab"`
         [matlab-hdf5] l’enregistrer de nouveau dans MATLAB avec `-v7` : S = load('FICHIER'); save('NOUVEAU.mat', '-struct', 'S', '-v7')
-        [numpy] si c’est un journal, indiquer `format = "numpy"` ; sinon exporter son tableau en texte avec `numpy.savetxt`, et indiquer les colonnes
+        [numpy] indiquer le nom de son tableau comme `sheet`, ou dans un journal `format = "numpy"`
         [hdf5] exporter son tableau en texte, et indiquer les colonnes
         [gzip] décompresser le fichier
         [xls] l’enregistrer en .xlsx ou en texte
         [rosbag1] le convertir : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap` ; puis indiquer le fichier .mcap et `topic`
-        [rosbag2] la convertir en MCAP : `ros2 bag convert -i FICHIER -o out.yaml`, où out.yaml contient `output_bags: [{"{"} uri: mcap, storage_id: mcap, all_topics: true {"}"}]`
        *[pdf] exporter les points en texte
     }
 

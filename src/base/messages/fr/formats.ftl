@@ -359,6 +359,15 @@ stated-and-in-table = `{ $key }` est indiquée, mais le tableau a aussi une colo
 
 no-row-selected = `only` et `without` ne retiennent aucune ligne
     .hint = comparer leurs cellules à celles du fichier
+log-without-values = aucune ligne du journal n’a de valeur pour `{ $column }`
+    .hint = corriger la colonne, ou indiquer d’autres cellules dans `missing`
+log-constant-invalid = la constante { $value } ne peut pas être la colonne `{ $column }` d’un journal
+    .hint = { $column ->
+        [cycle] indiquer un nombre entier, ou "visit" dans un journal avec des poses
+        [assembly] indiquer 1 ou -1
+        [pose] indiquer un nombre ou un nom
+       *[other] indiquer un nombre
+    }
 
 computed-not-finite = la valeur calculée de `{ $column }` est { $value }
     .hint = vérifier l’expression : division par zéro ou dépassement de capacité
@@ -412,6 +421,10 @@ robot-reverses = { $column } est compté en sens inverse de `{ $joint }` : le r
 robot-orders = le robot nominal correspond avec les articulations dans l’ordre { $columns }
 
 robot-reproduces = le robot nominal reproduit { $points } en { $unit } avec un résidu de { FIXED($rms_mm, 4) } mm (moyenne quadratique de { $rows } lignes, base et cible libres)
+robot-orders-quaternion = les orientations du robot nominal s’accordent au quaternion dont le scalaire est { $scalar ->
+        [first] en premier
+       *[last] en dernier
+    }
 
 points-commanded = { $points } : valeurs commandées ou calculées, non mesurées ; le robot nominal les reproduit à l’arrondi près (résidu { FIXED($rms_mm, 6) } mm)
 
@@ -437,6 +450,7 @@ file-is = `{ $file }` : { $kind }, { $rows ->
 files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne correspondante dans `{ $log }` (clé : { $by })
 
 files-not-joined = aucune clé ne relie tous les exports aux { $rows } lignes de `{ $log }`
+recording-not-joined = ni ses lignes ni ses arrêts d’au moins 1 s ({ $standstills }) ne correspondent un à un aux points : les instants ne relient pas `{ $log }`
 expand-xacro = développer le fichier, et indiquer l’URDF à sa place : { $command }
 
 attribute-malformed = un attribut illisible
@@ -468,4 +482,4 @@ xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou exige plus 
 xacro-too-large = le texte développé dépasse { $most_mib } Mio
 doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $count } des { $rows } lignes, et `{ $text }` : exclure ces lignes (`header`, `comment`)
 
-doubt-array-columns = `{ $array }` a { $count } colonnes : articulations, coordonnées, ou les deux côte à côte ; les tableaux ne sont lus que comme journaux
+doubt-array-columns = `{ $array }` a { $count } colonnes : des articulations, des coordonnées, ou les deux côte à côte

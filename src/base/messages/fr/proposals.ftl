@@ -37,7 +37,10 @@ because-line = la ligne { $line } { $is ->
     }
 because-log = un journal : { $reason }
 because-numbers = chaque ligne a { $count } nombres, sans direction parmi eux
-because-recording = c’est un enregistrement de ROS 2 : il commence comme un fichier MCAP
+because-recording = c’est un enregistrement de ROS 2 : { $storage ->
+        [db3] une base SQLite avec des topics
+       *[mcap] il commence comme un fichier MCAP
+    }
 because-sampled = les valeurs des { $rows } premières lignes ont été examinées ; le fichier en a davantage
 because-several-points = les en-têtes mentionnent { $count } points mesurés par ligne : chacun est un [[export]] du fichier
 because-topic = le topic `{ $topic }` a { $count ->
@@ -84,7 +87,7 @@ doubt-rows-not-read = { $count ->
     } de cette façon ; la première est la ligne { $line }
 doubt-rows-refused = ligne { $line } : { $reason } ; autres lignes : { $more }
 doubt-second-log = le topic `{ $topic }` a aussi des valeurs articulaires
-doubt-several-logs = plusieurs fichiers contiennent des valeurs articulaires : chaque journal est identifié séparément, et les journaux sont comparés ; les parties d’un même journal doivent former un seul fichier
+doubt-several-logs = { $count } journaux : { $first } identifie le robot, les autres lui sont comparés ; les lignes d’un même enregistrement réparties sur plusieurs fichiers sont à réunir en un seul
 doubt-sign-of-difference = le signe de la différence n’est pas indiqué : comparer une ligne avec la mesure
 doubt-six-without-headings = six nombres sans en-têtes : une position et trois angles, ou des articulations dont trois sont prismatiques
 doubt-thousands-mark = chaque `{ $mark }` précède trois chiffres : ce peut être un séparateur de milliers

@@ -89,6 +89,8 @@ column-step = { $column } à { $step } { $unit } près
 
 coordinates-rounded = les coordonnées de `{ $file }` sont arrondies ({ $columns }) : incertitude-type d’arrondi { FIXED($rounding_um, 1) } µm, instrument { FIXED($instrument_um, 1) } µm
     .hint = les exporter avec plus de décimales
+origin-not-measured = ligne { $line } de `{ $file }` : 0 0 0, considérée comme non mesurée
+    .hint = si c’est un point mesuré à l’origine du référentiel, indiquer un format avec `missing = [""]`
 
 labels-missing = aucun point n’a une étiquette de la forme `{ $pattern }`
     .hint = corriger le motif, ou ajouter l’export
@@ -338,6 +340,8 @@ station-row-unsupported = { $fault ->
        *[uncertainties] des coordonnées mesurées par la station `{ $station }` ont leurs propres incertitudes
     }
     .expected = des lignes de type `point` avec x_mm, y_mm, z_mm et une incertitude `u_mm`, pour les stations autres que la première
+station-join-by-label = les points de la station `{ $station }` sont reliés par étiquette
+    .hint = les relier par pose, ligne ou temps : un point touché se mesure dans le référentiel atelier
 
 uncertainty-not-positive = `{ $column }` = { $value } n’est pas une incertitude-type
     .expected = un nombre positif
@@ -1028,6 +1032,7 @@ table-tilt-not-held = le tableau tient { $joint ->
     .hint = `etalon identify` détermine beta ; `poe` représente cet angle
 row-excluded = exclue : { $reason }
 row-at-origin = non mesurée : 0 0 0
+row-of-station-unused = station `{ $station }` : le point n’est pas une cible du robot
 row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
 no-rows-around = le journal `{ $log }` n’a pas de ligne avant ou après ce point à moins de { $tolerance_s } s
 no-row-near = aucune ligne du journal `{ $log }` n’est à moins de { $tolerance_s } s
@@ -1047,6 +1052,7 @@ recorded-motion-file = mouvement enregistré
 read-in-unit = { $format }, unité { $unit }
 read-in-frame = { $read }, par rapport à `{ $frame }`
 read-without-columns = { $read }, { $unread } colonnes sur { $all } non lues
+read-except-columns = { $read }, non lues : { $columns }
 
 side-stated = comme indiqué par l’utilisateur
 side-from-values = d’après { $of ->
