@@ -1,5 +1,8 @@
 //! Command `etalon plan`.
 
+mod generation;
+mod program;
+
 use super::given::Given;
 use super::report::Reports;
 use super::table_file::TableFile;
@@ -18,6 +21,7 @@ use etalon_documents::observability_summary;
 use etalon_documents::*;
 use etalon_formats::table::ASSEMBLY;
 use etalon_identify::plan::candidates::Candidates;
+use etalon_identify::plan::order::{length_as_listed, order};
 use etalon_identify::plan::{
     Criterion, PlaceError, Plan, Request, Setting, SizeStudy, index_of, plan, point_of, study,
 };
@@ -65,8 +69,8 @@ pub struct PlanCommand {
     /// Candidates: CSV with pose and one column per joint with its unit [and target, assembly]; or
     /// pose,x_mm,y_mm for robots that find their own working modes. Rows of one pose are measured
     /// together.
-    #[arg(long)]
-    candidates: PathBuf,
+    #[arg(long, required_unless_present = "generate", conflicts_with = "generate")]
+    candidates: Option<PathBuf>,
     #[command(flatten)]
     format: TableFormat,
     /// Number of poses to choose.
@@ -93,7 +97,7 @@ pub struct PlanCommand {
     /// Maximum number of nodes of branch and bound.
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = option_at_most::<10_000_000>)]
     nodes: usize,
-    /// Seed of the random starts.
+    /// Seed of the random starts, and of generated candidates.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Standard uncertainty (k = 1) of one coordinate in micrometres, for predicted uncertainties.
@@ -111,12 +115,16 @@ pub struct PlanCommand {
     /// least squares.
     #[arg(long, value_enum, default_value_t)]
     prior: super::identify::PriorOption,
-    /// Write the chosen configurations to a CSV file.
+    /// Write the chosen configurations to a CSV file, in the order of measurement.
     #[arg(long, value_name = "FILE")]
     poses: Option<PathBuf>,
     /// Write the chosen configurations as targets of a controller: `.json` or `.h` (C header).
     #[arg(long, value_name = "FILE")]
     targets: Option<PathBuf>,
+    #[command(flatten)]
+    generation: generation::Generation,
+    #[command(flatten)]
+    program: program::Program,
     #[command(flatten)]
     reports: Reports,
     /// Simulate a calibration with the chosen poses, for a robot with the [parameters] of this TOML
@@ -135,18 +143,23 @@ pub struct PlanCommand {
 impl PlanCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        let written = [&self.poses, &self.targets].into_iter().flatten();
+        let written = [self.poses.as_ref(), self.targets.as_ref(), self.program.file()].into_iter().flatten();
         files::refuse_overwriting(written, self.inputs())?;
         self.reports.check(self.inputs())?;
         let robot_file = read_robot(&self.robot)?;
-        let (robot, candidates) = candidates_of(&robot_file, &self.format.read_poses(&self.candidates)?)?;
+        let (robot, candidates, generated) = self.candidates(&robot_file)?;
+        self.program.check(robot.as_ref())?;
         let elsewhere = |path: &PathBuf| candidates_of(&robot_file, &self.format.read_poses(path)?);
         let elsewhere = self.workspace.as_ref().map(elsewhere).transpose()?;
         let everywhere = elsewhere.map(|(_, all)| all.observations);
-        let document = self.planned(robot.as_ref(), candidates, everywhere, files::sha256_of(self.inputs())?)?;
+        let inputs = files::sha256_of(self.inputs())?;
+        let mut document = self.planned(robot.as_ref(), candidates, everywhere, inputs)?;
+        document.generated = generated;
         if let Some(path) = &self.poses {
             files::write(path, csv(robot.as_ref(), &document).as_bytes())?;
         }
+        let name = robot_file.name.as_deref().unwrap_or(robot.model());
+        self.program.write(robot.as_ref(), name, &document)?;
         if let Some(path) = &self.targets {
             files::write(path, &etalon_controllers::targets(&document, &path.display().to_string())?)?;
         }
@@ -156,6 +169,17 @@ impl PlanCommand {
             remark(&document.messages);
         }
         answer(&renderer, self.json.then(|| to_json(&document)).transpose()?)
+    }
+
+    /// The robot with its candidates: those of a table, or generated ones.
+    fn candidates(&self, file: &RobotFile) -> Result<generation::Drawn> {
+        if let Some(drawn) = self.generation.candidates(file, self.seed)? {
+            return Ok(drawn);
+        }
+        // clap demands one of both
+        let path = self.candidates.clone().unwrap_or_default();
+        let (robot, candidates) = candidates_of(file, &self.format.read_poses(&path)?)?;
+        Ok((robot, candidates, None))
     }
 
     /// The answer from candidates in memory. Nothing is written.
@@ -195,7 +219,7 @@ impl PlanCommand {
 
     /// Input files.
     fn inputs(&self) -> impl Iterator<Item = &PathBuf> + Clone {
-        [&self.robot, &self.candidates].into_iter().chain(&self.truth).chain(&self.workspace)
+        std::iter::once(&self.robot).chain(&self.candidates).chain(&self.truth).chain(&self.workspace)
     }
 
     /// Settings of the planned identification.
@@ -275,6 +299,8 @@ impl PlanCommand {
             candidates: planned.members.len(),
             configurations: observations.len(),
             chosen: chosen.collect(),
+            order: Some(measuring_order(robot, observations, planned)),
+            generated: None,
             value: planned.index,
             bound: planned.bound,
             at_most_below_percent: below,
@@ -300,6 +326,21 @@ impl PlanCommand {
             provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: Some(self.seed) },
         })
     }
+}
+
+/// Order of the chosen poses that shortens the motion of the joints.
+fn measuring_order(robot: &dyn Robot, observations: &[Observation], planned: &Plan) -> MeasuringOrder {
+    let n = robot.joints().len();
+    let values = |k: &usize| observations[*k].joints[..n].to_vec();
+    let ends = |members: &Vec<usize>| [members.first(), members.last()].map(|k| k.map(values).unwrap_or_default());
+    let points: Vec<[Vec<f64>; 2]> = planned.chosen.iter().map(|&c| ends(&planned.members[c])).collect();
+    let span = |j: usize| {
+        let column = observations.iter().map(|o| o.joints[j]);
+        column.clone().fold(f64::NEG_INFINITY, f64::max) - column.fold(f64::INFINITY, f64::min)
+    };
+    let spans: Vec<f64> = (0..n).map(span).collect();
+    let best = order(&points, &spans);
+    MeasuringOrder { indices: best.points, motion: best.length, motion_as_listed: length_as_listed(&points, &spans) }
 }
 
 /// Positions of the candidates.
@@ -378,18 +419,26 @@ fn parameters(robot: &dyn Robot, planned: &Plan, stated: bool) -> Vec<PlannedPar
     robot.parameters().iter().enumerate().map(parameter).collect()
 }
 
+/// Joint values, directions of approach and assembly mode of a configuration, by column.
 fn joint_values(robot: &dyn Robot, o: &Observation) -> BTreeMap<String, f64> {
     let joints = robot.joints().iter().zip(&o.joints).map(|(j, q)| (j.column(), j.quantity.outward(*q)));
+    let directions = o.joints[robot.joints().len()..].iter();
+    let directions =
+        robot.approached().iter().zip(directions).map(|(&k, d)| (robot.joints()[k].direction_column(), *d));
     let mode = robot.has_assembly_modes().then(|| o.joints.last().map(|m| (ASSEMBLY.to_owned(), *m))).flatten();
-    joints.chain(mode).collect()
+    joints.chain(directions).chain(mode).collect()
 }
 
-/// Chosen configurations as a table, usable as candidates or as targets of a controller.
+/// Chosen configurations as a table in the order of measurement, usable as candidates or as targets
+/// of a controller.
 fn csv(robot: &dyn Robot, document: &PlanDocument) -> String {
-    let joints: Vec<String> = robot.joints().iter().map(|j| j.column()).collect();
-    let modes = robot.has_assembly_modes().then_some(ASSEMBLY);
-    let columns: Vec<&str> = joints.iter().map(String::as_str).chain(modes).collect();
-    pose_table(&columns, document.chosen.iter().flat_map(|p| p.configurations.iter().map(|c| (&p.pose, c))))
+    let joints = robot.joints().iter().map(|j| j.column());
+    let directions = robot.approached().iter().map(|&k| robot.joints()[k].direction_column());
+    let modes = robot.has_assembly_modes().then(|| ASSEMBLY.to_owned());
+    let columns: Vec<String> = joints.chain(directions).chain(modes).collect();
+    let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
+    let poses = document.in_order().into_iter();
+    pose_table(&columns, poses.flat_map(|p| p.configurations.iter().map(|c| (&p.pose, c))))
 }
 
 /// Parses a pose of an option.

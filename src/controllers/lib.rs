@@ -20,6 +20,7 @@ mod json;
 mod linuxcnc;
 mod linuxcnc_component;
 mod matlab;
+pub mod measuring;
 mod own;
 mod plc;
 mod python;

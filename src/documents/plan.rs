@@ -32,6 +32,12 @@ pub struct PlanDocument {
     pub configurations: usize,
     /// Poses to measure.
     pub chosen: Vec<PlannedPose>,
+    /// Order of `chosen` that shortens the motion of the joints.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub order: Option<MeasuringOrder>,
+    /// Limits within which the candidates were drawn, if they were generated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub generated: Option<GeneratedCandidates>,
     /// Index of the chosen poses.
     pub value: f64,
     /// Upper bound of the index for any choice of as many candidates; absent for O4, which has no
@@ -67,6 +73,17 @@ pub struct PlanDocument {
     pub provenance: Provenance,
 }
 
+impl PlanDocument {
+    /// Poses in the order of measurement; in that of `chosen` if none is stated.
+    pub fn in_order(&self) -> Vec<&PlannedPose> {
+        let stated = self.order.as_ref().filter(|order| order.indices.len() == self.chosen.len());
+        match stated {
+            Some(order) => order.indices.iter().filter_map(|&i| self.chosen.get(i)).collect(),
+            None => self.chosen.iter().collect(),
+        }
+    }
+}
+
 /// One pose to measure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -75,6 +92,57 @@ pub struct PlannedPose {
     pub pose: PoseName,
     /// Joint values of each configuration, by column.
     pub configurations: Vec<BTreeMap<String, f64>>,
+}
+
+/// Order in which poses are measured: nearest neighbour and exchanges of legs (2-opt).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeasuringOrder {
+    /// Indices of `chosen`, from 0, in the order of measurement.
+    pub indices: Vec<usize>,
+    /// Length of the motion: sum over the legs of the largest motion of a joint, as a share of the
+    /// joint's span over all candidates.
+    pub motion: f64,
+    /// Length of the motion in the order of `chosen`.
+    pub motion_as_listed: f64,
+}
+
+/// Candidates drawn within limits, and numbers of draws that are none.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GeneratedCandidates {
+    /// Number of wanted poses.
+    pub wanted: usize,
+    /// Number of draws.
+    pub draws: usize,
+    /// Draws beyond limits of joints or links, or without a pose.
+    pub beyond_limits: usize,
+    /// Draws with a target outside the box.
+    pub outside_box: usize,
+    /// Draws with a reflector that faces away from the instrument.
+    pub facing_away: usize,
+    /// Smallest and largest value of each joint, by column.
+    pub ranges: BTreeMap<String, [f64; 2]>,
+    /// Box of the targets in the base of the robot: smallest and largest `x`, `y`, `z` as stated.
+    pub box_mm: BTreeMap<String, [f64; 2]>,
+    /// Position of the instrument in the base of the robot.
+    pub instrument_mm: Option<Vector>,
+    /// Reflectors on the flange.
+    pub reflectors: Vec<PlannedReflector>,
+}
+
+/// A reflector on the flange.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlannedReflector {
+    /// Name of the target.
+    pub name: String,
+    /// Nominal position in the frame of the flange.
+    pub at_mm: Vector,
+    /// Outward axis in the frame of the flange, if stated.
+    pub axis: Option<Vector>,
+    /// Largest angle between the axis and the direction to the instrument, if stated.
+    pub acceptance_deg: Option<f64>,
 }
 
 /// Greedy choice of the thesis.

@@ -19,6 +19,7 @@ mod iso9283_commands;
 mod iso9283_poses;
 mod kinematics;
 mod plan;
+mod plan_generate;
 mod platforms;
 mod report;
 mod reports;

@@ -197,7 +197,7 @@ pub fn rewritten(program: &[u8], targets: &[ProgramTarget], numbers: &[Vec<Strin
 }
 
 /// Decimal text without exponent, trailing zeros and negative zero.
-fn number_text(value: f64, decimals: usize) -> String {
+pub(crate) fn number_text(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     match short {

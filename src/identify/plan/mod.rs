@@ -7,6 +7,8 @@
 pub mod bound;
 pub mod candidates;
 pub mod criterion;
+pub mod generate;
+pub mod order;
 pub mod search;
 mod study;
 

@@ -69,6 +69,16 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
     let workspace =
         plan.workspace.as_ref().map(|w| tr!(words, "rms-and-largest", rms = um(w.rms_mm), largest = um(w.max_mm)));
     let greedy = &plan.greedy;
+    let order = plan.order.as_ref().map(|order| {
+        let poses = list(&plan.in_order().iter().map(|p| p.pose).collect::<Vec<_>>());
+        let percent = significant(100.0 * order.motion / order.motion_as_listed, 3);
+        tr!(words, "order-of-poses", poses, percent)
+    });
+    let order = order.filter(|_| plan.order.as_ref().is_some_and(|order| order.motion_as_listed > 0.0));
+    let generated = plan.generated.as_ref().map(|g| {
+        let (limits, region, sight) = (g.beyond_limits, g.outside_box, g.facing_away);
+        tr!(words, "candidates-drawn", candidates = plan.candidates, draws = g.draws, limits, region, sight)
+    });
     vec![
         (tr!(words, "index"), format!("{} = {}", plan.index, significant(plan.value, 6)).into()),
         (tr!(words, "definition"), Text::worded(&plan.definition, plan.definition_phrase.as_ref(), words).into()),
@@ -84,6 +94,8 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
             )
             .into(),
         ),
+        (tr!(words, "generated-candidates"), generated.into()),
+        (tr!(words, "measuring-order"), order.into()),
         (
             tr!(words, "relaxation-alone"),
             relaxed
@@ -113,7 +125,8 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
 
 fn poses(plan: &PlanDocument, words: &Words) -> Section {
     type Row<'a> = (PoseName, &'a BTreeMap<String, f64>);
-    let rows: Vec<Row> = plan.chosen.iter().flat_map(|p| p.configurations.iter().map(move |c| (p.pose, c))).collect();
+    let in_order = plan.in_order().into_iter();
+    let rows: Vec<Row> = in_order.flat_map(|p| p.configurations.iter().map(move |c| (p.pose, c))).collect();
     let joints: Vec<&str> = rows.iter().take(1).flat_map(|(_, c)| c.keys().map(String::as_str)).collect();
     // assembly modes are integers
     let cell = |v: &f64| fixed(*v, if v.fract() == 0.0 { 0 } else { 4 });

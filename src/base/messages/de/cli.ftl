@@ -257,6 +257,53 @@ table-without-row = die Tabelle hat dort keine Zeile
 test-point-unreached = Punkt { $point } der Liste `{ $list }` wird nicht erreicht: { $reason }
     .hint = den Arbeitsraum verschieben oder verkleinern (--workspace-mm) oder eine andere Orientierung angeben (--orientation-deg)
 
+no-candidate-generated = keine von { $draws } Ziehungen ist ein Kandidat: { $counts }
+    .hint = erweitern, was die meisten ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector` und `--instrument`
+
+few-candidates-generated = { $found } von { $wanted } Kandidaten in { $draws } Ziehungen gefunden: { $counts }
+    .hint = erweitern, was die meisten ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector` und `--instrument`
+
+draws-beyond-limits = { $count } außerhalb der Grenzen von Gelenken oder Gliedern oder ohne Pose
+
+draws-outside-box = { $count } mit einer Zielmarke außerhalb des Quaders (innerhalb der Grenzen liegen die Zielmarken in x { FIXED($x0, 0) } bis { FIXED($x1, 0) }, y { FIXED($y0, 0) } bis { FIXED($y1, 0) }, z { FIXED($z0, 0) } bis { FIXED($z1, 0) } mm)
+
+draws-facing-away = { $count } mit einem Reflektor, der vom Messgerät abgewandt ist ({ $reversed } davon wären ihm mit umgekehrten Achsen zugewandt)
+
+joint-range-missing = Gelenk { $joint } hat keine Grenzen
+    .hint = sie in der Roboterdatei oder als `--range { $column }=VON:BIS` angeben
+
+range-joint-unknown = `--range { $column }`: Der Roboter hat kein solches Gelenk
+
+range-outside-limits = die Bereiche von Gelenk { $joint } und seine Grenzen ({ FIXED($from, 3) } bis { FIXED($to, 3) } { $unit }) haben keinen Wert gemeinsam
+    .hint = Einheit und Vorzeichen von `--range` prüfen
+
+reflector-missing = gezogene Kandidaten brauchen mindestens einen Reflektor am Flansch
+    .hint = ihn angeben: `--reflector A=X,Y,Z` (mm im Flansch)
+
+reflector-twice = Reflektor { $name } ist zweimal angegeben
+    .hint = jedem Reflektor einen eigenen Namen geben
+
+reflector-of-own-targets = `{ $model }` hat eigene Zielmarken: Reflektoren und ein Messgerät können nicht angegeben werden
+    .hint = `--reflector` und `--instrument` weglassen
+
+sight-incomplete = { $missing ->
+        [axis] dem Messgerät ist kein Reflektor mit einer Achse zugewandt
+       *[other] Reflektoren mit einer Achse haben kein Messgerät, dem sie zugewandt sind
+    }
+    .hint = { $missing ->
+        [axis] die Achse im Flansch und den halben Öffnungswinkel angeben: `--reflector A=X,Y,Z,I,J,K,WINKEL`
+       *[other] seine Position in der Basis angeben: `--instrument X,Y,Z`
+    }
+
+box-axis-unknown = `--box`: Zielmarken dieses Roboters haben keine Achse `{ $name }`
+    .expected = { $dimension ->
+        [2] x oder y
+       *[other] x, y oder z
+    }
+
+box-missing = Kandidaten von `{ $model }` werden nach Position gezogen: x und y von `--box` fehlen
+    .hint = den Bereich in der Basis des Roboters angeben: `--box x=VON:BIS,y=VON:BIS` (mm)
+
 check-source = { $rows ->
         [one] { $file }: 1 Zeile, { $refused } abgelehnt ({ $dialect })
        *[other] { $file }: { $rows } Zeilen, { $refused } abgelehnt ({ $dialect })

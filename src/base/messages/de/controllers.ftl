@@ -182,3 +182,16 @@ template-name = der Name der Vorlage `{ $file }` endet nicht auf `.j2`
 
 controller-template-failed = die Vorlage lässt sich nicht füllen: { $reason }
     .hint = diese Zeile korrigieren
+
+measuring-language-unknown = die Sprache von { $file } ist unbekannt
+    .expected = .mod (RAPID), .src (KRL) oder .script (URScript), oder `--language`
+
+measuring-joints-unsuited = ein Programm in { $language } bewegt sechs Drehachsen{ $external ->
+        [0] { "" }
+       *[other] {" "}nach höchstens { $external } externen Linearachsen
+    }; dieser Roboter hat { $revolute } Dreh- und { $prismatic } Linearachsen
+    .hint = die Posen mit `--poses DATEI` oder `--targets DATEI` schreiben
+
+measuring-motor-values = die Werte von Gelenk { $joint } sind die seines Motors (Faktor { $gain }), den ein Programm nicht anfährt
+    .hint = die Posen mit `--poses DATEI` schreiben und in Gelenkwerte umrechnen
+

@@ -549,6 +549,97 @@ table-without-row = the table has no row for this position
 test-point-unreached = point { $point } of the list `{ $list }` is not reached: { $reason }
     .hint = move or shrink the workspace (--workspace-mm), or state another orientation (--orientation-deg)
 
+# Means: Every draw of a generated candidate violates a limit, the box or the line of sight.
+# Matters: Nothing can be planned.
+# Do: Widen the constraint that excludes most draws; check its unit (mm, deg), its frame (base of the robot) and its signs.
+# Example: `--box z=0.2:0.5` in metres
+no-candidate-generated = none of { $draws } draws is a candidate: { $counts }
+    .hint = widen what excludes most: limits and `--range` (deg, mm), `--box` (mm, base of the robot), `--reflector` and `--instrument`
+
+# Means: Hardly any draw obeys limits, box and line of sight: the search ended before the number of candidates was reached.
+# Matters: The plan chooses among fewer candidates.
+# Do: Widen the constraint that excludes most draws, or accept fewer candidates.
+# Example: a box at the edge of the reach
+few-candidates-generated = { $found } of { $wanted } candidates found in { $draws } draws: { $counts }
+    .hint = widen what excludes most: limits and `--range` (deg, mm), `--box` (mm, base of the robot), `--reflector` and `--instrument`
+
+draws-beyond-limits = { $count } beyond the limits of joints or links, or without a pose
+
+draws-outside-box = { $count } with a target outside the box (within the limits, targets are in x { FIXED($x0, 0) } to { FIXED($x1, 0) }, y { FIXED($y0, 0) } to { FIXED($y1, 0) }, z { FIXED($z0, 0) } to { FIXED($z1, 0) } mm)
+
+draws-facing-away = { $count } with a reflector that faces away from the instrument ({ $reversed } of them would face it with opposite axes)
+
+# Means: Candidates are drawn within the range of each joint, and this joint has none: neither the robot file nor an option states it.
+# Matters: A range is never guessed: poses beyond it would stop the program of measurement.
+# Do: State the limits in the robot file or as `--range`.
+# Example: an arm without `limits_deg`
+joint-range-missing = joint { $joint } has no limits
+    .hint = state them in the robot file, or as `--range { $column }=FROM:TO`
+
+# Means: `--range` names a column that is no joint of the robot.
+# Matters: The range would be ignored.
+# Do: Use the name of a joint with its unit.
+# Example: `--range q7_deg=-90:90` for six joints
+range-joint-unknown = `--range { $column }`: the robot has no such joint
+
+# Means: The stated ranges of a joint and its limits have no value in common.
+# Matters: No candidate is possible.
+# Do: Check the unit and the sign of the range.
+# Example: `--range q2_rad=-60:-45` for limits of -110 to 110 deg
+range-outside-limits = the ranges of joint { $joint } and its limits ({ FIXED($from, 3) } to { FIXED($to, 3) } { $unit }) have no value in common
+    .hint = check unit and sign of `--range`
+
+# Means: An arm, delta or hexapod carries its reflectors at places that its model does not know.
+# Matters: Poses cannot be compared without a measured point.
+# Do: State each reflector with its position in the flange.
+# Example: `--reflector A=30,0,50`
+reflector-missing = generated candidates need at least one reflector on the flange
+    .hint = state it: `--reflector A=X,Y,Z` (mm in the flange)
+
+# Means: Two options state the same reflector.
+# Matters: Its position is ambiguous.
+# Do: Give each reflector its own name.
+# Example: `--reflector A=0,0,50 --reflector A=30,0,50`
+reflector-twice = reflector { $name } is stated twice
+    .hint = give each reflector its own name
+
+# Means: The targets of this model are parameters of the robot file, and its moving part has no orientation in space.
+# Matters: Stated reflectors, and their line of sight to an instrument, would be ignored.
+# Do: Omit `--reflector` and `--instrument`.
+# Example: `--reflector A=0,0,50` for a five-bar
+reflector-of-own-targets = `{ $model }` has targets of its own: reflectors and an instrument cannot be stated
+    .hint = omit `--reflector` and `--instrument`
+
+# Means: Only an instrument, or only reflectors with an axis are stated.
+# Matters: The line of sight needs both.
+# Do: State `--instrument`, and at least one reflector with its axis and acceptance angle.
+# Example: `--reflector A=0,0,50 --instrument 2000,0,500`
+sight-incomplete = { $missing ->
+        [axis] the instrument has no reflector with an axis to face it
+       *[other] reflectors with an axis have no instrument to face
+    }
+    .hint = { $missing ->
+        [axis] state the axis in the flange and the acceptance half-angle: `--reflector A=X,Y,Z,I,J,K,ANGLE`
+       *[other] state its position in the base: `--instrument X,Y,Z`
+    }
+
+# Means: `--box` names an axis that the positions of the robot lack.
+# Matters: The box would be ignored.
+# Do: Use x and y, and z for robots in space.
+# Example: `--box z=0:100` for a planar table
+box-axis-unknown = `--box`: targets of this robot have no axis `{ $name }`
+    .expected = { $dimension ->
+        [2] x or y
+       *[other] x, y or z
+    }
+
+# Means: Candidates of a robot with working modes are positions, which are drawn within x and y of a box.
+# Matters: Without a box, there is no region to draw in.
+# Do: State x and y.
+# Example: a five-bar with `--generate 500` alone
+box-missing = candidates of `{ $model }` are drawn by position: x and y of `--box` are missing
+    .hint = state the region in the base of the robot: `--box x=FROM:TO,y=FROM:TO` (mm)
+
 check-source = { $rows ->
         [one] { $file }: 1 row, { $refused } refused ({ $dialect })
        *[other] { $file }: { $rows } rows, { $refused } refused ({ $dialect })

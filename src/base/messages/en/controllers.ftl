@@ -370,3 +370,28 @@ template-name = the name of template `{ $file }` does not end with `.j2`
 # Example: `{{ parameter["theta_9"].value }}` for a robot of six joints
 controller-template-failed = the template cannot be filled: { $reason }
     .hint = correct this line
+
+# Means: Neither the ending of the file nor an option states the language of the measuring program.
+# Matters: The language is not guessed.
+# Do: Use an ending of the language, or state it.
+# Example: `--program measure.txt`
+measuring-language-unknown = the language of { $file } is unknown
+    .expected = .mod (RAPID), .src (KRL) or .script (URScript), or `--language`
+
+# Means: The language moves arms with six revolute axes, perhaps on prismatic external axes; this robot has other joints.
+# Matters: It is unknown which axis of the controller a joint is.
+# Do: Write the poses as a table (`--poses`) or as targets (`--targets`), and program them by hand.
+# Example: `--program measure.mod` for a delta
+measuring-joints-unsuited = a program in { $language } moves six revolute axes{ $external ->
+        [0] { "" }
+       *[other] , after up to { $external } prismatic external axes
+    }; this robot has { $revolute } revolute and { $prismatic } prismatic joints
+    .hint = write the poses with `--poses FILE` or `--targets FILE`
+
+# Means: The values of a joint are those of its motor: its nominal gain differs from 1.
+# Matters: A controller would move the joint to the value of the motor.
+# Do: Write the poses as a table, and convert them to joint values.
+# Example: a joint with gain 0.01
+measuring-motor-values = the values of joint { $joint } are those of its motor (gain { $gain }), which a program does not command
+    .hint = write the poses with `--poses FILE`, and convert them to joint values
+

@@ -257,6 +257,53 @@ table-without-row = le tableau n’y a pas de ligne
 test-point-unreached = le point { $point } de la liste `{ $list }` n’est pas atteint : { $reason }
     .hint = déplacer ou réduire l’espace de travail (--workspace-mm), ou indiquer une autre orientation (--orientation-deg)
 
+no-candidate-generated = aucun des { $draws } tirages n’est une candidate : { $counts }
+    .hint = élargir ce qui exclut le plus : limites et `--range` (deg, mm), `--box` (mm, base du robot), `--reflector` et `--instrument`
+
+few-candidates-generated = { $found } candidates sur { $wanted } en { $draws } tirages : { $counts }
+    .hint = élargir ce qui exclut le plus : limites et `--range` (deg, mm), `--box` (mm, base du robot), `--reflector` et `--instrument`
+
+draws-beyond-limits = { $count } au-delà des limites des articulations ou des segments, ou sans pose
+
+draws-outside-box = { $count } avec une cible hors de la boîte (dans les limites, les cibles sont en x { FIXED($x0, 0) } à { FIXED($x1, 0) }, y { FIXED($y0, 0) } à { FIXED($y1, 0) }, z { FIXED($z0, 0) } à { FIXED($z1, 0) } mm)
+
+draws-facing-away = { $count } avec un réflecteur tourné à l’opposé de l’instrument ({ $reversed } d’entre eux lui feraient face avec des axes opposés)
+
+joint-range-missing = l’articulation { $joint } n’a pas de limites
+    .hint = les indiquer dans le fichier du robot, ou par `--range { $column }=DE:À`
+
+range-joint-unknown = `--range { $column }` : le robot n’a pas cette articulation
+
+range-outside-limits = les plages de l’articulation { $joint } et ses limites ({ FIXED($from, 3) } à { FIXED($to, 3) } { $unit }) n’ont aucune valeur commune
+    .hint = vérifier l’unité et le signe de `--range`
+
+reflector-missing = les candidates tirées exigent au moins un réflecteur sur la bride
+    .hint = l’indiquer : `--reflector A=X,Y,Z` (mm, dans la bride)
+
+reflector-twice = le réflecteur { $name } est indiqué deux fois
+    .hint = donner à chaque réflecteur son propre nom
+
+reflector-of-own-targets = `{ $model }` a ses propres cibles : ni réflecteurs ni instrument ne peuvent être indiqués
+    .hint = omettre `--reflector` et `--instrument`
+
+sight-incomplete = { $missing ->
+        [axis] aucun réflecteur muni d’un axe ne fait face à l’instrument
+       *[other] les réflecteurs munis d’un axe n’ont pas d’instrument auquel faire face
+    }
+    .hint = { $missing ->
+        [axis] indiquer l’axe dans la bride et le demi-angle d’acceptation : `--reflector A=X,Y,Z,I,J,K,ANGLE`
+       *[other] indiquer sa position dans la base : `--instrument X,Y,Z`
+    }
+
+box-axis-unknown = `--box` : les cibles de ce robot n’ont pas d’axe `{ $name }`
+    .expected = { $dimension ->
+        [2] x ou y
+       *[other] x, y ou z
+    }
+
+box-missing = les candidates de `{ $model }` sont tirées par position : il manque x et y de `--box`
+    .hint = indiquer la région dans la base du robot : `--box x=DE:À,y=DE:À` (mm)
+
 check-source = { $rows ->
         [one] { $file } : { $rows } ligne, { $refused } refusées ({ $dialect })
        *[other] { $file } : { $rows } lignes, { $refused } refusées ({ $dialect })

@@ -182,3 +182,16 @@ template-name = le nom du gabarit `{ $file }` ne se termine pas par `.j2`
 
 controller-template-failed = le gabarit ne peut pas être rempli : { $reason }
     .hint = corriger cette ligne
+
+measuring-language-unknown = le langage de { $file } est inconnu
+    .expected = .mod (RAPID), .src (KRL) ou .script (URScript), ou `--language`
+
+measuring-joints-unsuited = un programme en { $language } déplace six axes rotoïdes{ $external ->
+        [0] { "" }
+       *[other] , après { $external } axes externes prismatiques au plus
+    } ; ce robot a { $revolute } articulations rotoïdes et { $prismatic } prismatiques
+    .hint = écrire les poses par `--poses FICHIER` ou `--targets FICHIER`
+
+measuring-motor-values = les valeurs de l’articulation { $joint } sont celles de son moteur (gain { $gain }), qu’un programme ne commande pas
+    .hint = écrire les poses par `--poses FICHIER`, et les convertir en valeurs articulaires
+

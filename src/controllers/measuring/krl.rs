@@ -1,0 +1,32 @@
+//! KRL (KUKA): `PTP {A1 .., A6 .., E1 ..}` in deg and mm, with an exact stop (KUKA System Software,
+//! operating and programming instructions).
+
+use super::{ARM, MeasuringLanguage, MeasuringProgram, decimal, plain};
+use crate::commands::identifier;
+use std::fmt::Write;
+
+pub(super) struct Krl;
+
+impl MeasuringLanguage for Krl {
+    fn most_external(&self) -> usize {
+        6
+    }
+
+    fn text(&self, program: &MeasuringProgram) -> String {
+        // the name of the program is that of its file
+        let mut out = format!("DEF {}( )\n", identifier(program.name, 24));
+        out += &program.comments(";");
+        out += "DECL INT I\nBAS (#INITMOV,0)\nFOR I=1 TO 6\n$VEL_AXIS[I]=10\nENDFOR\n";
+        for stop in &program.stops {
+            let _ = writeln!(out, "; pose {}", plain(&stop.label));
+            for joints in stop.approach.iter().chain([&stop.joints]) {
+                let (external, arm) = joints.split_at(program.external());
+                let arm = arm.iter().take(ARM).zip(1..).map(|(q, i)| format!("A{i} {}", decimal(*q)));
+                let external = external.iter().zip(1..).map(|(q, i)| format!("E{i} {}", decimal(*q)));
+                let _ = writeln!(out, "PTP {{{}}}", arm.chain(external).collect::<Vec<_>>().join(","));
+            }
+            let _ = writeln!(out, "WAIT SEC {}", decimal(program.dwell_s));
+        }
+        out + "END\n"
+    }
+}
