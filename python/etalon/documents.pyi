@@ -944,6 +944,27 @@ class FramePose(Record):
     pose: int | str | None
     """Name of the pose; absent if the frame applies to all poses."""
 
+class GeneratedCandidates(Record):
+    """Candidates drawn within limits, and numbers of draws that are none."""
+    beyond_limits: int
+    """Draws beyond limits of joints or links, or without a pose."""
+    box_mm: Record
+    """Box of the targets in the base of the robot: smallest and largest `x`, `y`, `z` as stated."""
+    draws: int
+    """Number of draws."""
+    facing_away: int
+    """Draws with a reflector that faces away from the instrument."""
+    instrument_mm: list[float] | None
+    """Position of the instrument in the base of the robot."""
+    outside_box: int
+    """Draws with a target outside the box."""
+    ranges: Record
+    """Smallest and largest value of each joint, by column."""
+    reflectors: list[PlannedReflector]
+    """Reflectors on the flange."""
+    wanted: int
+    """Number of wanted poses."""
+
 class GeometricQuantity(Record):
     """One quantity, determined from points that were measured for it."""
     identified: float | None
@@ -1565,6 +1586,17 @@ class MeanError(Record):
     y_mm: float
     """Error along y."""
 
+class MeasuringOrder(Record):
+    """Order in which poses are measured: nearest neighbour and exchanges of legs (2-opt)."""
+    indices: list[int]
+    """Indices of `chosen`, from 0, in the order of measurement."""
+    motion: float
+    """Length of the motion: sum over the legs of the largest motion of a joint, as a share of the joint's span over
+    all candidates.
+    """
+    motion_as_listed: float
+    """Length of the motion in the order of `chosen`."""
+
 class Message(Record):
     """One error or warning: id and arguments of its text in the catalogue, the English texts, and its place."""
     arguments: Record
@@ -1784,6 +1816,17 @@ class PlannedPose(Record):
     """Joint values of each configuration, by column."""
     pose: int | str
     """Number of the pose in the candidates."""
+
+class PlannedReflector(Record):
+    """A reflector on the flange."""
+    acceptance_deg: float | None
+    """Largest angle between the axis and the direction to the instrument, if stated."""
+    at_mm: list[float]
+    """Nominal position in the frame of the flange."""
+    axis: list[float] | None
+    """Outward axis in the frame of the flange, if stated."""
+    name: str
+    """Name of the target."""
 
 class Pose(Record):
     """A rigid transform: rotation matrix and translation."""
@@ -3007,6 +3050,8 @@ class PlanDocument(Document):
     """Definition of the index, with the scaling of the Jacobian; larger is better."""
     definition_phrase: Phrase | None
     """Text of the catalogue that is `definition` in English."""
+    generated: GeneratedCandidates | None
+    """Limits within which the candidates were drawn, if they were generated."""
     greedy: "GreedySummary"
     """Greedy choice of the thesis: candidates are added one after the other."""
     grouped: bool
@@ -3019,6 +3064,8 @@ class PlanDocument(Document):
     """Number of nodes examined by branch and bound."""
     observability: ObservabilitySummary | None
     """Observability of the chosen poses; absent if not finite."""
+    order: MeasuringOrder | None
+    """Order of `chosen` that shortens the motion of the joints."""
     parameters: list[PlannedParameter]
     """Parameters, with their predicted uncertainties from the chosen poses."""
     places: list[CandidatePlace]

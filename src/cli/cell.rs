@@ -4,12 +4,12 @@ use super::text_format::TableFormat;
 use super::{Verdict, check_positive, print, print_text, remark};
 use crate::stages::cell::{self, CellKind, CellMounting, CellStated};
 use crate::stages::orientations::AngleOrder;
-use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 use etalon_controllers::cell::{CellData, CellFormat};
 use etalon_documents::{CellDocument, CellFrameEntry, CellPointEntry, to_json};
-use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Find tool, work object, hand and eye, or an external axis from controller poses and
@@ -108,59 +108,53 @@ fn vector(v: &[f64], decimals: usize) -> String {
     v.iter().map(|v| format!("{v:.decimals$}")).collect::<Vec<_>>().join(" ")
 }
 
-/// Standard uncertainties in parentheses, if they are known.
-fn uncertain(u: Option<Vector>, decimals: usize, unit: &str) -> String {
-    u.map_or(String::new(), |u| format!("  (u = {} {unit})", vector(&u, decimals)))
+/// `yes` and standard uncertainties; `no` if they are unknown.
+fn uncertainty(u: Option<Vector>, decimals: usize) -> (&'static str, String) {
+    u.map_or(("no", String::new()), |u| ("yes", vector(&u, decimals)))
 }
 
-fn frame_text(frame: &CellFrameEntry, text: &mut String) {
-    let _ = writeln!(text, "{} in {}", frame.name, frame.reference);
-    let u = uncertain(frame.standard_uncertainty_mm, 4, "mm");
-    let _ = writeln!(text, "  position     {} mm{u}", vector(&frame.xyz_mm, 4));
-    let u = uncertain(frame.standard_uncertainty_deg, 5, "deg about x y z");
-    let _ = writeln!(text, "  quaternion   {}{u}", vector(&frame.quaternion, 8));
+fn frame_lines(frame: &CellFrameEntry, lines: &mut Vec<Phrase>) {
+    lines.push(phrase!("cell-frame", name = frame.name, reference = frame.reference));
+    let (known, u) = uncertainty(frame.standard_uncertainty_mm, 4);
+    lines.push(phrase!("cell-position", position = vector(&frame.xyz_mm, 4), known, u));
+    let (known, u) = uncertainty(frame.standard_uncertainty_deg, 5);
+    lines.push(phrase!("cell-quaternion", quaternion = vector(&frame.quaternion, 8), known, u));
 }
 
-fn point_text(point: &CellPointEntry, text: &mut String) {
-    let u = uncertain(point.standard_uncertainty_mm, 4, "mm");
-    let _ = writeln!(
-        text,
-        "{} point in {}\n  position     {} mm{u}",
-        point.name,
-        point.reference,
-        vector(&point.xyz_mm, 4)
-    );
+fn point_lines(point: &CellPointEntry, lines: &mut Vec<Phrase>) {
+    lines.push(phrase!("cell-point", name = point.name, reference = point.reference));
+    let (known, u) = uncertainty(point.standard_uncertainty_mm, 4);
+    lines.push(phrase!("cell-position", position = vector(&point.xyz_mm, 4), known, u));
 }
 
 /// The answer as text.
 fn text(document: &CellDocument) -> String {
-    let mut text = String::new();
-    document.frames.iter().for_each(|frame| frame_text(frame, &mut text));
-    document.points.iter().for_each(|point| point_text(point, &mut text));
+    let mut lines = Vec::new();
+    document.frames.iter().for_each(|frame| frame_lines(frame, &mut lines));
+    document.points.iter().for_each(|point| point_lines(point, &mut lines));
     if let Some(axis) = &document.axis {
-        let _ = writeln!(text, "{} axis", if axis.prismatic { "linear" } else { "rotary" });
-        let _ = writeln!(text, "  direction    {}", vector(&axis.direction, 7));
-        let u = axis.scale_standard_uncertainty.map_or(String::new(), |u| format!("  (u = {u:.7})"));
-        let _ = writeln!(text, "  scale        {:.7} x axis value{u}", axis.scale);
+        lines.push(phrase!("cell-axis", kind = if axis.prismatic { "linear" } else { "rotary" }));
+        lines.push(phrase!("cell-direction", direction = vector(&axis.direction, 7)));
+        let u = axis.scale_standard_uncertainty.map(|u| format!("{u:.7}"));
+        let known = if u.is_some() { "yes" } else { "no" };
+        lines.push(phrase!("cell-axis-scale", scale = format!("{:.7}", axis.scale), known, u = u.unwrap_or_default()));
     }
     for noise in &document.noise {
-        let unit = if noise.measure == "position" { "mm" } else { "deg" };
         let Some(deviation) = noise.standard_deviation else { continue };
-        let (from, redundancy) = (&noise.uncertainties_from, noise.redundancy);
-        let _ = writeln!(
-            text,
-            "{} residuals: standard deviation {deviation:.5} {unit}, redundancy {redundancy:.0}; uncertainties from {from}",
-            noise.measure
-        );
+        lines.push(phrase!(
+            "cell-residuals",
+            measure = noise.measure,
+            deviation = format!("{deviation:.5}"),
+            redundancy = format!("{:.0}", noise.redundancy),
+            source = noise.uncertainties_from
+        ));
     }
-    let worst = |measure: &str| {
+    for measure in ["position", "orientation"] {
         let own = document.residuals.iter().filter(|r| r.measure == measure);
-        own.max_by(|a, b| a.length.total_cmp(&b.length)).map(|r| (r.line, r.length))
-    };
-    for (measure, unit) in [("position", "mm"), ("orientation", "deg")] {
-        if let Some((line, length)) = worst(measure) {
-            let _ = writeln!(text, "largest {measure} residual: {length:.5} {unit}, line {line}");
-        }
+        let worst = own.max_by(|a, b| a.length.total_cmp(&b.length));
+        lines.extend(worst.map(|worst| {
+            phrase!("cell-largest-residual", measure, length = format!("{:.5}", worst.length), line = worst.line)
+        }));
     }
-    text
+    lines.into_iter().map(|line| format!("{line}\n")).collect()
 }

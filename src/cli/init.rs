@@ -128,7 +128,9 @@ impl Init {
         let robot = known_robot(name)?;
         let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
         let (joints, targets) = (robot.joints(), robot.targets.clone());
-        let (path, controllers) = ("robot.toml".into(), "[\"json\"]");
+        // the format of its calibration for ROS
+        let controllers = if name.starts_with("ur") { "[\"json\", \"universal-robots\"]" } else { "[\"json\"]" };
+        let path = "robot.toml".into();
         Ok(from::RobotFiles { files, path, joints, targets, controllers, own: None })
     }
 

@@ -89,7 +89,7 @@ enum Command {
     Robot(robot::RobotCommand),
     Compensate(Box<compensate::Compensate>),
     AxisTable(axis_table::AxisTable),
-    Plan(plan::PlanCommand),
+    Plan(Box<plan::PlanCommand>),
     Iso230(iso230::Iso230),
     Iso9283(Box<iso9283::Iso9283>),
     Report(report::ReportCommand),

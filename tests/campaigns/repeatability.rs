@@ -106,7 +106,11 @@ fn the_sample_repeats_about_as_the_thesis_robot_did() {
     // 2.7 um of a coordinate are 4.68 um of a position, a quarter of 18.7 um: P1 scatters more, the others less
     let verdicts: Vec<Option<bool>> = document.poses.iter().map(|p| p.quarter_rule_met).collect();
     assert_eq!(verdicts, [Some(true), Some(false), Some(false), Some(false), Some(false)]);
-    assert!(document.messages.iter().any(|m| m.is("instrument-too-coarse", &[("count", &4)])), "{:?}", document.messages);
+    assert!(
+        document.messages.iter().any(|m| m.is("instrument-too-coarse", &[("count", &4)])),
+        "{:?}",
+        document.messages
+    );
     assert!(document.limits[0].met && document.poses.iter().all(|p| p.ap_mm.is_none()));
 }
 

@@ -192,8 +192,8 @@ fn sweeps_that_are_no_motion_of_one_joint_are_named() {
     };
     refused(with(slipped, true, &[]), "error[sweep-target-moved] joint=q1 row=12");
     let scattered = |i: usize, row: &mut (usize, Vector, [f64; 4])| {
-        if i < 24 && i % 5 == 0 {
-            row.1[2] += if i % 2 == 0 { 0.7 } else { -0.7 };
+        if i < 24 && i.is_multiple_of(5) {
+            row.1[2] += if i.is_multiple_of(2) { 0.7 } else { -0.7 };
         }
     };
     refused(with(scattered, true, &[]), "error[sweep-many-foreign] joint=q1 aside=5 readings=24");

@@ -496,10 +496,7 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     let all = run(&["--json", "--all", "--expanded-uncertainty-um", "30"]);
     // 30 µm are more than a quarter of 0.1 mm
     let said = text(&all.stderr);
-    assert!(
-        all.status.success() && said.says("warning[instrument-too-coarse] count=2 poses=1, 2"),
-        "{said}"
-    );
+    assert!(all.status.success() && said.says("warning[instrument-too-coarse] count=2 poses=1, 2"), "{said}");
     let document: etalon::documents::Iso9283Document = serde_json::from_slice(&all.stdout).unwrap();
     assert_eq!((document.distances[0].poses, document.distances[0].cycles), ([1.into(), 2.into()], 4));
     assert!(document.conventions.iter().any(|c| c.contains("not stated")));

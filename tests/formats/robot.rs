@@ -90,6 +90,9 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
         assert!(document.toml.contains(part), "{part}: {}", document.toml);
     }
     assert!(document.reasons.iter().any(|r| r.contains("`j5` counts against the direction of `q5`")));
+    let columns = [1, 3, 2, 4, 5, 6].map(|k| format!("`j{k}`"));
+    let contradicted = phrase!("robot-contradicts-order", columns = columns.to_vec()).to_string();
+    assert!(document.doubts.contains(&contradicted), "{:?}", document.doubts);
     // headings that state another unit than the values have: the lines take the one that fits, and doubt it
     let text = table(
         "j1,j2,j3,j4,j5,j6,X [mm],Y [mm],Z [mm]\n",
@@ -102,6 +105,28 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
     let text = table("", rows.iter().map(|(q, p)| p.iter().copied().chain(deg(q)).collect()));
     let document = proposed(at, arm.as_ref(), &text);
     assert!(document.toml.contains("q1_deg = 4") && document.toml.contains("q6_deg = 9"), "{}", document.toml);
+}
+
+#[test]
+fn joints_and_poses_in_another_encoding_state_it_and_ask_nothing_that_headings_state() {
+    let folder = tempfile::tempdir().unwrap();
+    let (at, arm) = (folder.path(), robot(folder.path()));
+    let rows = measured(arm.as_ref(), 60, TARGET, 1.0, 3);
+    let head = "J1 (deg),J2 (deg),J3 (deg),J4 (deg),J5 (deg),J6 (deg),X (mm),Y (mm),Z (mm),QW,QX,QY,QZ,T (\u{b0}C)\n";
+    let row = |(q, p): &(Vec<f64>, [f64; 3])| {
+        let length = q[..4].iter().map(|v| v * v).sum::<f64>().sqrt();
+        let turned = q[..4].iter().map(|v| v / length);
+        q.iter().map(|v| v.to_degrees()).chain(*p).chain(turned).chain([20.0 + 0.01 * q[0]]).collect()
+    };
+    let text = table(head, rows.iter().map(row));
+    let path = at.join("f.csv");
+    let bytes: Vec<u8> = text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+    std::fs::write(&path, bytes).unwrap();
+    let document = propose_file_for(&path, None).unwrap();
+    assert_eq!(document.kind, "observations", "{}", document.toml);
+    assert!(document.toml.contains("f.csv\"\nencoding = \"windows-1252\"\n"), "{}", document.toml);
+    assert!(!document.questions.contains(&phrase!("ask-joints").to_string()), "{:?}", document.questions);
+    assert!(!document.toml.contains("UNIT"), "{}", document.toml);
 }
 
 #[test]

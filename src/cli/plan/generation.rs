@@ -25,12 +25,15 @@ pub(super) struct Generation {
     /// or states them; may be repeated.
     #[arg(long = "range", value_name = "COLUMN=FROM:TO", value_parser = named_range, requires = "generate")]
     ranges: Vec<(String, [f64; 2])>,
-    /// Box (mm) in the base of the robot that contains all targets, such as x=200:600,y=-300:300,z=0:500; an axis
-    /// that is not stated is unlimited.
+    /// Box (mm) in the base of the robot that contains all targets, such as
+    /// x=200:600,y=-300:300,z=0:500; an axis that is not stated is unlimited.
     #[arg(long = "box", value_name = "x=FROM:TO,...", value_parser = named_range, value_delimiter = ',', requires = "generate")]
     box_mm: Vec<(String, [f64; 2])>,
-    /// Reflector of an arm, delta or hexapod: NAME for the position in the robot file, NAME=X,Y,Z (mm in the flange), or
-    /// NAME=X,Y,Z,I,J,K,ANGLE with its outward axis in the flange and its acceptance half-angle (deg); may be repeated.
+    /// Reflector of an arm, delta or hexapod; may be repeated.
+    ///
+    /// NAME for the position in the robot file, NAME=X,Y,Z (mm in the flange), or
+    /// NAME=X,Y,Z,I,J,K,ANGLE with its outward axis in the flange and its acceptance half-angle
+    /// (deg).
     #[arg(long = "reflector", value_name = "NAME=X,Y,Z[,I,J,K,ANGLE]", value_parser = reflector, requires = "generate")]
     reflectors: Vec<StatedReflector>,
     /// Position X,Y,Z (mm) of the instrument in the base of the robot: reflectors with an axis face
@@ -59,7 +62,8 @@ impl Generation {
     /// Draws candidates, if this is asked for.
     ///
     /// # Errors
-    /// Reports joints without limits, options that do not fit the robot, and constraints that no draw obeys.
+    /// Reports joints without limits, options that do not fit the robot, and constraints that no
+    /// draw obeys.
     pub(super) fn candidates(&self, file: &RobotFile, seed: u64) -> Result<Option<Drawn>> {
         let Some(wanted) = self.generate else { return Ok(None) };
         let robot = self.robot(file)?;

@@ -208,7 +208,7 @@ pub(crate) fn number_text(value: f64, decimals: usize) -> String {
 }
 
 /// Letters, digits and underscores of a name, starting with a letter.
-pub(super) fn identifier(name: &str, longest: usize) -> String {
+pub(crate) fn identifier(name: &str, longest: usize) -> String {
     let safe = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let begins = name.starts_with(|c: char| c.is_ascii_alphabetic());
     let text: String = if begins { String::new() } else { "P".to_owned() };

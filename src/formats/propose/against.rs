@@ -290,8 +290,14 @@ pub(super) fn name_joints(
         }
     }
     if !plain {
-        let columns: Vec<String> = columns.iter().map(|at| table.called(*at)).collect();
-        remarks.reasons.push(phrase!("robot-orders", columns));
+        let called: Vec<String> = columns.iter().map(|at| table.called(*at)).collect();
+        // numbers in headings that contradict the kinematics: headings or robot file are wrong
+        let numbers: Vec<Option<usize>> = called.iter().map(|heading| joint_number(heading)).collect();
+        let contradicts = numbers.iter().all(Option::is_some) && !numbers.is_sorted();
+        match contradicts {
+            true => remarks.doubts.push(phrase!("robot-contradicts-order", columns = called)),
+            false => remarks.reasons.push(phrase!("robot-orders", columns = called)),
+        }
     }
     found.joint_names = (0..columns.len()).map(of_robot).collect();
     found.by_kinematics = true;
@@ -335,4 +341,10 @@ pub(super) fn described(
         }
         _ => {}
     }
+}
+
+/// First number in a heading.
+fn joint_number(heading: &str) -> Option<usize> {
+    let digits = heading.trim_start_matches(|c: char| !c.is_ascii_digit());
+    digits.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
 }

@@ -358,7 +358,8 @@ impl Proposal<'_> {
     fn mixed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
         document.because(self.named(joints, phrase!("says-joints-beside")));
         self.not_read().into_iter().for_each(|doubt| document.doubt(doubt));
-        if !self.found.by_kinematics {
+        let open = self.are_open(joints);
+        if open {
             document.ask(phrase!("ask-joints"));
         }
         let turned = [self.found.quaternion_columns(), self.found.rotation_columns()].concat();
@@ -374,8 +375,14 @@ impl Proposal<'_> {
             joints.iter().enumerate().map(|(k, at)| self.joint(k, *at, self.joint_unit(*at))).collect();
         let joints = format!("joints = {{ {} }}\n", columns.join(", "));
         let sets = 0..self.found.points.len().max(1);
-        let remark = if self.found.by_kinematics { "" } else { JOINTS };
+        let remark = if open { JOINTS } else { "" };
         sets.map(|set| self.export(document, set) + &joints).collect::<String>() + remark
+    }
+
+    /// Returns `true` if neither headings nor kinematics state all joints and their units.
+    fn are_open(&self, joints: &[usize]) -> bool {
+        let is_open = |at: &usize| self.joint_unit(*at) == "UNIT" || self.heading(*at).is_none();
+        !self.found.by_kinematics && joints.iter().any(is_open)
     }
 
     /// Returns the name of a joint: that of the robot, or its number.
@@ -440,7 +447,8 @@ impl Proposal<'_> {
                     .map(|(name, at)| format!("{name}_{} = {}", angle(*at), self.column(*at))),
             ),
         }
-        let mut out = format!("{}columns = {{ {} }}\n{JOINTS}", self.table_lines("[observations]"), columns.join(", "));
+        let remark = if self.are_open(joints) { JOINTS } else { "" };
+        let mut out = format!("{}columns = {{ {} }}\n{remark}", self.table_lines("[observations]"), columns.join(", "));
         if turned.len() == 3 {
             out.push_str(
                 "orientation = \"?\"          # order of the three angles: \"zyx\", \"fixed xyz\" ..; without it the error names the orders that fit. Of a\n\

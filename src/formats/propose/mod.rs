@@ -129,7 +129,11 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
     }
     if let Some(encoding) = encoding {
         let line = format!("encoding = {:?}\n", encoding.name());
-        document.toml = document.toml.replacen("format = ", &format!("{line}format = "), 1);
+        let with_encoding = |text: &str| match text.starts_with("file = ") {
+            true => format!("{text}{line}"),
+            false => text.to_owned(),
+        };
+        document.toml = document.toml.split_inclusive('\n').map(with_encoding).collect();
         document.doubt(phrase!("doubt-encoding", encoding = encoding.name()));
         document.toml.insert_str(0, &format!("# DOUBT: {}\n", document.doubts.last().map_or("", String::as_str)));
     }

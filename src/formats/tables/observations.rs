@@ -7,7 +7,9 @@ use crate::filter::Filter;
 use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, column_index, marked, parsed, pose_name, split};
 use crate::logs::{meaning, one_column, row_width, words_missing};
-use crate::table::{self, COVARIANCES, FLANGE, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
+use crate::table::{
+    self, COVARIANCES, FLANGE, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column,
+};
 use etalon_base::cell::is_formula;
 use etalon_base::error;
 use etalon_base::message::{Place, Problems, Result};

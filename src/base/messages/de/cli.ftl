@@ -430,3 +430,61 @@ converted-by = umgewandelt mit etalon robot convert
 from-other-joints = die Datei hat { $columns } Gelenkspalten, der Roboter { $joints } Gelenke: diejenigen weglassen, die er nicht hat
 from-joints-in-order = die Gelenke sind die von robot.toml in der Reihenfolge der Datei
 from-unit-of-joints = für UNIT deg, rad, mm, m oder um schreiben: die Datei gibt sie nicht an
+
+cell-frame = { $name ->
+        [tool] Werkzeug
+        [target] Ziel
+        [sensor] Sensor
+        [base] Basis
+        [world] Messsystem
+        [object] Werkstück
+       *[axis] Achse
+    } { $reference ->
+        [flange] im Flansch
+        [base] in der Basis
+        [world] im Messsystem
+       *[points] in den Punkten
+    }
+cell-point = { $name ->
+        [tool] Werkzeugpunkt
+       *[fixed] fester Punkt
+    } { $reference ->
+        [flange] im Flansch
+        [base] in der Basis
+        [world] im Messsystem
+       *[points] in den Punkten
+    }
+cell-position = {"  "}Position     { $position } mm{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u } mm)
+    }
+cell-quaternion = {"  "}Quaternion   { $quaternion }{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u } deg um x y z)
+    }
+cell-axis = { $kind ->
+        [linear] Linearachse
+       *[rotary] Drehachse
+    }
+cell-direction = {"  "}Richtung     { $direction }
+cell-axis-scale = {"  "}Maßstab      { $scale } × Achswert{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u })
+    }
+cell-residuals = { $measure ->
+        [position] Position
+       *[orientation] Orientierung
+    }: Standardabweichung der Residuen { $deviation } { $measure ->
+        [position] mm
+       *[orientation] deg
+    }, Redundanz { $redundancy }; Unsicherheiten aus { $source ->
+        [stated] den Angaben
+       *[residuals] den Residuen
+    }
+cell-largest-residual = { $measure ->
+        [position] größtes Residuum der Position:
+       *[orientation] größtes Residuum der Orientierung:
+    } { $length } { $measure ->
+        [position] mm
+       *[orientation] deg
+    }, Zeile { $line }

@@ -290,7 +290,7 @@ direction-notation-differs = die Richtung ist als { $found ->
     .hint = `format = "{ $format }"` angeben
 
 unit-differs = die Datei ist in { $of_file } ({ $how }); angegeben ist die Einheit { $stated }
-    .hint = die Einheit der Datei angeben
+    .hint = ist der Kopf der Datei falsch, ihn dort berichtigen; sonst die Einheit der Datei angeben
 
 default-of-format = kein `{ $record }`: Vorgabe des Formats
 

@@ -416,6 +416,8 @@ robot-finds-targets = mit einer eigenen Zielmarke für jeden Wert von { $column 
 
 robot-contradicts-unit = die Überschrift von { $column } nennt { $stated }, aber die Kinematik des nominalen Roboters passt zu { $unit }
 
+robot-contradicts-order = der nominale Roboter passt mit den Gelenken in der Reihenfolge { $columns }, entgegen den Nummern der Überschriften: Überschriften und Roboterdatei prüfen
+
 robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der nominale Roboter passt mit umgekehrtem Vorzeichen
 
 robot-orders = der nominale Roboter passt mit den Gelenken in der Reihenfolge { $columns }

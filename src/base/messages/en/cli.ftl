@@ -766,3 +766,61 @@ converted-by = converted by etalon robot convert
 from-other-joints = the file has { $columns } columns of joints, and the robot { $joints } joints: leave out those that it does not have
 from-joints-in-order = the joints are those of robot.toml in the order of the file
 from-unit-of-joints = for UNIT write deg, rad, mm, m or um: the file does not state it
+
+cell-frame = { $name ->
+        [tool] tool
+        [target] target
+        [sensor] sensor
+        [base] base
+        [world] measuring system
+        [object] object
+       *[axis] axis
+    } { $reference ->
+        [flange] in flange
+        [base] in base
+        [world] in the measuring system
+       *[points] in points
+    }
+cell-point = { $name ->
+        [tool] tool point
+       *[fixed] fixed point
+    } { $reference ->
+        [flange] in flange
+        [base] in base
+        [world] in the measuring system
+       *[points] in points
+    }
+cell-position = {"  "}position     { $position } mm{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u } mm)
+    }
+cell-quaternion = {"  "}quaternion   { $quaternion }{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u } deg about x y z)
+    }
+cell-axis = { $kind ->
+        [linear] linear axis
+       *[rotary] rotary axis
+    }
+cell-direction = {"  "}direction    { $direction }
+cell-axis-scale = {"  "}scale        { $scale } × axis value{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u })
+    }
+cell-residuals = { $measure ->
+        [position] position
+       *[orientation] orientation
+    } residuals: standard deviation { $deviation } { $measure ->
+        [position] mm
+       *[orientation] deg
+    }, redundancy { $redundancy }; uncertainties from { $source ->
+        [stated] stated values
+       *[residuals] residuals
+    }
+cell-largest-residual = { $measure ->
+        [position] largest position residual:
+       *[orientation] largest orientation residual:
+    } { $length } { $measure ->
+        [position] mm
+       *[orientation] deg
+    }, line { $line }

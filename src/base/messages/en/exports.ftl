@@ -465,10 +465,10 @@ direction-notation-differs = the direction is written as { $found ->
 
 # Means: The unit of length in the file differs from that of the campaign or the command.
 # Matters: All coordinates would be wrong by a constant factor.
-# Do: State the unit of the file.
+# Do: State the unit of the file; if its heading is wrong, correct the heading.
 # Example: `unit = "inch"` for a DMIS file with `UNITS/MM`
 unit-differs = the file is in { $of_file } ({ $how }); the stated unit is { $stated }
-    .hint = state the unit of the file
+    .hint = if the heading of the file is wrong, correct it there; otherwise state the unit of the file
 
 default-of-format = no `{ $record }`: default of the format
 

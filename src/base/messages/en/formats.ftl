@@ -796,6 +796,8 @@ robot-finds-targets = the nominal robot reproduces the coordinates if each value
 
 robot-contradicts-unit = the heading of { $column } states { $stated }, but the kinematics of the nominal robot fit with { $unit }
 
+robot-contradicts-order = the nominal robot fits with the joints in the order { $columns }, against the numbers in the headings: check headings and robot file
+
 robot-reverses = { $column } counts against the direction of `{ $joint }`: the nominal robot fits with the opposite sign
 
 robot-orders = the nominal robot fits with the joints in the order { $columns }

@@ -430,3 +430,61 @@ converted-by = converti par etalon robot convert
 from-other-joints = le fichier a { $columns } colonnes d’articulations, et le robot { $joints } articulations : omettre celles qu’il n’a pas
 from-joints-in-order = les articulations sont celles de robot.toml dans l’ordre du fichier
 from-unit-of-joints = pour UNIT écrire deg, rad, mm, m ou um : le fichier ne l’indique pas
+
+cell-frame = { $name ->
+        [tool] outil
+        [target] cible
+        [sensor] capteur
+        [base] base
+        [world] système de mesure
+        [object] objet
+       *[axis] axe
+    } { $reference ->
+        [flange] dans la bride
+        [base] dans la base
+        [world] dans le système de mesure
+       *[points] dans les points
+    }
+cell-point = { $name ->
+        [tool] point d’outil
+       *[fixed] point fixe
+    } { $reference ->
+        [flange] dans la bride
+        [base] dans la base
+        [world] dans le système de mesure
+       *[points] dans les points
+    }
+cell-position = {"  "}position     { $position } mm{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u } mm)
+    }
+cell-quaternion = {"  "}quaternion   { $quaternion }{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u } deg autour de x y z)
+    }
+cell-axis = { $kind ->
+        [linear] axe linéaire
+       *[rotary] axe rotatif
+    }
+cell-direction = {"  "}direction    { $direction }
+cell-axis-scale = {"  "}échelle      { $scale } × valeur de l’axe{ $known ->
+        [no] {""}
+       *[yes] {"  "}(u = { $u })
+    }
+cell-residuals = { $measure ->
+        [position] position
+       *[orientation] orientation
+    } : écart-type des résidus { $deviation } { $measure ->
+        [position] mm
+       *[orientation] deg
+    }, redondance { $redundancy } ; incertitudes d’après { $source ->
+        [stated] les valeurs indiquées
+       *[residuals] les résidus
+    }
+cell-largest-residual = { $measure ->
+        [position] plus grand résidu de position :
+       *[orientation] plus grand résidu d’orientation :
+    } { $length } { $measure ->
+        [position] mm
+       *[orientation] deg
+    }, ligne { $line }

@@ -290,7 +290,7 @@ direction-notation-differs = la direction est écrite comme { $found ->
     .hint = indiquer `format = "{ $format }"`
 
 unit-differs = le fichier est en { $of_file } ({ $how }) ; l’unité indiquée est { $stated }
-    .hint = indiquer l’unité du fichier
+    .hint = si l’en-tête du fichier est faux, le corriger dans le fichier ; sinon indiquer l’unité du fichier
 
 default-of-format = pas de `{ $record }` : valeur par défaut du format
 

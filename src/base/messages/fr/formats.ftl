@@ -416,6 +416,8 @@ robot-finds-targets = avec une cible propre à chaque valeur de { $column }, le 
 
 robot-contradicts-unit = l’en-tête de { $column } indique { $stated }, mais la cinématique du robot nominal correspond à { $unit }
 
+robot-contradicts-order = le robot nominal correspond avec les articulations dans l’ordre { $columns }, contre les numéros des en-têtes : vérifier les en-têtes et le fichier du robot
+
 robot-reverses = { $column } est compté en sens inverse de `{ $joint }` : le robot nominal correspond avec le signe opposé
 
 robot-orders = le robot nominal correspond avec les articulations dans l’ordre { $columns }
