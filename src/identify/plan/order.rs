@@ -5,6 +5,8 @@
 
 /// Number of poses at which the search starts.
 const STARTS: usize = 64;
+/// Largest number of points whose paths are all improved; of more, the shortest path is.
+const FEW: usize = 200;
 /// Smallest shortening that counts, as a share of the span of a joint.
 const SHORTER: f64 = 1e-9;
 /// Largest number of points that are ordered; more remain in the given order.
@@ -47,9 +49,13 @@ pub fn order(points: &[[Vec<f64>; 2]], spans: &[f64]) -> Order {
     let length = |a: usize, b: usize| lengths[a * n + b];
     let total = |path: &[usize]| path.windows(2).map(|w| length(w[0], w[1])).sum::<f64>();
     let starts = (0..n.min(STARTS)).map(|start| nearest(start, n, length));
-    let paths = std::iter::once(given).chain(starts);
-    let mut path = paths.min_by(|a, b| total(a).total_cmp(&total(b))).unwrap_or_default();
-    exchange(&mut path, length);
+    let mut paths: Vec<Vec<usize>> = std::iter::once(given).chain(starts).collect();
+    paths.sort_by(|a, b| total(a).total_cmp(&total(b)));
+    if n > FEW {
+        paths.truncate(1);
+    }
+    paths.iter_mut().for_each(|path| exchange(path, length));
+    let path = paths.into_iter().min_by(|a, b| total(a).total_cmp(&total(b))).unwrap_or_default();
     Order { length: total(&path), points: path }
 }
 
