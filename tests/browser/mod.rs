@@ -164,6 +164,49 @@ fn tables_are_sorted_and_filtered_and_space_turns(browser: &mut Browser, reports
     let before = browser.evaluate(mark);
     browser.evaluate("document.querySelector('svg[data-turn]').dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', shiftKey: true }))");
     assert_ne!(browser.evaluate(mark), before);
+    view_presets_look_along_an_axis(browser);
+}
+
+/// Along z, the picture shows x to the right and y upwards, at one scale; the last button shows the picture as drawn.
+fn view_presets_look_along_an_axis(browser: &mut Browser) {
+    let press = |text: &str| {
+        format!("[...document.querySelectorAll('.tools button')].find(b => b.textContent === '{text}').click()")
+    };
+    let places = "(() => { const at = [...document.querySelectorAll('svg[data-turn] circle[data-at]')].slice(0, 9); \
+        return at.map(c => [...c.dataset.at.split(' ').map(Number), c.getBoundingClientRect().left, c.getBoundingClientRect().top]) })()";
+    let read = |browser: &mut Browser| -> Vec<Vec<f64>> {
+        let rows = browser.evaluate(places);
+        rows.as_array()
+            .unwrap()
+            .iter()
+            .map(|r| r.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect())
+            .collect()
+    };
+    browser.evaluate(&press("Vue initiale"));
+    let drawn = read(browser);
+    for (button, right, up) in [("x-y", 0, 1), ("x-z", 0, 2), ("y-z", 1, 2)] {
+        browser.evaluate(&press(button));
+        let marks = read(browser);
+        let (first, last) = (
+            &marks[0],
+            marks
+                .iter()
+                .max_by(|a, b| {
+                    let far = |m: &[f64]| (m[right] - marks[0][right]).hypot(m[up] - marks[0][up]);
+                    far(a).total_cmp(&far(b))
+                })
+                .unwrap(),
+        );
+        let scale =
+            (last[3] - first[3]).hypot(last[4] - first[4]) / (last[right] - first[right]).hypot(last[up] - first[up]);
+        for mark in &marks {
+            let [x, y] = [mark[3] - first[3], first[4] - mark[4]];
+            let shown = [scale * (mark[right] - first[right]), scale * (mark[up] - first[up])];
+            assert!((x - shown[0]).abs() < 1.5 && (y - shown[1]).abs() < 1.5, "{button}: {x} {y} {shown:?}");
+        }
+    }
+    browser.evaluate(&press("Vue initiale"));
+    assert_eq!(read(browser), drawn);
 }
 
 /// axe-core from the npm registry, in the folder of the build; none where it cannot be had.

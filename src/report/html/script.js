@@ -274,9 +274,10 @@
       });
     }
     picture.turn = turn;
+    picture.view = function (azimuth, elevation) { turn(azimuth - at[0], elevation - at[1]); };
     // both of a pair turn together
-    function all(azimuth, elevation) {
-      (picture.closest(".pair") || picture.parentNode).querySelectorAll("[data-turn]").forEach(function (one) { one.turn(azimuth, elevation); });
+    function all(azimuth, elevation, absolute) {
+      (picture.closest(".pair") || picture.parentNode).querySelectorAll("[data-turn]").forEach(function (one) { one[absolute ? "view" : "turn"](azimuth, elevation); });
       hide();
     }
     var held = null;
@@ -297,6 +298,8 @@
       all(way[0], way[1]);
     });
     [[0.3, 0], [-0.3, 0], [0, 0.2], [0, -0.2]].forEach(function (way, i) { button(tools, words[4 + i], function () { all(way[0], way[1]); }); });
+    // along z, along y and along x, and as drawn
+    [[-Math.PI / 2, 1.57], [-Math.PI / 2, 0], [0, 0], start].forEach(function (view, i) { button(tools, words[10 + i], function () { all(view[0], view[1], true); }); });
   }
 
   // scale and side of figures are remembered for the next report, where the browser allows it
