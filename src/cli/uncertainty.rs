@@ -1,7 +1,9 @@
 //! Command `etalon uncertainty`.
 
+use super::report::Reports;
 use super::{Verdict, answer, progress, remark};
 use crate::run::validation::uncertainty;
+use crate::run::walk::presentation;
 use crate::stages::monte_carlo::Draws;
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
@@ -13,7 +15,7 @@ use std::path::PathBuf;
 /// Everything that the campaign states about its readings is drawn randomly (JCGM 101): points of
 /// frames, targets, scale, temperature, homing. Each draw passes through frames and identification.
 /// The bootstrap resamples the measured poses and cycles. Both are compared with the linear
-/// uncertainties of `etalon run`. Nothing is written.
+/// uncertainties of `etalon run`. Only reports are written.
 #[derive(Debug, clap::Args)]
 pub struct Uncertainty {
     /// Folder of the campaign, or its campaign.toml.
@@ -28,6 +30,8 @@ pub struct Uncertainty {
     /// Seed of the draws; equal seeds give equal numbers on any number of threads.
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    #[command(flatten)]
+    reports: Reports,
     /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
@@ -36,10 +40,13 @@ pub struct Uncertainty {
 impl Uncertainty {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
+        self.reports.check(None)?;
         let draws = Draws { most: self.draws as usize, resamples: self.resamples as usize, seed: self.seed };
         let document = uncertainty(&campaign, draws, &mut progress)?;
         remark(&document.messages);
         let json = if self.json { Some(to_json(&document)?) } else { None };
-        answer(&Renderer::uncertainty(&document), json)
+        let renderer = Renderer::uncertainty(&document, self.reports.over(presentation(&campaign)?)?)?;
+        self.reports.write(&renderer)?;
+        answer(&renderer, json)
     }
 }

@@ -1,6 +1,6 @@
 //! Answer of `etalon uncertainty`: distributions of a campaign's results.
 
-use super::{Provenance, UncertaintyFrom};
+use super::{CampaignReference, Provenance, UncertaintyFrom};
 use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -13,6 +13,9 @@ pub struct UncertaintyDocument {
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
+    /// The campaign.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub campaign: Option<CampaignReference>,
     /// Number of Monte Carlo draws of the whole campaign: frames, readings, common errors.
     pub draws: usize,
     /// `true` if two significant digits of all standard uncertainties and interval ends are stable

@@ -415,11 +415,19 @@ impl Renderer {
     }
 
     /// Creates the report of distributions of a campaign's results.
-    pub fn uncertainty(document: &UncertaintyDocument) -> Self {
+    pub fn uncertainty(document: &UncertaintyDocument, presentation: Presentation) -> Result<Self> {
         use sections::distributions::{sections, verdict};
-        let words = Words::default();
-        let title = tr!(words, "uncertainties-of-robot", robot = isolated(&one_line(&document.robot)));
-        Self::without_campaign(title, verdict(document, &words), sections(document, &words), words)
+        let words = Words::of(presentation.language);
+        let contents = Contents {
+            title: tr!(words, "uncertainties-of-robot", robot = isolated(&one_line(&document.robot))),
+            verdict: verdict(document, &words),
+            sections: sections(document, &words),
+            ..Contents::default()
+        };
+        let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
+        let contents = head.on(contents, Some(&document.provenance), &words);
+        let attached = Attachment::of("uncertainty.json", "data", "Distributions of results", document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
     }
 
     fn without_campaign(title: String, verdict: Verdict, sections: Vec<Section>, words: Words) -> Self {

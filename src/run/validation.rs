@@ -48,6 +48,7 @@ pub fn uncertainty(
     let identified = identify(campaign, stated, robot.as_mut(), &joined, &frames)?;
     let trials = Trials::new(campaign, robot.as_ref(), &gathered.points, &frames, &identified);
     let mut found = trials.distributions(draws, report)?;
+    found.campaign = Some(reference(campaign));
     found.provenance.inputs = gathered.document.inputs();
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)

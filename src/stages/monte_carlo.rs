@@ -182,6 +182,7 @@ impl<'a> Trials<'a> {
         Ok(UncertaintyDocument {
             schema: "etalon/uncertainty/1".to_owned(),
             robot: robot.model().to_owned(),
+            campaign: None,
             draws: monte_carlo.len(),
             two_digits_reached: digits,
             resamples: bootstrap.as_ref().map_or(0, Vec::len),

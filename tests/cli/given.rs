@@ -100,6 +100,12 @@ fn answers_are_written_as_reports_in_every_language() {
         (&verify[..], "Verification of identified parameters", "berprüfung identifizierter", "rification de"),
         (&validate[..], "Validation of given parameters", "Validierung", "Validation de"),
         (&["recommend", "."][..], "Recommendation of parameters to load", "Empfehlung", "Recommandation"),
+        (
+            &["uncertainty", ".", "--draws", "100", "--resamples", "0"][..],
+            "Uncertainties of",
+            "Unsicherheiten",
+            "Incertitudes",
+        ),
     ];
     for (command, english, german, french) in titles {
         let mut pages = Vec::new();
@@ -232,6 +238,10 @@ fn answers_name_their_campaign_and_files() {
     assert!(page.contains("Synthetic data:") && page.contains(&hash("out/parameters.json")));
     let recommend = etalon(&folder.path(), &["recommend", ".", "--report", "answer.html", "--json"]);
     assert_eq!(json(&recommend)["campaign"]["name"].as_str(), Some("Draw wires (synthetic)"));
+    let page = std::fs::read_to_string(folder.path().join("answer.html")).unwrap();
+    assert!(page.contains("Synthetic data:") && page.contains(&hash("observations.csv")));
+    let drawn = ["uncertainty", ".", "--draws", "100", "--resamples", "0", "--report", "answer.html", "--json"];
+    assert_eq!(json(&etalon(&folder.path(), &drawn))["campaign"]["name"].as_str(), Some("Draw wires (synthetic)"));
     let page = std::fs::read_to_string(folder.path().join("answer.html")).unwrap();
     assert!(page.contains("Synthetic data:") && page.contains(&hash("observations.csv")));
     let folder = run("prexyt-cmm");
