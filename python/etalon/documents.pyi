@@ -3137,6 +3137,8 @@ class StudiesDocument(Document):
 
 class UncertaintyDocument(Document):
     """Distributions by Monte Carlo (JCGM 101) and bootstrap, beside the linear uncertainties."""
+    campaign: CampaignReference | None
+    """The campaign."""
     draws: int
     """Number of Monte Carlo draws of the whole campaign: frames, readings, common errors."""
     errors: list[DistributionEntry]
