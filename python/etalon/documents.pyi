@@ -945,7 +945,7 @@ class FramePose(Record):
     """Name of the pose; absent if the frame applies to all poses."""
 
 class GeneratedCandidates(Record):
-    """Candidates drawn within limits, and numbers of draws that are none."""
+    """Candidates drawn within limits, and numbers of rejected draws by reason."""
     beyond_limits: int
     """Draws beyond limits of joints or links, or without a pose."""
     box_mm: Record

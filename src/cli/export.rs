@@ -1,7 +1,8 @@
 //! Command `etalon export`.
 
 use super::{Verdict, print, print_text, progress, remark};
-use crate::run::documents::{Documents, is_file_of_run, read_parameters_and_run};
+use crate::run::controller_formats::own_format;
+use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
 use crate::stages::given::{check_described, other_nominal};
@@ -65,8 +66,7 @@ impl ExportCommand {
         let to = self.to.unwrap_or(folder);
         // before the parameters are read, so that a concurrent run is noticed
         let run = Documents::open(&to).ok();
-        let own =
-            self.template.iter().map(|path| own_format(path, run.as_ref(), &to)).collect::<Result<Vec<_>, _>>()?;
+        let own = self.template.iter().map(|path| template(path, run.as_ref(), &to)).collect::<Result<Vec<_>, _>>()?;
         let exporters = exporters(&self.format, &own)?;
         let with_errors = exporters.iter().any(|exporter| exporter.shows_errors());
         let exported = match self.parameters {
@@ -121,19 +121,16 @@ fn exporters<'a>(names: &[String], own: &'a [OwnFormat]) -> Result<Vec<&'a dyn E
 }
 
 /// Reads a template whose file replaces no document of a run, and no file beside a run.
-fn own_format(path: &Path, run: Option<&Documents>, to: &Path) -> Result<OwnFormat, Problems> {
+fn template(path: &Path, run: Option<&Documents>, to: &Path) -> Result<OwnFormat, Problems> {
     let named = path.display().to_string();
     let (text, _) = etalon_formats::read_text(path, None, &Place::file(&*named))?;
-    let format = OwnFormat::new(&named, text)?;
+    let format = own_format(&named, text, Place::file(&*named))?;
     let file = format.file_name();
     let written = to.join(file);
     let taken = match run {
         Some(run) => written.exists() && !run.manifest.files.contains_key(file),
         None => written.exists(),
     };
-    if is_file_of_run(file) {
-        return Err(error!("template-name-reserved", file).at(Place::file(named)).into());
-    }
     match taken {
         true => Err(error!("file-exists", file = written.display().to_string()).into()),
         false => Ok(format),

@@ -107,7 +107,7 @@ pub struct MeasuringOrder {
     pub motion_as_listed: f64,
 }
 
-/// Candidates drawn within limits, and numbers of draws that are none.
+/// Candidates drawn within limits, and numbers of rejected draws by reason.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeneratedCandidates {

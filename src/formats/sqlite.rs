@@ -71,7 +71,7 @@ impl<'a> Database<'a> {
         Ok(Self { bytes, page_size, usable })
     }
 
-    /// Returns the number of the first page of a table; `None` if there is no such table.
+    /// Returns the number of the first page of a table; `None` if the table is missing.
     pub fn table(&self, name: &str) -> Result<Option<usize>, Message> {
         let mut root = None;
         self.each_row(1, &mut |(_, values)| {

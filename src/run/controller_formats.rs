@@ -2,7 +2,7 @@
 
 use crate::run::documents::is_file_of_run;
 use etalon_base::files::Stamp;
-use etalon_base::message::Result;
+use etalon_base::message::{Place, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_controllers::{Exporter, OwnFormat};
@@ -10,12 +10,10 @@ use etalon_documents::{Source, SourceKind};
 use toml::Spanned;
 
 /// The formats that a campaign names, or the usual ones.
-#[derive(Debug)]
 pub struct ControllerFormats(Vec<Format>);
 
-#[derive(Debug)]
 enum Format {
-    Named(&'static str),
+    Known(&'static dyn Exporter),
     Own(OwnFormat),
 }
 
@@ -31,8 +29,9 @@ impl ControllerFormats {
     ///
     /// Reports a template that cannot be used.
     pub fn read(campaign: &Campaign, sources: &mut Vec<Source>) -> Result<Self> {
+        let known = |name: &str| etalon_controllers::by_name(name).map(Format::Known);
         let Some(stated) = &campaign.file.controllers else {
-            return Ok(Self(etalon_controllers::usual().map(Format::Named).collect()));
+            return Ok(Self(etalon_controllers::usual().filter_map(known).collect()));
         };
         let mut formats = Vec::new();
         for name in stated {
@@ -42,7 +41,7 @@ impl ControllerFormats {
                     sources.push(source);
                     formats.push(Format::Own(format));
                 }
-                false => formats.extend(etalon_controllers::by_name(name.get_ref()).map(|e| Format::Named(e.name()))),
+                false => formats.extend(known(name.get_ref())),
             }
         }
         Ok(Self(formats))
@@ -50,16 +49,29 @@ impl ControllerFormats {
 
     /// The formats with their names.
     pub fn all(&self) -> Vec<(&str, &dyn Exporter)> {
-        self.0.iter().filter_map(Format::exporter).collect()
+        self.0.iter().map(Format::named).collect()
     }
 }
 
 impl Format {
-    fn exporter(&self) -> Option<(&str, &dyn Exporter)> {
+    fn named(&self) -> (&str, &dyn Exporter) {
         match self {
-            Self::Named(name) => Some((name, etalon_controllers::by_name(name)?)),
-            Self::Own(own) => Some((own.name(), own)),
+            Self::Known(exporter) => (exporter.name(), *exporter),
+            Self::Own(own) => (own.name(), own),
         }
+    }
+}
+
+/// A format from the text of its template, whose file replaces no document of a run.
+///
+/// # Errors
+///
+/// Rejects an invalid template, and the name of a document of a run.
+pub fn own_format(path: &str, text: String, place: Place) -> Result<OwnFormat> {
+    let format = OwnFormat::new(path, text)?;
+    match is_file_of_run(format.file_name()) {
+        true => Err(error!("template-name-reserved", file = format.file_name()).at(place).into()),
+        false => Ok(format),
     }
 }
 
@@ -71,10 +83,7 @@ impl Format {
 pub fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(OwnFormat, Source)> {
     let path = campaign.resolve(name)?;
     let (text, bytes) = etalon_formats::read_text(&path, None, &campaign.place(name))?;
-    let format = OwnFormat::new(name.get_ref(), text)?;
-    if is_file_of_run(format.file_name()) {
-        return Err(error!("template-name-reserved", file = format.file_name()).at(campaign.place(name)).into());
-    }
+    let format = own_format(name.get_ref(), text, campaign.place(name))?;
     let (stamp, holds) = (Stamp::of(&bytes), phrase!("controller-template"));
     let source = Source {
         file: name.get_ref().clone(),

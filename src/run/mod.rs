@@ -1,7 +1,7 @@
 //! A campaign from its files to its output folder.
 
 pub mod batch;
-mod controller_formats;
+pub mod controller_formats;
 pub mod documents;
 mod names;
 pub mod output;

@@ -176,7 +176,7 @@ fn ordered(robot: Option<&dyn Robot>, parts: &mut [Part], exports: &[usize]) -> 
     (best, order)
 }
 
-/// Writes sections of which there are several as elements of a list, logs with a name each.
+/// Writes repeated sections as elements of a list; each log gets a name.
 fn name_sections(parts: &mut [Part]) {
     for (kind, section) in [("log", "[log]\n"), ("observations", "[observations]\n")] {
         let of_kind = |part: &&mut Part| part.document.kind == kind && part.document.toml.contains(section);

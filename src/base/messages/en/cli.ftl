@@ -576,7 +576,7 @@ draws-facing-away = { $count } with a reflector that faces away from the instrum
 joint-range-missing = joint { $joint } has no limits
     .hint = state them in the robot file, or as `--range { $column }=FROM:TO`
 
-# Means: `--range` names a column that is no joint of the robot.
+# Means: The column of `--range` does not name a joint of the robot.
 # Matters: The range would be ignored.
 # Do: Use the name of a joint with its unit.
 # Example: `--range q7_deg=-90:90` for six joints
@@ -634,7 +634,7 @@ box-axis-unknown = `--box`: targets of this robot have no axis `{ $name }`
     }
 
 # Means: Candidates of a robot with working modes are positions, which are drawn within x and y of a box.
-# Matters: Without a box, there is no region to draw in.
+# Matters: The positions are drawn within the box: x and y must be bounded.
 # Do: State x and y.
 # Example: a five-bar with `--generate 500` alone
 box-missing = candidates of `{ $model }` are drawn by position: x and y of `--box` are missing

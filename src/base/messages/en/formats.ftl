@@ -715,8 +715,8 @@ no-row-selected = `only` and `without` select no row
 log-without-values = no row of the log has a value of `{ $column }`
     .hint = correct the column, or state other cells in `missing`
 
-# Means: A constant of `[log]` is no value of its column: a text for a number, a fraction for a cycle,
-# or `cycle = "visit"` in a log without the column `pose`.
+# Means: A constant of `[log]` does not fit its column: a text for a number, a fraction for a cycle, or
+# `cycle = "visit"` in a log without the column `pose`.
 # Matters: The rows of the log would have no such value.
 # Do: Correct the constant.
 # Example: `constants = { q7_mm = "zero" }`
