@@ -36,7 +36,7 @@ pub fn product_at_most(of: Phrase, counts: &[(&str, u64)], most: u64) -> Result<
 
 /// Reads a count of an option, at most `M`.
 pub fn option_at_most<const M: usize>(text: &str) -> std::result::Result<usize, String> {
-    let wrong = || format!("expected a whole number from 0 to {M}");
+    let wrong = || phrase!("expected-whole-number", most = M).to_string();
     text.trim().parse().ok().filter(|count| *count <= M).ok_or_else(wrong)
 }
 

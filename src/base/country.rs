@@ -1,5 +1,6 @@
 //! Country codes of ISO 3166-1.
 
+use crate::phrase;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -22,9 +23,7 @@ impl TryFrom<String> for Country {
 
     fn try_from(code: String) -> Result<Self, String> {
         let known = CODES.split(' ').any(|known| known == code);
-        known.then(|| Self(code.clone())).ok_or_else(|| {
-            format!("`{code}` is not a country code of ISO 3166-1: two capital letters, as CA, DE or GB")
-        })
+        known.then(|| Self(code.clone())).ok_or_else(|| phrase!("unknown-country", code).to_string())
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::error;
 use crate::message::{Message, Problems, Result};
+use crate::phrase;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -25,8 +26,8 @@ pub fn open(path: &Path) -> std::io::Result<File> {
 /// Like [`open`], for repeated reading of an input: the file is not recorded.
 fn open_regular(path: &Path) -> std::io::Result<File> {
     match std::fs::metadata(path)? {
-        kind if kind.is_dir() => Err(std::io::Error::other("it is a folder")),
-        kind if !kind.is_file() => Err(std::io::Error::other("it is not a regular file")),
+        kind if kind.is_dir() => Err(std::io::Error::other(phrase!("is-a-folder").to_string())),
+        kind if !kind.is_file() => Err(std::io::Error::other(phrase!("no-regular-file").to_string())),
         _ => File::open(path),
     }
 }

@@ -4,6 +4,7 @@ use super::cell::is_formula;
 use super::message::Message;
 use crate::catalogue::{Argument, IntoArgument};
 use crate::error;
+use crate::phrase;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -224,7 +225,7 @@ impl<'de> Deserialize<'de> for PoseName {
                 Ok(PoseName::Number(number))
             }
             fn visit_u64<E: de::Error>(self, number: u64) -> Result<PoseName, E> {
-                number.try_into().map(PoseName::Number).map_err(|_| E::custom("the number of a pose is too large"))
+                number.try_into().map(PoseName::Number).map_err(|_| E::custom(phrase!("pose-number-too-large")))
             }
             fn visit_str<E: de::Error>(self, name: &str) -> Result<PoseName, E> {
                 PoseName::new(name).map_err(|message| E::custom(message.what))

@@ -1,5 +1,6 @@
 //! Tables that a campaign names: a file, or files with the form of their text.
 
+use etalon_base::phrase;
 use etalon_formats::TableLayout;
 use etalon_formats::dialect::{
     Cells, ColumnSource, Constant, Decimal, Delimiter, Encoding, FromRow, Header, Missing, Thousands,
@@ -110,7 +111,7 @@ impl<'de> Deserialize<'de> for TableFiles {
         let span = stated.span();
         match stated.into_inner() {
             OneOrMore::One(file) => Ok(Self(vec![Spanned::new(span, file)])),
-            OneOrMore::More(files) if files.is_empty() => Err(de::Error::custom("the list of files is empty")),
+            OneOrMore::More(files) if files.is_empty() => Err(de::Error::custom(phrase!("no-file-listed"))),
             OneOrMore::More(files) => Ok(Self(files)),
         }
     }

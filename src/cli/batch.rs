@@ -4,6 +4,7 @@ use super::report::Branding;
 use super::{Verdict, print_with, progress, say};
 use crate::run::batch::{Batch as Batched, batch, folders};
 use crate::run::pipeline::Wanted;
+use etalon_base::catalogue::Phrase;
 use etalon_base::files;
 use etalon_base::message::printable;
 use etalon_base::phrase;
@@ -53,8 +54,8 @@ impl Batch {
         let said = |entry: &BatchEntry| {
             let ended = ended.fetch_add(1, Ordering::Relaxed) + 1;
             if let Some(message) = &entry.message {
-                let how = if entry.ended == BatchEnd::Skipped { "skipped" } else { "failed" };
-                say(format_args!("{how}: {}\n{message}\n", printable(&entry.campaign)));
+                let (ended, campaign) = (end(entry.ended), printable(&entry.campaign).to_string());
+                say(format_args!("{}\n{message}\n", phrase!("batch-not-done", ended, campaign)));
             }
             progress(ended, campaigns.len());
         };
@@ -72,12 +73,25 @@ impl Batch {
     }
 }
 
+/// End of a campaign in words.
+fn end(end: BatchEnd) -> Phrase {
+    match end {
+        BatchEnd::Done => phrase!("batch-done"),
+        BatchEnd::NotMet => phrase!("batch-not-met"),
+        BatchEnd::Failed => phrase!("batch-failed"),
+        BatchEnd::Skipped => phrase!("batch-skipped"),
+    }
+}
+
 fn as_text(document: &BatchDocument) -> String {
     let mut text = String::new();
     for c in &document.campaigns {
-        let how = c.ended.name().replace('_', " ");
-        let unchanged = if c.output.is_some() && !c.computed { ", unchanged" } else { "" };
-        let _ = writeln!(text, "{:<40} {how}{unchanged}", printable(&c.campaign));
+        let ended = if c.output.is_some() && !c.computed {
+            phrase!("batch-unchanged", ended = end(c.ended))
+        } else {
+            end(c.ended)
+        };
+        let _ = writeln!(text, "{:<40} {ended}", printable(&c.campaign));
     }
     let BatchDocument { done, not_met, failed, skipped, .. } = document;
     let _ = writeln!(text, "{}", phrase!("batch-counts", done, not_met, failed, skipped));

@@ -146,22 +146,32 @@ impl<'a> Report<'a> {
     }
 
     /// Documents attached to the PDF.
-    fn attachments(&self) -> Result<Vec<Attachment>> {
+    fn attachments(&self, words: &Words) -> Result<Vec<Attachment>> {
         let mut all = Vec::new();
         if let Some(i) = self.identified {
-            let description = "Identified parameters, covariance, provenance";
+            let description = tr!(words, "attached-parameters");
             all.push(Attachment::of("parameters.json", "data", description, i.parameters));
-            all.push(Attachment::of("accuracy.json", "data", "Errors before and after", i.accuracy));
+            all.push(Attachment::of("accuracy.json", "data", tr!(words, "attached-accuracy"), i.accuracy));
         }
-        all.extend(self.geometric.map(|d| Attachment::of("geometric.json", "data", "Geometric calibration", d)));
-        all.extend(self.controllers.map(|d| Attachment::of("controllers.json", "data", "Controller files", d)));
-        let Characteristics { poses, streams, compliance } = self.tested;
-        all.extend(poses.as_ref().map(|d| Attachment::of("iso9283.json", "data", "Characteristics of ISO 9283", d)));
-        all.extend(streams.as_ref().map(|d| Attachment::of("iso9283-streams.json", "data", "Recorded motions", d)));
         all.extend(
-            compliance.as_ref().map(|d| Attachment::of("iso9283-compliance.json", "data", "Static compliance", d)),
+            self.geometric.map(|d| Attachment::of("geometric.json", "data", tr!(words, "attached-geometric"), d)),
         );
-        all.push(Attachment::of("campaign.json", "source", "What the campaign states", self.campaign));
+        all.extend(
+            self.controllers.map(|d| Attachment::of("controllers.json", "data", tr!(words, "attached-controllers"), d)),
+        );
+        let Characteristics { poses, streams, compliance } = self.tested;
+        all.extend(
+            poses.as_ref().map(|d| Attachment::of("iso9283.json", "data", tr!(words, "attached-characteristics"), d)),
+        );
+        all.extend(
+            streams.as_ref().map(|d| Attachment::of("iso9283-streams.json", "data", tr!(words, "attached-streams"), d)),
+        );
+        all.extend(
+            compliance
+                .as_ref()
+                .map(|d| Attachment::of("iso9283-compliance.json", "data", tr!(words, "attached-compliance"), d)),
+        );
+        all.push(Attachment::of("campaign.json", "source", tr!(words, "attached-campaign"), self.campaign));
         all.into_iter().collect()
     }
 }
@@ -211,7 +221,7 @@ struct Attachment {
     name: &'static str,
     /// Relationship to the report (ISO 19005-3, 6.8).
     relationship: &'static str,
-    description: &'static str,
+    description: String,
     mime: &'static str,
     text: String,
 }
@@ -220,7 +230,7 @@ impl Attachment {
     fn of<T: Serialize>(
         name: &'static str,
         relationship: &'static str,
-        description: &'static str,
+        description: String,
         document: &T,
     ) -> Result<Self> {
         let text = serde_json::to_string_pretty(document)
@@ -274,7 +284,7 @@ impl Renderer {
     pub fn campaign(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
         let words = Words::of(presentation.language);
-        Ok(Self::new(report.contents(&words), report.attachments()?, presentation, words))
+        Ok(Self::new(report.contents(&words), report.attachments(&words)?, presentation, words))
     }
 
     /// Creates the report of a comparison of campaigns.
@@ -295,7 +305,7 @@ impl Renderer {
             sections: sections(document, &words),
             ..Contents::default()
         };
-        let attachments = vec![Attachment::of("compare.json", "data", "What changed between campaigns", document)?];
+        let attachments = vec![Attachment::of("compare.json", "data", tr!(words, "attached-changes"), document)?];
         Ok(Self::new(contents, attachments, presentation, words))
     }
 
@@ -312,7 +322,7 @@ impl Renderer {
             sections: sections(document, &words),
             ..Contents::default()
         };
-        let attachments = vec![Attachment::of("plan.json", "data", "The chosen poses", document)?];
+        let attachments = vec![Attachment::of("plan.json", "data", tr!(words, "attached-plan"), document)?];
         Ok(Self::new(contents, attachments, presentation, words))
     }
 
@@ -333,7 +343,7 @@ impl Renderer {
         let errors = sections::errors::of(document, &[], &words);
         let sections = limits.into_iter().chain([errors]).collect();
         let title = tr!(words, "validation-of-given-parameters");
-        let attached = Attachment::of("accuracy.json", "data", "Errors of given parameters", document)?;
+        let attached = Attachment::of("accuracy.json", "data", tr!(words, "attached-validation"), document)?;
         let subtitle = document.campaign.as_ref().map(|c| isolated(&one_line(&c.name))).unwrap_or_default();
         let contents = Contents { title, subtitle, verdict, sections, ..Contents::default() };
         let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
@@ -354,7 +364,7 @@ impl Renderer {
         };
         let head = Head { label: tr!(words, "campaign-of-parameters"), campaign: document.calibration.as_ref() };
         let contents = head.on(contents, Some(&document.provenance), &words);
-        let attached = Attachment::of("verification.json", "data", "Verification", document)?;
+        let attached = Attachment::of("verification.json", "data", tr!(words, "attached-verified"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
@@ -369,7 +379,7 @@ impl Renderer {
             sections: poses_to_verify(document, &words),
             ..Contents::default()
         };
-        let attached = Attachment::of("verification-plan.json", "data", "Poses to verify", document)?;
+        let attached = Attachment::of("verification-plan.json", "data", tr!(words, "attached-verification"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
@@ -386,7 +396,7 @@ impl Renderer {
         };
         let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
         let contents = head.on(contents, Some(&document.recommended.provenance), &words);
-        let attached = Attachment::of("recommendation.json", "data", "Recommendation", document)?;
+        let attached = Attachment::of("recommendation.json", "data", tr!(words, "attached-recommendation"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
@@ -401,7 +411,7 @@ impl Renderer {
         let presentation = report.campaign.report.clone();
         let words = Words::of(presentation.language);
         let contents = sections::certificate::contents(report, report.contents(&words), &words);
-        Ok(Self::new(contents, report.attachments()?, presentation, words))
+        Ok(Self::new(contents, report.attachments(&words)?, presentation, words))
     }
 
     /// Creates the report of an identification without a campaign.
@@ -426,7 +436,7 @@ impl Renderer {
         };
         let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
         let contents = head.on(contents, Some(&document.provenance), &words);
-        let attached = Attachment::of("uncertainty.json", "data", "Distributions of results", document)?;
+        let attached = Attachment::of("uncertainty.json", "data", tr!(words, "attached-distributions"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
@@ -445,7 +455,7 @@ impl Renderer {
         let attached = |xml| Attachment {
             name,
             relationship: "alternative",
-            description: "Digital calibration certificate (DCC), draft",
+            description: tr!(self.words, "attached-certificate"),
             mime: "application/xml",
             text: String::from_utf8_lossy(xml).into_owned(),
         };

@@ -7,6 +7,7 @@ use super::number;
 use super::words::{Words, tr};
 use etalon_base::catalogue::{Entry, Phrase, entries};
 use etalon_base::message::one_line;
+use etalon_base::phrase;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::Acceptance;
 use serde::{Serialize, Serializer};
@@ -452,10 +453,7 @@ impl Cell {
 
     /// Text in a workbook, for cells without a number.
     pub fn plain(&self) -> String {
-        match self {
-            Self::Term { english, .. } => english.clone(),
-            _ => self.shown().plain(),
-        }
+        self.shown().plain()
     }
 }
 
@@ -564,6 +562,16 @@ pub(crate) fn strong_term(words: &Words, term: Phrase) -> Cell {
     Cell::Term { english: term.to_string(), shown: words.tr(&term), strong: true }
 }
 
+/// "Yes" or "no".
+pub(crate) fn yes_no(words: &Words, yes: bool) -> Cell {
+    term(words, if yes { phrase!("yes") } else { phrase!("no") })
+}
+
+/// "Yes" in bold letters, or "no".
+pub(crate) fn strong_yes(words: &Words, yes: bool) -> Cell {
+    if yes { strong_term(words, phrase!("yes")) } else { yes_no(words, false) }
+}
+
 /// Title of a column: a symbol or name that is the same in all languages, or a text of the
 /// catalogue.
 #[derive(Clone, Debug)]
@@ -646,9 +654,13 @@ impl<'a, T> Columns<'a, T> {
         self.with(On::Page, title.into(), unit, cell)
     }
 
-    /// Adds a column for the workbook only; its title is in English in every language, so that
-    /// programs can find it.
-    pub fn sheet<C: Into<Cell>>(self, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
+    /// Adds a column for the workbook only.
+    pub fn sheet<C: Into<Cell>>(
+        self,
+        title: impl Into<Title<'a>>,
+        unit: &'a str,
+        cell: impl Fn(&'a T) -> C + 'a,
+    ) -> Self {
         self.with(On::Sheet, title.into(), unit, cell)
     }
 
@@ -658,7 +670,7 @@ impl<'a, T> Columns<'a, T> {
     }
 
     /// Adds a workbook column for each existing coordinate.
-    pub fn sheet_xyz(self, titles: [&'a str; 3], unit: &'a str, of: fn(&'a T) -> &'a [f64]) -> Self {
+    pub fn sheet_xyz(self, titles: [impl Into<Title<'a>>; 3], unit: &'a str, of: fn(&'a T) -> &'a [f64]) -> Self {
         let add = |columns: Self, (i, title)| columns.sheet(title, unit, move |record| of(record).get(i).copied());
         titles.into_iter().enumerate().fold(self, add)
     }
@@ -708,8 +720,8 @@ impl<'a, T> Columns<'a, T> {
 /// A table: columns and typed cells.
 #[derive(Debug, Default)]
 pub(crate) struct Table {
-    /// Sheet of the workbook; empty if none. Tables of one sheet are placed below each other.
-    pub sheet: &'static str,
+    /// Name of the sheet of the workbook, if any. Tables of one sheet are placed below each other.
+    pub sheet: Option<Phrase>,
     columns: Vec<Titled>,
     pub rows: Vec<Vec<Cell>>,
     /// Number of first columns that are repeated if a page is too narrow.
@@ -729,8 +741,10 @@ struct Titled {
     decisive: bool,
     group: String,
     title: String,
-    /// Title in the workbook: English, with the unit in brackets.
+    /// Title in the workbook, with the unit in brackets.
     sheet: String,
+    /// Title in the workbook in English, by which a chart finds its columns.
+    key: String,
     unit: String,
 }
 
@@ -744,21 +758,25 @@ impl Table {
         let english = Words::default();
         let titled = |c: &Column<T>| {
             let behind = |unit: &str| if unit.is_empty() { String::new() } else { format!(", {unit}") };
-            let [group, title] = [&c.group, &c.title].map(|title| title.shown(&english));
-            let before = if group.is_empty() { String::new() } else { format!("{group}, ") };
-            let unit = if c.unit.is_empty() { String::new() } else { format!(" [{}]", c.unit) };
+            let in_workbook = |words: &Words| {
+                let [group, title] = [&c.group, &c.title].map(|title| title.shown(words));
+                let before = if group.is_empty() { String::new() } else { format!("{group}, ") };
+                let unit = if c.unit.is_empty() { String::new() } else { format!(" [{}]", c.unit) };
+                format!("{before}{title}{unit}")
+            };
             Titled {
                 on: c.on,
                 decisive: c.decisive,
                 group: c.group.shown(words),
                 title: c.title.shown(words) + &behind(c.shown_in),
-                sheet: format!("{before}{title}{unit}"),
+                sheet: in_workbook(words),
+                key: in_workbook(&english),
                 unit: c.unit.to_owned(),
             }
         };
         let row = |record: &'a T| columns.iter().map(|c| (c.cell)(record)).collect();
         Self {
-            sheet: "",
+            sheet: None,
             columns: columns.iter().map(titled).collect(),
             rows: records.into_iter().map(row).collect(),
             lead: 0,
@@ -784,8 +802,8 @@ impl Table {
     }
 
     /// Places the table on a sheet of the workbook.
-    pub fn on(self, sheet: &'static str) -> Self {
-        Self { sheet, ..self }
+    pub fn on(self, sheet: Phrase) -> Self {
+        Self { sheet: Some(sheet), ..self }
     }
 
     /// Splits the table if it is too wide, repeating its first columns.
@@ -810,10 +828,10 @@ impl Table {
         self.rows.is_empty()
     }
 
-    /// Index, title and unit of the columns in a workbook.
-    pub fn sheet_columns(&self) -> Vec<(usize, &str, &str)> {
+    /// Index of each column in a workbook, with its title, its English title and its unit.
+    pub fn sheet_columns(&self) -> Vec<(usize, [&str; 3])> {
         let all = self.columns.iter().enumerate().filter(|(_, c)| c.on != On::Page);
-        all.map(|(i, c)| (i, c.sheet.as_str(), c.unit.as_str())).collect()
+        all.map(|(i, c)| (i, [c.sheet.as_str(), &c.key, &c.unit])).collect()
     }
 
     /// Indices of the columns on a page.

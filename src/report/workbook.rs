@@ -4,8 +4,10 @@
 use super::model::{Block, Cell, Columns, Contents, Fact, Table};
 use super::number;
 use super::words::{Words, tr};
+use etalon_base::catalogue::Phrase;
 use etalon_base::error;
 use etalon_base::message::Result;
+use etalon_base::phrase;
 use rust_xlsxwriter::{Chart, ChartType, Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
 /// Maximum number of rows of a sheet, without the header and a line on omitted rows.
@@ -29,25 +31,47 @@ const VERDICTS: [(&str, u32); 7] = [
     ("fail", 0x00FF_C7CE),
 ];
 
-/// Charts: sheet, kind, title, horizontal column, and vertical columns.
-const CHARTS: [(&str, ChartType, &str, &str, &[&str]); 3] = [
-    (
-        "Errors by pose",
-        ChartType::Line,
-        "Largest position error of each pose in mm",
-        "pose",
-        &["position before, max [mm]", "position after, max [mm]"],
-    ),
-    ("Parameters", ChartType::Column, "Change of each parameter over its standard uncertainty", "name", &["change/u"]),
-    ("ISO 9283 poses", ChartType::Column, "AP and RP of each pose in mm", "pose", &["AP [mm]", "RP [mm]"]),
-];
+/// Chart beside the table of a sheet; columns are named by their English titles.
+struct Plot {
+    sheet: &'static str,
+    kind: ChartType,
+    title: Phrase,
+    across: &'static str,
+    up: &'static [&'static str],
+}
 
-/// A sheet: titles and units of its columns, and its rows.
+fn plots() -> [Plot; 3] {
+    [
+        Plot {
+            sheet: "errors-of-each-pose",
+            kind: ChartType::Line,
+            title: phrase!("plot-errors-by-pose"),
+            across: "pose",
+            up: &["position before, max [mm]", "position after, max [mm]"],
+        },
+        Plot {
+            sheet: "parameters-title",
+            kind: ChartType::Column,
+            title: phrase!("plot-changes"),
+            across: "name",
+            up: &["change/u"],
+        },
+        Plot {
+            sheet: "sheet-iso9283-poses",
+            kind: ChartType::Column,
+            title: phrase!("plot-ap-rp"),
+            across: "pose",
+            up: &["AP [mm]", "RP [mm]"],
+        },
+    ]
+}
+
+/// A sheet: titles, English titles and units of its columns, and its rows.
 struct Sheet<'a> {
-    name: &'a str,
+    name: &'a Phrase,
     /// Number of sheets of this name before this one.
     alike: usize,
-    columns: Vec<(&'a str, &'a str)>,
+    columns: Vec<[&'a str; 3]>,
     rows: Vec<Vec<&'a Cell>>,
 }
 
@@ -61,9 +85,8 @@ pub(super) fn workbook(contents: &Contents, words: &Words) -> Result<Vec<u8>> {
         &properties.set_title(printable(&contents.title)).set_comment(concat!("etalon ", env!("CARGO_PKG_VERSION"))),
     );
     let summary = summary(contents, words);
-    fill(workbook.add_worksheet(), &sheet("Summary", &summary)).map_err(fail)?;
-    for sheet in sheets(contents) {
-        fill(workbook.add_worksheet(), &sheet).map_err(fail)?;
+    for sheet in sheets(&summary, contents) {
+        fill(workbook.add_worksheet(), &sheet, words).map_err(fail)?;
     }
     Ok(workbook.save_to_buffer().map_err(fail)?)
 }
@@ -85,27 +108,26 @@ fn summary(contents: &Contents, words: &Words) -> Table {
     let version = line(tr!(words, "written-by"), &format!("etalon {}", contents.version));
     let stated = facts.chain([&version]).filter(|f| !f.said.is_missing());
     let columns = Columns::<Fact>::new()
-        .sheet("what", "", |f| f.what.as_str())
-        .sheet("value", "", |f| f.said.clone())
-        .sheet("unit", "", |f| f.unit);
-    Table::of(words, stated, columns)
+        .sheet(phrase!("head-what"), "", |f| f.what.as_str())
+        .sheet(phrase!("value"), "", |f| f.said.clone())
+        .sheet(phrase!("unit"), "", |f| f.unit);
+    Table::of(words, stated, columns).on(phrase!("sheet-summary"))
 }
 
-fn sheet<'a>(name: &'a str, table: &'a Table) -> Sheet<'a> {
+fn sheet<'a>(name: &'a Phrase, table: &'a Table) -> Sheet<'a> {
     let columns = table.sheet_columns();
-    let row = |row: &'a Vec<Cell>| columns.iter().map(|(i, ..)| &row[*i]).collect();
+    let row = |row: &'a Vec<Cell>| columns.iter().map(|(i, _)| &row[*i]).collect();
     let rows = table.rows.iter().map(row).collect();
-    Sheet { name, alike: 0, columns: columns.iter().map(|(_, title, unit)| (*title, *unit)).collect(), rows }
+    Sheet { name, alike: 0, columns: columns.iter().map(|(_, titles)| *titles).collect(), rows }
 }
 
-/// All tables with a sheet; tables of one sheet are placed below each other.
-fn sheets(contents: &Contents) -> Vec<Sheet<'_>> {
+/// The summary and all tables with a sheet; tables of one sheet are placed below each other.
+fn sheets<'a>(summary: &'a Table, contents: &'a Contents) -> Vec<Sheet<'a>> {
     let mut all: Vec<Sheet> = Vec::new();
-    for table in contents.sections.iter().flat_map(|s| tables(&s.blocks).into_iter().chain(&s.data)) {
-        let more = sheet(table.sheet, table);
-        if table.sheet.is_empty() || table.rows.is_empty() {
-            continue;
-        }
+    let of_sections = contents.sections.iter().flat_map(|s| tables(&s.blocks).into_iter().chain(&s.data));
+    for table in std::iter::once(summary).chain(of_sections) {
+        let Some(name) = table.sheet.as_ref().filter(|_| !table.rows.is_empty()) else { continue };
+        let more = sheet(name, table);
         let alike = all.iter().filter(|s| s.name == more.name).count();
         match all.iter_mut().find(|s| s.name == more.name && s.columns == more.columns) {
             Some(sheet) => sheet.rows.extend(more.rows),
@@ -126,18 +148,16 @@ fn tables(blocks: &[Block]) -> Vec<&Table> {
         .collect()
 }
 
-fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxError> {
+fn fill(page: &mut Worksheet, sheet: &Sheet, words: &Words) -> std::result::Result<(), XlsxError> {
     let head =
         Format::new().set_bold().set_background_color(Color::RGB(0x00F3_F5F8)).set_border_bottom(FormatBorder::Thin);
     let text = Format::new().set_num_format("@").set_align(FormatAlign::Top);
     // Excel rejects two sheets of one name
-    page.set_name(match sheet.alike {
-        0 => sheet.name.to_owned(),
-        n => format!("{} {}", sheet.name, n + 1),
-    })?;
+    let name = name(sheet, words);
+    page.set_name(&name)?;
     let last = sheet.columns.len().saturating_sub(1) as u16;
     let mut numbers = Vec::new();
-    for (i, (title, unit)) in (0u16..).zip(&sheet.columns) {
+    for (i, [title, _, unit]) in (0u16..).zip(&sheet.columns) {
         page.write_string_with_format(0, i, printable(title), &head)?;
         page.set_column_width(i, width(sheet, usize::from(i)) as f64)?;
         let format = number_format(sheet.rows.iter().map(|row| row[usize::from(i)]), unit);
@@ -150,18 +170,15 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
                 Cell::Number { value, .. } if value.is_finite() => {
                     page.write_number_with_format(i, j, *value, number)?
                 }
-                Cell::Number { .. } => page.write_string_with_format(i, j, "not a number", &text)?,
+                Cell::Number { .. } => page.write_string_with_format(i, j, tr!(words, "sheet-not-a-number"), &text)?,
                 Cell::Count(count) if count.unsigned_abs() <= WHOLE => {
                     page.write_number_with_format(i, j, *count as f64, number)?
                 }
-                Cell::Term { english, .. } if VERDICTS.iter().any(|(verdict, _)| verdict == english) => {
-                    let colour = VERDICTS.iter().find(|(verdict, _)| verdict == english).map_or(0, |v| v.1);
-                    page.write_string_with_format(
-                        i,
-                        j,
-                        english,
-                        &text.clone().set_background_color(Color::RGB(colour)),
-                    )?
+                Cell::Term { english, shown, .. } => {
+                    let colour = VERDICTS.iter().find(|(verdict, _)| verdict == english).map(|v| Color::RGB(v.1));
+                    let format = text.clone();
+                    let format = colour.map_or(format.clone(), |colour| format.set_background_color(colour));
+                    page.write_string_with_format(i, j, printable(shown), &format)?
                 }
                 // texts stay texts, even if they look like a formula, a number or a link
                 cell => page.write_string_with_format(i, j, printable(&cell.plain()), &text)?,
@@ -170,31 +187,39 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
     }
     let written = sheet.rows.len().min(ROWS) as u32;
     if let Some(left_out) = sheet.rows.len().checked_sub(ROWS).filter(|n| *n > 0) {
-        page.write_string(written + 1, 0, format!("{left_out} more rows are left out: the documents have all"))?;
+        page.write_string(written + 1, 0, tr!(words, "sheet-rows-left-out", count = left_out))?;
     }
     page.set_freeze_panes(1, 0)?;
     page.autofilter(0, 0, written, last)?;
     page.set_landscape().set_print_fit_to_pages(1, 0).set_repeat_rows(0, 0)?;
-    draw(page, sheet, written)
+    draw(page, sheet, words, written)
+}
+
+/// Name of a sheet in a language, with a number if others have the same name.
+fn name(sheet: &Sheet, words: &Words) -> String {
+    let name = words.tr(sheet.name);
+    match sheet.alike {
+        0 => name,
+        n => format!("{name} {}", n + 1),
+    }
 }
 
 /// Draws the chart of a sheet beside its table.
-fn draw(page: &mut Worksheet, sheet: &Sheet, rows: u32) -> std::result::Result<(), XlsxError> {
+fn draw(page: &mut Worksheet, sheet: &Sheet, words: &Words, rows: u32) -> std::result::Result<(), XlsxError> {
     let first = sheet.alike == 0 && rows > 0;
-    let Some((name, kind, title, across, up)) = CHARTS.into_iter().find(|c| c.0 == sheet.name && first) else {
-        return Ok(());
-    };
-    let column = |title: &str| (0u16..).zip(&sheet.columns).find(|(_, c)| c.0 == title).map(|(i, _)| i);
-    let up: Vec<u16> = up.iter().filter_map(|title| column(title)).collect();
+    let Some(plot) = plots().into_iter().find(|p| p.sheet == sheet.name.id && first) else { return Ok(()) };
+    let column = |title: &str| (0u16..).zip(&sheet.columns).find(|(_, c)| c[1] == title).map(|(i, _)| i);
+    let up: Vec<u16> = plot.up.iter().filter_map(|title| column(title)).collect();
     // a table of other columns on a sheet of this name, as that of a plan, has no chart: Excel
     // rejects a chart without series
-    let Some(across) = column(across).filter(|_| !up.is_empty()) else { return Ok(()) };
-    let mut chart = Chart::new(kind);
+    let Some(across) = column(plot.across).filter(|_| !up.is_empty()) else { return Ok(()) };
+    let name = name(sheet, words);
+    let mut chart = Chart::new(plot.kind);
     for up in up {
-        let series = chart.add_series().set_name((name, 0, up));
-        series.set_categories((name, 1, across, rows, across)).set_values((name, 1, up, rows, up));
+        let series = chart.add_series().set_name((name.as_str(), 0, up));
+        series.set_categories((name.as_str(), 1, across, rows, across)).set_values((name.as_str(), 1, up, rows, up));
     }
-    chart.title().set_name(title);
+    chart.title().set_name(words.tr(&plot.title).as_str());
     chart.set_width(720).set_height(360);
     page.insert_chart(1, sheet.columns.len() as u16 + 1, &chart)?;
     Ok(())
@@ -209,7 +234,7 @@ fn width(sheet: &Sheet, i: usize) -> usize {
     };
     let rows = sheet.rows.iter().take(LOOKED_AT).map(|row| shown(row[i])).max().unwrap_or(0);
     // room for the filter button
-    rows.max(sheet.columns[i].0.chars().count() + 3).clamp(*WIDTH.start(), *WIDTH.end())
+    rows.max(sheet.columns[i][0].chars().count() + 3).clamp(*WIDTH.start(), *WIDTH.end())
 }
 
 /// Significant digits of the largest number in a column without a unit.

@@ -225,7 +225,7 @@ fn two_files_of_one_target_number_their_rows_apart() {
     assert!(problems.contains("error[target-twice]") && problems.contains("`pose = \"row + 100\"`"), "{problems}");
     scratch.replace("campaign.toml", "pose = \"row\"", "pose = \"row - 1\"");
     let problems = Campaign::read(&scratch.path()).unwrap_err().to_string();
-    assert!(problems.contains("`row - 1` is not the number of a row"), "{problems}");
+    assert!(problems.contains("`row - 1` is unknown"), "{problems}");
 }
 
 /// A log of an hour with a standstill of two seconds at each pose, and points measured at the start of every other standstill

@@ -172,7 +172,7 @@ fn a_report_that_cannot_be_dressed_is_refused() {
         broken("campaign.toml", "[instrument]", &format!("[report]\n{line}\n\n[instrument]"), parts);
     };
     dressed("language = \"es\"", &["unknown value `es`", "language = \"es\""]);
-    dressed("country = \"UK\"", &["`UK` is not a country code of ISO 3166-1", "country = \"UK\""]);
+    dressed("country = \"UK\"", &["unknown country code `UK`", "country = \"UK\""]);
     dressed("logo = \"logo.svg\"", &["cannot read `", "logo.svg", "logo = \"logo.svg\""]);
     dressed("logo = \"robot.toml\"", &["[logo-unusable]", "an SVG or PNG picture"]);
     dressed("logo = \"../logo.svg\"", &["[path-outside]"]);

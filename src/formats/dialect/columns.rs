@@ -1,6 +1,7 @@
 //! Statements about columns: the role of each column of an export, and the column of each joint of
 //! a log.
 
+use etalon_base::phrase;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -406,13 +407,13 @@ impl<'de> Deserialize<'de> for Column {
                 let at = match (name, number) {
                     (Some(name), None) => ColumnAt::Name(name),
                     (None, Some(number)) if number > 0 && occurrence.is_none() => ColumnAt::Number(number),
-                    _ => return Err(de::Error::custom("a column has either a `name` or a `number` from 1")),
+                    _ => return Err(de::Error::custom(phrase!("column-without-place"))),
                 };
                 if occurrence == Some(0) || per_count.is_some_and(|c| c == 0.0 || !c.is_finite()) {
-                    return Err(de::Error::custom("`occurrence` counts from 1, and `per_count` is not 0"));
+                    return Err(de::Error::custom(phrase!("column-wrong-occurrence")));
                 }
                 if zero_count.is_some() && per_count.is_none() {
-                    return Err(de::Error::custom("`zero_count` has no effect without `per_count`"));
+                    return Err(de::Error::custom(phrase!("zero-count-alone")));
                 }
                 Ok(Column { at, occurrence, per_count, zero_count })
             }
@@ -454,11 +455,7 @@ impl<'de> Deserialize<'de> for FromRow {
             Some(more) => more.strip_prefix('+').and_then(|more| more.trim().parse::<u32>().ok()),
             None => None,
         };
-        let added = added.ok_or_else(|| {
-            de::Error::custom(format!(
-                "`{text}` is not the number of a row, expected `row`, or `row + 100` for a second file"
-            ))
-        })?;
+        let added = added.ok_or_else(|| de::Error::custom(phrase!("row-number-unknown", stated = text)))?;
         Ok(Self { added: added.into() })
     }
 }

@@ -1,5 +1,6 @@
 //! Parts of a dialect beside the delimiter: encoding, marks, header, angles, missing values.
 
+use etalon_base::phrase;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -195,7 +196,7 @@ impl<'de> Deserialize<'de> for Header {
                     words.push(word);
                 }
                 match words.iter().all(|w| w.trim().is_empty()) {
-                    true => Err(de::Error::custom("`header` names no word")),
+                    true => Err(de::Error::custom(phrase!("header-without-words"))),
                     false => Ok(Header::Words(words)),
                 }
             }

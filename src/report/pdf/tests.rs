@@ -6,7 +6,7 @@ use crate::tests::page::with_text;
 
 fn typeset_of(documents: &Documents) -> Vec<u8> {
     let (words, report) = (Words::default(), documents.report());
-    pdf(&report.contents(&words), &report.attachments().unwrap(), &documents.campaign.report, &words).unwrap()
+    pdf(&report.contents(&words), &report.attachments(&words).unwrap(), &documents.campaign.report, &words).unwrap()
 }
 
 /// Text that `pdftotext` reads; `None` if it is not installed.

@@ -42,9 +42,9 @@ pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option
 /// Accuracy of position of each pose.
 pub(super) fn positions(poses: &[Named], words: &Words) -> Table {
     let columns = Columns::<Named>::new()
-        .page_of(columns(), &["pose", "visits", "AP"])
+        .page_of(columns(words), &["pose", "visits", "AP"])
         .page("95 %", "µm", |n| interval(n.pose.ap_interval, words))
-        .page_of(columns(), &["AP x", "AP y", "AP z"])
+        .page_of(columns(words), &["AP x", "AP y", "AP z"])
         .page("U/AP", "", |n| fixed(n.pose.uncertainty_over_ap, 2))
         .page(phrase!("verdict"), "", |n| conformity(n.pose.ap_conformity, words))
         .decisive();
@@ -56,14 +56,14 @@ fn orientation(poses: &[Named], words: &Words) -> Table {
     let angles = |p: &Iso9283Pose| [p.ap_a_deg, p.ap_b_deg, p.ap_c_deg, p.rp_a_deg, p.rp_b_deg, p.rp_c_deg];
     let shown = ["pose", "AP a", "AP b", "AP c", "RP a", "RP b", "RP c"];
     let turned = poses.iter().filter(|n| angles(n.pose).iter().any(Option::is_some));
-    Table::of(words, turned, Columns::new().page_of(columns(), &shown)).without_empty_columns()
+    Table::of(words, turned, Columns::new().page_of(columns(words), &shown)).without_empty_columns()
 }
 
 fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
     let columns = Columns::<Iso9283Distance>::new()
         .page(phrase!("between-poses"), "", between)
-        .sheet("pose", "", |d| d.poses[0])
-        .sheet("other pose", "", |d| d.poses[1])
+        .sheet(phrase!("pose"), "", |d| d.poses[0])
+        .sheet(phrase!("other-pose"), "", |d| d.poses[1])
         .both(phrase!("cycles"), "", |d| d.cycles)
         .micrometres("AD", |d| d.ad_mm)
         .micrometres("AD x", |d| d.ad_axes_mm.first().copied())
@@ -73,14 +73,10 @@ fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
         .micrometres("RD x", |d| d.rd_axes_mm.first().copied())
         .micrometres("RD y", |d| d.rd_axes_mm.get(1).copied())
         .micrometres("RD z", |d| d.rd_axes_mm.get(2).copied())
-        .sheet_xyz(["AD of the first angle", "AD of the second angle", "AD of the third angle"], "deg", |d| {
-            &d.ad_angles_deg
-        })
-        .sheet_xyz(["RD of the first angle", "RD of the second angle", "RD of the third angle"], "deg", |d| {
-            &d.rd_angles_deg
-        });
+        .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-ad", axis)), "deg", |d| &d.ad_angles_deg)
+        .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-rd", axis)), "deg", |d| &d.rd_angles_deg);
     let table = Table::of(words, &document.distances, columns).without_empty_columns();
-    table.showing(DISTANCES).on("ISO 9283 distances")
+    table.showing(DISTANCES).on(phrase!("sheet-iso9283-distances"))
 }
 
 fn between(d: &Iso9283Distance) -> String {

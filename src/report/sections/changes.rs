@@ -1,7 +1,7 @@
 //! Significant changes between campaigns: a section for each family of quantities.
 
 use crate::model::{
-    Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, significant, strong_term, term,
+    Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, significant, strong_term, term, yes_no,
 };
 use crate::number::{self, stated};
 use crate::plots::trend;
@@ -118,45 +118,45 @@ fn campaigns(compare: &CompareDocument, words: &Words) -> Section {
         .both(phrase!("number"), "", |(i, _)| *i)
         .both(phrase!("campaign"), "", |(_, c)| c.name.as_str())
         .page(phrase!("date"), "", move |(_, c)| date(c))
-        .sheet("date", "", |(_, c)| c.date.as_deref())
+        .sheet(phrase!("date"), "", |(_, c)| c.date.as_deref())
         .page(phrase!("instrument"), "", move |(_, c)| instrument(c))
-        .sheet("instrument", "", |(_, c)| c.instrument.as_deref())
-        .sheet("expanded uncertainty", "µm", |(_, c)| c.expanded_uncertainty_um)
-        .sheet("coverage factor", "", |(_, c)| c.coverage_factor)
-        .sheet("synthetic data", "", |(_, c)| c.synthetic.as_deref())
-        .sheet("degrees of freedom", "", |(_, c)| c.degrees_of_freedom)
+        .sheet(phrase!("instrument"), "", |(_, c)| c.instrument.as_deref())
+        .sheet(phrase!("head-expanded-uncertainty"), "µm", |(_, c)| c.expanded_uncertainty_um)
+        .sheet(phrase!("coverage-factor"), "", |(_, c)| c.coverage_factor)
+        .sheet(phrase!("synthetic-data"), "", |(_, c)| c.synthetic.as_deref())
+        .sheet(phrase!("degrees-of-freedom"), "", |(_, c)| c.degrees_of_freedom)
         .both(phrase!("folder"), "", |(_, c)| c.folder.as_str());
     let mut section = Section::new("campaigns", tr!(words, "campaigns"));
     section.summarise(tr!(words, "model-of-the-robot"), compare.robot.as_deref(), "");
     section.summarise(tr!(words, "conventions"), compare.conventions.join("; "), "");
-    section.push(Block::Table(Table::of(words, &rows, columns).on("Campaigns")));
+    section.push(Block::Table(Table::of(words, &rows, columns).on(phrase!("campaigns"))));
     section.on_terminal()
 }
 
 fn rules(compare: &CompareDocument, words: &Words) -> Section {
     let columns = Columns::<CompareTogether>::new()
-        .sheet("campaign", "", |t| t.to)
-        .sheet("against", "", |t| t.from)
-        .sheet("parameters", "", |t| t.parameters)
+        .sheet(phrase!("campaign"), "", |t| t.to)
+        .sheet(phrase!("against"), "", |t| t.from)
+        .sheet(phrase!("parameters"), "", |t| t.parameters)
         .sheet("F", "", |t| t.f)
-        .sheet("degrees of freedom", "", |t| t.degrees_of_freedom)
+        .sheet(phrase!("degrees-of-freedom"), "", |t| t.degrees_of_freedom)
         .sheet("p", "", |t| t.p)
-        .sheet("changed", "", |t| if t.significant { "yes" } else { "no" });
+        .sheet(phrase!("changed"), "", |t| yes_no(words, t.significant));
     let mut section = Section::new("rules", tr!(words, "how-changes-are-judged"));
     compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
     let phrase = |i: usize| compare.convention_phrases.get(i);
     for (i, convention) in compare.conventions.iter().enumerate() {
         section.push(Block::text(Text::worded(convention, phrase(i), words)));
     }
-    section.push(Block::Table(Table::of(words, &compare.together, columns).on("All together")));
+    section.push(Block::Table(Table::of(words, &compare.together, columns).on(phrase!("sheet-all-together"))));
     let columns = Columns::<CompareBetween>::new()
         .page(phrase!("campaign"), "", |b| format!("{} – {}", b.from, b.to))
-        .sheet("campaign", "", |b| b.to)
-        .sheet("against", "", |b| b.from)
+        .sheet(phrase!("campaign"), "", |b| b.to)
+        .sheet(phrase!("against"), "", |b| b.from)
         .both(phrase!("parameters"), "", |b| b.parameters)
         .page(phrase!("birge-ratio"), "", |b| significant(Some(b.birge_ratio), 3))
-        .sheet("Birge ratio", "", |b| b.birge_ratio);
-    let between = Table::of(words, &compare.between_series, columns).on("Between series");
+        .sheet(phrase!("birge-ratio"), "", |b| b.birge_ratio);
+    let between = Table::of(words, &compare.between_series, columns).on(phrase!("sheet-between-series"));
     if !compare.between_series.is_empty() {
         section.table(tr!(words, "what-differs-between-series"), "", between);
     }
@@ -174,28 +174,30 @@ fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
         None => term(words, phrase!("no-uncertainty-is-known")),
     };
     let columns = Columns::<Row>::new()
-        .sheet("family", "", |(t, ..)| family(t.family, &Words::default()))
+        .sheet(phrase!("head-family"), "", |(t, ..)| family(t.family, words))
         .page(phrase!("quantity"), "", |(t, ..)| quantity(t, words))
-        .sheet("quantity", "", |(t, ..)| t.name.as_str())
-        .sheet("unit", "", |(t, ..)| t.unit.as_str())
+        .sheet(phrase!("quantity"), "", |(t, ..)| t.name.as_str())
+        .sheet(phrase!("unit"), "", |(t, ..)| t.unit.as_str())
         .page(phrase!("campaign"), "", |(.., w)| Text::from(w.pair.clone()))
-        .sheet("campaign", "", |(_, c, _)| c.to)
-        .sheet("against", "", |(_, c, _)| c.from)
+        .sheet(phrase!("campaign"), "", |(_, c, _)| c.to)
+        .sheet(phrase!("against"), "", |(_, c, _)| c.from)
         .page(phrase!("change"), "", |(.., w)| numbers(w.change.clone()))
-        .sheet("change", "", |(_, c, _)| c.change)
-        .sheet("ratio", "", |(_, c, _)| c.ratio)
+        .sheet(phrase!("change"), "", |(_, c, _)| c.change)
+        .sheet(phrase!("ratio"), "", |(_, c, _)| c.ratio)
         .page(phrase!("interval-95"), "", |(.., w)| numbers(w.interval.clone()))
-        .sheet("95 % from", "", |(_, c, _)| c.low)
-        .sheet("95 % to", "", |(_, c, _)| c.high)
-        .sheet("interval of", "", |(_, c, _)| if c.ratio.is_some() { "ratio" } else { "change" })
+        .sheet(phrase!("interval-from"), "", |(_, c, _)| c.low)
+        .sheet(phrase!("interval-to"), "", |(_, c, _)| c.high)
+        .sheet(phrase!("interval-of"), "", |(_, c, _)| {
+            term(words, if c.ratio.is_some() { phrase!("ratio") } else { phrase!("change") })
+        })
         .page("p", "", |(.., w)| numbers(w.p.clone()))
         .sheet("p", "", |(_, c, _)| c.p)
         .page(phrase!("p-of-family"), "", |(.., w)| numbers(w.p_family.clone()))
-        .sheet("p of the family", "", |(_, c, _)| c.p_family)
-        .sheet("changed", "", |(_, c, _)| c.significant.map(|yes| if yes { "yes" } else { "no" }))
+        .sheet(phrase!("p-of-family"), "", |(_, c, _)| c.p_family)
+        .sheet(phrase!("changed"), "", |(_, c, _)| c.significant.map(|yes| yes_no(words, yes)))
         .page(phrase!("verdict"), "", move |(_, c, _)| judged(c))
         .decisive();
-    Table::of(words, &rows, columns).on("Changes")
+    Table::of(words, &rows, columns).on(phrase!("changes"))
 }
 
 /// One column for each campaign.
@@ -217,15 +219,15 @@ fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
     let rows: Vec<Row> =
         trends.iter().flat_map(|t| t.values.iter().enumerate().map(move |(i, v)| (*t, i + 1, v))).collect();
     let columns = Columns::<Row>::new()
-        .sheet("family", "", |(t, ..)| family(t.family, &Words::default()))
-        .sheet("quantity", "", |(t, ..)| t.name.as_str())
-        .sheet("unit", "", |(t, ..)| t.unit.as_str())
-        .sheet("campaign", "", |(_, i, _)| *i)
-        .sheet("value", "", |(.., v)| v.value)
+        .sheet(phrase!("head-family"), "", |(t, ..)| family(t.family, words))
+        .sheet(phrase!("quantity"), "", |(t, ..)| t.name.as_str())
+        .sheet(phrase!("unit"), "", |(t, ..)| t.unit.as_str())
+        .sheet(phrase!("campaign"), "", |(_, i, _)| *i)
+        .sheet(phrase!("value"), "", |(.., v)| v.value)
         .sheet("u (k = 1)", "", |(.., v)| v.standard_uncertainty)
-        .sheet("95 % from", "", |(.., v)| v.low)
-        .sheet("95 % to", "", |(.., v)| v.high);
-    Table::of(words, &rows, columns).on("Values")
+        .sheet(phrase!("interval-from"), "", |(.., v)| v.low)
+        .sheet(phrase!("interval-to"), "", |(.., v)| v.high);
+    Table::of(words, &rows, columns).on(phrase!("sheet-values"))
 }
 
 /// First box: style and sentence.

@@ -1,7 +1,7 @@
 //! Checks of the model by its residuals: reliability of readings, influential poses, trends.
 
 use crate::Report;
-use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_term, term};
+use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_yes, term};
 use crate::number;
 use crate::plots::against::SIGNIFICANCE;
 use crate::plots::influence;
@@ -62,10 +62,7 @@ fn readings(found: &ReliabilitySummary, words: &Words) -> String {
 }
 
 fn poses(found: &ReliabilitySummary, words: &Words) -> Table {
-    let influential = |p: &InfluenceEntry| match p.cooks_distance.is_none_or(|d| d > found.influential) {
-        true => strong_term(words, phrase!("yes")),
-        false => term(words, phrase!("no")),
-    };
+    let influential = |p: &InfluenceEntry| strong_yes(words, p.cooks_distance.is_none_or(|d| d > found.influential));
     let distance = |p: &InfluenceEntry| match p.cooks_distance {
         Some(d) => significant(d, 2),
         None => Cell::from(tr!(words, "needed")),
@@ -76,7 +73,7 @@ fn poses(found: &ReliabilitySummary, words: &Words) -> Table {
         .both(phrase!("influential"), "", influential)
         .both(phrase!("parameter"), "", |p| p.parameter.as_str())
         .both(phrase!("change-over-u"), "", |p| significant(p.change_over_u, 2));
-    Table::of(words, &found.poses, columns).on("Influence of poses")
+    Table::of(words, &found.poses, columns).on(phrase!("sheet-influence-of-poses"))
 }
 
 /// Comparison with the robust fit in sentences.
@@ -113,10 +110,7 @@ fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
     let mut most: Vec<&RobustParameter> = found.parameters.iter().collect();
     most.sort_by(|a, b| b.difference_over_u.total_cmp(&a.difference_over_u));
     let most: Vec<RobustParameter> = most.into_iter().take(SHOWN).cloned().collect();
-    let beyond = |p: &RobustParameter| match p.difference_over_u > found.critical {
-        true => strong_term(words, phrase!("yes")),
-        false => term(words, phrase!("no")),
-    };
+    let beyond = |p: &RobustParameter| strong_yes(words, p.difference_over_u > found.critical);
     let u = |p: &RobustParameter| Some((p.difference / p.difference_over_u).abs()).filter(|u| u.is_finite());
     let columns = Columns::<RobustParameter>::new()
         .both(phrase!("parameter"), "", |p| p.name.as_str())
@@ -125,21 +119,18 @@ fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
         .both(phrase!("unit"), "", |p| p.unit.as_str())
         .both(phrase!("difference-over-u"), "", |p| significant(p.difference_over_u, 2))
         .both(phrase!("differs"), "", beyond);
-    Table::of(words, &most, columns).on("Robust fit")
+    Table::of(words, &most, columns).on(phrase!("robust-fit"))
 }
 
 /// Poses with the smallest weights.
 fn robust_poses(found: &RobustSummary, words: &Words) -> Table {
-    let beyond = |p: &RobustPose| match p.residual_over_sigma > found.critical_residual {
-        true => strong_term(words, phrase!("yes")),
-        false => term(words, phrase!("no")),
-    };
+    let beyond = |p: &RobustPose| strong_yes(words, p.residual_over_sigma > found.critical_residual);
     let columns = Columns::<RobustPose>::new()
         .both(phrase!("pose"), "", |p| p.pose)
         .both(phrase!("weight"), "", |p| significant(p.weight, 2))
         .both(phrase!("residual-over"), "", |p| significant(p.residual_over_sigma, 2))
         .both(phrase!("disagrees"), "", beyond);
-    Table::of(words, &found.poses, columns).on("Robust fit, poses")
+    Table::of(words, &found.poses, columns).on(phrase!("sheet-robust-fit-poses"))
 }
 
 fn trends(all: &[ResidualTrend], words: &Words) -> Table {
@@ -148,15 +139,12 @@ fn trends(all: &[ResidualTrend], words: &Words) -> Table {
         "order" => term(words, phrase!("order-of-the-measurement")),
         joint => Text::name(joint.rsplit_once('_').map_or(joint, |(name, _)| name)).into(),
     };
-    let verdict = |t: &ResidualTrend| match t.p_value < SIGNIFICANCE {
-        true => strong_term(words, phrase!("yes")),
-        false => term(words, phrase!("no")),
-    };
+    let verdict = |t: &ResidualTrend| strong_yes(words, t.p_value < SIGNIFICANCE);
     let columns = Columns::<ResidualTrend>::new()
         .both(phrase!("against"), "", name)
         .micrometres(phrase!("explained"), |t| t.explained_mm)
         .both("F", "", |t| significant(t.f, 3))
         .both(phrase!("p-value"), "", |t| shown(t.p_value, number::probability))
         .both(phrase!("trend"), "", verdict);
-    Table::of(words, all, columns).on("Trends of residuals")
+    Table::of(words, all, columns).on(phrase!("sheet-trends-of-residuals"))
 }

@@ -17,22 +17,22 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both(phrase!("formats"), "", |(f, _)| Text::name(&f.formats.join(", ")))
         .both(phrase!("parameters-left-out"), "", |(f, _)| Text::name(&f.left_out.join(", ")))
         .page(phrase!("report-poses"), "", |(_, e)| Text::name(&words.tr(&e.set.phrase())))
-        .sheet("poses", "", |(_, e)| e.set.name())
+        .sheet(phrase!("report-poses"), "", |(_, e)| e.set.name())
         .both(phrase!("nominal-rms"), "mm", |(_, e)| significant(e.nominal.rms_mm, 3))
         .both(phrase!("nominal-max"), "mm", |(_, e)| significant(e.nominal.max_mm, 3))
         .both(phrase!("identified-rms"), "mm", |(_, e)| significant(e.identified.rms_mm, 3))
         .both(phrase!("identified-max"), "mm", |(_, e)| significant(e.identified.max_mm, 3))
         .both(phrase!("this-file-rms"), "mm", |(_, e)| significant(e.written.rms_mm, 3))
         .both(phrase!("this-file-max"), "mm", |(_, e)| significant(e.written.max_mm, 3));
-    section.push(Block::Table(Table::of(words, &rows, columns).on("Controller files")));
+    section.push(Block::Table(Table::of(words, &rows, columns).on(phrase!("controller-files"))));
     let values: Vec<(&ControllerFiles, &WrittenParameter)> =
         document.files.iter().flat_map(|files| files.values.iter().map(move |value| (files, value))).collect();
     let columns = Columns::<(&ControllerFiles, &WrittenParameter)>::new()
-        .sheet("formats", "", |(f, _)| f.formats.join(", "))
-        .sheet("name", "", |(_, v)| v.name.as_str())
-        .sheet("unit", "", |(_, v)| v.unit.as_str())
-        .sheet("value", "", |(_, v)| v.value)
+        .sheet(phrase!("formats"), "", |(f, _)| f.formats.join(", "))
+        .sheet(phrase!("name"), "", |(_, v)| v.name.as_str())
+        .sheet(phrase!("unit"), "", |(_, v)| v.unit.as_str())
+        .sheet(phrase!("value"), "", |(_, v)| v.value)
         .sheet("u (k = 1)", "", |(_, v)| v.standard_uncertainty);
-    section.push(Block::Table(Table::of(words, &values, columns).on("Controller values")));
+    section.push(Block::Table(Table::of(words, &values, columns).on(phrase!("sheet-controller-values"))));
     section.whole()
 }

@@ -31,11 +31,11 @@ pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict 
 /// Tables of parameters and errors.
 pub(crate) fn sections(document: &UncertaintyDocument, words: &Words) -> Vec<Section> {
     let mut parameters = Section::new("distributions", tr!(words, "distributions-of-parameters"));
-    parameters.push(Block::Table(table(&document.parameters, words).on("Distributions")));
+    parameters.push(Block::Table(table(&document.parameters, words).on(phrase!("sheet-distributions"))));
     let note = tr!(words, "bootstrap-resamples", count = document.resamples);
     parameters.push(Block::note(if document.resamples > 0 { Text::from(note) } else { Text::default() }));
     let mut errors = Section::new("errors", tr!(words, "distributions-of-errors"));
-    errors.push(Block::Table(table(&document.errors, words).on("Distributions of errors")));
+    errors.push(Block::Table(table(&document.errors, words).on(phrase!("sheet-distributions-of-errors"))));
     [parameters, errors].into_iter().filter_map(|section| section.on_terminal().whole()).collect()
 }
 

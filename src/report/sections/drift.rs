@@ -54,14 +54,14 @@ fn sets<'a>(document: &'a Iso9283Document, words: &Words) -> Table {
     let sets = |of: &'a Iso9283Drift| (0..of.ap_mm.len().max(of.rp_mm.len())).map(move |i| Set { of, i });
     let rows: Vec<Set> = document.drifts.iter().flat_map(sets).collect();
     let columns = Columns::<Set>::new()
-        .sheet("pose", "", |s| s.of.pose)
-        .sheet("set", "", |s| s.i + 1)
+        .sheet(phrase!("pose"), "", |s| s.of.pose)
+        .sheet(phrase!("set"), "", |s| s.i + 1)
         .sheet("AP", "mm", |s| s.of.ap_mm.get(s.i).copied())
         .sheet("RP", "mm", |s| s.of.rp_mm.get(s.i).copied())
         .sheet("dAP", "mm", |s| s.of.dap_mm)
         .sheet("dRP", "mm", |s| s.of.drp_mm)
-        .sheet("settled after set", "", |s| s.of.settled_after);
-    Table::of(words, &rows, columns).on("ISO 9283 drift")
+        .sheet(phrase!("settled-after-set"), "", |s| s.of.settled_after);
+    Table::of(words, &rows, columns).on(phrase!("sheet-iso9283-drift"))
 }
 
 /// Curves of a characteristic by set of cycles for each pose, without title and caption.
@@ -81,7 +81,7 @@ fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {
         .both(phrase!("from-cycle-on"), "", |e| e.cycle)
         .micrometres(phrase!("moved"), |e| e.moved_mm)
         .micrometres(phrase!("left-rms"), |e| e.rms_mm);
-    Table::of(words, epochs, columns).on("ISO 9283 reference targets")
+    Table::of(words, epochs, columns).on(phrase!("sheet-iso9283-reference-targets"))
 }
 
 fn moved(epochs: &[Iso9283Epoch], words: &Words) -> Option<Figure> {

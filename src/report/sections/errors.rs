@@ -1,6 +1,6 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
-use crate::model::{Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, shown, significant, term};
+use crate::model::{Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, shown, significant, term, yes_no};
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, overlay, prediction};
@@ -102,7 +102,7 @@ fn is_deciding(accuracy: &AccuracyDocument, set: &AccuracySet) -> bool {
 fn push_set(section: &mut Section, accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) {
     section.push(Block::heading(heading(accuracy, set, words)));
     let names = [phrase!("before"), phrase!("after")];
-    section.push(Block::Table(statistics(accuracy, set, set.name.name(), names, words).on("Errors")));
+    section.push(Block::Table(statistics(accuracy, set, set.name.name(), names, words).on(phrase!("sheet-errors"))));
 }
 
 /// Annex with the errors of the sets that do not decide, and at the tool point.
@@ -173,7 +173,7 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
     // the base has no effect here: these errors differ from the errors of the sets before and
     // after calibration
     let names = [phrase!("nominal-minus-identified"), phrase!("expected")];
-    section.push(Block::Table(statistics(accuracy, &set, "tool point", names, words).on("Tool point")));
+    section.push(Block::Table(statistics(accuracy, &set, "tool point", names, words).on(phrase!("sheet-tool-point"))));
     let um = |mm: f64| number::significant(1e3 * mm, 3);
     section.push(Block::text(tr!(
         words,
@@ -281,11 +281,11 @@ fn statistics(
         ratio.is_finite().then(|| shown(ratio, |r| number::significant(r, 2)))
     };
     let columns = Columns::<ErrorStatistics>::new()
-        .sheet("set", "", |_| called)
-        .sheet("poses", "", |_| set.poses)
-        .sheet("errors", "", |_| set.count)
-        .sheet("quantity", "", |e| e.quantity.as_ref())
-        .sheet("unit", "", |e| e.unit.as_str())
+        .sheet(phrase!("set"), "", |_| called)
+        .sheet(phrase!("report-poses"), "", |_| set.poses)
+        .sheet(phrase!("errors"), "", |_| set.count)
+        .sheet(phrase!("quantity"), "", |e| e.quantity.as_ref())
+        .sheet(phrase!("unit"), "", |e| e.unit.as_str())
         .page(phrase!("error"), "", |e| Text::name(&words.tr(&e.quantity.phrase())))
         .page(phrase!("unit"), "", unit)
         .both(phrase!("mean"), "", move |e| cell(e, e.before.mean))
@@ -304,17 +304,14 @@ fn statistics(
 
 /// Benefit of each effect at left-out poses.
 fn effects(all: &[EffectProof], words: &Words) -> Table {
-    let yes_no = |yes: bool| term(words, if yes { phrase!("yes") } else { phrase!("no") });
     let columns = Columns::<EffectProof>::new()
-        .page(phrase!("effect"), "", |e| words.tr(&names::effect(e.effect)))
-        .sheet("effect", "", |e| format!("{:?}", e.effect).to_lowercase())
+        .both(phrase!("effect"), "", |e| term(words, names::effect(e.effect)))
         .both(phrase!("joints"), "", |e| Text::name(&e.joints.join(", ")))
         .both(phrase!("rms-without-it"), "mm", |e| fixed(e.without_mm, 4))
         .both(phrase!("rms-with-it"), "mm", |e| fixed(e.with_mm, 4))
         .both(phrase!("gain-over-u"), "", |e| fixed(e.gain_over_u, 1))
-        .page(phrase!("identified"), "", move |e| yes_no(e.is_identified))
-        .sheet("identified", "", |e| if e.is_identified { "yes" } else { "no" });
-    Table::of(words, all, columns).on("Proven effects")
+        .both(phrase!("identified"), "", |e| yes_no(words, e.is_identified));
+    Table::of(words, all, columns).on(phrase!("sheet-proven-effects"))
 }
 
 /// Number of decimals in `unit`: two digits of the smallest uncertainty or, if unknown, three
@@ -372,45 +369,45 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
     let length = move |v: Option<f64>| shown(v, |v| number::significant(v * factor, 3));
     let angle = |v: Option<f64>| shown(v, |v| number::significant(v, 3));
     let columns = Columns::<OfPose>::new()
-        .sheet("set", "", |r| r.set.name())
+        .sheet(phrase!("set"), "", |r| r.set.name())
         .both(phrase!("pose"), "", |r| r.pose)
         .page(phrase!("set"), "", |r| Text::name(&words.tr(&r.set.phrase())))
         .both(phrase!("errors"), "", |r| r.errors.len())
-        .sheet("position before, mean", "mm", |r| r.mean(before_mm))
+        .sheet(phrase!("position-before-mean"), "mm", |r| r.mean(before_mm))
         .both(phrase!("position-before-max"), "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
         .shown_in(unit)
-        .sheet("position after, mean", "mm", |r| r.mean(after_mm))
+        .sheet(phrase!("position-after-mean"), "mm", |r| r.mean(after_mm))
         .both(phrase!("position-after-max"), "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
         .shown_in(unit)
         .both(phrase!("orientation-before-max"), "deg", move |r| angle(r.largest(|p| p.before_deg)))
         .both(phrase!("orientation-after-max"), "deg", move |r| angle(r.largest(|p| p.after_deg)))
         .both(phrase!("residual-over"), "", move |r| significant(over_sigma(r), 2));
-    Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns()
+    Table::of(words, &rows, columns).on(phrase!("errors-of-each-pose")).without_empty_columns()
 }
 
 fn residuals(errors: &[PointError], words: &Words) -> Table {
     let columns = Columns::<PointError>::new()
-        .sheet("set", "", |p| p.set.name())
-        .sheet("pose", "", |p| p.pose)
-        .sheet("cycle", "", |p| p.cycle)
-        .sheet("target", "", |p| p.target.as_str())
+        .sheet(phrase!("set"), "", |p| p.set.name())
+        .sheet(phrase!("pose"), "", |p| p.pose)
+        .sheet(phrase!("cycle"), "", |p| p.cycle)
+        .sheet(phrase!("target"), "", |p| p.target.as_str())
         .sheet_xyz(["x", "y", "z"], "mm", |p| &p.at_mm)
-        .sheet_xyz(["before, x", "before, y", "before, z"], "mm", |p| &p.before_mm)
-        .sheet_xyz(["after, x", "after, y", "after, z"], "mm", |p| &p.after_mm)
-        .sheet("before, orientation", "deg", |p| p.before_deg)
-        .sheet("after, orientation", "deg", |p| p.after_deg);
-    Table::of(words, errors, columns).on("Residuals")
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-before", axis)), "mm", |p| &p.before_mm)
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-after", axis)), "mm", |p| &p.after_mm)
+        .sheet(phrase!("orientation-before"), "deg", |p| p.before_deg)
+        .sheet(phrase!("orientation-after"), "deg", |p| p.after_deg);
+    Table::of(words, errors, columns).on(phrase!("residuals-title"))
 }
 
 /// Map of the expected error for the workbook.
 fn nodes(accuracy: &AccuracyDocument, words: &Words) -> Table {
     let columns = Columns::<MapNode>::new()
         .sheet_xyz(["x", "y", "z"], "mm", |n| &n.at_mm)
-        .sheet("nominal minus identified", "mm", |n| n.before_mm)
-        .sheet("expected, parameters (k = 1)", "mm", |n| n.parameters_mm)
-        .sheet("expected (k = 1)", "mm", |n| n.standard_uncertainty_mm)
+        .sheet(phrase!("nominal-minus-identified"), "mm", |n| n.before_mm)
+        .sheet(phrase!("expected-of-parameters"), "mm", |n| n.parameters_mm)
+        .sheet(phrase!("expected-standard"), "mm", |n| n.standard_uncertainty_mm)
         .sheet("95 %", "mm", |n| n.p95_mm);
-    Table::of(words, accuracy.map.iter().flat_map(|map| &map.nodes), columns).on("Predicted errors")
+    Table::of(words, accuracy.map.iter().flat_map(|map| &map.nodes), columns).on(phrase!("sheet-predicted-errors"))
 }
 
 #[cfg(test)]

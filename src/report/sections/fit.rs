@@ -75,11 +75,11 @@ fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
     let rows: Vec<(usize, &str, &SingularValueEntry)> =
         all.enumerate().map(|(i, (direction, s))| (i + 1, direction, s)).collect();
     let columns = Columns::<(usize, &str, &SingularValueEntry)>::new()
-        .sheet("number", "", |(i, ..)| *i)
-        .sheet("singular value (columns divided by their norms)", "", |(.., s)| s.value)
-        .sheet("direction", "", |(_, direction, _)| *direction)
-        .sheet("parameters", "", |(.., s)| s.parameters.join(", "));
-    Table::of(words, &rows, columns).on("Singular values")
+        .sheet(phrase!("number"), "", |(i, ..)| *i)
+        .sheet(phrase!("singular-value-scaled"), "", |(.., s)| s.value)
+        .sheet(phrase!("direction"), "", |(_, direction, _)| *direction)
+        .sheet(phrase!("parameters"), "", |(.., s)| s.parameters.join(", "));
+    Table::of(words, &rows, columns).on(phrase!("sheet-singular-values"))
 }
 
 fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {

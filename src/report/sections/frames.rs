@@ -56,8 +56,8 @@ fn elements(features: &[Feature], words: &Words) -> Table {
         .both(phrase!("points"), "", |f| f.points)
         .page(phrase!("point"), "mm", |f| numbers(triple(f.point_mm, 4)))
         .page(phrase!("direction"), "", |f| numbers(triple(f.direction, 6)))
-        .sheet_xyz(["point x", "point y", "point z"], "mm", |f| &f.point_mm)
-        .sheet_xyz(["direction x", "direction y", "direction z"], "", |f| &f.direction)
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-point", axis)), "mm", |f| &f.point_mm)
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-direction", axis)), "", |f| &f.direction)
         .both(phrase!("radius"), "mm", |f| fixed(f.radius_mm, 4))
         .both(phrase!("distances-rms"), "mm", |f| shown(f.rms_mm, um))
         .shown_in("µm")
@@ -65,17 +65,18 @@ fn elements(features: &[Feature], words: &Words) -> Table {
         .shown_in("µm")
         .both("u (k = 1)", "mm", |f| shown(f.standard_uncertainty_mm, um))
         .shown_in("µm")
-        .sheet("labels", "", |f| f.labels.join(", "));
-    Table::of(words, features, columns).on("Features")
+        .sheet(phrase!("head-labels"), "", |f| f.labels.join(", "));
+    Table::of(words, features, columns).on(phrase!("features"))
 }
 
 /// World frame at each measurement.
 fn poses(world: &WorldFrame, words: &Words) -> Table {
-    let first = Columns::<FramePose>::new().sheet("pose", "", |f| f.pose).sheet("cycle", "", |f| f.cycle).sheet_xyz(
-        ["origin x", "origin y", "origin z"],
-        "mm",
-        |f| &f.export_T_world.translation_mm,
-    );
+    let first = Columns::<FramePose>::new()
+        .sheet(phrase!("pose"), "", |f| f.pose)
+        .sheet(phrase!("cycle"), "", |f| f.cycle)
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-origin", axis)), "mm", |f| {
+            &f.export_T_world.translation_mm
+        });
     let titles = [
         ["x axis, x", "x axis, y", "x axis, z"],
         ["y axis, x", "y axis, y", "y axis, z"],
@@ -84,17 +85,17 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
     let titles = titles.into_iter().flatten().enumerate();
     let columns = titles
         .fold(first, |columns, (i, title)| columns.sheet(title, "", move |f| f.export_T_world.rotation[i % 3][i / 3]));
-    Table::of(words, &world.poses, columns).on("Frames")
+    Table::of(words, &world.poses, columns).on(phrase!("sheet-frames"))
 }
 
 /// Errors that no reading can detect.
 fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
     let columns = Columns::<Uncontrolled>::new()
         .page(phrase!("what-no-reading-shows"), "", |u| Text::worded(&u.what, u.what_phrase.as_ref(), words))
-        .sheet("undetectable errors", "", |u| u.what.as_str())
+        .sheet(phrase!("what-no-reading-shows"), "", |u| u.what.as_str())
         .both(phrase!("points"), "", |u| Text::name(&u.points.join(", ")))
         .both(phrase!("controlled-by"), "", |u| Text::name(&u.keys.join(", ")));
-    Table::of(words, all, columns).on("Not controlled")
+    Table::of(words, all, columns).on(phrase!("sheet-not-controlled"))
 }
 
 fn triple(v: Vector, decimals: usize) -> String {

@@ -32,11 +32,15 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .page(phrase!("method"), "", |m| {
             names::method(&m.name).map_or_else(|| Text::name(&m.name), |p| Text::name(&words.tr(&p)))
         })
-        .sheet("method", "", |m| m.name.as_str())
+        .sheet(phrase!("method"), "", |m| m.name.as_str())
         .both(phrase!("position-max"), "mm", |m| fixed(m.position_max_mm, 3))
         .both(phrase!("position-rms"), "mm", |m| fixed(m.position_rms_mm, 3))
         .both(phrase!("orientation-max"), "deg", |m| fixed(m.orientation_max_deg, 3));
-    section.table(tr!(words, "all-tables"), "", Table::of(words, &document.methods, columns).on("Geometry, methods"));
+    section.table(
+        tr!(words, "all-tables"),
+        "",
+        Table::of(words, &document.methods, columns).on(phrase!("sheet-geometry-methods")),
+    );
     section.table(tr!(words, "leads"), "", leads(document, words));
     section.push(Block::Table(linearity(document, words)));
     let columns = Columns::<etalon_documents::ScaleBarResult>::new()
@@ -49,8 +53,8 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both(phrase!("permissible"), "mm", |b| fixed(b.permissible_error_mm, 4))
         .both(phrase!("permissible-over-certificate"), "", |b| significant(b.uncertainty_ratio, 2))
         .page(phrase!("verdict"), "", |b| Text::name(&bar_verdict(b.verdict, words)))
-        .sheet("verdict", "", |b| bar_verdict(b.verdict, words));
-    let bars = Table::of(words, &document.scale_bars, columns).on("Geometry, scale bars");
+        .sheet(phrase!("verdict"), "", |b| bar_verdict(b.verdict, words));
+    let bars = Table::of(words, &document.scale_bars, columns).on(phrase!("sheet-geometry-scale-bars"));
     section.table(tr!(words, "scale-bars"), "", bars);
     let columns = Columns::<etalon_documents::BallResult>::new()
         .both(phrase!("ball"), "", |b| b.name.as_str())
@@ -58,14 +62,14 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both(phrase!("mean-distance-from-mean"), "mm", |b| fixed(b.mean_mm, 4))
         .both(phrase!("standard-deviation"), "mm", |b| fixed(b.standard_deviation_mm, 4))
         .both(phrase!("mean-plus-3s"), "mm", |b| fixed(b.repeatability_mm, 4));
-    let balls = Table::of(words, &document.balls, columns).on("Geometry, balls");
+    let balls = Table::of(words, &document.balls, columns).on(phrase!("sheet-geometry-balls"));
     section.table(tr!(words, "single-balls"), "", balls);
     section.table(tr!(words, "fits"), "", fits(document, words));
     let columns = Columns::<etalon_documents::Region>::new()
         .both(phrase!("region-of-c"), "", |r| Text::worded(&r.name, r.name_phrase.as_ref(), words))
         .both(phrase!("area"), "mm²", |r| fixed(r.area_mm2, 0))
         .both(phrase!("corners"), "", |r| r.corners_mm.len());
-    let regions = Table::of(words, &document.workspace, columns).on("Geometry, workspace");
+    let regions = Table::of(words, &document.workspace, columns).on(phrase!("sheet-geometry-workspace"));
     section.table(tr!(words, "workspace"), "", regions);
     section.figures(drawing(document, words));
     section.whole()
@@ -122,11 +126,11 @@ fn quantities(document: &GeometricDocument, words: &Words) -> Table {
         .both(phrase!("identified"), "", |q| {
             q.identified.map(|v| with_uncertainty(v, q.identified_standard_uncertainty))
         })
-        .sheet("u of identified", "", |q| q.identified_standard_uncertainty)
+        .sheet(phrase!("u-of-identified"), "", |q| q.identified_standard_uncertainty)
         .page(phrase!("identified-minus-geometric"), "", move |q| {
             q.identified.map(|v| with_uncertainty(v - q.value, u(q)))
         });
-    Table::of(words, &document.quantities, columns).on("Geometry, quantities")
+    Table::of(words, &document.quantities, columns).on(phrase!("sheet-geometry-quantities"))
 }
 
 /// Mean errors of the poses in a table, by method.
@@ -137,13 +141,13 @@ fn poses(table: &PoseTable, words: &Words) -> Table {
         words.number(&format!("{x}, {y} mm, {turned} deg"))
     };
     let first = Columns::<PoseRow>::new()
-        .sheet("table", "", |_| table.title.as_str())
+        .sheet(phrase!("table"), "", |_| table.title.as_str())
         .both(phrase!("pose"), "", |r| r.pose)
         .page(phrase!("command"), "", move |r| numbers(command(r)))
-        .sheet("command x", "mm", |r| r.command_mm[0])
-        .sheet("command y", "mm", |r| r.command_mm[1])
-        .sheet("command θ", "deg", |r| r.command_deg)
-        .sheet("visits", "", |r| r.count);
+        .sheet(phrase!("command-x"), "mm", |r| r.command_mm[0])
+        .sheet(phrase!("command-y"), "mm", |r| r.command_mm[1])
+        .sheet(phrase!("command-theta"), "deg", |r| r.command_deg)
+        .sheet(phrase!("visits"), "", |r| r.count);
     type Method = (Phrase, fn(&PoseRow) -> &MeanError);
     let methods: [Method; 3] = [
         (phrase!("nominal"), |r| &r.nominal),
@@ -159,7 +163,7 @@ fn poses(table: &PoseTable, words: &Words) -> Table {
             .below(4, name)
     });
     let columns = columns.both(phrase!("standard-deviation"), "mm", |r| fixed(r.standard_deviation_mm, 3));
-    Table::of(words, &table.rows, columns).on("Geometry, poses")
+    Table::of(words, &table.rows, columns).on(phrase!("sheet-geometry-poses"))
 }
 
 fn leads(document: &GeometricDocument, words: &Words) -> Table {
@@ -181,14 +185,14 @@ fn linearity(document: &GeometricDocument, words: &Words) -> Table {
     let rows: Vec<(&LeadResult, &Linearity)> =
         document.leads.iter().flat_map(|l| l.linearity.iter().map(move |p| (l, p))).collect();
     let columns = Columns::<(&LeadResult, &Linearity)>::new()
-        .sheet("actuator", "", |(l, _)| l.actuator)
-        .sheet("nominal lead", "mm", |(l, _)| l.nominal_lead_mm)
-        .sheet("actual lead", "mm", |(l, _)| l.actual_lead_mm)
-        .sheet("relative error", "", |(l, _)| l.error)
-        .sheet("u of it (k = 1)", "", |(l, _)| l.standard_uncertainty)
-        .sheet("commanded", "mm", |(_, p)| p.commanded_mm)
-        .sheet("mean deviation from linear", "mm", |(_, p)| p.deviation_mm);
-    Table::of(words, &rows, columns).on("Geometry, leads")
+        .sheet(phrase!("actuator"), "", |(l, _)| l.actuator)
+        .sheet(phrase!("nominal-lead"), "mm", |(l, _)| l.nominal_lead_mm)
+        .sheet(phrase!("actual-lead"), "mm", |(l, _)| l.actual_lead_mm)
+        .sheet(phrase!("relative-error"), "", |(l, _)| l.error)
+        .sheet(phrase!("u-of-deviation"), "", |(l, _)| l.standard_uncertainty)
+        .sheet(phrase!("head-commanded"), "mm", |(_, p)| p.commanded_mm)
+        .sheet(phrase!("mean-deviation-from-linear"), "mm", |(_, p)| p.deviation_mm);
+    Table::of(words, &rows, columns).on(phrase!("sheet-geometry-leads"))
 }
 
 /// Quality of each fit.
@@ -202,7 +206,7 @@ fn fits(document: &GeometricDocument, words: &Words) -> Table {
         .both(phrase!("norm"), "mm", |s| fixed(s.norm_mm, 4))
         .both(phrase!("arc"), "deg", |s| fixed(s.coverage_deg, 1))
         .both(phrase!("uncertainties-enlarged-by"), "", |s| significant(s.enlarged_by, 3));
-    Table::of(words, &document.steps, columns).on("Geometry, fits")
+    Table::of(words, &document.steps, columns).on(phrase!("sheet-geometry-fits"))
 }
 
 /// Outlines of the regions, with the last one (every orientation) in a thicker line.

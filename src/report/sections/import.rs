@@ -14,19 +14,20 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         let file = isolated(&one_line(&source.file));
         let title = tr!(words, "refused-rows", refused = source.refused.len(), total = file);
         let columns = Columns::<Refused>::new()
-            .sheet("file", "", |_| source.file.as_str())
+            .sheet(phrase!("file"), "", |_| source.file.as_str())
             .both(phrase!("line"), "", |r| r.line)
             .both(phrase!("reason"), "", |r| Text::worded(&r.reason, r.reason_phrase.as_ref(), words))
             .both(phrase!("text"), "", |r| Text::code(&r.text));
-        let table = Table::of(words, &source.refused, columns).on("Refused rows");
+        let table = Table::of(words, &source.refused, columns).on(phrase!("sheet-refused-rows"));
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
     }
     let columns = Columns::<Unmatched>::new()
-        .sheet("file", "", |u| u.file.as_str())
-        .sheet("line", "", |u| u.line)
-        .sheet("key", "", |u| u.key.as_str())
-        .sheet("reason", "", |u| u.reason.as_str());
-    section.push(Block::Table(Table::of(words, &report.import.unmatched, columns).on("Without partner")));
+        .sheet(phrase!("file"), "", |u| u.file.as_str())
+        .sheet(phrase!("line"), "", |u| u.line)
+        .sheet(phrase!("checklist-key"), "", |u| u.key.as_str())
+        .sheet(phrase!("reason"), "", |u| u.reason.as_str());
+    section
+        .push(Block::Table(Table::of(words, &report.import.unmatched, columns).on(phrase!("sheet-without-partner"))));
     section.push(super::messages::routine(&report.import.messages, words));
     section.whole()
 }

@@ -15,7 +15,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
         .page(phrase!("limit"), "", |l| Text::from(words.tr(&names::limit(l.name))))
-        .sheet("limit", "", |l| l.name.to_string())
+        .sheet(phrase!("limit"), "", |l| l.name.to_string())
         .both(phrase!("allowed"), "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
         .both(phrase!("reached"), "", |l| {
             reached(l).map_or(Cell::Missing, |shown| Cell::Number { value: l.value.unwrap_or(f64::NAN), shown })
@@ -26,9 +26,9 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
         .both(phrase!("risk"), "%", |l| shown(l.risk().map(|risk| 100.0 * risk), number::percent))
         .both(phrase!("verdict"), "", |l| judged(l, words))
         .decisive()
-        .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
+        .sheet(phrase!("decision-rule"), "", |l| name(l.decision_rule, &Words::default()));
     let mut section = Section::new("limits", tr!(words, "limits"));
-    section.table("", "", Table::of(words, all, columns).on("Limits"));
+    section.table("", "", Table::of(words, all, columns).on(phrase!("limits")));
     if let Some(limit) = all.first() {
         section.push(Block::detail(rule(limit.decision_rule, default, words)));
     }

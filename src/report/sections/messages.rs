@@ -52,16 +52,16 @@ pub(super) fn routine(messages: &[Message], words: &Words) -> Block {
 fn table(messages: &[&Message], words: &Words) -> Table {
     let place = |m: &Message| m.place.as_deref().cloned().unwrap_or_default();
     let columns = Columns::<Message>::new()
-        .sheet("severity", "", class)
-        .sheet("rank", "", |m| format!("{:?}", m.rank).to_lowercase())
-        .sheet("what", "", |m| m.what.as_str())
-        .sheet("file", "", move |m| place(m).file)
-        .sheet("line", "", move |m| place(m).line)
-        .sheet("column", "", move |m| place(m).column)
-        .sheet("text", "", move |m| place(m).text)
-        .sheet("expected", "", |m| m.expected.as_deref())
-        .sheet("hint", "", |m| m.hint.as_deref());
-    Table::of(words, messages.iter().copied(), columns).on("Messages")
+        .sheet(phrase!("head-severity"), "", class)
+        .sheet(phrase!("rank"), "", |m| format!("{:?}", m.rank).to_lowercase())
+        .sheet(phrase!("head-what"), "", |m| m.what.as_str())
+        .sheet(phrase!("file"), "", move |m| place(m).file)
+        .sheet(phrase!("line"), "", move |m| place(m).line)
+        .sheet(phrase!("head-column"), "", move |m| place(m).column)
+        .sheet(phrase!("text"), "", move |m| place(m).text)
+        .sheet(phrase!("expected"), "", |m| m.expected.as_deref())
+        .sheet(phrase!("head-hint"), "", |m| m.hint.as_deref());
+    Table::of(words, messages.iter().copied(), columns).on(phrase!("sheet-messages"))
 }
 
 fn class(message: &Message) -> &'static str {

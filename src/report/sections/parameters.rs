@@ -5,6 +5,7 @@ use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, shown, si
 use crate::number;
 use crate::plots::{correlation, intervals, sketch};
 use crate::words::{Words, tr};
+use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
 
@@ -26,9 +27,9 @@ pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     let meanings = vec![Block::Table(meanings(&document.parameters, words).detail())];
     section.push(Block::Aside { title: tr!(words, "meanings-title"), blocks: meanings });
     section.figures(sketch::pictures(&document.sketches, words));
-    section.push(Block::Table(matrix("Covariance", document, words, |c, i, j| c[i][j])));
+    section.push(Block::Table(matrix(phrase!("sheet-covariance"), document, words, |c, i, j| c[i][j])));
     let correlated = |c: &[Vec<f64>], i: usize, j: usize| c[i][j] / (c[i][i] * c[j][j]).sqrt();
-    section.push(Block::Table(matrix("Correlation", document, words, correlated)));
+    section.push(Block::Table(matrix(phrase!("sheet-correlation"), document, words, correlated)));
     // without a nominal value there is no change to draw
     let drawn = groups.iter().enumerate().filter(|(_, (_, of))| has_nominal(of));
     let figures: Vec<Figure> = drawn.flat_map(|(i, (title, of))| intervals::pictures(of, (i, title), words)).collect();
@@ -117,20 +118,20 @@ fn confounded(p: &ParameterEntry, words: &Words) -> Text {
 fn sheet(parameters: &[ParameterEntry]) -> Table {
     let words = &Words::default();
     let columns = Columns::<ParameterEntry>::new()
-        .sheet("name", "", |p| p.name.as_str())
-        .sheet("unit", "", |p| p.unit.as_str())
-        .sheet("nominal", "", |p| p.nominal)
-        .sheet("before", "", |p| p.before)
-        .sheet("identified", "", |p| p.value)
-        .sheet("change", "", |p| p.value - p.nominal)
+        .sheet(phrase!("name"), "", |p| p.name.as_str())
+        .sheet(phrase!("unit"), "", |p| p.unit.as_str())
+        .sheet(phrase!("nominal"), "", |p| p.nominal)
+        .sheet(phrase!("before"), "", |p| p.before)
+        .sheet(phrase!("identified"), "", |p| p.value)
+        .sheet(phrase!("change"), "", |p| p.value - p.nominal)
         .sheet("u (k = 1)", "", |p| p.standard_uncertainty)
         .sheet("U = 2u", "", |p| p.standard_uncertainty.map(|u| 2.0 * u))
-        .sheet("change/u", "", change_over_u)
-        .sheet("tolerance", "", |p| p.tolerance)
-        .sheet("status", "", |p| status(p.status, words))
-        .sheet("confounded with", "", |p| Text::name(&p.confounded_with.join(", ")))
-        .sheet("meaning", "", |p| p.meaning.as_str());
-    Table::of(words, parameters, columns).on("Parameters")
+        .sheet(phrase!("change-by-u"), "", change_over_u)
+        .sheet(phrase!("tolerance"), "", |p| p.tolerance)
+        .sheet(phrase!("status"), "", |p| status(p.status, words))
+        .sheet(phrase!("confounded-with"), "", |p| Text::name(&p.confounded_with.join(", ")))
+        .sheet(phrase!("head-meaning"), "", |p| p.meaning.as_str());
+    Table::of(words, parameters, columns).on(phrase!("parameters-title"))
 }
 
 /// Meanings of parameters, with equal meanings in one row.
@@ -162,7 +163,7 @@ fn status(status: ParameterStatus, words: &Words) -> Cell {
 /// Matrix of the identified parameters with their names at the side and the top; without columns if
 /// empty.
 fn matrix(
-    name: &'static str,
+    name: Phrase,
     document: &ParametersDocument,
     words: &Words,
     entry: fn(&[Vec<f64>], usize, usize) -> f64,
@@ -174,14 +175,14 @@ fn matrix(
     if !fits {
         return Table::default();
     }
-    let named = Columns::<(usize, &ParameterEntry)>::new().sheet("name", "", |(_, p)| p.name.as_str()).sheet(
-        "unit",
+    let named = Columns::<(usize, &ParameterEntry)>::new().sheet(phrase!("name"), "", |(_, p)| p.name.as_str()).sheet(
+        phrase!("unit"),
         "",
         |(_, p)| p.unit.as_str(),
     );
     let columns = identified
         .iter()
-        .fold(named, |columns, (j, p)| columns.sheet(&p.name, "", move |(i, _)| entry(covariance, *i, *j)));
+        .fold(named, |columns, (j, p)| columns.sheet(p.name.as_str(), "", move |(i, _)| entry(covariance, *i, *j)));
     Table::of(words, &identified, columns).on(name)
 }
 

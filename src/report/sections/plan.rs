@@ -134,7 +134,7 @@ fn poses(plan: &PlanDocument, words: &Words) -> Section {
     let columns =
         joints.iter().fold(first, |columns, joint| columns.both(*joint, "", move |(_, c)| c.get(*joint).map(cell)));
     let mut section = Section::new("poses", tr!(words, "chosen-poses"));
-    section.push(Block::Table(Table::of(words, &rows, columns).on("Chosen poses")));
+    section.push(Block::Table(Table::of(words, &rows, columns).on(phrase!("chosen-poses"))));
     section
 }
 
@@ -149,7 +149,7 @@ fn predicted(plan: &PlanDocument, words: &Words) -> Table {
         .both(phrase!("unit"), "", |p| p.unit.as_str())
         .both(phrase!("predicted-u"), "", u)
         .both(phrase!("correlated-with"), "", |p| p.confounded_with.join(", "));
-    Table::of(words, &plan.parameters, columns).on("Parameters")
+    Table::of(words, &plan.parameters, columns).on(phrase!("parameters-title"))
 }
 
 fn study(document: &StudyDocument, words: &Words) -> Section {
@@ -170,7 +170,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         .both(phrase!("true"), "", |p| fixed(p.actual, 4))
         .both(phrase!("identified"), "", |p| fixed(p.identified, 4))
         .both(phrase!("identified-minus-true"), "", |p| fixed(p.identified - p.actual, 5));
-    let table = Table::of(words, &document.parameters, columns).on("Study, parameters");
+    let table = Table::of(words, &document.parameters, columns).on(phrase!("sheet-study-parameters"));
     section.table(tr!(words, "parameters-title"), "", table);
     let um = |mm: f64| shown(mm, |mm| number::fixed(1e3 * mm, 2));
     let columns = Columns::<StudyStep>::new()
@@ -182,7 +182,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         .shown_in("µm")
         .both(phrase!("max-after"), "mm", move |s| um(s.max_mm))
         .shown_in("µm");
-    let table = Table::of(words, &document.steps, columns).on("Study, positions");
+    let table = Table::of(words, &document.steps, columns).on(phrase!("sheet-study-positions"));
     section.table(tr!(words, "errors-by-number-of-positions"), "", table);
     let errors: Vec<PointError> = document.places.iter().map(|place| error(place, words)).collect();
     let drawable = points::drawable(&errors);

@@ -24,11 +24,11 @@ pub(crate) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> 
     let columns = Columns::<(&String, &String, Option<&Source>)>::new()
         .both(phrase!("file"), "", |(name, ..)| Cell::from(*name))
         .both("SHA-256", "", |(_, sha256, _)| Text::code(sha256))
-        .sheet("kind", "", |r| r.2.map(|s| s.kind.name()))
-        .sheet("bytes", "", |r| r.2.map(|s| s.bytes))
-        .sheet("read as", "", |r| r.2.map(|s| s.dialect.as_str()))
-        .sheet("rows", "", |r| r.2.map(|s| s.rows_read))
-        .sheet("refused", "", |r| r.2.map(|s| s.refused.len()));
-    section.push(Block::Table(Table::of(words, &rows, columns).on("Inputs")));
+        .sheet(phrase!("kind"), "", |r| r.2.map(|s| s.kind.name()))
+        .sheet(phrase!("bytes"), "", |r| r.2.map(|s| s.bytes))
+        .sheet(phrase!("read-as"), "", |r| r.2.map(|s| s.dialect.as_str()))
+        .sheet(phrase!("rows"), "", |r| r.2.map(|s| s.rows_read))
+        .sheet(phrase!("head-refused"), "", |r| r.2.map(|s| s.refused.len()));
+    section.push(Block::Table(Table::of(words, &rows, columns).on(phrase!("sheet-inputs"))));
     section
 }

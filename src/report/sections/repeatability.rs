@@ -6,6 +6,7 @@ use crate::number;
 use crate::plots::multiples;
 use crate::plots::visits::{self, Approaches, of_pose};
 use crate::words::{Words, isolated, tr};
+use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::{Vector, centroid, minus};
 use etalon_base::pose_name::PoseName;
@@ -29,7 +30,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         let note = tr!(words, "definition-quarter-rule");
         section.table("", note, rule);
     }
-    let all = Table::of(words, &poses, columns().in_workbook()).on("ISO 9283 poses");
+    let all = Table::of(words, &poses, columns(words).in_workbook()).on(phrase!("sheet-iso9283-poses"));
     section.push(Block::Table(all.without_empty_columns()));
     section.push(Block::Aside { title: tr!(words, "by-approach"), blocks: by_approach(document, words) });
     let figures = vec![Block::Figures { figures: visits::pictures(document, words) }];
@@ -112,9 +113,9 @@ pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
         numbers(n.pose.ellipsoid.map(|e| e.semi_axes_mm.map(um).join(" × ")))
     };
     let columns = Columns::<Named>::new()
-        .page_of(columns(), &["pose", "RP"])
+        .page_of(columns(words), &["pose", "RP"])
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
-        .page_of(columns(), &["RP without noise"])
+        .page_of(columns(words), &[&phrase!("rp-without-noise").to_string()])
         .page(phrase!("ellipsoid-semi-axes"), "µm", axes)
         .page(phrase!("verdict"), "", |n| conformity(n.pose.rp_conformity, words))
         .decisive();
@@ -152,12 +153,12 @@ pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> Str
 }
 
 /// All columns of poses for the workbook; pages show some of them.
-pub(super) fn columns<'a>() -> Columns<'a, Named<'a>> {
+pub(super) fn columns<'a>(words: &'a Words) -> Columns<'a, Named<'a>> {
     let proved = |c: Option<Conformity>| {
         c.map(|c| match c {
-            Conformity::Conforming => "proved",
-            Conformity::NotConforming => "disproved",
-            Conformity::Neither | Conformity::NotAssessable => "neither proved nor disproved",
+            Conformity::Conforming => term(words, phrase!("conformity-proved")),
+            Conformity::NotConforming => term(words, phrase!("conformity-disproved")),
+            Conformity::Neither | Conformity::NotAssessable => term(words, phrase!("conformity-neither")),
         })
     };
     Columns::<Named>::new()
@@ -168,39 +169,39 @@ pub(super) fn columns<'a>() -> Columns<'a, Named<'a>> {
         .micrometres("AP y", |n| n.pose.ap_y_mm)
         .micrometres("AP z", |n| n.pose.ap_z_mm)
         .micrometres("RP", |n| n.pose.rp_mm)
-        .sheet("RP, 95 % from", "mm", |n| n.pose.rp_interval.map(|i| i.low_mm))
-        .sheet("RP, 95 % to", "mm", |n| n.pose.rp_interval.map(|i| i.high_mm))
+        .sheet(phrase!("rp-interval-from"), "mm", |n| n.pose.rp_interval.map(|i| i.low_mm))
+        .sheet(phrase!("rp-interval-to"), "mm", |n| n.pose.rp_interval.map(|i| i.high_mm))
         .micrometres(phrase!("rp-without-noise"), |n| n.pose.rp_without_noise_mm)
-        .sheet("RP in x, y", "mm", |n| n.pose.rp_xy_mm)
-        .sheet("RP along x", "mm", |n| n.pose.rp_along_x_mm)
-        .sheet("RP along y", "mm", |n| n.pose.rp_along_y_mm)
-        .sheet("RP along z", "mm", |n| n.pose.rp_along_z_mm)
-        .sheet("3 s of x", "mm", |n| n.pose.rp_x_mm)
-        .sheet("3 s of y", "mm", |n| n.pose.rp_y_mm)
-        .sheet("3 s of z", "mm", |n| n.pose.rp_z_mm)
-        .sheet("mean distance from the barycentre", "mm", |n| n.pose.mean_radius_mm)
-        .sheet("its standard deviation", "mm", |n| n.pose.sd_radius_mm)
-        .sheet("enclosing sphere, radius", "mm", |n| n.pose.enclosing_radius_mm)
-        .sheet("enclosing circle in x, y, radius", "mm", |n| n.pose.enclosing_circle_radius_mm)
-        .sheet("AP, 95 % from", "mm", |n| n.pose.ap_interval.map(|i| i.low_mm))
-        .sheet("AP, 95 % to", "mm", |n| n.pose.ap_interval.map(|i| i.high_mm))
+        .sheet(phrase!("rp-in-plane"), "mm", |n| n.pose.rp_xy_mm)
+        .sheet(phrase!("rp-along-x"), "mm", |n| n.pose.rp_along_x_mm)
+        .sheet(phrase!("rp-along-y"), "mm", |n| n.pose.rp_along_y_mm)
+        .sheet(phrase!("rp-along-z"), "mm", |n| n.pose.rp_along_z_mm)
+        .sheet(phrase!("three-s-of-x"), "mm", |n| n.pose.rp_x_mm)
+        .sheet(phrase!("three-s-of-y"), "mm", |n| n.pose.rp_y_mm)
+        .sheet(phrase!("three-s-of-z"), "mm", |n| n.pose.rp_z_mm)
+        .sheet(phrase!("mean-distance-from-barycentre"), "mm", |n| n.pose.mean_radius_mm)
+        .sheet(phrase!("deviation-of-mean-value"), "mm", |n| n.pose.sd_radius_mm)
+        .sheet(phrase!("enclosing-sphere-radius"), "mm", |n| n.pose.enclosing_radius_mm)
+        .sheet(phrase!("enclosing-circle-radius"), "mm", |n| n.pose.enclosing_circle_radius_mm)
+        .sheet(phrase!("ap-interval-from"), "mm", |n| n.pose.ap_interval.map(|i| i.low_mm))
+        .sheet(phrase!("ap-interval-to"), "mm", |n| n.pose.ap_interval.map(|i| i.high_mm))
         .both("AP a", "deg", |n| fixed(n.pose.ap_a_deg, 4))
         .both("AP b", "deg", |n| fixed(n.pose.ap_b_deg, 4))
         .both("AP c", "deg", |n| fixed(n.pose.ap_c_deg, 4))
         .both("RP a", "deg", |n| fixed(n.pose.rp_a_deg, 4))
         .both("RP b", "deg", |n| fixed(n.pose.rp_b_deg, 4))
         .both("RP c", "deg", |n| fixed(n.pose.rp_c_deg, 4))
-        .sheet("noise of a reading, x", "mm", |n| n.pose.noise_mm.map(|n| n[0]))
-        .sheet("noise of a reading, y", "mm", |n| n.pose.noise_mm.map(|n| n[1]))
-        .sheet("noise of a reading, z", "mm", |n| n.pose.noise_mm.map(|n| n[2]))
-        .sheet("ellipsoid, semi-axis 1", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[0]))
-        .sheet("ellipsoid, semi-axis 2", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[1]))
-        .sheet("ellipsoid, semi-axis 3", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[2]))
-        .sheet("AP within its limit", "", move |n| proved(n.pose.ap_conformity))
-        .sheet("RP within its limit", "", move |n| proved(n.pose.rp_conformity))
-        .sheet("U over AP", "", |n| n.pose.uncertainty_over_ap)
-        .sheet("U over RP", "", |n| n.pose.uncertainty_over_rp)
-        .sheet("25 % rule", "", |n| n.pose.quarter_rule_met.map(|met| if met { "met" } else { "not met" }))
+        .sheet(phrase!("noise-of-reading-x"), "mm", |n| n.pose.noise_mm.map(|n| n[0]))
+        .sheet(phrase!("noise-of-reading-y"), "mm", |n| n.pose.noise_mm.map(|n| n[1]))
+        .sheet(phrase!("noise-of-reading-z"), "mm", |n| n.pose.noise_mm.map(|n| n[2]))
+        .sheet(phrase!("ellipsoid-semi-axis-1"), "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[0]))
+        .sheet(phrase!("ellipsoid-semi-axis-2"), "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[1]))
+        .sheet(phrase!("ellipsoid-semi-axis-3"), "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[2]))
+        .sheet(phrase!("ap-within-limit"), "", move |n| proved(n.pose.ap_conformity))
+        .sheet(phrase!("rp-within-limit"), "", move |n| proved(n.pose.rp_conformity))
+        .sheet(phrase!("u-over-ap"), "", |n| n.pose.uncertainty_over_ap)
+        .sheet(phrase!("u-over-rp"), "", |n| n.pose.uncertainty_over_rp)
+        .sheet(phrase!("quarter-rule"), "", |n| n.pose.quarter_rule_met.map(|met| if met { "met" } else { "not met" }))
 }
 
 /// An approach of a pose, and the mean of all visits of the pose.
@@ -226,14 +227,12 @@ fn by_approach(document: &Iso9283Document, words: &Words) -> Vec<Block> {
     section.push(Block::Table(approaches(document, words).detail()));
     section.push(Block::Table(turned(document, words)));
     let columns = Columns::<Iso9283Variation>::new()
-        .sheet("pose", "", |v| v.pose)
+        .sheet(phrase!("pose"), "", |v| v.pose)
         .sheet("vAP", "mm", |v| v.vap_mm)
-        .sheet("between", "", |v| v.between[0].as_str())
-        .sheet("and", "", |v| v.between[1].as_str())
-        .sheet_xyz(["vAP of the first angle", "vAP of the second angle", "vAP of the third angle"], "deg", |v| {
-            &v.vap_angles_deg
-        });
-    let variation = Table::of(words, &document.approaches, columns).on("ISO 9283 variation");
+        .sheet(phrase!("head-between"), "", |v| v.between[0].as_str())
+        .sheet(phrase!("head-and"), "", |v| v.between[1].as_str())
+        .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-vap", axis)), "deg", |v| &v.vap_angles_deg);
+    let variation = Table::of(words, &document.approaches, columns).on(phrase!("sheet-iso9283-variation"));
     section.push(Block::Table(variation.without_empty_columns()));
     section.blocks.extend(section.data.into_iter().map(Block::Table));
     section.blocks
@@ -252,16 +251,16 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
     let columns = Columns::<OfApproach>::new()
         .both(phrase!("pose"), "", |r| r.pose)
         .page(phrase!("approached"), "", move |r| Text::name(&named.name(&r.approach.name)))
-        .sheet("approached", "", |r| r.approach.name.as_str())
+        .sheet(phrase!("approached"), "", |r| r.approach.name.as_str())
         .both(phrase!("visits"), "", |r| r.approach.cycles)
         .page("x", "", move |r| off(r, 0))
         .page("y", "", move |r| off(r, 1))
         .page("z", "", move |r| r.spatial.then(|| off(r, 2)))
         .below(3, phrase!("mean-from-overall-mean"))
-        .sheet_xyz(["mean x", "mean y", "mean z"], "mm", |r| &r.approach.mean_mm)
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-mean", axis)), "mm", |r| &r.approach.mean_mm)
         .micrometres("RP", |r| r.approach.rp_mm)
         .micrometres(phrase!("enclosing-sphere-radius"), |r| r.approach.enclosing_radius_mm);
-    Table::of(words, &rows, columns).on("ISO 9283 approaches")
+    Table::of(words, &rows, columns).on(phrase!("sheet-iso9283-approaches"))
 }
 
 /// Table of vAP of the angles, if measured.
@@ -277,7 +276,7 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
 
 /// A characteristic of the whole robot.
 struct Whole {
-    what: &'static str,
+    what: Phrase,
     pose: Option<PoseName>,
     mm: f64,
 }
@@ -285,23 +284,22 @@ struct Whole {
 fn of_robot(document: &Iso9283Document, words: &Words) -> Table {
     let one = |what, pose, mm| Whole { what, pose, mm };
     let mut rows = Vec::new();
-    rows.extend(document.exchangeability_mm.map(|v| one("exchangeability", None, v)));
-    rows.extend(document.coplanarity_mm.map(|v| one("coplanarity, peak to valley", None, v)));
+    rows.extend(document.exchangeability_mm.map(|v| one(phrase!("head-exchangeability"), None, v)));
+    rows.extend(document.coplanarity_mm.map(|v| one(phrase!("coplanarity-peak-to-valley"), None, v)));
     let four = document.coplanarity_of_four.iter();
-    rows.extend(four.map(|p| one("mean position from the plane of the other three", Some(p.pose), p.distance_mm)));
-    let columns = Columns::<Whole>::new().sheet("characteristic", "", |r| r.what).sheet("pose", "", |r| r.pose).sheet(
-        "value",
-        "mm",
-        |r| r.mm,
-    );
-    Table::of(words, &rows, columns).on("ISO 9283 robot")
+    rows.extend(four.map(|p| one(phrase!("mean-from-plane"), Some(p.pose), p.distance_mm)));
+    let columns = Columns::<Whole>::new()
+        .sheet(phrase!("head-characteristic"), "", |r| term(words, r.what.clone()))
+        .sheet(phrase!("pose"), "", |r| r.pose)
+        .sheet(phrase!("value"), "mm", |r| r.mm);
+    Table::of(words, &rows, columns).on(phrase!("sheet-iso9283-robot"))
 }
 
 fn attained(document: &Iso9283Document, words: &Words) -> Table {
     let columns = Columns::<Iso9283Visit>::new()
-        .sheet("pose", "", |v| v.pose)
-        .sheet("cycle", "", |v| v.cycle)
-        .sheet("approached", "", |v| v.approach.as_deref())
+        .sheet(phrase!("pose"), "", |v| v.pose)
+        .sheet(phrase!("cycle"), "", |v| v.cycle)
+        .sheet(phrase!("approached"), "", |v| v.approach.as_deref())
         .sheet_xyz(["x", "y", "z"], "mm", |v| &v.attained_mm);
-    Table::of(words, &document.visits, columns).on("ISO 9283 visits")
+    Table::of(words, &document.visits, columns).on(phrase!("sheet-iso9283-visits"))
 }

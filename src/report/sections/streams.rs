@@ -236,80 +236,88 @@ fn arrivals(index: usize, named: &Iso9283NamedStream, words: &Words) -> Option<F
 
 fn characteristics(document: &Iso9283StreamsDocument, words: &Words) -> Table {
     let columns = Columns::<Iso9283NamedStream>::new()
-        .sheet("stream", "", |s| s.name.as_str())
-        .sheet("file", "", |s| s.file.as_str())
-        .sheet("samples", "", |s| s.stream.samples)
-        .sheet("duration", "s", |s| s.stream.duration_s)
-        .sheet("passes", "", |s| s.stream.path.as_ref().map(|p| p.passes))
-        .sheet("path", "mm", |s| s.stream.path.as_ref().map(|p| p.length_mm))
+        .sheet(phrase!("stream"), "", |s| s.name.as_str())
+        .sheet(phrase!("file"), "", |s| s.file.as_str())
+        .sheet(phrase!("head-samples"), "", |s| s.stream.samples)
+        .sheet(phrase!("head-duration"), "s", |s| s.stream.duration_s)
+        .sheet(phrase!("head-passes"), "", |s| s.stream.path.as_ref().map(|p| p.passes))
+        .sheet(phrase!("path"), "mm", |s| s.stream.path.as_ref().map(|p| p.length_mm))
         .sheet("AT", "mm", |s| s.stream.path.as_ref().map(|p| p.at_mm))
-        .sheet("AT, 95 % from", "mm", |s| s.stream.path.as_ref().and_then(|p| p.at_interval).map(|i| i.low_mm))
-        .sheet("AT, 95 % to", "mm", |s| s.stream.path.as_ref().and_then(|p| p.at_interval).map(|i| i.high_mm))
-        .sheet("AT at", "mm", |s| s.stream.path.as_ref().map(|p| p.at_along_mm))
+        .sheet(phrase!("at-interval-from"), "mm", |s| {
+            s.stream.path.as_ref().and_then(|p| p.at_interval).map(|i| i.low_mm)
+        })
+        .sheet(phrase!("at-interval-to"), "mm", |s| {
+            s.stream.path.as_ref().and_then(|p| p.at_interval).map(|i| i.high_mm)
+        })
+        .sheet(phrase!("at-location"), "mm", |s| s.stream.path.as_ref().map(|p| p.at_along_mm))
         .sheet("RT", "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_mm))
-        .sheet("RT, 95 % from", "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_interval).map(|i| i.low_mm))
-        .sheet("RT, 95 % to", "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_interval).map(|i| i.high_mm))
-        .sheet("RT at", "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_along_mm))
-        .sheet("mean velocity", "mm/s", |s| {
+        .sheet(phrase!("rt-interval-from"), "mm", |s| {
+            s.stream.path.as_ref().and_then(|p| p.rt_interval).map(|i| i.low_mm)
+        })
+        .sheet(phrase!("rt-interval-to"), "mm", |s| {
+            s.stream.path.as_ref().and_then(|p| p.rt_interval).map(|i| i.high_mm)
+        })
+        .sheet(phrase!("rt-location"), "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_along_mm))
+        .sheet(phrase!("mean-velocity"), "mm/s", |s| {
             s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.mean_mm_s)
         })
         .sheet("AV", "%", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.av_percent))
         .sheet("RV", "%", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).and_then(|v| v.rv_percent))
         .sheet("FV", "mm/s", |s| s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.fv_mm_s))
-        .sheet("weaving, passes", "", |s| s.stream.weaving.as_ref().map(|w| w.passes))
-        .sheet("weaving, turns", "", |s| s.stream.weaving.as_ref().map(|w| w.turns))
-        .sheet("commanded stroke", "mm", |s| s.stream.weaving.as_ref().map(|w| w.commanded_stroke_mm))
-        .sheet("stroke", "mm", |s| s.stream.weaving.as_ref().map(|w| w.stroke_mm))
+        .sheet(phrase!("weaving-passes"), "", |s| s.stream.weaving.as_ref().map(|w| w.passes))
+        .sheet(phrase!("weaving-turns"), "", |s| s.stream.weaving.as_ref().map(|w| w.turns))
+        .sheet(phrase!("commanded-stroke"), "mm", |s| s.stream.weaving.as_ref().map(|w| w.commanded_stroke_mm))
+        .sheet(phrase!("head-stroke"), "mm", |s| s.stream.weaving.as_ref().map(|w| w.stroke_mm))
         .sheet("WS", "%", |s| s.stream.weaving.as_ref().map(|w| w.ws_percent))
-        .sheet("commanded frequency", "Hz", |s| s.stream.weaving.as_ref().map(|w| w.commanded_frequency_hz))
-        .sheet("frequency", "Hz", |s| s.stream.weaving.as_ref().map(|w| w.frequency_hz))
+        .sheet(phrase!("commanded-frequency"), "Hz", |s| s.stream.weaving.as_ref().map(|w| w.commanded_frequency_hz))
+        .sheet(phrase!("head-frequency"), "Hz", |s| s.stream.weaving.as_ref().map(|w| w.frequency_hz))
         .sheet("WF", "%", |s| s.stream.weaving.as_ref().map(|w| w.wf_percent));
-    Table::of(words, &document.streams, columns).on("Streams")
+    Table::of(words, &document.streams, columns).on(phrase!("sheet-streams"))
 }
 
 fn standstills(named: &Iso9283NamedStream, words: &Words) -> Table {
     let columns = Columns::<Iso9283Standstill>::new()
-        .sheet("stream", "", |_| named.name.as_str())
+        .sheet(phrase!("stream"), "", |_| named.name.as_str())
         .both(phrase!("pose"), "", |s| s.pose)
         .both(phrase!("cycle"), "", |s| s.cycle)
         .both(phrase!("from"), "s", |s| fixed(s.from_s, 3))
         .both(phrase!("to"), "s", |s| fixed(s.to_s, 3))
-        .sheet("samples", "", |s| s.samples)
-        .sheet_xyz(["mean x", "mean y", "mean z"], "mm", |s| &s.mean_mm)
-        .sheet_xyz(["mean a", "mean b", "mean c"], "deg", |s| &s.mean_deg)
+        .sheet(phrase!("head-samples"), "", |s| s.samples)
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-mean", axis)), "mm", |s| &s.mean_mm)
+        .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("axis-mean", axis)), "deg", |s| &s.mean_deg)
         .micrometres(phrase!("noise"), |s| s.noise_mm)
         .both(phrase!("stabilisation-time"), "s", |s| fixed(s.stabilisation_s, 3))
         .micrometres(phrase!("overshoot"), |s| s.overshoot_mm)
         .both(phrase!("posing-time"), "s", |s| fixed(s.posing_s, 3));
-    Table::of(words, &named.stream.standstills, columns).on("Standstills").not_on_page()
+    Table::of(words, &named.stream.standstills, columns).on(phrase!("sheet-standstills")).not_on_page()
 }
 
 fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
     let columns = Columns::<Iso9283Settling>::new()
-        .sheet("stream", "", |_| named.name.as_str())
+        .sheet(phrase!("stream"), "", |_| named.name.as_str())
         .both(phrase!("pose"), "", |s| s.pose)
         .both(phrase!("arrivals"), "", |s| s.arrivals)
         .both(phrase!("stabilisation-time"), "s", |s| fixed(s.stabilisation_s, 3))
         .micrometres(phrase!("overshoot"), |s| s.overshoot_mm);
-    Table::of(words, &named.stream.settling, columns).on("Stabilisation")
+    Table::of(words, &named.stream.settling, columns).on(phrase!("sheet-stabilisation"))
 }
 
 fn posing_times(named: &Iso9283NamedStream, words: &Words) -> Table {
     let columns = Columns::<Iso9283Posing>::new()
-        .sheet("stream", "", |_| named.name.as_str())
+        .sheet(phrase!("stream"), "", |_| named.name.as_str())
         .both(phrase!("from-pose"), "", |p| p.from)
         .both(phrase!("to-pose"), "", |p| p.to)
         .both(phrase!("moves"), "", |p| p.moves)
         .both(phrase!("distance"), "mm", |p| fixed(p.distance_mm, 3))
         .both(phrase!("posing-time"), "s", |p| fixed(p.posing_s, 3));
-    Table::of(words, &named.stream.posing, columns).on("Posing")
+    Table::of(words, &named.stream.posing, columns).on(phrase!("sheet-posing"))
 }
 
 fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
     let at = |c: &Iso9283Corner| c.position_mm.iter().map(|v| number::fixed(*v, 2)).collect::<Vec<_>>().join(", ");
     let at = move |c: &Iso9283Corner| words.number(&at(c));
     let columns = Columns::<Iso9283Corner>::new()
-        .sheet("stream", "", |_| named.name.as_str())
+        .sheet(phrase!("stream"), "", |_| named.name.as_str())
         .page(phrase!("corner"), "mm", at)
         .sheet_xyz(["x", "y", "z"], "mm", |c| &c.position_mm)
         .micrometres(phrase!("round-off-cr"), |c| c.cr_mm)
@@ -318,18 +326,18 @@ fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
     let length = |c: &Iso9283Corner| fixed(c.stabilisation_mm, 3);
     let columns = match of_all().any(|c| c.stabilisation_mm.is_some()) {
         true => columns.both(phrase!("stabilisation-path-length"), "mm", length),
-        false => columns.sheet("stabilisation path length", "mm", length),
+        false => columns.sheet(phrase!("stabilisation-path-length"), "mm", length),
     };
-    Table::of(words, of_all(), columns).on("Corners")
+    Table::of(words, of_all(), columns).on(phrase!("sheet-corners"))
 }
 
 fn points(named: &Iso9283NamedStream, words: &Words) -> Table {
     let columns = Columns::<Iso9283PathPoint>::new()
-        .sheet("stream", "", |_| named.name.as_str())
-        .sheet("along", "mm", |p| p.along_mm)
-        .sheet_xyz(["commanded x", "commanded y", "commanded z"], "mm", |p| &p.commanded_mm)
-        .sheet_xyz(["mean x", "mean y", "mean z"], "mm", |p| &p.mean_mm)
-        .sheet("deviation", "mm", |p| p.deviation_mm)
-        .sheet("mean radius + 3 s", "mm", |p| p.rt_mm);
-    Table::of(words, named.stream.path.iter().flat_map(|p| &p.points), columns).on("Path")
+        .sheet(phrase!("stream"), "", |_| named.name.as_str())
+        .sheet(phrase!("head-along"), "mm", |p| p.along_mm)
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-commanded", axis)), "mm", |p| &p.commanded_mm)
+        .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-mean", axis)), "mm", |p| &p.mean_mm)
+        .sheet(phrase!("deviation"), "mm", |p| p.deviation_mm)
+        .sheet(phrase!("mean-radius-three-s"), "mm", |p| p.rt_mm);
+    Table::of(words, named.stream.path.iter().flat_map(|p| &p.points), columns).on(phrase!("sheet-path"))
 }

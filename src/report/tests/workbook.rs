@@ -4,6 +4,8 @@ use super::demo::Documents;
 use super::page::with_text;
 use crate::*;
 use calamine::{Data, Reader, Xlsx};
+use etalon_base::phrase;
+use etalon_documents::Language;
 use std::io::Cursor;
 
 fn book(documents: &Documents) -> Vec<u8> {
@@ -75,7 +77,7 @@ fn sheets_of_one_name_with_other_columns_are_written() {
     let (words, names) = (Words::default(), ["a".to_owned(), "b".to_owned()]);
     let table = |title| {
         let columns = Columns::<String>::new().both("name", "", |n| n.as_str()).both(title, "", |n| n.len());
-        Block::Table(Table::of(&words, &names, columns).on("Parameters"))
+        Block::Table(Table::of(&words, &names, columns).on(phrase!("parameters-title")))
     };
     let mut section = Section::new("parameters", "Parameters");
     ["predicted u", "identified", "predicted u"].into_iter().for_each(|title| section.push(table(title)));
@@ -83,4 +85,24 @@ fn sheets_of_one_name_with_other_columns_are_written() {
     let mut book = only_texts_and_numbers(super::super::workbook::workbook(&contents, &words).unwrap());
     assert_eq!(book.sheet_names(), ["Summary", "Parameters", "Parameters 2"]);
     assert_eq!(book.worksheet_range("Parameters").unwrap().height(), 1 + 2 * names.len());
+}
+
+/// A workbook has the language of its report; Excel rejects sheet names above 31 characters, with
+/// one of `[]:*?/\\`, or alike but for upper and lower case.
+#[test]
+fn a_workbook_has_the_language_of_its_report() {
+    let sheets = |language: Language| {
+        let words = Words::of(language);
+        let bytes = super::super::workbook::workbook(&Documents::demo().report().contents(&words), &words).unwrap();
+        let mut book = only_texts_and_numbers(bytes);
+        let head = book.worksheet_range(&book.sheet_names()[1]).unwrap();
+        let names: Vec<String> = book.sheet_names();
+        (names, head.rows().next().unwrap().iter().map(ToString::to_string).collect::<Vec<_>>())
+    };
+    let (english, _) = sheets(Language::En);
+    for language in [Language::Fr, Language::De] {
+        let (names, heads) = sheets(language);
+        assert_eq!(names.len(), english.len());
+        assert!(names[0] != english[0] && names.iter().all(|n| n.chars().count() <= 31), "{names:?} {heads:?}");
+    }
 }

@@ -7,12 +7,15 @@ also-in-lines = { $message }; ebenso in den Zeilen { $second }, { $third } und {
 
 did-you-mean = meinten Sie `{ $name }`?
 
+expected-whole-number = ganze Zahl von 0 bis { $most } erwartet
+is-a-folder = es ist ein Ordner
 meant-in-unit = in `{ $name }` umrechnen: 1 { $from } = { $factor } { $to }
 
 known-names = einen dieser Namen verwenden: { $names }
 
 known-names-first = einen dieser Namen verwenden: { $names }, ...
 
+no-regular-file = es ist eine Pipe, ein Socket oder ein Gerät, eine gewöhnliche Datei wird erwartet
 pose-name-empty = der Name der Pose ist leer
     .expected = eine ganze Zahl oder ein Name wie `home` oder `A-3`
 
@@ -57,6 +60,7 @@ cannot-encode = { $format } kann nicht geschrieben werden: { $reason }
 angle-order-unknown = `{ $text }` ist keine Reihenfolge von drei Winkeln
     .expected = "zyx", "xyz", "zyz" .. um die Achsen des Körpers oder "fixed xyz" .. um die Achsen des Weltkoordinatensystems
 
+pose-number-too-large = die Nummer einer Pose ist größer als 9223372036854775807
 rotation-not-orthonormal = die Rotationsmatrix ist nicht orthonormal: Skalarprodukte ihrer Zeilen weichen um { $off } von 1 oder 0 ab
     .expected = r11 bis r33, zeilenweise: Orientierung des Körpers im Weltkoordinatensystem
 
@@ -86,3 +90,4 @@ factor = { $of ->
         }
     }
 product = { $first } × { $second }
+unknown-country = unbekannter Ländercode `{ $code }`, zwei Großbuchstaben nach ISO 3166-1 werden erwartet, wie CA, DE oder GB

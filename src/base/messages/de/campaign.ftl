@@ -1,5 +1,6 @@
 ### Meldungen von campaign; Erklärungen in en/campaign.ftl.
 
+no-file-listed = die Liste der Dateien ist leer
 recording-unit = eine Aufzeichnung mit `format` braucht `unit`; ohne `format` ist `unit` nicht zulässig
     .hint = beide angeben; ohne beide ist die Aufzeichnung eine Tabelle time_s,x_mm,y_mm,z_mm, deren Kopf die Einheiten angibt
 

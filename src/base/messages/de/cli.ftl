@@ -1,5 +1,11 @@
 ### Meldungen von cli; Erklärungen in en/cli.ftl.
 
+batch-done = fertig
+batch-failed = gescheitert
+batch-not-done = { $ended }: { $campaign }
+batch-not-met = nicht eingehalten
+batch-skipped = übersprungen
+batch-unchanged = { $ended }, unverändert
 message-unknown = `{ $id }` ist nicht die Kennung einer Meldung
 
 option-not-positive = { $option } muss positiv sein

@@ -1,5 +1,7 @@
 ### Meldungen von formats; Erklärungen in en/formats.ftl.
 
+column-without-place = eine Spalte hat entweder `name` oder `number` ab 1
+column-wrong-occurrence = `occurrence` zählt ab 1, und `per_count` ist nicht 0
 columns-in-two-forms = `columns` nennt { $quantity ->
         [orientation] zwei Formen der Orientierung
        *[uncertainty] Standardunsicherheiten und erweiterte Messunsicherheiten
@@ -9,12 +11,14 @@ columns-in-two-forms = `columns` nennt { $quantity ->
 column-group-incomplete = `columns` nennt nur einen Teil von { $names }
     .hint = alle diese Spalten nennen oder keine
 
+header-without-words = `header` ist leer, ein Wort der Zeile vor den Daten wird erwartet
 key-needs-columns = `{ $key }` braucht die Spalten { $columns }
     .hint = diese Spalten in `columns` nennen oder `{ $key }` entfernen
 
 coverage-factor-missing = erweiterte Messunsicherheiten brauchen ihren Erweiterungsfaktor `coverage_factor`
     .hint = ihn in `format` angeben, zum Beispiel `coverage_factor = 2`
 
+row-number-unknown = `{ $stated }` ist unbekannt, erwartet wird `row`, oder `row + 100` für eine zweite Datei
 uncertainty-column-count = `columns` nennt { $stated ->
         [one] 1 Unsicherheit
        *[other] { $stated } Unsicherheiten
@@ -485,3 +489,4 @@ xacro-too-large = der expandierte Text ist größer als { $most_mib } MiB
 doubt-numbers-and-text = Spalte { $column } enthält in { $count } von { $rows } Zeilen Zahlen, und `{ $text }`: solche Zeilen weglassen (`header`, `comment`)
 
 doubt-array-columns = `{ $array }` hat { $count } Spalten: Gelenke, Koordinaten oder beides nebeneinander
+zero-count-alone = `zero_count` ist ohne `per_count` wirkungslos

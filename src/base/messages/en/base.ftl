@@ -7,12 +7,15 @@ also-in-lines = { $message }; also in lines { $second }, { $third } and { $more 
 
 did-you-mean = did you mean `{ $name }`?
 
+expected-whole-number = expected a whole number from 0 to { $most }
+is-a-folder = it is a folder
 meant-in-unit = convert to `{ $name }`: 1 { $from } is { $factor } { $to }
 
 known-names = use one of: { $names }
 
 known-names-first = use one of: { $names }, ...
 
+no-regular-file = it is a pipe, a socket or a device, expected a regular file
 # Means: A pose has an empty name.
 # Matters: Poses are matched by their names between exports, logs and plans.
 # Do: Give the pose a number or a name.
@@ -122,6 +125,7 @@ cannot-encode = cannot write { $format }: { $reason }
 angle-order-unknown = `{ $text }` is not an order of three angles
     .expected = "zyx", "xyz", "zyz" .. about the axes of the body, or "fixed xyz" .. about the axes of the world
 
+pose-number-too-large = the number of a pose is above 9223372036854775807
 # Means: The nine elements do not form a rotation matrix.
 # Matters: The columns may be exchanged, rounded, or scaled.
 # Do: Check the columns r11 to r33.
@@ -144,3 +148,4 @@ factor = { $count } { $of ->
        *[runs] runs
     }
 product = { $first } × { $second }
+unknown-country = unknown country code `{ $code }`, expected two capital letters of ISO 3166-1, as CA, DE or GB

@@ -1,5 +1,6 @@
 ### Messages of campaign. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
+no-file-listed = the list of files is empty
 # Means: A recording states `format` without `unit`, or `unit` without `format`.
 # Matters: Exports of a format carry no unit; a plain table states units in its header.
 # Do: State both, or neither.

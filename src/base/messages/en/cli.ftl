@@ -1,5 +1,11 @@
 ### Messages of cli. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
+batch-done = done
+batch-failed = failed
+batch-not-done = { $ended }: { $campaign }
+batch-not-met = not met
+batch-skipped = skipped
+batch-unchanged = { $ended }, unchanged
 # Means: No message of the catalogue has this id.
 # Matters: Only ids of the catalogue have an explanation.
 # Do: Copy the id from the brackets of the message, or list all ids with `etalon explain`.

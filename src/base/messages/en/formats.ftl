@@ -1,5 +1,7 @@
 ### Messages of formats. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
+column-without-place = a column has either a `name` or a `number` from 1
+column-wrong-occurrence = `occurrence` counts from 1, and `per_count` is not 0
 # Means: `columns` of a format names an orientation, or uncertainties, in two forms.
 # Matters: Only one form can be read; the other may differ from it.
 # Do: Remove the columns of one form from `columns`.
@@ -17,6 +19,7 @@ columns-in-two-forms = `columns` names { $quantity ->
 column-group-incomplete = `columns` names only some of { $names }
     .hint = name all of them, or none
 
+header-without-words = `header` is empty, expected a word of the row before the data
 # Means: A key of a format describes columns that `columns` does not name.
 # Matters: The key would have no effect, so a column is probably misnamed.
 # Do: Name these columns in `columns`, or remove the key.
@@ -33,6 +36,7 @@ key-needs-columns = `{ $key }` needs the columns { $columns }
 coverage-factor-missing = expanded uncertainties need their `coverage_factor`
     .hint = state it in `format`, for example `coverage_factor = 2`
 
+row-number-unknown = `{ $stated }` is unknown, expected `row`, or `row + 100` for a second file
 # Means: Some coordinates of a row have an uncertainty and others have none.
 # Matters: Observations are weighted by their uncertainties; a missing one is not zero.
 # Do: Name one column of uncertainties for each coordinate, or none.
@@ -915,3 +919,4 @@ xacro-too-large = the expanded text is larger than { $most_mib } MiB
 doubt-numbers-and-text = column { $column } holds numbers in { $count } of { $rows } rows, and `{ $text }`: leave out such rows (`header`, `comment`)
 
 doubt-array-columns = `{ $array }` has { $count } columns: joints, coordinates, or both beside each other
+zero-count-alone = `zero_count` has no effect without `per_count`

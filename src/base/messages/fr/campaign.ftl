@@ -1,5 +1,6 @@
 ### Messages de campaign ; explications dans en/campaign.ftl.
 
+no-file-listed = la liste des fichiers est vide
 recording-unit = un enregistrement exige `unit` s’il a un `format`, et ne l’admet pas sans `format`
     .hint = indiquer les deux ; sans l’un ni l’autre, c’est un tableau time_s,x_mm,y_mm,z_mm, dont l’en-tête indique les unités
 

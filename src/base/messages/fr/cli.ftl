@@ -1,5 +1,11 @@
 ### Messages de cli ; explications dans en/cli.ftl.
 
+batch-done = fait
+batch-failed = échec
+batch-not-done = { $ended } : { $campaign }
+batch-not-met = non respecté
+batch-skipped = omis
+batch-unchanged = { $ended }, inchangé
 message-unknown = `{ $id }` n’est pas l’identifiant d’un message
 
 option-not-positive = { $option } doit être positif

@@ -1,5 +1,7 @@
 ### Messages de formats ; explications dans en/formats.ftl.
 
+column-without-place = une colonne a soit un `name`, soit un `number` à partir de 1
+column-wrong-occurrence = `occurrence` compte à partir de 1, et `per_count` diffère de 0
 columns-in-two-forms = `columns` mentionne { $quantity ->
         [orientation] deux formes de l’orientation
        *[uncertainty] des incertitudes-types et des incertitudes élargies
@@ -9,12 +11,14 @@ columns-in-two-forms = `columns` mentionne { $quantity ->
 column-group-incomplete = `columns` ne mentionne qu’une partie de { $names }
     .hint = indiquer toutes ces colonnes, ou aucune
 
+header-without-words = `header` est vide, un mot de la ligne avant les données est attendu
 key-needs-columns = `{ $key }` a besoin des colonnes { $columns }
     .hint = indiquer ces colonnes dans `columns`, ou supprimer `{ $key }`
 
 coverage-factor-missing = des incertitudes élargies exigent leur facteur d’élargissement `coverage_factor`
     .hint = l’indiquer dans `format`, par exemple `coverage_factor = 2`
 
+row-number-unknown = `{ $stated }` est inconnu, `row` est attendu, ou `row + 100` pour un deuxième fichier
 uncertainty-column-count = `columns` mentionne { $stated ->
         [one] { $stated } incertitude
        *[other] { $stated } incertitudes
@@ -485,3 +489,4 @@ xacro-too-large = le texte développé dépasse { $most_mib } Mio
 doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $count } des { $rows } lignes, et `{ $text }` : exclure ces lignes (`header`, `comment`)
 
 doubt-array-columns = `{ $array }` a { $count } colonnes : des articulations, des coordonnées, ou les deux côte à côte
+zero-count-alone = `zero_count` est sans effet sans `per_count`
