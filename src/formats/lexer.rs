@@ -75,19 +75,36 @@ pub(super) fn each_row<'t>(
     text: &'t str,
     dialect: &Dialect,
 ) -> impl Iterator<Item = std::result::Result<Row<'t>, Message>> {
+    lines(text, dialect).map(|(number, line)| row(file, number, line, dialect))
+}
+
+/// Lines with their numbers, from 1; empty lines and comments are left out.
+pub(super) fn lines<'t>(text: &'t str, dialect: &Dialect) -> impl Iterator<Item = (usize, &'t str)> + Clone {
     let is_comment = |line: &str| dialect.comment.as_ref().is_some_and(|c| line.trim_start().starts_with(c.as_str()));
-    let is_row = move |(_, line): &(usize, &str)| !line.trim().is_empty() && !is_comment(line);
-    text.lines().enumerate().filter(is_row).map(|(i, line)| {
-        let mut row = Row { line: i + 1, text: line, fields: Vec::new() };
-        if !dialect.widths.is_empty() {
-            row.fields = fixed(line, &dialect.widths);
-        } else if let Err(stray) = fields(line, dialect.delimiter.unwrap_or(Delimiter::Tab), &mut row.fields) {
-            // a sheet was written with tabs
-            let column = line[..stray.at].chars().count() + 1;
-            return Err(error!("quote-unmatched", fault = stray.fault).at(row.place(file).at(column, 1)));
-        }
-        Ok(row)
-    })
+    let is_blank = |line: &str| match line.as_bytes().first() {
+        Some(b'!'..0x80) => false,
+        _ => line.trim().is_empty(),
+    };
+    let is_row = move |(_, line): &(usize, &str)| !is_blank(line) && !is_comment(line);
+    text.lines().enumerate().map(|(i, line)| (i + 1, line)).filter(is_row)
+}
+
+/// The fields of a line.
+pub(super) fn row<'t>(
+    file: &str,
+    number: usize,
+    line: &'t str,
+    dialect: &Dialect,
+) -> std::result::Result<Row<'t>, Message> {
+    let mut row = Row { line: number, text: line, fields: Vec::new() };
+    if !dialect.widths.is_empty() {
+        row.fields = fixed(line, &dialect.widths);
+    } else if let Err(stray) = fields(line, dialect.delimiter.unwrap_or(Delimiter::Tab), &mut row.fields) {
+        // a sheet was written with tabs
+        let column = line[..stray.at].chars().count() + 1;
+        return Err(error!("quote-unmatched", fault = stray.fault).at(row.place(file).at(column, 1)));
+    }
+    Ok(row)
 }
 
 /// Fields of these widths (characters); the rest of the line is one more field.
@@ -122,6 +139,45 @@ fn fields<'t>(line: &'t str, delimiter: Delimiter, fields: &mut Vec<Cow<'t, str>
             return Ok(());
         }
     }
+}
+
+/// Content of a column of a plain line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum PlainColumn {
+    Skipped,
+    Label,
+    /// Coordinate of this index.
+    Coordinate(usize),
+}
+
+/// Returns label and coordinates of a line that has just these columns, each coordinate a number of
+/// digits and a mark: most lines of an export are plain. `None` for any other line, which the
+/// reader of rows takes.
+pub(super) fn plain_line<'t>(
+    line: &'t str,
+    delimiter: Delimiter,
+    decimal: Decimal,
+    columns: &[PlainColumn],
+) -> Option<(&'t str, [f64; 3])> {
+    let mark = if decimal == Decimal::Point { b'.' } else { b',' };
+    let mut scanner = Scanner { bytes: line.as_bytes(), at: 0, delimiter: delimiter.byte() };
+    let (mut label, mut coordinates) = ("", [0.0; 3]);
+    for column in columns {
+        if let PlainColumn::Coordinate(at) = column {
+            scanner.skip_blanks();
+            coordinates[*at] = scanner.exact(mark)?;
+            if !scanner.separator() {
+                return None;
+            }
+            continue;
+        }
+        let cell = scanner.cell().ok().filter(|cell| !cell.quoted && !cell.last)?;
+        if *column == PlainColumn::Label {
+            label = line.get(cell.start..cell.end)?;
+        }
+    }
+    scanner.skip_blanks();
+    scanner.is_end().then_some((label, coordinates))
 }
 
 /// Whole numbers up to here are exact.

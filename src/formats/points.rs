@@ -191,7 +191,8 @@ impl Line {
     pub fn of(whole: &SharedText, part: &str) -> Self {
         let from = (part.as_ptr() as usize).checked_sub(whole.as_ptr() as usize);
         let range = from.and_then(|from| Some((u32::try_from(from).ok()?, u32::try_from(from + part.len()).ok()?)));
-        match range.filter(|&(from, to)| whole.get(from as usize..to as usize) == Some(part)) {
+        let is_part = |text: &str| std::ptr::eq(text, part);
+        match range.filter(|&(from, to)| whole.get(from as usize..to as usize).is_some_and(is_part)) {
             Some((from, to)) => Self { whole: whole.clone(), from, to },
             None => part.to_owned().into(),
         }

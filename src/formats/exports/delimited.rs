@@ -8,7 +8,7 @@ use crate::dialect::{
 };
 use crate::filter::Filter;
 use crate::lexer::pose_name;
-use crate::lexer::{self, Row, WHOLE, each_row, marked};
+use crate::lexer::{self, PlainColumn, Row, WHOLE, each_row, marked, parsed};
 use crate::points::{Line, Names, Point, SharedText};
 use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
@@ -17,7 +17,6 @@ use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::{error, phrase};
 use std::borrow::Cow;
-use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 
 /// Delimited text in a stated dialect.
@@ -127,21 +126,11 @@ pub(crate) fn point_rows(file: &str, text: &SharedText, dialect: &Dialect, unit:
     if !wrong.0.is_empty() {
         return (Vec::new(), wrong);
     }
-    let problems = RefCell::new(Problems::default());
-    let said = |message: Message| problems.borrow_mut().0.push(message);
-    let rows = each_row(file, text, dialect).filter_map(|row| row.map_err(said).ok());
-    let points = if dialect.sheet.is_some() {
-        // cells behind the last one of a row are empty, and not written
-        let mut rows: Vec<Row> = rows.collect();
-        let width = rows.iter().map(|row| row.fields.len()).max().unwrap_or(0);
-        rows.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
-        points(file, text, rows.into_iter(), dialect, unit)
-    } else {
-        points(file, text, rows, dialect, unit)
-    };
-    let (points, more) = points.unwrap_or_else(|more| (Vec::new(), more));
-    let mut problems = problems.into_inner();
-    problems.0.extend(more);
+    let mut problems = Problems::default();
+    let points = points(file, text, (dialect, unit), &mut problems).unwrap_or_else(|wrong| {
+        problems.0.extend(wrong);
+        Vec::new()
+    });
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     (points, problems)
 }
@@ -174,48 +163,70 @@ pub(crate) fn columns_not_read(
     computed.is_empty().then(|| [columns.iter().filter(unread).count(), columns.len()])
 }
 
-/// Reads the points of the data rows between header and end, with their problems; an error of the
-/// header stops the reading.
-fn points<'t>(
+/// Reads the points of the data rows between header and end; an error of the header stops the
+/// reading.
+fn points(
     file: &str,
     text: &SharedText,
-    mut rows: impl Iterator<Item = Row<'t>>,
-    dialect: &Dialect,
-    unit: Unit,
-) -> Result<(Vec<Point>, Vec<Message>), Vec<Message>> {
+    (dialect, unit): (&Dialect, Unit),
+    problems: &mut Problems,
+) -> Result<Vec<Point>, Vec<Message>> {
+    // cells behind the last one of a row of a sheet are empty, and not written
+    let of_sheet = || each_row(file, text, dialect).flatten().map(|row| row.fields.len()).max().unwrap_or(0);
+    let least = if dialect.sheet.is_some() { of_sheet() } else { 0 };
+    let split = |(number, line)| {
+        lexer::row(file, number, line, dialect).map(|mut row| {
+            row.fields.resize(least.max(row.fields.len()), Cow::Borrowed(""));
+            row
+        })
+    };
+    let mut lines = lexer::lines(text, dialect);
+    let mut rows = lines.by_ref().filter_map(|line| split(line).map_err(|message| problems.0.push(message)).ok());
     let header = header(file, &mut rows, dialect)?;
-    let mut rows = rows.peekable();
-    let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, rows.peek())?;
+    let first = lines.clone().find_map(|line| split(line).ok());
+    let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, first.as_ref())?;
     let filter = Filter::of(file, [&dialect.only, &dialect.without], header.as_ref())?;
-    let mut problems = Problems::default();
-    if let Some(header) = &header {
-        let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
-        let of_topic = dialect.sheet.as_deref().filter(|name| ros_bag::is_topic(name)).map(|_| Unit::Metre);
-        let unit_of = |name: &str| of_topic.or_else(|| Unit::of_heading(name));
-        let other = |(_, name): &(&ColumnRole, &Cow<str>)| unit_of(name).is_some_and(|said| said != unit);
-        if let Some((_, name)) = lengths.into_iter().find(other) {
-            let of_file = unit_of(name).map_or("", Unit::name);
-            let message = error!("unit-differs", of_file, how = **name, stated = unit.name());
-            problems.0.push(message.at(header.place(file)));
-        }
-    }
+    problems.0.extend(header.as_ref().and_then(|header| other_unit(file, header, &roles, (dialect, unit))));
     let reader = Reader { file, text, dialect, unit, roles, filter };
+    let plain = reader.plain().filter(|_| computed.is_empty());
     let (mut points, mut names) = (Vec::new(), Names::default());
-    while let Some(mut row) = rows.next() {
+    while let Some((number, line)) = lines.next() {
+        if let Some(point) = plain.as_ref().and_then(|plain| reader.plain_point(plain, number, line, &mut names)) {
+            points.push(point);
+            continue;
+        }
+        let mut row = match split((number, line)) {
+            Ok(row) => row,
+            Err(message) => {
+                problems.0.push(message);
+                continue;
+            }
+        };
         let ends = |end: &String| row.field(0) == end && row.fields[1..].iter().all(|f| f.is_empty());
         if let Some(end) = dialect.end.as_ref().filter(|end| ends(end)) {
-            if let Some(row) = rows.next() {
+            if let Some(row) = lines.find_map(|line| split(line).ok()) {
                 problems.0.push(error!("rows-after-end", end).at(row.place(file)));
             }
             break;
         }
         if !computed.is_empty() {
-            computed_cells(file, &mut row, width, (dialect, &computed), &mut problems);
+            computed_cells(file, &mut row, width, (dialect, &computed), problems);
         }
-        points.extend(reader.point(&row, &mut names, &mut problems));
+        points.extend(reader.point(&row, &mut names, problems));
     }
     problems.0.extend(reader.looks_spherical(&points));
-    Ok((points, problems.0))
+    Ok(points)
+}
+
+/// Error if a heading of a length states another unit than the campaign.
+fn other_unit(file: &str, header: &Row, roles: &[ColumnRole], (dialect, unit): (&Dialect, Unit)) -> Option<Message> {
+    let of_topic = dialect.sheet.as_deref().filter(|name| ros_bag::is_topic(name)).map(|_| Unit::Metre);
+    let mut lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
+    let (name, of_file) = lengths.find_map(|(_, name)| {
+        let of_heading = of_topic.or_else(|| Unit::of_heading(name)).filter(|said| *said != unit)?;
+        Some((name, of_heading.name()))
+    })?;
+    Some(error!("unit-differs", of_file, how = **name, stated = unit.name()).at(header.place(file)))
 }
 
 /// Removes the last row of the header from the rows, and returns it.
@@ -347,6 +358,40 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
+    /// Columns of plain lines, if every column is a label, x, y, z or skipped, and no number can
+    /// mean "not measured".
+    fn plain(&self) -> Option<Vec<PlainColumn>> {
+        let Dialect { only, without, widths, end, sheet, thousands, missing, decimal, .. } = self.dialect;
+        let stated = !(only.is_empty() && without.is_empty() && widths.is_empty());
+        let numeric = missing.markers().iter().any(|marker| parsed(marker, *decimal, None).is_some());
+        if stated || numeric || end.is_some() || sheet.is_some() || thousands.is_some() {
+            return None;
+        }
+        let axes = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];
+        let column = |role: &ColumnRole| match role {
+            ColumnRole::Skip => Some(PlainColumn::Skipped),
+            ColumnRole::Label => Some(PlainColumn::Label),
+            role => axes.iter().position(|axis| axis == role).map(PlainColumn::Coordinate),
+        };
+        let columns: Vec<PlainColumn> = self.roles.iter().map(column).collect::<Option<_>>()?;
+        let once = |of: PlainColumn, least: usize| (least..=1).contains(&columns.iter().filter(|c| **c == of).count());
+        let all = (0..3).all(|axis| once(PlainColumn::Coordinate(axis), 1)) && once(PlainColumn::Label, 0);
+        all.then_some(columns)
+    }
+
+    /// Reads the point of a plain line; `None` if the line has to be read as a row.
+    fn plain_point(&self, columns: &[PlainColumn], number: usize, line: &str, names: &mut Names) -> Option<Point> {
+        let delimiter = self.dialect.delimiter.unwrap_or(Delimiter::Tab);
+        let (label, xyz) = lexer::plain_line(line, delimiter, self.dialect.decimal, columns)?;
+        Some(Point {
+            line: number as u32,
+            text: Line::of(self.text, line),
+            label: names.shared(label),
+            xyz_mm: xyz.map(|v| v * self.unit.in_mm()),
+            ..Point::default()
+        })
+    }
+
     /// Reads one point. Invalid numbers are reported and leave the point without a position; a row
     /// with other columns than the stated ones is reported and gives no point.
     fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
@@ -731,6 +776,49 @@ fn named_columns(stated: &Columns) -> Result<Vec<(ColumnRole, String)>, Message>
 mod tests {
     use super::*;
     use ColumnRole::*;
+
+    /// Lines of label and coordinates are read without rows of fields; an end mark sends each line
+    /// to the reader of rows.
+    #[test]
+    fn plain_lines_are_read_as_rows_are() {
+        let cells = [
+            "a",
+            "",
+            " b ",
+            "\"q,r\"",
+            "\"s",
+            "x y",
+            "\"t\"\"u\"",
+            "1",
+            "-2.5",
+            "1e3",
+            "+4",
+            "-",
+            "nan",
+            "3.",
+            ".5",
+            "1.2.3",
+            "7 ",
+        ];
+        let by_comma = columns_in(Delimiter::Comma, &[Label, X, Skip, Y, Z]);
+        let by_blank = columns_in(Delimiter::Blank, &[Z, X, Y]);
+        let mut draws = etalon_base::noise::Noise::new(1, 0);
+        let (mut read, mut refused) = (0, 0);
+        for (dialect, separator, width) in [(by_comma, ",", 5), (by_blank, " ", 3)] {
+            for _ in 0..8000 {
+                let mut cell = |_| cells[(draws.uniform(0.5).abs() * 2.0 * cells.len() as f64) as usize % cells.len()];
+                let line: Vec<&str> = (0..width).map(&mut cell).collect();
+                let text: SharedText = format!("n,1,,-2.5,3\n{}\r\n1 2 3\n", line.join(separator)).as_str().into();
+                let by_rows = Dialect { end: Some("never".to_owned()), ..dialect.clone() };
+                let [plain, rows] = [&dialect, &by_rows].map(|d| point_rows("f", &text, d, Unit::Inch));
+                // NaN differs from itself
+                assert_eq!(format!("{plain:?}"), format!("{rows:?}"), "{line:?}");
+                read += plain.0.len();
+                refused += plain.1.0.len();
+            }
+        }
+        assert!(read > 16_000 && refused > 8000, "{read} {refused}");
+    }
 
     /// Three kinds of coordinates of (3, -4, 12): distance 13, radius 5.
     #[test]

@@ -3,7 +3,7 @@
 use super::delimited::columns_in;
 use super::{About, ExportFormat, ExportRow, Plain, Text, Writing};
 use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
-use crate::lexer::{self, each_row, number};
+use crate::lexer::{self, PlainColumn, lines, number};
 use crate::points::{Line, Names, Point, SharedText};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
@@ -42,8 +42,21 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     let mut names = Names::default();
-    for row in each_row(file, text, &columns_in(Delimiter::Blank, &[])) {
-        let row = match row {
+    let dialect = columns_in(Delimiter::Blank, &[]);
+    let columns =
+        [PlainColumn::Label, PlainColumn::Coordinate(0), PlainColumn::Coordinate(1), PlainColumn::Coordinate(2)];
+    for (i, line) in lines(text, &dialect) {
+        if let Some((label, xyz)) = lexer::plain_line(line, Delimiter::Blank, Decimal::Point, &columns) {
+            points.push(Point {
+                line: i as u32,
+                text: Line::of(text, line),
+                label: names.shared(label),
+                xyz_mm: xyz.map(|v| v * unit.in_mm()),
+                ..Point::default()
+            });
+            continue;
+        }
+        let row = match lexer::row(file, i, line, &dialect) {
             Ok(row) => row,
             Err(message) => {
                 problems.0.push(message);
