@@ -24,12 +24,13 @@ const WITHOUT_SENTENCES: [&str; 11] =
     ["base", "campaign", "compare", "documents", "fit", "identify", "math", "report", "run", "simulate", "stages"];
 
 /// Texts in these folders that are no sentences, or complete a sentence of the library that reads TOML.
-const OF_OTHERS: [&str; 13] = [
+const OF_OTHERS: [&str; 14] = [
     "AD AE AF AG AI",
     "The same in metres.",
     "The same in radians.",
     "a number of seconds, or",
     "a table in [ ] or tables",
+    "etalon compensate PROGRAM",
     "mid over name",
     "position after, max [mm]",
     "position before, max [mm]",

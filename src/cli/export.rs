@@ -111,9 +111,7 @@ fn exporters<'a>(names: &[String], own: &'a [OwnFormat]) -> Result<Vec<&'a dyn E
     let usual: Vec<String> = etalon_controllers::usual().map(str::to_owned).collect();
     let names = if names.is_empty() && own.is_empty() { &usual } else { names };
     let exporter = |name: &String| -> Result<&'a dyn Exporter, Problems> {
-        let wrong = || error!("controller-format-unknown", name);
-        etalon_controllers::by_name(name)
-            .ok_or_else(|| Problems::from(wrong().hint_names(name, etalon_controllers::names())))
+        etalon_controllers::by_name(name).ok_or_else(|| Problems::from(etalon_controllers::unknown(name)))
     };
     let mut all = names.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
     all.extend(own.iter().map(|format| format as &dyn Exporter));

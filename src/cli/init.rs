@@ -53,6 +53,8 @@ pub struct Init {
 
 const CAMPAIGN: &str = include_str!("init/campaign.toml");
 const ROBOT: &str = include_str!("init/robot.toml");
+/// Line of a proposed campaign that its folder names.
+const UNTITLED: &str = "name = \"First campaign\"";
 const ROBOT_CAMPAIGN: &str = include_str!("init/campaign-robot.toml");
 const ROBOTS: &str = include_str!("init/robots.toml");
 const TRUTH: &str = include_str!("init/truth.toml");
@@ -64,7 +66,7 @@ const MADE: &str = "synthetic = \"made by `etalon simulate` from truth.toml; nob
 impl Init {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         if !self.from.is_empty() {
-            let files = from::campaign(&self.from, self.robot_files()?)?;
+            let files = self.described_by(from::campaign(&self.from, self.robot_files()?)?);
             print_written(files::write_new(&self.folder, &files)?, self.json)?;
             let (_, text) = &files[0];
             if !self.json {
@@ -89,15 +91,30 @@ impl Init {
         self.write(&texts)
     }
 
+    /// Adds the schemas that the first lines name; a campaign is named after its folder.
+    fn described_by(&self, mut files: Vec<(String, Vec<u8>)>) -> Vec<(String, Vec<u8>)> {
+        let schemas = etalon_campaign::schemas();
+        let folder = std::path::absolute(&self.folder).unwrap_or_default();
+        let folder = folder.file_name().map(|name| toml::Value::from(&*name.to_string_lossy()).to_string());
+        for (name, text) in &mut files {
+            if !schemas.iter().any(|(of, _)| of == name) {
+                continue;
+            }
+            let own = String::from_utf8_lossy(text);
+            let titled = match &folder {
+                Some(folder) if name == "campaign.toml" => own.replacen(UNTITLED, &format!("name = {folder}"), 1),
+                _ => own.into_owned(),
+            };
+            *text = format!("#:schema ./{}\n{titled}", schema_file(name)).into_bytes();
+        }
+        files.extend(schemas.iter().map(|(name, text)| (schema_file(name), text.clone().into_bytes())));
+        files
+    }
+
     /// Writes the files, and says what comes next.
     fn write(&self, texts: &[(&str, Vec<u8>)]) -> anyhow::Result<Verdict> {
-        let schemas = etalon_campaign::schemas();
-        let text = |(name, text): &(&str, Vec<u8>)| match schemas.iter().any(|(of, _)| of == name) {
-            true => ((*name).to_owned(), [format!("#:schema ./{}\n", schema_file(name)).as_bytes(), text].concat()),
-            false => ((*name).to_owned(), text.clone()),
-        };
-        let schema = |(name, text): &(&'static str, String)| (schema_file(name), text.clone().into_bytes());
-        let all: Vec<(String, Vec<u8>)> = texts.iter().map(text).chain(schemas.iter().map(schema)).collect();
+        let texts = texts.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect();
+        let all = self.described_by(texts);
         print_written(files::write_new(&self.folder, &all)?, self.json)?;
         let folder = shell_word(&self.folder);
         match self.synthetic {

@@ -426,6 +426,16 @@ pub fn file_names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|exporter| exporter.file_name())
 }
 
+/// Error for an unknown format; languages of robot programs are referred to `etalon compensate`.
+pub fn unknown(name: &str) -> Message {
+    let message = error!("controller-format-unknown", name);
+    let makers = ["abb", "kuka", "fanuc"];
+    if commands::language(name).is_some() || makers.contains(&name.to_lowercase().as_str()) {
+        return message.hint(phrase!("compensate-programs"));
+    }
+    message.hint_names(name, names())
+}
+
 /// Names of all formats.
 pub fn names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|exporter| exporter.name())

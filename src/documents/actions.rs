@@ -171,6 +171,15 @@ fn listed(poses: &[PoseName]) -> String {
     poses.iter().take(POSES).map(PoseName::to_string).collect::<Vec<_>>().join(", ")
 }
 
+/// Formats of files that programs of a laboratory read; no controller loads them.
+const OF_LABORATORIES: [&str; 10] =
+    ["c-header", "csv", "dcc", "json", "matlab", "mcap", "numpy", "python", "qif", "urdf"];
+
+/// `true` if a controller loads one of the files of a campaign.
+fn files_of_controllers(campaign: &CampaignSummary) -> bool {
+    campaign.controller_files.iter().any(|file| !OF_LABORATORIES.contains(&file.format.as_str()))
+}
+
 /// Values of a limit in its unit.
 fn in_unit(value: f64, limit: &LimitVerdict) -> String {
     if limit.unit == "mm" { length(value) } else { format!("{value:.4} {}", limit.unit) }
@@ -227,16 +236,24 @@ impl Evidence<'_> {
         let (first, errors) = alike.first()?;
         let names: Vec<&str> = alike.iter().map(|(f, _)| f.file.as_str()).collect();
         let others = names[1..].join(", ");
+        let of_controllers = files_of_controllers(self.campaign);
+        let (count, file) = (names.len() - 1, first.file.as_str());
         let what = match self.campaign.synthetic.is_some() {
-            true => phrase!("action-load-synthetic", file = first.file, count = names.len() - 1, others),
-            false => phrase!("action-load", file = first.file, count = names.len() - 1, others),
+            true => phrase!("action-load-synthetic", file, count, others),
+            false if of_controllers => phrase!("action-load", file, count, others),
+            false => phrase!("action-load-or-compensate", file, count, others),
         };
         let PositionErrors { rms_mm: nominal, .. } = errors.nominal;
         let [expected, nominal_error] = lengths([best.rms_mm, nominal]);
         let reason =
             phrase!("action-load-reason", expected, nominal = nominal_error, count = set.poses, set = set.name.name());
-        let action = Action::new(ActionKind::Load, what, reason).file(first.file.as_str());
-        Some(action.gain(Some(nominal - best.rms_mm)))
+        let action = Action::new(ActionKind::Load, what, reason).file(file).gain(Some(nominal - best.rms_mm));
+        match of_controllers {
+            true => Some(action),
+            false => {
+                Some(action.command("etalon compensate PROGRAM --robot robot.toml --parameters out/parameters.json"))
+            }
+        }
     }
 
     /// Calibration poses that a robust fit finds to disagree with the others.

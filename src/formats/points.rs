@@ -228,7 +228,11 @@ impl Debug for Line {
 
 /// Names of many rows, stored once each.
 #[derive(Debug, Default)]
-pub struct Names(IndexSet<SharedText>);
+pub struct Names {
+    known: IndexSet<SharedText>,
+    /// Name of the row before: rows of a scan have the same label.
+    last: SharedText,
+}
 
 impl Names {
     /// Maximum number of stored names. Beyond it names probably differ from row to row, and
@@ -237,12 +241,19 @@ impl Names {
 
     /// Returns the name, sharing the memory of an equal name before it.
     pub fn shared(&mut self, name: &str) -> SharedText {
-        if let Some(known) = self.0.get(name) {
-            return known.clone();
+        if *self.last != *name {
+            self.last = match self.known.get(name) {
+                Some(known) => known.clone(),
+                None => self.added(name),
+            };
         }
+        self.last.clone()
+    }
+
+    fn added(&mut self, name: &str) -> SharedText {
         let name: SharedText = name.into();
-        if self.0.len() < Self::MOST {
-            self.0.insert(name.clone());
+        if self.known.len() < Self::MOST {
+            self.known.insert(name.clone());
         }
         name
     }

@@ -31,8 +31,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         if is_template(name.get_ref()) {
             problems.0.extend(template(campaign, name).err().unwrap_or_default().0);
         } else if etalon_controllers::by_name(name.get_ref()).is_none() {
-            let message = error!("controller-format-unknown", name = name.get_ref()).at(campaign.place(name));
-            problems.0.push(message.hint_names(name.get_ref(), etalon_controllers::names()));
+            problems.0.push(etalon_controllers::unknown(name.get_ref()).at(campaign.place(name)));
         }
     }
     let instrument = &file.instrument;

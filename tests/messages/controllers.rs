@@ -12,6 +12,7 @@ const VERIFY: &str = "verify @/out/observations.csv --robot @/robot.toml --param
 
 const CASES: &[Case] = &[
     ("controller-format-unknown name=jsn", ARM, &[], "export @/out/parameters.json --format jsn"),
+    ("controller-format-unknown name=rapid", ARM, &[], "export @/out/parameters.json --format rapid"),
     ("template-name", ARM, &[("t.txt", "", "")], "export @/out/parameters.json --template @/t.txt"),
     (
         "template-without-holds",

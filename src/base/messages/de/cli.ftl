@@ -93,8 +93,6 @@ target-unreachable = Ziel { $target }: { $reason }
 pose-unreachable = Pose { $pose }: { $reason }
     .hint = die Pose und die Grenzen in robot.toml prüfen
 
-controller-format-unknown = `{ $name }` ist kein Steuerungsformat
-
 hash-of-other-format = `--controller-hash` gilt nur für Formate, die diesen Hashwert enthalten: { $formats }
     .hint = eines davon mit --format angeben
 

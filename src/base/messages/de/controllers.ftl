@@ -1,5 +1,9 @@
 ### Meldungen von controllers; Erklärungen in en/controllers.ftl.
 
+compensate-programs = eine Sprache oder ein Hersteller von Roboterprogrammen: die Programme mit `etalon compensate PROGRAM` korrigieren; `etalon cell` schreibt Werkzeug und Werkobjekt
+
+controller-format-unknown = `{ $name }` ist kein Steuerungsformat
+
 kind-hexapod = ein Hexapod (`hexapod`)
 
 kind-five-bar = ein Fünfgelenkroboter (`five_bar`)

@@ -1,5 +1,10 @@
 ### Meldungen von documents; Erklärungen in en/documents.ftl.
 
+action-load-or-compensate = `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(oder { $others })
+    } in eigene Software laden, oder die Programme einer Steuerung korrigieren, die mit nominaler Geometrie rechnet:
+
 limits-for-several-robots = Grenzwerte gelten für einen Roboter, die Tabelle enthält aber { $robots }
     .hint = jeden Roboter einzeln prüfen; zusammen ergeben sie die Austauschbarkeit
 

@@ -202,12 +202,6 @@ target-unreachable = target { $target }: { $reason }
 pose-unreachable = pose { $pose }: { $reason }
     .hint = check the pose and the limits in robot.toml
 
-# Means: The name of a controller format is unknown.
-# Matters: No file is written.
-# Do: Use a format that `etalon export --help` lists.
-# Example: `--format jsn`
-controller-format-unknown = `{ $name }` is not a controller format
-
 # Means: `--controller-hash` is stated without a format that contains the hash of a calibration.
 # Matters: Other formats have no hash of a controller.
 # Do: Name the format, or omit the hash.

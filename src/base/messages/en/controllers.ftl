@@ -1,5 +1,13 @@
 ### Messages of controllers. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
+compensate-programs = a language or maker of robot programs: correct its programs with `etalon compensate PROGRAM`; `etalon cell` writes its tool and work object
+
+# Means: The name of a controller format is unknown.
+# Matters: No file is written.
+# Do: Use a format that `etalon export --help` lists.
+# Example: `--format jsn`
+controller-format-unknown = `{ $name }` is not a controller format
+
 kind-hexapod = a hexapod (`hexapod`)
 
 kind-five-bar = a five-bar robot (`five_bar`)

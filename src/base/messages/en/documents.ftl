@@ -1,5 +1,10 @@
 ### Messages of documents. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
+action-load-or-compensate = load `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(or { $others })
+    } into your own software, or correct the programs of a controller that computes with nominal geometry:
+
 # Means: Limits are stated, and the table has rows of several robots.
 # Matters: Limits of AP and RP apply to one robot.
 # Do: Test each robot separately; only exchangeability is evaluated from all robots together.

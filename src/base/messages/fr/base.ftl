@@ -8,14 +8,14 @@ also-in-lines = { $message } ; également aux lignes { $second }, { $third } e
 did-you-mean = vouliez-vous dire `{ $name }` ?
 
 expected-whole-number = nombre entier de 0 à { $most } attendu
-is-a-folder = c'est un dossier
+is-a-folder = c’est un dossier
 meant-in-unit = convertir en `{ $name }` : 1 { $from } = { $factor } { $to }
 
 known-names = utiliser l’un de ces noms : { $names }
 
 known-names-first = utiliser l’un de ces noms : { $names }, ...
 
-no-regular-file = c'est un tube, une socket ou un périphérique, un fichier ordinaire est attendu
+no-regular-file = c’est un tube, une socket ou un périphérique, un fichier ordinaire est attendu
 pose-name-empty = le nom de la pose est vide
     .expected = un nombre entier, ou un nom comme `home` ou `A-3`
 
@@ -60,7 +60,7 @@ cannot-encode = impossible d’écrire { $format } : { $reason }
 angle-order-unknown = `{ $text }` n’est pas un ordre de trois angles
     .expected = "zyx", "xyz", "zyz" .. autour des axes du corps, ou "fixed xyz" .. autour des axes du référentiel atelier
 
-pose-number-too-large = le numéro d'une pose dépasse 9223372036854775807
+pose-number-too-large = le numéro d’une pose dépasse 9223372036854775807
 rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : les produits scalaires de ses lignes s’écartent de 1 ou de 0 de { $off }
     .expected = r11 à r33, ligne par ligne : orientation du corps dans le référentiel atelier
 
@@ -90,4 +90,4 @@ factor = { $of ->
         }
     }
 product = { $first } × { $second }
-unknown-country = code de pays `{ $code }` inconnu, deux majuscules de l'ISO 3166-1 sont attendues, comme CA, DE ou GB
+unknown-country = code de pays `{ $code }` inconnu, deux majuscules de l’ISO 3166-1 sont attendues, comme CA, DE ou GB

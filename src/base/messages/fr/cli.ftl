@@ -93,8 +93,6 @@ target-unreachable = cible { $target } : { $reason }
 pose-unreachable = pose { $pose } : { $reason }
     .hint = vérifier la pose et les limites dans robot.toml
 
-controller-format-unknown = `{ $name }` n’est pas un format de commande
-
 hash-of-other-format = `--controller-hash` ne s’applique qu’aux formats qui contiennent cette empreinte : { $formats }
     .hint = en indiquer un avec --format
 

@@ -1,5 +1,9 @@
 ### Messages de controllers ; explications dans en/controllers.ftl.
 
+compensate-programs = un langage ou fabricant de programmes de robot : corriger ses programmes par `etalon compensate PROGRAM` ; `etalon cell` écrit son outil et son repère objet
+
+controller-format-unknown = `{ $name }` n’est pas un format de commande
+
 kind-hexapod = un hexapode (`hexapod`)
 
 kind-five-bar = un robot à cinq barres (`five_bar`)

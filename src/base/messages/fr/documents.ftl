@@ -1,5 +1,10 @@
 ### Messages de documents ; explications dans en/documents.ftl.
 
+action-load-or-compensate = charger `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(ou { $others })
+    } dans votre propre logiciel, ou corriger les programmes d’une commande qui calcule avec la géométrie nominale :
+
 limits-for-several-robots = les limites valent pour un seul robot, or le tableau en contient { $robots }
     .hint = vérifier chaque robot séparément ; ensemble, ils donnent l’interchangeabilité
 

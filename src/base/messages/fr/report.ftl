@@ -25,9 +25,9 @@ and-more = et { $count ->
         [one] { $count } autre
        *[other] { $count } autres
     }
-angle-ad = AD de l'angle { $axis }
-angle-rd = RD de l'angle { $axis }
-angle-vap = vAP de l'angle { $axis }
+angle-ad = AD de l’angle { $axis }
+angle-rd = RD de l’angle { $axis }
+angle-vap = vAP de l’angle { $axis }
 ap-by-set = AP par série
 ap-interval-from = AP, 95 %, de
 ap-interval-to = AP, 95 %, à
@@ -53,9 +53,9 @@ at-tool-point = Au point de l’outil : { $count ->
     }
 attached-accuracy = Erreurs avant et après
 attached-campaign = Indications de la campagne
-attached-certificate = Certificat d'étalonnage numérique (DCC), projet
+attached-certificate = Certificat d’étalonnage numérique (DCC), projet
 attached-changes = Changements entre les campagnes
-attached-characteristics = Caractéristiques de l'ISO 9283
+attached-characteristics = Caractéristiques de l’ISO 9283
 attached-compliance = Souplesse statique
 attached-controllers = Fichiers pour la commande
 attached-distributions = Distributions des résultats
@@ -729,9 +729,9 @@ no-significant-change-sentence = Pas de changement significatif.
 no-trend-pictures = Erreurs en fonction des valeurs articulaires et de la distance : aucune tendance significative
 no-uncertainty-is-known = incertitude inconnue
 noise = bruit
-noise-of-reading-x = bruit d'une lecture, x
-noise-of-reading-y = bruit d'une lecture, y
-noise-of-reading-z = bruit d'une lecture, z
+noise-of-reading-x = bruit d’une lecture, x
+noise-of-reading-y = bruit d’une lecture, y
+noise-of-reading-z = bruit d’une lecture, z
 nominal = nominal
 nominal-lead = pas nominal
 nominal-max = nominal, max.
@@ -1127,7 +1127,7 @@ sheet-streams = Flux
 sheet-study-parameters = Étude, paramètres
 sheet-study-positions = Étude, positions
 sheet-summary = Résumé
-sheet-tool-point = Point d'outil
+sheet-tool-point = Point d’outil
 sheet-trends-of-residuals = Tendances des résidus
 sheet-values = Valeurs
 sheet-without-partner = Sans correspondance
@@ -1263,7 +1263,7 @@ u-bootstrap = u, bootstrap
 u-draws = u, tirages
 u-linear = u, linéaire
 u-of-deviation = son u (k = 1)
-u-of-identified = u de l'identifié
+u-of-identified = u de l’identifié
 u-over-ap = U / AP
 u-over-rp = U / RP
 u-report = u, rapport
