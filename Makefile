@@ -16,6 +16,7 @@
 # make test-linuxcnc load exported kinematics into LinuxCNC and compare its joint positions (needs root; installs linuxcnc-uspace of Debian)
 # make real    download public campaigns of real robots, run them, and print etalon's figures beside the published ones;
 #              REAL_SOURCE=FOLDER takes the files from a folder instead
+# make reference write an archive of the reference campaigns with certified values: target/reference
 # make python  build the wheel with the Python module and the program, and test it in a virtual environment beside the build
 # make book    make a book of docs/ with mdBook: target/book/index.html
 # make dist    write an archive, a Debian package and checksums of the program: target/dist
@@ -39,7 +40,7 @@ CAMPAIGNS ?=
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test quick unit attack test-slurm test-linuxcnc real thesis bench bench-fit bench-import samples python book dist help clean
+.PHONY: all report compare test quick unit attack test-slurm test-linuxcnc real reference thesis bench bench-fit bench-import samples python book dist help clean
 
 # names of folders are never a part of a rule, and reach the shell as they are: from its own patterns, or quoted
 unexport CAMPAIGNS
@@ -138,6 +139,9 @@ REAL_SOURCE ?=
 
 real: $(ETALON)
 	REAL_SOURCE='$(subst ','\'',$(REAL_SOURCE))' tests/real/real.sh $(ETALON) $(CARGO_TARGET_DIR)/real
+
+reference:
+	tests/reference/campaigns/archive.sh $(CARGO_TARGET_DIR)/reference
 
 samples: $(ETALON)
 	for truth in samples/*/truth.toml; do $(ETALON) simulate -- "$${truth%/truth.toml}" || exit; done

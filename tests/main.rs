@@ -7,6 +7,7 @@ mod campaigns;
 mod catalogue;
 mod cli;
 mod dependencies;
+mod documents;
 mod formats;
 mod golden;
 mod hostile;

@@ -1,6 +1,7 @@
 //! Command `etalon fit`.
 
 use super::fit_text::as_text;
+use super::fit_tracim;
 use super::text_format::{TextFormat, word};
 use super::{Verdict, print, print_text, remark, say_message};
 use crate::stages::qif_fit::{ProbeStated, refit};
@@ -12,7 +13,7 @@ use etalon_documents::{FitDocument, to_json};
 use etalon_fit::{CircleMethod, Element, FitSettings, PackedPoints, Probe, Side, Source};
 use etalon_formats::Format;
 use etalon_formats::dialect::Unit;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Fit a geometric element to the points of files.
 ///
@@ -61,10 +62,23 @@ pub struct FitCommand {
     /// Print JSON: an object, or a list of objects with --by-label and for QIF.
     #[arg(long)]
     json: bool,
+    /// Answer a test of TraCIM (PTB): the only file is the test data, and the answer is XML.
+    #[arg(long, conflicts_with_all = [
+        "files", "format", "columns", "unit", "by_label", "radius_mm", "probe_radius_mm", "probe_side", "orthogonal",
+        "minimum_zone", "robust", "json",
+    ])]
+    tracim: bool,
+    /// Customer as registered with TraCIM.
+    #[arg(long, value_name = "NAME", requires = "tracim")]
+    customer: Option<String>,
 }
 
 impl FitCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        if self.tracim {
+            print_text(&fit_tracim::answer(Path::new(&self.element), self.customer.as_deref())?)?;
+            return Ok(Verdict::Met);
+        }
         let (documents, qif) = match self.plain()? {
             Some(points) => (vec![self.fit("", Source::from(&points))?], false),
             None => {
@@ -101,7 +115,7 @@ impl FitCommand {
     /// `true` if a file is given in place of the element.
     fn all_features(&self) -> bool {
         let known = self.element.starts_with("enclosing-") || self.element.parse::<Element>().is_ok();
-        !known && std::path::Path::new(&self.element).is_file()
+        !known && Path::new(&self.element).is_file()
     }
 
     /// Fits all points together, or each label separately.

@@ -16,6 +16,7 @@ mod explain;
 mod export;
 mod fit;
 mod fit_text;
+mod fit_tracim;
 mod formats;
 mod given;
 mod groups;

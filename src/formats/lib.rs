@@ -22,6 +22,7 @@ pub(crate) mod ros_bag;
 mod sqlite;
 pub mod table;
 pub mod tables;
+pub mod tracim;
 mod workbook;
 pub mod xacro;
 pub mod xml;

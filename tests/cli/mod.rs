@@ -28,6 +28,7 @@ mod streams;
 mod study;
 mod tables;
 mod talk;
+mod tracim;
 mod verdict;
 
 use crate::support::said::Says;

@@ -21,6 +21,16 @@ const CELL_AMBIGUOUS: &str = "flange_x_mm,flange_y_mm,flange_z_mm,flange_qw,flan
 /// Points of a cylinder of radius 10 mm about z, 1 um off.
 const CYLINDER: &str = "10.001 0 0\n0 9.999 0\n-10.001 0 0\n0 -9.999 0\n9.999 0 20\n0 10.001 20\n-9.999 0 20\n0 -10.001 20\n7.071 7.072 10\n-7.072 -7.071 10\n";
 
+/// Test data of TraCIM: a plane without the third coordinate of its last point.
+const TRACIM: &str = "<tracim:tracim xmlns:tracim=\"t\" xmlns:g=\"g\" xmlns:xsi=\"x\"><tracim:process><tracim:key>K</tracim:key></tracim:process>\
+    <tracim:test xsi:type=\"gauss:gaussTestPackage\"><g:package><g:testElement><g:basicID>b05</g:basicID>\
+    <g:computationObject>PLANE</g:computationObject><g:pointCloud><g:vectors><g:x>0</g:x><g:y>0</g:y><g:z>0</g:z></g:vectors>\
+    <g:vectors><g:x>1</g:x><g:y>0</g:y><g:z>0</g:z></g:vectors><g:vectors><g:x>0</g:x><g:y>1</g:y><g:z>0</g:z></g:vectors>\
+    <g:vectors><g:x>1</g:x><g:y>1</g:y></g:vectors></g:pointCloud></g:testElement></g:package></tracim:test></tracim:tracim>";
+/// Edit that completes the last point.
+const COMPLETE: (&str, &str, &str) =
+    ("t.xml", "<g:y>1</g:y></g:vectors></g:pointCloud>", "<g:y>1</g:y><g:z>0.01</g:z></g:vectors></g:pointCloud>");
+
 const OPTIONS: &[Case] = &[
     ("enclosing-robust", "", &[("p.txt", "", POINTS)], "fit enclosing-circle @/p.txt --unit mm --robust"),
     ("robust-few-points needed=9", "", &[("p.txt", "", POINTS)], "fit plane @/p.txt --unit mm --robust"),
@@ -310,6 +320,33 @@ const OPTIONS: &[Case] = &[
 ];
 
 const FITS: &[Case] = &[
+    ("tracim-test-missing", "", &[("t.xml", "", "<a/>")], "fit --tracim @/t.xml"),
+    ("tracim-coordinate-missing id=b05 coordinate=z", "", &[("t.xml", "", TRACIM)], "fit --tracim @/t.xml"),
+    ("tracim-customer-missing", "", &[("t.xml", "", TRACIM), COMPLETE], "fit --tracim @/t.xml"),
+    (
+        "tracim-form-name",
+        "",
+        &[("t.xml", "", TRACIM), COMPLETE, ("t.xml", "gaussTestPackage", "chebyshevTestPackage")],
+        "fit --tracim @/t.xml --customer NAME",
+    ),
+    (
+        "tracim-package-unknown package=gauss:thread3dTestPackage",
+        "",
+        &[("t.xml", "", TRACIM), ("t.xml", "gaussTestPackage", "thread3dTestPackage")],
+        "fit --tracim @/t.xml",
+    ),
+    (
+        "tracim-key-missing",
+        "",
+        &[("t.xml", "", TRACIM), ("t.xml", "<tracim:key>K</tracim:key>", "")],
+        "fit --tracim @/t.xml",
+    ),
+    (
+        "tracim-object-unknown id=b05 object=TORUS",
+        "",
+        &[("t.xml", "", TRACIM), COMPLETE, ("t.xml", "PLANE", "TORUS")],
+        "fit --tracim @/t.xml",
+    ),
     ("zone-flat", "", &[("p.txt", "", FLAT)], "fit sphere @/p.txt --unit mm --minimum-zone"),
     ("too-few-points", "", &[("p.txt", "", "0 0 0\n1 0 0\n")], "fit plane @/p.txt --unit mm"),
     ("points-degenerate", "", &[("p.txt", "", "0 0 0\n1 0 0\n2 0 0\n3 0 0\n")], "fit plane @/p.txt --unit mm"),

@@ -1,4 +1,5 @@
 //! Agreement with numbers that others have published or certified.
+mod certified;
 mod exports;
 mod exports_table;
 mod iso9283;

@@ -108,6 +108,15 @@ fit-element-missing = das Element ist nicht angegeben, und die Datei ist keine Q
 qif-with-columns = eine QIF-Datei hat weder Spalten noch einen gemeinsamen Radius für alle Elemente
     .hint = --columns, --delimiter und --radius-mm weglassen
 
+tracim-object-unknown = das Element `{ $object }` des Datensatzes `{ $id }` ist in dieser Prüfung unbekannt
+    .expected = LINE_3D, PLANE, CIRCLE, CYLINDER, CONE oder SPHERE (Gauß); LINE_2D, CIRCLE_2D, PLANE, SPHERE oder CYLINDER (Tschebyscheff)
+
+tracim-customer-missing = der Kunde fehlt in der Antwort: der Server lehnt sie ab
+    .hint = --customer NAME angeben, wie bei TraCIM registriert
+
+tracim-form-name = der Name des Elements `formDeviation` steht nicht in den öffentlichen Dokumenten der Tschebyscheff-Prüfung
+    .hint = die Antwort mit der kostenlosen Beispielprüfung des Servers versuchen, bevor eine Prüfung bestellt wird
+
 no-feature-fitted = kein gemessenes Element wurde als { $kind } angepasst
     .expected = Elemente mit Punkten, die sie bestimmen
     .hint = Elemente mit Punkten in der Datei: { $seen }

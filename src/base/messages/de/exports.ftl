@@ -88,6 +88,20 @@ second-root-element = die Datei enthält ein zweites Wurzelelement
 xml-doctype = die XML-Datei deklariert einen Dokumenttyp
     .hint = `<!DOCTYPE ...>` entfernen: Messungen brauchen keinen
 
+tracim-test-missing = die Datei enthält keine Prüfdaten von TraCIM
+    .expected = `tracim:test` mit mindestens einem `testElement`
+    .hint = die Antwort des Servers unverändert speichern
+
+tracim-package-unknown = das Prüfpaket `{ $package }` ist unbekannt
+    .expected = `gauss:gaussTestPackage` oder `chebyshev:chebyshevTestPackage`
+
+tracim-key-missing = die Prüfdaten haben keinen Prozessschlüssel
+    .expected = `tracim:process` mit `tracim:key`
+    .hint = die Antwort des Servers unverändert speichern
+
+tracim-coordinate-missing = ein Punkt des Datensatzes `{ $id }` hat keine Koordinate `{ $coordinate }`
+    .hint = die Antwort des Servers unverändert speichern
+
 nested-too-deep = `{ $name }` ist { $depth } Ebenen tief geschachtelt
     .expected = höchstens { $most } Ebenen
     .hint = die Datei neu exportieren

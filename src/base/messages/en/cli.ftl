@@ -237,6 +237,27 @@ fit-element-missing = the element is not stated, and the file is not QIF
 qif-with-columns = a QIF file has neither columns nor one radius for all its features
     .hint = omit --columns, --delimiter and --radius-mm
 
+# Means: A data set of a test is for an element that the test package does not have.
+# Matters: No answer can be given for it.
+# Do: Compare the data set with the manual of the test.
+# Example: `TORUS` in a test of Gaussian elements
+tracim-object-unknown = the element `{ $object }` of data set `{ $id }` is unknown in this test
+    .expected = LINE_3D, PLANE, CIRCLE, CYLINDER, CONE or SPHERE (Gauss); LINE_2D, CIRCLE_2D, PLANE, SPHERE or CYLINDER (Chebyshev)
+
+# Means: The answer has no customer.
+# Matters: The server refuses answers without a customer.
+# Do: State the customer as registered.
+# Example: `etalon fit --tracim data.xml`
+tracim-customer-missing = the customer of the answer is blank: the server refuses it
+    .hint = add --customer NAME, as registered with TraCIM
+
+# Means: The public documents state all names of an answer except the one of the form deviation.
+# Matters: `formDeviation` is named like its maximum permissible error `mpe_formDeviation`; another name would be refused.
+# Do: Try the answer with the free sample test, or compare it with the schema of the server.
+# Example: `etalon fit --tracim chebyshev.xml --customer NAME`
+tracim-form-name = the name of the element `formDeviation` is not in the public documents of the Chebyshev test
+    .hint = try the answer with the free sample test of the server before an ordered one
+
 # Means: No measured feature of the QIF file was fitted.
 # Matters: The answer is empty.
 # Do: Name an element of which the file has points.

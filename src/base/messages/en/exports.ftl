@@ -148,6 +148,36 @@ second-root-element = a second root element follows
 xml-doctype = the XML file declares a document type
     .hint = remove `<!DOCTYPE ...>`: measurements need none
 
+# Means: The file has no test data of TraCIM.
+# Matters: There is nothing to fit.
+# Do: Save the answer of the server as it is.
+# Example: `etalon fit --tracim features.qif`
+tracim-test-missing = the file has no test data of TraCIM
+    .expected = `tracim:test` with at least one `testElement`
+    .hint = save the answer of the server as it is
+
+# Means: The test is of another package than elements by least squares or minimum zone.
+# Matters: Its objects and its criterion are unknown.
+# Do: Order a test of Gaussian or Chebyshev elements.
+# Example: `<tracim:test xsi:type="thread3d-test:thread3dTestPackage">`
+tracim-package-unknown = the test package `{ $package }` is unknown
+    .expected = `gauss:gaussTestPackage` or `chebyshev:chebyshevTestPackage`
+
+# Means: The test data have no key of their process.
+# Matters: The server assigns an answer by this key.
+# Do: Save the answer of the server as it is.
+# Example: a file without `<tracim:process>`
+tracim-key-missing = the test data have no process key
+    .expected = `tracim:process` with `tracim:key`
+    .hint = save the answer of the server as it is
+
+# Means: A point of a data set lacks a coordinate.
+# Matters: The element cannot be fitted.
+# Do: Save the answer of the server as it is.
+# Example: `<gauss:vectors>` without `<gauss:z>`
+tracim-coordinate-missing = a point of data set `{ $id }` has no coordinate `{ $coordinate }`
+    .hint = save the answer of the server as it is
+
 # Means: Elements or blocks are nested deeper than in any file of measurements.
 # Matters: The file is damaged, or not one of this format.
 # Do: Export the file again.

@@ -108,6 +108,15 @@ fit-element-missing = l’élément n’est pas indiqué, et le fichier n’est 
 qif-with-columns = un fichier QIF n’a ni colonnes ni rayon commun à tous ses éléments
     .hint = omettre --columns, --delimiter et --radius-mm
 
+tracim-object-unknown = l’élément `{ $object }` du jeu de données `{ $id }` est inconnu dans cet essai
+    .expected = LINE_3D, PLANE, CIRCLE, CYLINDER, CONE ou SPHERE (Gauss) ; LINE_2D, CIRCLE_2D, PLANE, SPHERE ou CYLINDER (Tchebychev)
+
+tracim-customer-missing = le client n’est pas indiqué dans la réponse : le serveur la refuse
+    .hint = ajouter --customer NOM, tel qu’inscrit auprès de TraCIM
+
+tracim-form-name = le nom de l’élément `formDeviation` ne figure pas dans les documents publics de l’essai de Tchebychev
+    .hint = essayer la réponse avec l’essai gratuit du serveur avant un essai commandé
+
 no-feature-fitted = aucun élément mesuré n’a été ajusté comme { $kind }
     .expected = des éléments avec des points qui les déterminent
     .hint = éléments avec points dans le fichier : { $seen }

@@ -88,6 +88,20 @@ second-root-element = le fichier contient un second élément racine
 xml-doctype = le fichier XML déclare un type de document
     .hint = supprimer `<!DOCTYPE ...>` : des mesures n’en ont pas besoin
 
+tracim-test-missing = le fichier ne contient pas de données d’essai TraCIM
+    .expected = `tracim:test` avec au moins un `testElement`
+    .hint = enregistrer la réponse du serveur telle quelle
+
+tracim-package-unknown = le lot d’essais `{ $package }` est inconnu
+    .expected = `gauss:gaussTestPackage` ou `chebyshev:chebyshevTestPackage`
+
+tracim-key-missing = les données d’essai n’ont pas de clé de processus
+    .expected = `tracim:process` avec `tracim:key`
+    .hint = enregistrer la réponse du serveur telle quelle
+
+tracim-coordinate-missing = un point du jeu de données `{ $id }` n’a pas de coordonnée `{ $coordinate }`
+    .hint = enregistrer la réponse du serveur telle quelle
+
 nested-too-deep = `{ $name }` est imbriqué à { $depth } niveaux
     .expected = au plus { $most } niveaux
     .hint = exporter de nouveau le fichier
