@@ -19,7 +19,8 @@
 # make reference write an archive of the reference campaigns with certified values: target/reference
 # make python  build the wheel with the Python module and the program, and test it in a virtual environment beside the build
 # make book    make a book of docs/ with mdBook: target/book/index.html
-# make dist    write an archive, a Debian package and checksums of the program: target/dist
+# make dist    write an archive, a Debian package, a list of components and checksums of the program: target/dist;
+#              TARGETS="x86_64-unknown-linux-musl ..." adds archives for other systems; BUILD="cargo auditable build" embeds the list
 # make samples make the synthetic samples again from their truth
 # make help    this text
 SHELL := /bin/bash
@@ -34,6 +35,8 @@ CARGO_TARGET_DIR ?= target
 PROFILE ?= release
 ETALON := $(CARGO_TARGET_DIR)/$(PROFILE:dev=debug)/etalon
 SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
+BUILD ?= cargo build
+TARGETS ?=
 T ?=
 CRATE ?=
 CAMPAIGNS ?=
@@ -55,7 +58,7 @@ all: $(ETALON)
 	@$(ETALON) batch --newer-than $(ETALON) --to $(RESULTS) -- $(if $(NAMED),$(NAMED),$(wildcard samples campaigns))
 
 $(ETALON): $(SOURCES)
-	cargo build --profile $(PROFILE) --locked
+	$(BUILD) --profile $(PROFILE) --locked
 
 report: $(ETALON)
 	@for c in $(EACH); do [ ! -f "$$c/out/manifest.json" ] || $(ETALON) report -- "$$c/out" || exit; done
@@ -162,14 +165,17 @@ python:
 	$(PYTHON_BUILD)/venv/bin/pytest -q -p no:cacheprovider python/tests
 	ls $(PYTHON_BUILD)/wheels
 
-MDBOOK := $(or $(shell command -v mdbook),$(abspath $(CARGO_TARGET_DIR))/tools/bin/mdbook)
+# what cargo installs beside the build
+TOOLS := $(abspath $(CARGO_TARGET_DIR))/tools
+MDBOOK := $(or $(shell command -v mdbook),$(TOOLS)/bin/mdbook)
 
 book:
-	[ -x $(MDBOOK) ] || cargo install --quiet --locked --root $(abspath $(CARGO_TARGET_DIR))/tools mdbook
+	[ -x $(MDBOOK) ] || cargo install --quiet --locked --root $(TOOLS) mdbook
 	$(MDBOOK) build docs --dest-dir $(abspath $(CARGO_TARGET_DIR))/book
 
 dist: $(ETALON)
-	.ci/dist $(ETALON) $(CARGO_TARGET_DIR)/dist
+	[ -x $(TOOLS)/bin/cargo-cyclonedx ] || cargo install --quiet --locked --root $(TOOLS) cargo-cyclonedx
+	PATH="$(TOOLS)/bin:$$PATH" .ci/dist $(ETALON) $(CARGO_TARGET_DIR)/dist $(TARGETS)
 
 clean:
 	@for c in $(EACH); do [ ! -f "$$c/campaign.toml" ] || rm -rf -- "$$c/out" || exit; done

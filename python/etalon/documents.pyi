@@ -79,6 +79,21 @@ class AxesCheck(Record):
     target: str
     """Name of the target."""
 
+class AxesParameter(Record):
+    """Parameter of the robot with its uncertainty by the sweeps."""
+    name: str
+    """Name in the robot's model."""
+    standard_uncertainty: float
+    """Standard uncertainty (k = 1); 0 for a parameter that a convention fixes."""
+    tolerance: float | None
+    """Tolerance in `robot.toml`: the half-width of a rectangular distribution whose standard deviation covers the
+    correlations, at least 4.3 standard uncertainties. Absent where the default tolerance of the model is smaller.
+    """
+    unit: str
+    """`mm` or `deg`."""
+    value: float
+    """Value."""
+
 class AxesRobot(Record):
     """Robot from its axes alone."""
     axes: list[ZeroAxis]
@@ -91,10 +106,16 @@ class AxesRobot(Record):
     """Position of the base in the frame of the measurements."""
     convention: str
     """Convention of the robot file: `poe`, `dh` or `mdh`."""
+    covariance: list[list[float]]
+    """Covariance of the parameters that the axes determine, in their order and units; empty in `poe`."""
     flange_quaternion: list[float]
     """Orientation of the flange at joint values zero in the base: unit quaternion w, x, y, z."""
     flange_xyz_mm: list[float]
     """Position of the flange at joint values zero in the base."""
+    parameters: list[AxesParameter]
+    """Parameters that the axes determine, then those that a convention fixes (base on the first axis, flange on the
+    last), in `dh` and `mdh`; empty in `poe`.
+    """
     robot_toml: str
     """Text of robot.toml."""
     targets: list[AxesTarget]
@@ -635,6 +656,27 @@ class Directions(Record):
     forward_mm: float
     """Unidirectional value in positive direction (↑)."""
 
+class DistanceStatistics(Record):
+    """Errors of the distances within a range."""
+    after: "Statistics"
+    """Sizes of the errors with the judged parameters (mm)."""
+    before: "Statistics"
+    """Sizes of the errors with nominal parameters (mm)."""
+    expanded_max_mm: float | None
+    """Expanded uncertainty (mm, k = 2) of `after.max`."""
+    expanded_p95_mm: float | None
+    """Expanded uncertainty (mm, k = 2) of `after.p95`."""
+    expanded_rms_mm: float | None
+    """Expanded uncertainty (mm, k = 2) of `after.rms` by instrument, frames and base; the parameters are judged and
+    contribute nothing. Absent without a stated uncertainty.
+    """
+    from_mm: float
+    """Shortest measured distance of the range (mm)."""
+    pairs: int
+    """Number of pairs that are counted."""
+    to_mm: float
+    """End of the range (mm), which is not part of it."""
+
 class DistributionEntry(Record):
     """Distribution of one result."""
     agrees: bool | None
@@ -758,6 +800,105 @@ class Feature(Record):
     """Root mean square of the orthogonal distances."""
     standard_uncertainty_mm: float | None
     """Standard uncertainty from the residuals: of the radius, or of the point along the normal of a plane."""
+
+class FieldCentre(Record):
+    """Centre of a component."""
+    at: list[float]
+    """Joint values (mm or deg), in the order of the inputs."""
+    weight: float
+    """Weight (mm or deg of the joint that is off)."""
+
+class FieldComponent(Record):
+    """Error of one joint as a function of one or two joints: the sum over `centres` of weight · φ(d) with φ(d) = (1
+    − d)⁴ (4 d + 1) for d < 1, otherwise 0; d² = Σ ((q − at) / (scale · radius))².
+    """
+    centres: list[FieldCentre]
+    """Centres with their weights."""
+    inputs: list[FieldInputEntry]
+    """Joints on which the error depends."""
+    joint: str
+    """Joint that is off, named as a column: `q2_deg`."""
+    prior: float
+    """Standard deviation of the error without knowledge (mm or deg)."""
+    radius: float
+    """Radius beyond which a centre has no effect, in units of `scale`."""
+
+class FieldDependence(Record):
+    """Dependence of a joint's error on joints."""
+    inputs: list[FieldRange]
+    """Joints on which the error depends, with the measured range (mm or deg)."""
+    joint: str
+    """Joint that is off."""
+    prior: float
+    """Standard deviation of the error (mm or deg)."""
+
+class FieldHeldOut(Record):
+    """Errors at poses that were held out: parameters and field are from the other poses."""
+    coverage: float
+    """Share of coordinates within 1.96 predicted standard uncertainties."""
+    factor: float
+    """Factor of the field's standard uncertainty with which the errors agree with it."""
+    gain_over_u: float
+    """Decrease of the mean square error over its standard uncertainty."""
+    poses: list[FieldPose]
+    """Errors of each pose."""
+    with_mm: float
+    """Root mean square position error with the field (mm)."""
+    without_mm: float
+    """Root mean square position error without the field (mm)."""
+
+class FieldInputEntry(Record):
+    """Joint on which a component depends."""
+    fade: float
+    """Width beyond the range in which the field fades out (mm or deg)."""
+    joint: str
+    """Joint, named as a column: `q2_deg`."""
+    range: list[float]
+    """Range of the measured poses (mm or deg)."""
+    scale: float
+    """Length of one unit of distance (mm or deg)."""
+
+class FieldParameter(Record):
+    """Parameter that goes with the field."""
+    name: str
+    """Name."""
+    role: Any
+    """Owner of the parameter. Programs without the measured targets leave those of targets out."""
+    shift: float
+    """Change from `parameters.json`."""
+    unit: str
+    """`mm`, `deg` or `1`."""
+    value: float
+    """Value with the field."""
+
+class FieldPose(Record):
+    """Errors of a held-out pose."""
+    pose: int | str
+    """Pose."""
+    with_mm: float
+    """Root mean square position error with the field (mm)."""
+    without_mm: float
+    """Root mean square position error without the field (mm)."""
+
+class FieldRange(Record):
+    """Measured range of a joint."""
+    joint: str
+    """Joint."""
+    range: list[float]
+    """Lower and upper end (mm or deg)."""
+
+class FieldSummary(Record):
+    """Search for a residual field, and its result at held-out poses."""
+    accepted: bool
+    """`true` if held-out poses prove the field: it is in `field.json`."""
+    components: list[FieldDependence]
+    """Dependences of an accepted field."""
+    held_out: FieldHeldOut | None
+    """Errors at held-out poses; absent if no field was tried there."""
+    reason: str | None
+    """Reason for the refusal; absent if accepted."""
+    reason_phrase: Phrase | None
+    """Text of the catalogue that is `reason` in English."""
 
 class FigureBudget(Record):
     """Standard uncertainty of a figure, and its contributions (GUM 5.1.2)."""
@@ -1556,6 +1697,24 @@ class Linearity(Record):
     deviation_mm: float
     """Mean deviation of all passes."""
 
+class LockedPackage(Record):
+    """A package in Cargo.lock."""
+    name: str
+    """Name of the package."""
+    sha256: str | None
+    """SHA-256 of the package's archive; null for the crates of etalon."""
+    version: str
+    """Version."""
+
+class Machine(Record):
+    """Machine on which a program runs."""
+    architecture: str
+    """Architecture of the processor: `x86_64`, `aarch64` ..."""
+    system: str
+    """Operating system: `linux`, `windows`, `macos` ..."""
+    threads: int
+    """Number of threads that the system offers."""
+
 class MapNode(Record):
     """Expected error at one node of the grid."""
     at_mm: list[float]
@@ -1574,6 +1733,8 @@ class MapNode(Record):
     """Standard uncertainty of the predicted position due to the identified parameters (mm, k = 1)."""
     standard_uncertainty_mm: float
     """Expected size of the error from all sources, root mean square (mm)."""
+    with_field_mm: float | None
+    """Expected size of the error with the residual field, root mean square (mm); absent without a field."""
 
 class MeanError(Record):
     """Mean error of a pose: measured minus predicted."""
@@ -1628,6 +1789,21 @@ class MethodErrors(Record):
     """Largest position error."""
     position_rms_mm: float
     """Root mean square position error."""
+
+class MovedValue(Record):
+    """A value that differs from its stored value."""
+    after: float | None
+    """Value now; null if this program gives no value."""
+    before: float | None
+    """Stored value; null if the document has none."""
+    over_uncertainty: float | None
+    """Absolute difference over the stored standard uncertainty; null without an uncertainty."""
+    parameter: str
+    """Name of the parameter; empty for a value of the whole identification."""
+    quantity: str
+    """`value`, `standard_uncertainty` or `rms`."""
+    unit: str
+    """Unit."""
 
 class Movement(Record):
     """A movement, and the remaining residuals."""
@@ -1920,6 +2096,15 @@ class Reading(Record):
     thousands: str | None
     """Value of the campaign's key `thousands`, if digits are grouped."""
 
+class ReferenceFile(Record):
+    """File of the reference data."""
+    expected_sha256: str
+    """SHA-256 that the program states."""
+    name: str
+    """Name of the file."""
+    sha256: str
+    """SHA-256 of the file in the program."""
+
 class Refused(Record):
     """A rejected row."""
     line: int
@@ -1941,6 +2126,22 @@ class Region(Record):
     """Name of the region."""
     name_phrase: Phrase | None
     """Text of the catalogue that is `name` in English."""
+
+class RelativeAccuracy(Record):
+    """Errors of the distances between poses: predicted minus measured distance of one target (or the centre of a
+    platform) at two different poses. The base has no effect on them; the target has none where both poses have
+    the same orientation.
+    """
+    all: "DistanceStatistics"
+    """All distances."""
+    available: int
+    """Number of pairs of readings of one target at different poses. Of more than 100 000 pairs an even selection is
+    counted: `all.pairs`; the largest error is that of the selection.
+    """
+    set: str
+    """Set of poses: `validation`, or `calibration` in a campaign without validation poses."""
+    steps: list[DistanceStatistics]
+    """Distances by steps; steps without a pair are omitted."""
 
 class ReliabilitySummary(Record):
     """Reliability of the readings (Baarda 1968), and influence of the poses (Cook 1977)."""
@@ -2118,6 +2319,79 @@ class ScaleBarResult(Record):
     """Maximum permissible error over the certificate's uncertainty; at least 4 is required."""
     verdict: Any
     """Verdict on the instrument."""
+
+class SelftestCheck(Record):
+    """Comparison of a value with its reference. Of several values, the one with the largest deviation is listed."""
+    deviation: float | None
+    """`found` minus `expected`."""
+    expected: float | None
+    """Reference value; null if the test could not be made."""
+    found: float | None
+    """Value of this installation; null if it is not finite."""
+    permissible: float
+    """Largest permissible absolute deviation."""
+    source: str
+    """Source of the reference value."""
+    test: str
+    """Test, in English."""
+    test_phrase: "Phrase"
+    """Text of the catalogue that is `test` in English."""
+    unit: str
+    """Unit of the values; empty for pure numbers."""
+
+class SelftestMustFail(Record):
+    """A slip in the reference data, with which the tests of a requirement were repeated."""
+    checks: int
+    """Number of tests."""
+    failed: int
+    """Number of tests that failed."""
+    id: str
+    """Name of the requirement."""
+    slip: str
+    """Slip, in English."""
+    slip_phrase: "Phrase"
+    """Text of the catalogue that is `slip` in English."""
+
+class SelftestPerformance(Record):
+    """Comparison of a campaign with its stored `parameters.json`."""
+    campaign: str
+    """Name of the campaign."""
+    cause_phrases: list[Phrase]
+    """Texts of the catalogue that are `causes` in English."""
+    causes: list[str]
+    """Known differences between the documents that may be the cause, in English."""
+    compared: int
+    """Number of compared parameters."""
+    expected: str
+    """Stored document."""
+    moved: list[MovedValue]
+    """Values that moved by more than rounding."""
+    relative_tolerance: float
+    """Permissible relative difference of a value without uncertainty."""
+    tolerance_of_uncertainty: float
+    """Permissible difference of a value in its standard uncertainty, and relative difference of a standard
+    uncertainty.
+    """
+
+class SelftestProgram(Record):
+    """Program file."""
+    expected_sha256: str | None
+    """Stated SHA-256 (`--program-sha256`); null if none was stated."""
+    sha256: str | None
+    """SHA-256 of the program file; null if the file cannot be read."""
+    version: str
+    """Version of etalon."""
+
+class SelftestRequirement(Record):
+    """A requirement with its tests."""
+    checks: list[SelftestCheck]
+    """Tests."""
+    id: str
+    """Name of the requirement: `fits`, `solver`, `frames` ..."""
+    requirement: str
+    """Requirement, in English."""
+    requirement_phrase: "Phrase"
+    """Text of the catalogue that is `requirement` in English."""
 
 class SingularValueEntry(Record):
     """Sensitivity of the residuals to one direction of the parameters; small if the direction is poorly observable."""
@@ -2499,6 +2773,8 @@ class AccuracyDocument(Document):
     """Effects of the robot that are proved by poses left out of the identification: effects chosen by `effects =
     "proven"`, and effects that are not identified.
     """
+    field: FieldSummary | None
+    """Search for a residual field; absent if the campaign asks for none."""
     given: GivenSummary | None
     """Origin and judgement of parameters that were given instead of being identified from these data."""
     joints: list[str]
@@ -2521,6 +2797,8 @@ class AccuracyDocument(Document):
     """Text of the catalogue that is `point` in English."""
     provenance: Provenance | None
     """Origin of the numbers of given parameters; absent in the output folder of a run."""
+    relative: RelativeAccuracy | None
+    """Errors of the distances between poses, independent of the base. Absent without two poses of one target."""
     schema: str
     """Schema and version: `etalon/accuracy/1`."""
     sets: list[AccuracySet]
@@ -2724,6 +3002,37 @@ class FeaturesDocument(Document):
     """Warnings of the fits."""
     schema: str
     """Schema and version: `etalon/features/1`."""
+
+class FieldDocument(Document):
+    """Errors of joints that the parameters do not describe, as functions of the joint values. The robot is at the
+    position of its model with the parameters in `parameters` and the joint values q + δq(q).
+    """
+    components: list[FieldComponent]
+    """Components; the errors of a joint add up."""
+    covariance: list[list[float]]
+    """Covariance of the parameters in `covariance_of`, followed by the weights of the components, in their units."""
+    covariance_of: list[str]
+    """Names of the parameters in `covariance`."""
+    factor: float
+    """Factor of standard uncertainties from `covariance`, with which they agree with the errors at held-out poses;
+    beyond the poses at least 1.
+    """
+    joints: list[str]
+    """Joints of the robot, named as columns: `q1_deg`."""
+    noise_mm: float
+    """Standard deviation of a measured coordinate without the field's error (mm)."""
+    parameters: list[FieldParameter]
+    """Parameters that go with the field: those of `parameters.json`, estimated again with the field. Beyond the
+    measured poses they fade to those of `parameters.json` as δq fades to 0.
+    """
+    parameters_sha256: str
+    """SHA-256 of the `parameters.json` to which the field belongs."""
+    provenance: "Provenance"
+    """Origin of the numbers."""
+    robot: str
+    """Model of the robot."""
+    schema: str
+    """Schema and version: `etalon/field/1`."""
 
 class FitDocument(Document):
     """One fitted element."""
@@ -3029,6 +3338,8 @@ class ParametersDocument(Document):
     """Drawings of the model with its parameters; absent if the model provides none."""
     solver: "SolverSummary"
     """Solver and its termination."""
+    valid_until: str | None
+    """Last day on which the parameters are valid, as the campaign states it: year-month-day."""
 
 class PlanDocument(Document):
     """Poses to measure, and quality of the choice."""
@@ -3115,6 +3426,31 @@ class RecommendationDocument(Document):
     """Schema and version: `etalon/recommendation/1`."""
     steps: list[EffectStep]
     """Effects in the order of trial. Accepted effects are part of every later step."""
+
+class SelftestDocument(Document):
+    """Validation of an installation: the program and its machine, comparisons with reference values, and slips that
+    the comparisons must notice.
+    """
+    machine: "Machine"
+    """The machine."""
+    must_fail: list[SelftestMustFail]
+    """Slips in the reference data, each of which must fail a comparison."""
+    packages: list[LockedPackage]
+    """Packages of which program, build scripts and tests are built (Cargo.lock)."""
+    performance: SelftestPerformance | None
+    """Comparison of the laboratory's own campaign with its stored result; null if none was stated."""
+    program: "SelftestProgram"
+    """The program."""
+    provenance: "Provenance"
+    """Origin of the numbers."""
+    reference: list[ReferenceFile]
+    """Files of the reference data in the program, with their hashes."""
+    reference_folder: bool
+    """`true` if the reference data of NIST are present in the folder `ETALON_REFERENCE`."""
+    requirements: list[SelftestRequirement]
+    """Requirements with their tests."""
+    schema: str
+    """Schema and version: `etalon/selftest/1`."""
 
 class StudiesDocument(Document):
     """Comparison of sets of poses under stated noise."""

@@ -6,6 +6,7 @@ use etalon::run::documents::parse_parameters;
 use etalon::run::pipeline::{Wanted, run_for};
 use etalon::run::{batch as batches, validation};
 use etalon::stages::monte_carlo::Draws;
+use etalon::stages::validation::Validation;
 use etalon_base::folder::Durability;
 use etalon_base::message::Message;
 use etalon_campaign::Campaign;
@@ -48,7 +49,7 @@ pub fn validate(py: Python<'_>, folder: PathBuf, parameters: Option<&str>, frame
     let validated = py.detach(|| {
         let campaign = Campaign::read(&folder)?;
         let parameters = parameters.map(|text| parse_parameters("parameters", text)).transpose()?;
-        validation::validate(&campaign, parameters.as_ref(), frames)
+        validation::validate(&campaign, Validation { document: parameters.as_ref(), field: None, frames })
     });
     json(&validated.map_err(refused)?.accuracy)
 }

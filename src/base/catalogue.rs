@@ -28,7 +28,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 18] = files![
+pub const FILES: [(&str, [&str; 3]); 19] = files![
     "base",
     "campaign",
     "cli",
@@ -44,6 +44,7 @@ pub const FILES: [(&str, [&str; 3]); 18] = files![
     "reporting",
     "robots",
     "run",
+    "selftest",
     "simulate",
     "stages",
     "standards",

@@ -9,14 +9,39 @@ pub fn date(text: &str) -> Option<(i32, u8, u8)> {
     }
     let (year, month, day): (i32, u8, u8) =
         (date[..4].parse().ok()?, date[5..7].parse().ok()?, date[8..].parse().ok()?);
+    (1..=days(year, month)).contains(&day).then_some((year, month, day))
+}
+
+/// Number of days of a month; zero if the month does not exist.
+fn days(year: i32, month: u8) -> u8 {
     let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    let days = match month {
+    match month {
         2 => 28 + u8::from(leap),
         4 | 6 | 9 | 11 => 30,
         1..=12 => 31,
         _ => 0,
-    };
-    (1..=days).contains(&day).then_some((year, month, day))
+    }
+}
+
+/// The day of the same number a number of months later; the last day of a month that is too short.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_base::date::months_after;
+///
+/// assert_eq!(months_after((2026, 3, 2), 12), (2027, 3, 2));
+/// assert_eq!(months_after((2025, 11, 30), 3), (2026, 2, 28));
+/// ```
+pub fn months_after((year, month, day): (i32, u8, u8), months: u32) -> (i32, u8, u8) {
+    let all = i64::from(year) * 12 + i64::from(month) - 1 + i64::from(months);
+    let (year, month) = (i32::try_from(all.div_euclid(12)).unwrap_or(i32::MAX), all.rem_euclid(12) as u8 + 1);
+    (year, month, day.min(days(year, month)))
+}
+
+/// A date as text: year-month-day.
+pub fn date_text((year, month, day): (i32, u8, u8)) -> String {
+    format!("{year:04}-{month:02}-{day:02}")
 }
 
 /// Year, month and day of a time in seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` states it;
@@ -58,6 +83,21 @@ mod tests {
             assert_eq!(date(wrong), None, "{wrong}");
         }
         assert_eq!(date("2000-02-29"), Some((2000, 2, 29)));
+    }
+
+    #[test]
+    fn a_month_later_is_the_same_day_or_the_last_of_a_shorter_month() {
+        for (from, months, until) in [
+            ("2026-01-31", 1, "2026-02-28"),
+            ("2024-01-31", 1, "2024-02-29"),
+            ("2024-02-29", 12, "2025-02-28"),
+            ("2024-02-29", 48, "2028-02-29"),
+            ("2026-08-31", 6, "2027-02-28"),
+            ("2026-12-15", 1, "2027-01-15"),
+            ("2026-03-02", 0, "2026-03-02"),
+        ] {
+            assert_eq!(date_text(months_after(date(from).unwrap(), months)), until, "{from} + {months}");
+        }
     }
 
     /// Outside values: `date -u -d @SECONDS`.

@@ -263,7 +263,7 @@ impl Campaign {
         // an arm whose targets could not be read has some, and a test needs none
         let unread = self.unread.affects(&["join", "targets"]) || !self.identifies();
         let targets: Vec<String> = match unread && more.is_empty() {
-            true => vec!["target".to_owned()],
+            true => self.robot.targets_or("target"),
             false => self.file.join_targets().map(|t| t.get_ref()).chain(more).cloned().collect(),
         };
         let built = match self.robot.build(&targets) {

@@ -77,5 +77,16 @@ fn tree(fault: &TreeFault, file: &str) -> Message {
         Tree::BendsOnMovingBase(link) => error!("bending-on-moving-base", link),
         Tree::NoMass(joint) => error!("bending-without-mass", joint),
         Tree::DoubledName(name) => error!("parameter-name-doubled", name),
+        Tree::NoToolLink => error!("tool-link-missing"),
+        Tree::ToolLinkBesideBranches => error!("tool-link-beside-branches"),
+        Tree::TargetOnTwoBranches { target, links: [first, second] } => {
+            error!("target-on-two-branches", target, first, second)
+        }
+        Tree::TargetOnNoBranch { target, known } => {
+            error!("target-on-no-branch", target).hint_names(target, known.iter().map(String::as_str))
+        }
+        Tree::BendsInBranches(joint) => error!("bending-in-branches", joint),
+        Tree::PayloadInBranches(joint) => error!("payload-in-branches", joint),
+        Tree::CoupledAcrossBranches { joint, by, link } => error!("coupling-across-branches", joint, by, link),
     }
 }

@@ -320,6 +320,24 @@ impl RobotFile {
         }
     }
 
+    /// Targets on each branch of the robot; empty for a robot of one chain.
+    pub fn branches(&self) -> Vec<Vec<String>> {
+        let stated = self.description.as_ref().and_then(|(_, values)| values.get("branch"));
+        let branches = if let Some(Value::Tables(branches)) = stated { &branches[..] } else { &[] };
+        let targets = |branch: &Values| match branch.get("targets") {
+            Some(Value::Words(words)) => words.clone(),
+            _ => Vec::new(),
+        };
+        branches.iter().map(targets).collect()
+    }
+
+    /// Targets on the branches of the robot, or `name` without branches: for commands that need any
+    /// target.
+    pub fn targets_or(&self, name: &str) -> Vec<String> {
+        let targets = self.branches().concat();
+        if targets.is_empty() { vec![name.to_owned()] } else { targets }
+    }
+
     /// Builds the robot; `targets` applies if the model has no targets of its own.
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
         // unreadable entries are already reported

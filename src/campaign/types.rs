@@ -3,6 +3,7 @@
 use super::table::{meaningless_beside_sheet, one_row};
 use super::{Join, JoinBy, StatedPoses, TableDefinition};
 use etalon_base::country::Country;
+use etalon_base::date::{date, date_text, months_after};
 use etalon_base::pose::{Vector, minus, norm, unit};
 use etalon_documents::{Conditions, DecisionRule, Effect, Language, LimitQuantity};
 use etalon_documents::{ResidualKind, ToolFrame};
@@ -41,6 +42,9 @@ pub struct CampaignFile {
     pub date: Option<String>,
     /// Last day on which the calibration is valid, as the laboratory states it: year-month-day.
     pub valid_until: Option<String>,
+    /// Number of months for which the calibration is valid, from the `date` of the measurements; in
+    /// place of `valid_until`.
+    pub valid_for_months: Option<u32>,
     /// Name of the operator.
     pub operator: Option<String>,
     /// Temperature during the measurements.
@@ -112,6 +116,13 @@ pub struct CampaignFile {
 }
 
 impl CampaignFile {
+    /// Last day on which the calibration is valid, as stated or by the stated number of months:
+    /// year-month-day.
+    pub fn valid_until(&self) -> Option<String> {
+        let by_months = || Some(date_text(months_after(date(self.date.as_deref()?)?, self.valid_for_months?)));
+        self.valid_until.clone().or_else(by_months)
+    }
+
     /// Definition of the world frame.
     pub fn world(&self) -> Option<&WorldDefinition> {
         Some(&self.frame.as_ref()?.world)
@@ -567,9 +578,10 @@ pub struct Identify {
     #[serde(default)]
     pub prior: PriorRule,
     /// Identified effects of the robot itself: a list of `zeros`, `geometry`, `gains`, `harmonics`,
-    /// `backlash`, `coupling`, `bending`; `usual`, the default, for all effects in the robot file
-    /// except gains of revolute joints of arms; `all`; or `proven` for the effects that reduce the
-    /// errors of calibration poses left out of the identification, as chosen by `etalon recommend`.
+    /// `backlash`, `coupling`, `bending`, `payload`; `usual`, the default, for all effects in the
+    /// robot file except gains of revolute joints of arms and payload; `all`; or `proven` for the
+    /// effects that reduce the errors of calibration poses left out of the identification, as
+    /// chosen by `etalon recommend`.
     #[serde(default)]
     pub effects: EffectRule,
     /// Readings to be omitted, each with a reason that the report shows.
@@ -580,6 +592,10 @@ pub struct Identify {
     /// reported and used (`keep`, the default), or reported and omitted (`exclude`).
     #[serde(default)]
     pub outliers: OutlierRule,
+    /// Residual field: errors of joints that the parameters do not describe, as functions of the
+    /// joints. `true` searches for one; it is used only if held-out poses prove it.
+    #[serde(default)]
+    pub field: bool,
 }
 
 /// Effects that are identified.

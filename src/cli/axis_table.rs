@@ -2,18 +2,18 @@
 
 use super::export::Exported;
 use super::kinematics::{identified, joint_names, whole_pose};
-use super::{Verdict, print, say};
+use super::{Verdict, print, remark, say};
 use crate::run::documents::Documents;
 use crate::stages::table_file::TableFile;
 use etalon_base::catalogue::Phrase;
 use etalon_base::files;
 use etalon_base::message::{Place, Problems, Result, Severity};
 use etalon_base::pose::Pose;
-use etalon_base::{error, phrase};
+use etalon_base::{error, phrase, warning};
 use etalon_controllers::axis_tables::{self, Deviation, MachineAxes, Plane, Sign};
 use etalon_documents::{CampaignSummary, GeometricDocument, LeadResult};
 use etalon_formats::table::{self, QUATERNION, XYZ};
-use etalon_robots::{Calibrated, Quantity};
+use etalon_robots::{Calibrated, Kinematics, Quantity};
 use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 
@@ -21,10 +21,11 @@ use std::path::{Path, PathBuf};
 /// measured errors.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Sources:
-  parameters.json  one joint: its own error (lead, gain, zero, harmonics); two prismatic joints: the error of the tool; x, y, z: the
-                   error of a robot whose controller computes with nominal geometry
+  parameters.json  one joint: its own error (lead, gain, zero, harmonics, backlash); two prismatic joints: the error of the tool;
+                   x, y, z: the error of a robot whose controller computes with nominal geometry
   geometric.json   lead and linearity of an actuator: rho1_mm, rho2_mm or rho3_mm
-  table (CSV)      measured errors: a column for each base axis, and `deviation` (attained minus programmed)
+  table (CSV)      measured errors: a column for each base axis, and `deviation` (attained minus programmed), or `forward` and
+                   `backward` for each direction of motion
 
 Example:
   etalon axis-table out/parameters.json --robot robot.toml --axis x=0:300:25 --axis y=0:200:25 --corrected y --to beckhoff-plane --sign add")]
@@ -63,7 +64,7 @@ pub struct AxisTable {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Controller {
-    /// Base axes and `deviation`.
+    /// Base axes and `deviation`; of an axis with backlash `forward` and `backward`.
     Csv,
     /// LinuxCNC: COMP_FILE with COMP_FILE_TYPE = 0.
     Linuxcnc,
@@ -76,6 +77,18 @@ enum Controller {
     /// SINUMERIK: $AN_CEC, one axis by another or by itself; needs --sign.
     SinumerikCec,
 }
+
+impl Controller {
+    /// `true` for tables with a value for each direction of motion.
+    fn has_directions(self) -> bool {
+        matches!(self, Self::Csv | Self::Linuxcnc | Self::Beckhoff)
+    }
+}
+
+/// Column of errors that are equal in both directions of motion.
+const DEVIATION: &str = "deviation";
+/// Columns of errors in positive and in negative direction of motion.
+const BOTH: [&str; 2] = ["forward", "backward"];
 
 /// A base axis with its positions, if stated.
 #[derive(Clone, Debug)]
@@ -114,6 +127,9 @@ fn assignment(text: &str) -> std::result::Result<(String, f64), String> {
     Ok((base_axis(name)?.name, value.ok_or_else(|| phrase!("assignment-without-number", name).to_string())?))
 }
 
+/// Deviations in positive and in negative direction of the corrected axis; equal without backlash.
+type Both = [f64; 2];
+
 /// Source of deviations.
 enum Source<'a> {
     Joint {
@@ -130,31 +146,36 @@ enum Source<'a> {
     },
     Lead(&'a LeadResult),
     /// Measured errors by position.
-    Measured(Vec<(Vec<f64>, f64)>),
+    Measured(Vec<(Vec<f64>, Both)>),
 }
 
 impl Source<'_> {
     /// Attained minus programmed position of the corrected axis at positions of the base axes (mm
     /// or deg); `near` holds the joint values before the motion.
-    fn deviation(&self, positions: &[f64], near: &mut Vec<f64>) -> std::result::Result<f64, Phrase> {
+    fn deviation(&self, positions: &[f64], near: &mut Vec<f64>) -> std::result::Result<Both, Phrase> {
+        let one = |deviation: f64| [deviation; 2];
         match self {
             Self::Joint { robot, joints, bases, corrected } => {
                 let (all, mut q) = (robot.arm.joints(), joints.clone());
                 bases.iter().zip(positions).for_each(|(&joint, v)| q[joint] = all[joint].quantity.inward(*v));
-                let deviation = if bases == &[*corrected] {
-                    robot.joint_deviation(&q, *corrected)
-                } else {
-                    let moved = moved(bases, *corrected);
-                    let index = moved.iter().position(|joint| joint == corrected).unwrap_or_default();
-                    robot.joint_deviations(&q, &moved).map(|all| all[index])
+                let of = |direction: f64| {
+                    let q = approached(robot.arm, &q, *corrected, direction);
+                    let deviation = if bases == &[*corrected] {
+                        robot.joint_deviation(&q, *corrected)
+                    } else {
+                        let moved = moved(bases, *corrected);
+                        let index = moved.iter().position(|joint| joint == corrected).unwrap_or_default();
+                        robot.joint_deviations(&q, &moved).map(|all| all[index])
+                    };
+                    Ok(all[*corrected].quantity.outward(deviation.ok_or_else(|| phrase!("axis-without-errors"))?))
                 };
-                Ok(all[*corrected].quantity.outward(deviation.ok_or_else(|| phrase!("axis-without-errors"))?))
+                Ok([of(1.0)?, of(-1.0)?])
             }
             Self::Pose { robot, at, bases, corrected } => {
                 let mut wanted = *at;
                 bases.iter().zip(positions).for_each(|(&axis, v)| wanted.translation_mm[axis] = *v);
                 let moved = moved(bases, *corrected);
-                Ok(robot.position_deviation(&wanted, &moved, near)?[*corrected])
+                Ok(one(robot.position_deviation(&wanted, &moved, near)?[*corrected]))
             }
             Self::Lead(lead) => {
                 let rows = &lead.linearity;
@@ -164,7 +185,7 @@ impl Source<'_> {
                     return Err(phrase!("lead-not-measured-there"));
                 };
                 let part = (positions[0] - a.commanded_mm) / (b.commanded_mm - a.commanded_mm);
-                Ok(lead.error * positions[0] + a.deviation_mm + part * (b.deviation_mm - a.deviation_mm))
+                Ok(one(lead.error * positions[0] + a.deviation_mm + part * (b.deviation_mm - a.deviation_mm)))
             }
             Self::Measured(rows) => {
                 let order = |at: &[f64]| at.partial_cmp(positions).unwrap_or(Ordering::Less);
@@ -173,6 +194,13 @@ impl Source<'_> {
             }
         }
     }
+}
+
+/// Joint values, followed by the direction of approach of each joint with backlash: the stated one
+/// for `joint`, the middle of the backlash for all others.
+fn approached(arm: &dyn Kinematics, q: &[f64], joint: usize, direction: f64) -> Vec<f64> {
+    let directions = arm.approached().iter().map(|other| if *other == joint { direction } else { 0.0 });
+    q.iter().copied().chain(directions).collect()
 }
 
 /// Axes that a table can move: the base axes and the corrected axis.
@@ -197,16 +225,22 @@ impl AxisTable {
                 let given = exported.given(false);
                 let arm = given.robot.map_or_else(|| Err(error!("robot-option-missing").into()), whole_pose)?;
                 let identified = identified(arm, given.parameters, &self.source)?;
-                calibrated = Calibrated { arm, nominal: arm.nominal(), identified };
+                calibrated = Calibrated { arm, nominal: arm.nominal(), identified, field: None };
                 self.of_robot(&calibrated)?
             }
             Read::Leads(geometric) => self.of_lead(geometric)?,
             Read::Measured(file) => self.of_table(file)?,
         };
         let rows = self.rows(&source)?;
-        let largest = rows.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let largest = rows.iter().flatten().flatten().fold(0.0, |most: f64, v| most.max(v.abs()));
         let count = rows.iter().map(Vec::len).sum::<usize>();
-        say(phrase!("axis-table-largest", count, largest, unit = unit(self.corrected())));
+        let unit = unit(self.corrected());
+        say(phrase!("axis-table-largest", count, largest, unit));
+        let backlash = rows.iter().flatten().map(|[forward, backward]| backward - forward);
+        let backlash = backlash.fold(0.0, |most: f64, b| if b.abs() > most.abs() { b } else { most });
+        if backlash != 0.0 && !self.to.has_directions() {
+            remark(&[warning!("backlash-not-in-table", axis = self.corrected(), backlash, unit)]);
+        }
         print(self.text(rows, &header)?)?;
         Ok(Verdict::Met)
     }
@@ -326,8 +360,11 @@ impl AxisTable {
 
     /// Measured errors of a table, whose positions become those of the base axes.
     fn of_table<'a>(&mut self, file: &TableFile) -> Result<Source<'a>> {
-        let names: Vec<String> =
-            self.axes.iter().map(|axis| axis.name.clone()).chain(["deviation".to_owned()]).collect();
+        let both = BOTH.iter().any(|name| file.table.column(name).is_ok()) && file.table.column(DEVIATION).is_err();
+        let errors = if both { &BOTH[..] } else { &[DEVIATION] };
+        let errors = errors.iter().map(|name| (*name).to_owned());
+        let names: Vec<String> = self.axes.iter().map(|axis| axis.name.clone()).chain(errors).collect();
+        let directions = names.last().is_some_and(|name| *name == BOTH[1]);
         let columns = || -> Result<Vec<Vec<f64>>> {
             table::require(&file.table, &names)?;
             names.iter().map(|name| table::numbers(&file.table, name)).collect()
@@ -337,14 +374,16 @@ impl AxisTable {
             let place = Place::file(file.name.clone());
             return Err(error!("table-value-missing").at(place).into());
         }
-        let deviations = columns.pop().unwrap_or_default();
+        let backward = columns.pop().unwrap_or_default();
+        let forward = if directions { columns.pop().unwrap_or_default() } else { backward.clone() };
         for (axis, positions) in self.axes.iter_mut().zip(&columns) {
             axis.positions.clone_from(positions);
             axis.positions.sort_by(f64::total_cmp);
             axis.positions.dedup();
         }
         let at = |row: usize| columns.iter().map(|column| column[row]).collect::<Vec<_>>();
-        let mut rows: Vec<(Vec<f64>, f64)> = deviations.iter().enumerate().map(|(row, d)| (at(row), *d)).collect();
+        let both = forward.iter().zip(&backward).map(|(forward, backward)| [*forward, *backward]);
+        let mut rows: Vec<(Vec<f64>, Both)> = both.enumerate().map(|(row, both)| (at(row), both)).collect();
         if rows.len() != self.axes.iter().map(|axis| axis.positions.len()).product::<usize>() {
             return Err(error!("not-a-grid").at(Place::file(file.name.clone())).into());
         }
@@ -354,7 +393,7 @@ impl AxisTable {
     }
 
     /// Deviations along the first axis, one row per position of the second.
-    fn rows(&self, source: &Source) -> Result<Vec<Vec<f64>>> {
+    fn rows(&self, source: &Source) -> Result<Vec<Vec<Both>>> {
         let mut near = match source {
             Source::Pose { robot, .. } => vec![0.0; joint_names(robot.arm).len()],
             _ => Vec::new(),
@@ -368,22 +407,23 @@ impl AxisTable {
         if let Some(axis) = self.axes.iter().find(|axis| axis.positions.is_empty()) {
             return Err(error!("axis-without-positions", axis = axis.name).into());
         }
-        let zero = if self.zero_at.is_empty() { 0.0 } else { deviation(&self.zero_at)? };
+        // half of a backlash remains on either side of the zero
+        let zero = if self.zero_at.is_empty() { 0.0 } else { mean(&deviation(&self.zero_at)?) };
         let seconds: Vec<Vec<f64>> = match self.axes.get(1) {
             Some(axis) => axis.positions.iter().map(|v| vec![*v]).collect(),
             None => vec![Vec::new()],
         };
-        let mut row = |second: &Vec<f64>| -> Result<Vec<f64>> {
+        let mut row = |second: &Vec<f64>| -> Result<Vec<Both>> {
             let at = |first: &f64| [std::slice::from_ref(first), second].concat();
-            self.axes[0].positions.iter().map(|first| Ok(deviation(&at(first))? - zero)).collect()
+            self.axes[0].positions.iter().map(|first| Ok(deviation(&at(first))?.map(|d| d - zero))).collect()
         };
         seconds.iter().map(&mut row).collect()
     }
 
-    fn text(&self, rows: Vec<Vec<f64>>, header: &[String]) -> Result<String> {
+    fn text(&self, rows: Vec<Vec<Both>>, header: &[String]) -> Result<String> {
         let first = &self.axes[0].positions;
-        let along = |&position: &f64, &d: &f64| Deviation { position, forward: d, backward: d };
-        let line = |row: &Vec<f64>| first.iter().zip(row).map(|(position, d)| along(position, d)).collect::<Vec<_>>();
+        let along = |&position: &f64, &[forward, backward]: &Both| Deviation { position, forward, backward };
+        let line = |row: &Vec<Both>| first.iter().zip(row).map(|(position, d)| along(position, d)).collect::<Vec<_>>();
         rows.iter().try_for_each(|row| axis_tables::plausible(&line(row)))?;
         let line = line(&rows[0]);
         let of_base = self.axes.iter().position(|axis| axis.name == self.corrected()).unwrap_or(self.axes.len());
@@ -401,23 +441,31 @@ impl AxisTable {
             Controller::BeckhoffPlane => {
                 let ends =
                     [0, 1].map(|i| (self.axes[i].positions[0], self.axes[i].positions[1] - self.axes[i].positions[0]));
+                let rows = rows.iter().map(|row| row.iter().map(mean).collect()).collect();
                 let plane = Plane { start: ends.map(|end| end.0), step: ends.map(|end| end.1), rows };
                 axis_tables::beckhoff_plane(&plane, axes, &name, sign, header)
             }
         }
     }
 
-    fn csv(&self, rows: &[Vec<f64>]) -> String {
+    fn csv(&self, rows: &[Vec<Both>]) -> String {
         let names: Vec<&str> = self.axes.iter().map(|axis| axis.name.as_str()).collect();
-        let mut out = format!("{},deviation\n", names.join(","));
+        let both = rows.iter().flatten().any(|[forward, backward]| forward != backward);
+        let mut out = format!("{},{}\n", names.join(","), if both { BOTH.join(",") } else { DEVIATION.to_owned() });
         for (j, row) in rows.iter().enumerate() {
             let second = self.axes.get(1).map(|axis| format!("{:?},", axis.positions[j])).unwrap_or_default();
-            for (position, deviation) in self.axes[0].positions.iter().zip(row) {
-                out += &format!("{position:?},{second}{deviation:?}\n");
+            for (position, [forward, backward]) in self.axes[0].positions.iter().zip(row) {
+                let backward = if both { format!(",{backward:?}") } else { String::new() };
+                out += &format!("{position:?},{second}{forward:?}{backward}\n");
             }
         }
         out
     }
+}
+
+/// Mean of both directions.
+fn mean([forward, backward]: &Both) -> f64 {
+    0.5 * (forward + backward)
 }
 
 /// Unit of a joint's column, or of a coordinate.

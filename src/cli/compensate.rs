@@ -3,6 +3,7 @@
 use super::export::Exported;
 use super::kinematics::{cell, identified, joint_names, poses, starts, whole_pose};
 use super::{Verdict, print_with, remark, say};
+use crate::run::documents::read_field;
 use crate::stages::table_file::TableFile;
 use clap::ValueEnum;
 use etalon_base::bounds::option_at_most;
@@ -17,7 +18,7 @@ use etalon_controllers::commands::{
 };
 use etalon_documents::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
 use etalon_formats::table::{self, QUATERNION, XYZ};
-use etalon_robots::{Calibrated, Kinematics};
+use etalon_robots::{Calibrated, Correction, Kinematics};
 use std::path::PathBuf;
 
 /// Compute commands with which the identified robot reaches its targets.
@@ -42,6 +43,9 @@ pub struct Compensate {
     /// Identified parameters: parameters.json of a run.
     #[arg(long, value_name = "FILE")]
     parameters: PathBuf,
+    /// Residual field: field.json of the run that identified the parameters.
+    #[arg(long, value_name = "FILE")]
+    field: Option<PathBuf>,
     /// Format to write; by default a table, or the language of the given program.
     #[arg(long, value_enum)]
     format: Option<Format>,
@@ -152,7 +156,10 @@ impl Compensate {
         given.check()?;
         let arm = given.robot.map_or_else(|| Err(Problems::default()), whole_pose)?;
         let identified = identified(arm, given.parameters, &self.parameters)?;
-        let robot = Calibrated { arm, nominal: arm.nominal(), identified };
+        let field = self.field.as_deref().map(|field| read_field(field, &self.parameters)).transpose()?;
+        let field = field.map(|field| field.field(arm)).transpose().map_err(Problems::from)?;
+        let correction = field.as_ref().map(|field| field as &dyn Correction);
+        let robot = Calibrated { arm, nominal: arm.nominal(), identified, field: correction };
         let source = self.read(&robot)?;
         let written = source.program.as_ref().map_or("csv", |program| program.language);
         let format = self.format.map_or_else(|| Format::from_str(written, false), Ok).map_err(anyhow::Error::msg)?;
@@ -174,6 +181,7 @@ impl Compensate {
             .filter(|t| !t.same_configuration)
             .map(|t| warning!("configuration-changed", target = t.target));
         remark(&answer.unreachable.iter().map(unreachable).chain(changed).collect::<Vec<_>>());
+        remark(&compensator.beyond_field(&answer).into_iter().collect::<Vec<_>>());
         if let Some(ProgramSource { program, .. }) = &source.program {
             say(phrase!("targets-compensated", count = answer.targets.len(), left = program.joint_targets));
             if !program.computed.is_empty() {
@@ -345,6 +353,17 @@ impl Compensator<'_> {
             }
         }
         (commands, document)
+    }
+
+    /// Returns a warning if targets are beyond the field, where it fades out.
+    fn beyond_field(&self, answer: &CompensationDocument) -> Option<Message> {
+        let (field, joints) = (self.robot.field?, self.robot.arm.joints());
+        let inward = |t: &&CompensatedTarget| {
+            let q: Vec<f64> = joints.iter().zip(&t.joints).map(|(joint, q)| joint.quantity.inward(*q)).collect();
+            field.share(&q) < 1.0
+        };
+        let beyond: Vec<&String> = answer.targets.iter().filter(inward).map(|t| &t.target).collect();
+        (!beyond.is_empty()).then(|| warning!("targets-beyond-field", count = beyond.len(), targets = beyond))
     }
 
     /// Command for a target in the controller's form; `last` holds the joint values before the

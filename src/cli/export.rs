@@ -1,6 +1,6 @@
 //! Command `etalon export`.
 
-use super::{Verdict, print, print_text, progress, remark};
+use super::{Verdict, print, print_text, progress, remark, validity};
 use crate::run::controller_formats::own_format;
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::summary::summary;
@@ -186,6 +186,7 @@ impl Exported {
                 exported.errors = accuracy.map(|accuracy| run.errors(accuracy)).transpose()?;
             }
         }
+        remark(validity::expired(&exported.parameters, exported.summary.as_ref()).as_slice());
         Ok(exported)
     }
 
@@ -204,7 +205,7 @@ impl Exported {
         summary: Option<CampaignSummary>,
     ) -> Result<Self, Problems> {
         // the model needs a target; no format contains its position
-        let robot = file.as_ref().map(|file| file.build(&["tool".to_owned()])).transpose()?;
+        let robot = file.as_ref().map(|file| file.build(&file.targets_or("tool"))).transpose()?;
         if let Some(robot) = &robot {
             check_described(robot.as_ref(), &parameters)?;
         }

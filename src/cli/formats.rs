@@ -24,7 +24,10 @@ pub struct Formats {
 impl Formats {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let robot = match &self.robot {
-            Some(path) => Some(read_robot(path)?.build(&["target".to_owned()])?),
+            Some(path) => {
+                let robot = read_robot(path)?;
+                Some(robot.build(&robot.targets_or("target"))?)
+            }
             None => None,
         };
         let robot = robot.as_deref();

@@ -11,7 +11,7 @@ const GROUPS: [(&str, &[&str]); 7] = [
     ("Load it into a controller", &["export", "compensate", "axis-table", "kinematics", "robot"]),
     ("Test by a standard", &["iso9283", "iso230"]),
     ("Plan measurements", &["plan", "study"]),
-    ("Set up", &["explain", "completions", "man", "schema", "help"]),
+    ("Set up", &["selftest", "explain", "completions", "man", "schema", "help"]),
 ];
 
 /// Widest line of the list.

@@ -19,6 +19,7 @@ use etalon_campaign::{Exclude, RobotFile, read_robot};
 use etalon_documents::to_json;
 use etalon_documents::{Effect, ParametersDocument, parameters_document};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
+use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{Effects, Prior, ResidualKind, Settings, Systematic, weigh};
 use etalon_report::Renderer;
 use etalon_robots::Robot;
@@ -76,8 +77,8 @@ pub struct IdentifyCommand {
     #[arg(long, value_enum, default_value_t)]
     prior: PriorOption,
     /// Effects to identify: `all`, or a list of zeros, geometry, gains, harmonics, backlash,
-    /// coupling, bending; by default all effects in the robot file except gains of revolute joints
-    /// of arms.
+    /// coupling, bending, payload; by default all effects in the robot file except gains of
+    /// revolute joints of arms and payload.
     #[arg(long, value_parser = effects, value_name = "EFFECTS", default_value = "usual")]
     effects: Effects,
     /// Print parameters.json instead of a table.
@@ -120,7 +121,8 @@ impl IdentifyCommand {
         let mut messages = self.leave_rows_out(&mut observed)?;
         let observed = observed;
         let here = |problems: Problems| observed.place(problems);
-        let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
+        let targets = kinds::targets(&observed.table, &robot_file.branches()).map_err(here)?;
+        let mut robot = robot_file.build(&targets).map_err(here)?;
         messages.extend(unread(robot.as_ref(), &observed));
         let settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
@@ -223,5 +225,7 @@ pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message>
         .chain(UNCERTAINTIES)
         .chain(COVARIANCES)
         .chain(kinds::columns());
+    let payload = if robot.carries_payload() { &PAYLOAD[..] } else { &[] };
+    let known = known.chain(payload.iter().copied());
     observed.named().unread(&known.chain(joints).collect::<Vec<_>>())
 }

@@ -62,7 +62,8 @@ enum Direction {
 impl KinematicsCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         // the model needs a target, whose position is not that of the tool
-        let mut robot = read_robot(&self.robot)?.build(&["tool".to_owned()])?;
+        let file = read_robot(&self.robot)?;
+        let mut robot = file.build(&file.targets_or("tool"))?;
         if let Some(path) = &self.parameters {
             let values = identified(robot.as_ref(), &read_parameters(path)?, path)?;
             robot.definition_mut().set_nominal(&values);
@@ -120,7 +121,10 @@ impl KinematicsCommand {
 
 /// Kinematics of a robot; an error if the robot has no inverse kinematics of a whole pose.
 pub(super) fn whole_pose(robot: &dyn Robot) -> Result<&dyn Kinematics> {
-    let none = || error!("no-whole-pose", model = robot.model()).into();
+    let none = || match robot.branches() {
+        [] => error!("no-whole-pose", model = robot.model()).into(),
+        links => error!("several-branches", links).into(),
+    };
     robot.kinematics().ok_or_else(none)
 }
 

@@ -34,11 +34,13 @@ mod report;
 mod robot;
 mod run;
 mod schema;
+mod selftest;
 mod simulate;
 mod study;
 mod text_format;
 mod uncertainty;
 mod validate;
+mod validity;
 mod verify;
 
 use crate::stages::table_file;
@@ -100,6 +102,7 @@ enum Command {
     Simulate(simulate::Simulate),
     Study(study::StudyCommand),
     Schema(schema::Schema),
+    Selftest(selftest::Selftest),
     Completions(completions::Completions),
     Man(man::Man),
 }
@@ -167,6 +170,7 @@ fn run(command: Command) -> u8 {
         Command::Simulate(command) => command.run(),
         Command::Study(command) => command.run(),
         Command::Schema(command) => command.run(),
+        Command::Selftest(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Man(command) => command.run(),
     };

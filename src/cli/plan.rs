@@ -107,8 +107,8 @@ pub struct PlanCommand {
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
     /// Effects to identify: `all`, or a list of zeros, geometry, gains, harmonics, backlash,
-    /// coupling, bending; by default all effects in the robot file except gains of revolute joints
-    /// of arms.
+    /// coupling, bending, payload; by default all effects in the robot file except gains of
+    /// revolute joints of arms and payload.
     #[arg(long, value_parser = super::identify::effects, value_name = "EFFECTS", default_value = "usual")]
     effects: Effects,
     /// Use of nominal values: as observations with their tolerances, or as starting values of plain

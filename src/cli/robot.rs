@@ -56,7 +56,7 @@ impl RobotCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let Task::Convert(convert) = self.task;
         let file = read_robot(&convert.robot)?;
-        let mut robot = file.build(&["tool".to_owned()])?;
+        let mut robot = file.build(&file.targets_or("tool"))?;
         if let Some(path) = &convert.parameters {
             let values = identified(robot.as_ref(), &read_parameters(path)?, path)?;
             robot.definition_mut().set_nominal(&values);
@@ -70,6 +70,9 @@ impl RobotCommand {
 
 /// Text of the robot in a convention, and warnings of what it lacks.
 fn converted(robot: &dyn Robot, to: Target) -> Result<(String, Vec<Message>)> {
+    if !robot.branches().is_empty() {
+        return Err(error!("several-branches", links = robot.branches()).into());
+    }
     let chain = robot.joint_chain(&robot.nominal());
     let chain = chain.ok_or_else(|| error!("convert-no-chain", model = robot.model()))?;
     if chain.joints.len() != robot.joints().len() {
@@ -108,8 +111,7 @@ fn range(robot: &dyn Robot, joint: usize) -> Option<[f64; 2]> {
 /// Warning of effects that no description of axes holds.
 fn left_out(robot: &dyn Robot) -> Vec<Message> {
     let own = robot.parameters().iter().filter(|p| p.role == Role::Robot);
-    let other =
-        own.filter(|p| matches!(p.effect, Effect::Bending | Effect::Harmonics | Effect::Backlash | Effect::Coupling));
+    let other = own.filter(|p| !matches!(p.effect, Effect::Zeros | Effect::Geometry | Effect::Gains));
     let names: Vec<&str> = other.map(|p| p.name.as_str()).collect();
     let message = || warning!("convert-left-out", count = names.len(), names = names.join(", "));
     (!names.is_empty()).then(message).into_iter().collect()

@@ -10,12 +10,12 @@ use etalon_base::message::Problems;
   campaign.toml, robot.toml
 
 Documents of the output folder, by the name of the file without `.json`:
-  accuracy, campaign (what the campaign states about itself), controllers, features, frames, geometric, import,
+  accuracy, campaign (what the campaign states about itself), controllers, features, field, frames, geometric, import,
   iso9283, iso9283-compliance, iso9283-streams, manifest, parameters, verdict
 
 Answers to `--json` of commands:
   axes, batch, cell, check, compare, compensation, explanation, fit, formats, iso230, iso9283-plan, iso9283-stream,
-  kinematics, plan, recommendation, study, uncertainty, verification, verification-plan, written (files that a command wrote)")]
+  kinematics, plan, recommendation, selftest, study, uncertainty, verification, verification-plan, written (files that a command wrote)")]
 pub struct Schema {
     /// Name of the file or document, e.g. campaign.toml or parameters.
     name: String,

@@ -2,10 +2,10 @@
 
 use super::report::Reports;
 use super::{Verdict, answer, remark};
-use crate::run::documents::read_parameters;
+use crate::run::documents::{read_field, read_parameters};
 use crate::run::validation::validate;
 use crate::run::walk::presentation;
-use crate::stages::validation::Validated;
+use crate::stages::validation::{Validated, Validation};
 use etalon_base::files;
 use etalon_campaign::Campaign;
 use etalon_documents::{GivenFrames, to_json};
@@ -25,6 +25,9 @@ pub struct Validate {
     /// Identified parameters; nominal by default.
     #[arg(long, value_name = "FILE")]
     parameters: Option<PathBuf>,
+    /// Residual field: field.json of the run that identified the parameters.
+    #[arg(long, value_name = "FILE", requires = "parameters")]
+    field: Option<PathBuf>,
     /// Origin of base and targets.
     #[arg(long, value_enum, default_value_t = GivenFrames::Refit)]
     frames: GivenFrames,
@@ -40,9 +43,15 @@ impl Validate {
         let campaign = Campaign::read(&self.campaign)?;
         self.reports.check(&self.parameters)?;
         let document = self.parameters.as_deref().map(read_parameters).transpose()?;
-        let Validated { mut accuracy, messages } = validate(&campaign, document.as_ref(), self.frames)?;
+        let field = match (&self.field, &self.parameters) {
+            (Some(field), Some(parameters)) => Some(read_field(field, parameters)?),
+            _ => None,
+        };
+        let judged = Validation { document: document.as_ref(), field: field.as_ref(), frames: self.frames };
+        let Validated { mut accuracy, messages } = validate(&campaign, judged)?;
         if let Some(provenance) = &mut accuracy.provenance {
             provenance.inputs.extend(files::sha256_of(&self.parameters)?);
+            provenance.inputs.extend(files::sha256_of(&self.field)?);
         }
         remark(&messages);
         let renderer = Renderer::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;

@@ -6,7 +6,7 @@ use super::plan::candidates_of;
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
-use super::{Verdict, answer, progress, remark};
+use super::{Verdict, answer, progress, remark, validity};
 use crate::run::documents::read_parameters_and_run;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds;
@@ -75,12 +75,13 @@ impl Verify {
         self.reports.check(given.into_iter().flatten())?;
         let robot_file = read_robot(&self.robot)?;
         let (document, run) = read_parameters_and_run(&self.parameters)?;
+        let campaign = run.and_then(|run| run.json::<CampaignSummary>("campaign.json").ok());
+        remark(validity::expired(&document, campaign.as_ref()).as_slice());
         let Some(observations) = &self.observations else { return self.plan(&robot_file, &document) };
         let observed = self.format.read(observations)?;
         let described = robot_file.description_paths();
         let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;
         let mut found = self.verified(&robot_file, &document, &observed, inputs)?;
-        let campaign = run.and_then(|run| run.json::<CampaignSummary>("campaign.json").ok());
         found.calibration = campaign.map(CampaignReference::from);
         if !self.json {
             remark(&found.messages);
@@ -109,7 +110,8 @@ impl Verify {
         inputs: BTreeMap<String, String>,
     ) -> Result<VerificationDocument, Problems> {
         let here = |problems: Problems| observed.place(problems);
-        let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
+        let targets = kinds::targets(&observed.table, &robot_file.branches()).map_err(here)?;
+        let mut robot = robot_file.build(&targets).map_err(here)?;
         only_points(observed)?;
         let mut messages: Vec<Message> = unread(robot.as_ref(), observed).into_iter().collect();
         joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;

@@ -14,6 +14,7 @@ pub mod commands;
 mod csv;
 mod dcc;
 mod delta;
+mod field;
 mod galil;
 mod hexapod_hal;
 mod json;
@@ -41,6 +42,7 @@ pub use statement::Statement;
 pub use targets::{places, targets};
 
 pub use dcc::FILE as CERTIFICATE;
+pub use field::{field_code, field_files};
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::files;
@@ -295,6 +297,7 @@ impl<'a> Given<'a> {
         lines.extend(self.warning());
         lines.extend(self.summary.map(|summary| format!("campaign: {}", summary.name)));
         lines.push(format!("robot: {}", self.robot_name()));
+        lines.extend(self.parameters.valid_until.as_ref().map(|last| format!("valid until: {last}")));
         lines.push(format!("units: {units}"));
         lines.push(format!("sha256 of parameters.json: {}", self.sha256()?));
         lines.extend(self.file.iter().flat_map(|(statement, _)| statement.lines()));
@@ -304,15 +307,15 @@ impl<'a> Given<'a> {
     /// Like [`Self::header`], for formats with joints and links only: lists the effects that they
     /// cannot hold.
     fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
-        let effects = [Effect::Bending, Effect::Coupling, Effect::Harmonics, Effect::Backlash];
+        let effects = [Effect::Bending, Effect::Payload, Effect::Coupling, Effect::Harmonics, Effect::Backlash];
         self.header_without(&effects, "not in this format", units)
     }
 
     /// Like [`Self::header`], for code that computes from joint values only: lists backlash, which
-    /// it cannot follow.
+    /// it cannot follow, and bending under payloads.
     fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
-        let why = "joints are taken in the middle of their backlash, not in this code";
-        self.header_without(&[Effect::Backlash], why, units)
+        let why = "joints are taken in the middle of their backlash and without payload, not in this code";
+        self.header_without(&[Effect::Backlash, Effect::Payload], why, units)
     }
 
     /// Like [`Self::header`], with the robot's parameters of these effects, which are left out.
@@ -418,7 +421,7 @@ fn is_geometry(parameter: &Parameter) -> bool {
 
 /// `true` if code that computes from joint values only holds the parameter.
 fn is_in_code(parameter: &Parameter) -> bool {
-    parameter.effect != Effect::Backlash
+    !matches!(parameter.effect, Effect::Backlash | Effect::Payload)
 }
 
 /// File names of all formats.
@@ -458,7 +461,10 @@ fn other_robot(format: &str, robot: &dyn Robot, kind: Phrase) -> Message {
 /// Rejects a robot of another kind.
 fn six_axes(format: &str, robot: &dyn Robot, values: &[f64]) -> std::result::Result<JointChain, Message> {
     let chain = robot.joint_chain(values).filter(|c| c.joints.len() == 6 && c.joints.iter().all(|j| !j.prismatic));
-    chain.ok_or_else(|| other_robot(format, robot, phrase!("kind-six-axis-arm")))
+    chain.ok_or_else(|| match robot.branches() {
+        [] => other_robot(format, robot, phrase!("kind-six-axis-arm")),
+        links => error!("several-branches", links),
+    })
 }
 
 /// Value of a parameter of a robot by name.

@@ -39,6 +39,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
     ParametersDocument {
         schema: ParametersDocument::SCHEMA.to_owned(),
         robot: "prexyt".to_owned(),
+        valid_until: None,
         parameters,
         sketches: vec![],
         covariance: vec![],

@@ -1,7 +1,10 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use super::LimitVerdict;
-use super::{CampaignReference, Effect, Figure, Provenance, ReadingReliability, ToolFrame, UncertaintySource};
+use super::{
+    CampaignReference, Effect, FieldSummary, Figure, Provenance, ReadingReliability, RelativeAccuracy, ToolFrame,
+    UncertaintySource,
+};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::Vector;
@@ -41,6 +44,10 @@ pub struct AccuracyDocument {
     /// region that these poses cover.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub validation_distance: Option<ValidationDistance>,
+    /// Errors of the distances between poses, independent of the base. Absent without two poses of
+    /// one target.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub relative: Option<RelativeAccuracy>,
     /// Targets and fixtures that no calibration pose shows. They are placed by their own readings
     /// at validation poses, with all identified parameters held.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -71,6 +78,9 @@ pub struct AccuracyDocument {
     /// kinematics, or if the robot reaches too few places between the poses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub map: Option<PredictionMap>,
+    /// Search for a residual field; absent if the campaign asks for none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub field: Option<FieldSummary>,
     /// Origin and judgement of parameters that were given instead of being identified from these
     /// data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -276,6 +286,10 @@ pub struct MapNode {
     pub parameters_mm: f64,
     /// Expected size of the error from all sources, root mean square (mm).
     pub standard_uncertainty_mm: f64,
+    /// Expected size of the error with the residual field, root mean square (mm); absent without a
+    /// field.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub with_field_mm: Option<f64>,
     /// 95th percentile of the size of the error (mm).
     pub p95_mm: f64,
 }

@@ -247,13 +247,7 @@ impl Evidence<'_> {
         let [expected, nominal_error] = lengths([best.rms_mm, nominal]);
         let reason =
             phrase!("action-load-reason", expected, nominal = nominal_error, count = set.poses, set = set.name.name());
-        let action = Action::new(ActionKind::Load, what, reason).file(file).gain(Some(nominal - best.rms_mm));
-        match of_controllers {
-            true => Some(action),
-            false => {
-                Some(action.command("etalon compensate PROGRAM --robot robot.toml --parameters out/parameters.json"))
-            }
-        }
+        Some(Action::new(ActionKind::Load, what, reason).file(file).gain(Some(nominal - best.rms_mm)))
     }
 
     /// Calibration poses that a robust fit finds to disagree with the others.

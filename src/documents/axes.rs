@@ -125,8 +125,35 @@ pub struct AxesRobot {
     pub targets: Vec<AxesTarget>,
     /// Convention of the robot file: `poe`, `dh` or `mdh`.
     pub convention: String,
+    /// Parameters that the axes determine, then those that a convention fixes (base on the first
+    /// axis, flange on the last), in `dh` and `mdh`; empty in `poe`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parameters: Vec<AxesParameter>,
+    /// Covariance of the parameters that the axes determine, in their order and units; empty in
+    /// `poe`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub covariance: Vec<Vec<f64>>,
     /// Text of robot.toml.
     pub robot_toml: String,
+}
+
+/// Parameter of the robot with its uncertainty by the sweeps.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AxesParameter {
+    /// Name in the robot's model.
+    pub name: String,
+    /// `mm` or `deg`.
+    pub unit: String,
+    /// Value.
+    pub value: f64,
+    /// Standard uncertainty (k = 1); 0 for a parameter that a convention fixes.
+    pub standard_uncertainty: f64,
+    /// Tolerance in `robot.toml`: the half-width of a rectangular distribution whose standard
+    /// deviation covers the correlations, at least 4.3 standard uncertainties. Absent where the
+    /// default tolerance of the model is smaller.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
 }
 
 /// Axis in the base at joint values zero.

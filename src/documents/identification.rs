@@ -71,6 +71,7 @@ pub fn parameters_document(
     ParametersDocument {
         schema: ParametersDocument::SCHEMA.to_owned(),
         robot: robot.model().to_owned(),
+        valid_until: None,
         parameters: parameters.collect(),
         sketches: robot.sketches(),
         covariance,

@@ -18,6 +18,9 @@ pub struct ParametersDocument {
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
+    /// Last day on which the parameters are valid, as the campaign states it: year-month-day.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub valid_until: Option<String>,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
     /// Drawings of the model with its parameters; absent if the model provides none.

@@ -36,7 +36,9 @@ mirror! {
         Backlash,
         /// Coupling between joints.
         Coupling,
-        /// Bending of joints and links under loads.
+        /// Bending of joints and links under their own loads.
         Bending,
+        /// Bending of joints under a payload that each reading states.
+        Payload,
     }
 }

@@ -1,7 +1,8 @@
 //! Test data and answers of TraCIM, the service with which PTB validates fits of elements.
 //!
-//! Structure and names: PTB, "Validation of Gaussian Algorithm Implementation", revision 1.3 (2015), sections
-//! 4.2 and 4.3, and the public sample data of both tests. Lengths are in mm, angles in degrees.
+//! Structure and names: PTB, "Validation of Gaussian Algorithm Implementation", revision 1.3
+//! (2015), sections 4.2 and 4.3, and the public sample data of both tests. Lengths are in mm,
+//! angles in degrees.
 
 use crate::dialect::Decimal;
 use crate::lexer;
@@ -31,7 +32,8 @@ impl Package {
         }
     }
 
-    /// Maximum permissible errors (mm, rad) that an answer states: the smallest ones that PTB accepts.
+    /// Maximum permissible errors (mm, rad) that an answer states: the smallest ones that PTB
+    /// accepts.
     fn permissible_errors(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Self::Gauss => &[

@@ -5,6 +5,7 @@
 pub mod axes;
 pub mod cell;
 mod error;
+mod field;
 pub mod geometric;
 mod judgement;
 mod model;
@@ -13,6 +14,7 @@ mod solution;
 mod warning;
 
 pub use error::{Cause, Error};
+pub use field::{Component, Corrected, FieldInput, FieldRefusal, FieldTrial, HeldOut, JointField, field_of};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
@@ -20,6 +22,7 @@ pub use judgement::excitation::left_to_tolerances;
 pub use judgement::figures::{ErrorKind, FigureUncertainty, JudgedErrors};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
+pub use judgement::relative::{DistanceErrors, RelativeErrors};
 pub use judgement::reliability::{
     ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability,
 };
@@ -37,7 +40,7 @@ pub use model::fixture::Fixture;
 pub use model::frame_error::FrameError;
 use model::kinds::tied_to_world;
 pub use model::kinds::{
-    Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, On, Orientation, Seen, Surface,
+    Apart, Between, Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, On, Orientation, Seen, Surface,
     mounted_misfit_rad, mounted_misfits_rad,
 };
 pub use model::observation::{

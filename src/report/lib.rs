@@ -28,8 +28,8 @@ use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
     AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument,
     Evidence, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument,
-    PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
-    VerificationDocument, VerificationPlanDocument,
+    PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, SelftestDocument, UncertaintyDocument,
+    VerdictDocument, VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
@@ -341,7 +341,8 @@ impl Renderer {
         let limits: Vec<_> = document.limits.iter().collect();
         let limits = sections::limits::of(&limits, false, &words);
         let errors = sections::errors::of(document, &[], &words);
-        let sections = limits.into_iter().chain([errors]).collect();
+        let field = document.field.as_ref().and_then(|field| sections::field::of_field(field, &words));
+        let sections = limits.into_iter().chain([errors]).chain(field).collect();
         let title = tr!(words, "validation-of-given-parameters");
         let attached = Attachment::of("accuracy.json", "data", tr!(words, "attached-validation"), document)?;
         let subtitle = document.campaign.as_ref().map(|c| isolated(&one_line(&c.name))).unwrap_or_default();
@@ -437,6 +438,25 @@ impl Renderer {
         let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
         let contents = head.on(contents, Some(&document.provenance), &words);
         let attached = Attachment::of("uncertainty.json", "data", tr!(words, "attached-distributions"), document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
+    }
+
+    /// Creates the protocol of the validation of an installation.
+    pub fn selftest(document: &SelftestDocument, presentation: Presentation) -> Result<Self> {
+        use sections::selftest::{sections, verdict};
+        let words = Words::of(presentation.language);
+        let machine = &document.machine;
+        let (version, system) = (&document.program.version, &machine.system);
+        let contents = Contents {
+            title: tr!(words, "selftest-title"),
+            subtitle: tr!(words, "selftest-subtitle", version, system, architecture = machine.architecture),
+            verdict: verdict(document, &words),
+            sections: sections(document, &words),
+            statement: tr!(words, "selftest-statement"),
+            signed: true,
+            ..Contents::default()
+        };
+        let attached = Attachment::of("selftest.json", "data", tr!(words, "attached-selftest"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 

@@ -8,6 +8,15 @@ use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus};
 use nalgebra::{DMatrix, DVector};
 
+/// Errors of joints that the parameters do not describe.
+pub trait Correction: Send + Sync {
+    /// Share of the correction at joint values: 1 where it was measured, 0 far beyond.
+    fn share(&self, joints: &[f64]) -> f64;
+
+    /// Parameters and joint values with which the model has the position of the robot.
+    fn applied(&self, parameters: &[f64], joints: &[f64]) -> (Vec<f64>, Vec<f64>);
+}
+
 /// A robot with nominal and identified parameters.
 pub struct Calibrated<'a> {
     /// Kinematics of the robot.
@@ -16,6 +25,8 @@ pub struct Calibrated<'a> {
     pub nominal: Vec<f64>,
     /// Identified parameters (mm, rad).
     pub identified: Vec<f64>,
+    /// Errors that the identified parameters do not describe.
+    pub field: Option<&'a dyn Correction>,
 }
 
 /// Command for a target.
@@ -62,7 +73,7 @@ impl Calibrated<'_> {
     ///
     /// Describes the limit that forbids the target.
     pub fn compensate(&self, target: &Pose, uncompensated: &[f64]) -> Result<Compensated, Phrase> {
-        let joints = self.arm.nearest_joints(&self.identified, target, uncompensated)?;
+        let joints = self.solved(target, uncompensated)?;
         let command = self.arm.tool_pose(&self.nominal, &joints).ok_or_else(|| phrase!("out-of-nominal-reach"))?;
         if let Some(why) = self.arm.limit_violation(&self.nominal, &joints) {
             return Err(phrase!("command-refused", reason = why));
@@ -73,6 +84,23 @@ impl Calibrated<'_> {
         let same_configuration =
             !angles.into_iter().any(|(i, _)| turned(i)) && branch(&joints) == branch(uncompensated);
         Ok(Compensated { joints, command, same_configuration })
+    }
+
+    /// Joint values nearest to `near` that bring the identified robot with its field to a pose.
+    fn solved(&self, target: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
+        let mut joints = self.arm.nearest_joints(&self.identified, target, near)?;
+        let Some(field) = self.field else { return Ok(joints) };
+        // q + δq(q) is solved for; δq varies slowly
+        for _ in 0..MOST_CORRECTIONS {
+            let (parameters, moved) = field.applied(&self.identified, &joints);
+            let wanted = self.arm.nearest_joints(&parameters, target, &moved)?;
+            let step: Vec<f64> = wanted.iter().zip(&moved).map(|(wanted, moved)| wanted - moved).collect();
+            joints.iter_mut().zip(&step).for_each(|(q, step)| *q += step);
+            if step.iter().all(|step| step.abs() < LAST_CORRECTION) {
+                break;
+            }
+        }
+        Ok(joints)
     }
 
     /// Pose that the identified robot attains when the controller, at joint values near `near`, is
@@ -92,7 +120,13 @@ impl Calibrated<'_> {
     ///
     /// Fails if the joint values admit no pose.
     pub fn at_joints(&self, joints: &[f64]) -> Result<Pose, Phrase> {
-        let pose = self.arm.tool_pose(&self.identified, joints);
+        let pose = match self.field {
+            Some(field) => {
+                let (parameters, joints) = field.applied(&self.identified, joints);
+                self.arm.tool_pose(&parameters, &joints)
+            }
+            None => self.arm.tool_pose(&self.identified, joints),
+        };
         pose.ok_or_else(|| phrase!("joints-admit-no-pose"))
     }
 

@@ -51,6 +51,7 @@ pub(super) struct EffectKeys {
     pub coupling: Vec<(JointRef, JointRef)>,
     pub harmonics: Vec<JointRef>,
     pub backlash: Vec<JointRef>,
+    pub payload: Vec<JointRef>,
 }
 
 impl EffectKeys {
@@ -82,6 +83,13 @@ impl EffectKeys {
                 ),
                 Vec::new(),
             ),
+            payload: keys.or(
+                Key::plain(
+                    "payload",
+                    "Joints of an arm that bend under a payload that differs from reading to reading: their numbers, from 1, or names. Each reading states it: `load_kg`, `load_x_mm`, `load_y_mm`, `load_z_mm`.",
+                ),
+                Vec::new(),
+            ),
         }
     }
 
@@ -105,12 +113,13 @@ impl EffectKeys {
             ("bending", &self.bending, &mut effects.bending),
             ("harmonics", &self.harmonics, &mut effects.harmonics),
             ("backlash", &self.backlash, &mut effects.backlash),
+            ("payload", &self.payload, &mut effects.payload),
         ];
         for (key, stated, list) in lists {
             for (i, joint) in stated.iter().enumerate() {
                 match find(joint) {
                     Err(unknown) => wrong(key, i, unknown),
-                    Ok(j) if key == "harmonics" && joints[j].quantity == Quantity::Length => {
+                    Ok(j) if ["harmonics", "payload"].contains(&key) && joints[j].quantity == Quantity::Length => {
                         wrong(key, i, JointFault::Slides(j));
                     }
                     Ok(j) if list.contains(&j) => wrong(key, i, JointFault::Twice(j)),
@@ -392,6 +401,7 @@ impl Serial {
             coupling: coupling.iter().map(|&(j, by)| (j - 1, by - 1)).collect(),
             harmonics: Vec::new(),
             backlash: Vec::new(),
+            payload: Vec::new(),
         };
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }

@@ -61,8 +61,10 @@ pub enum Effect {
     Backlash,
     /// Coupling between joints.
     Coupling,
-    /// Bending of joints and links under loads.
+    /// Bending of joints and links under their own loads.
     Bending,
+    /// Bending of joints under a payload that each reading states.
+    Payload,
 }
 
 /// One parameter of a model.

@@ -167,6 +167,37 @@ pub enum TreeFault {
     NoMass(String),
     /// Two parameters would have the same name.
     DoubledName(String),
+    /// Neither a link of the targets nor branches are stated.
+    NoToolLink,
+    /// A link of all targets is stated beside branches.
+    ToolLinkBesideBranches,
+    /// A target is on two branches.
+    TargetOnTwoBranches {
+        /// Name of the target.
+        target: String,
+        /// Links of the branches.
+        links: [String; 2],
+    },
+    /// A target is on no branch.
+    TargetOnNoBranch {
+        /// Name of the target.
+        target: String,
+        /// Targets on all branches.
+        known: Vec<String>,
+    },
+    /// A joint that several branches share bends: the masses of one branch do not tell its load.
+    BendsInBranches(String),
+    /// A joint of a robot with several branches bends under a payload.
+    PayloadInBranches(String),
+    /// A joint is coupled to a joint of another branch.
+    CoupledAcrossBranches {
+        /// Name of the coupled joint.
+        joint: String,
+        /// Name of the joint that moves it.
+        by: String,
+        /// Link of a branch that has the coupled joint alone.
+        link: String,
+    },
 }
 
 impl Fault {

@@ -6,6 +6,7 @@
 //! angles in radians.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
+mod branches;
 mod chain;
 mod compensation;
 mod conventions;
@@ -21,7 +22,7 @@ mod serial;
 mod tables;
 mod urdf;
 
-pub use compensation::{Calibrated, Compensated};
+pub use compensation::{Calibrated, Compensated, Correction};
 pub use conventions::SerialJoint;
 pub use definition::{Definition, Effect, Joint, Parameter, Quantity, Role, meaning};
 pub use fault::{At, Fault, FaultKind, Faults, JointFault, TreeFault};
@@ -154,6 +155,23 @@ pub trait Robot: Send + Sync {
     /// used.
     fn approached(&self) -> &[usize] {
         &[]
+    }
+
+    /// `true` if joints bend under a payload that each reading states: its mass (kg) and its centre
+    /// of mass in the flange (x, y, z in mm) follow the joint values and the directions of
+    /// [`Robot::approached`]. Without these values there is no payload.
+    fn carries_payload(&self) -> bool {
+        false
+    }
+
+    /// Links that carry the targets of a robot with several branches; empty for a single chain.
+    fn branches(&self) -> &[String] {
+        &[]
+    }
+
+    /// Index of the branch that carries a target. Targets of one branch are a rigid body.
+    fn branch_of(&self, _target: usize) -> usize {
+        0
     }
 
     /// Joints that move the base of the chain, and the frame of the measurements with it.
@@ -576,8 +594,8 @@ fn base_and_targets(targets: &[String]) -> Vec<Parameter> {
 /// `base_y`, `base_z`, `base_rx`, `base_ry`, `base_rz`; three parameters per target follow, its
 /// position on the flange.
 pub trait FreeBase: Robot {
-    /// Pose of the flange in the world.
-    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose;
+    /// Pose in the world of the flange that carries a target.
+    fn flange(&self, parameters: &[f64], joints: &[f64], target: usize) -> Pose;
 
     /// Index of the first parameter of a target.
     fn target_place(&self, target: usize) -> usize {
@@ -597,7 +615,7 @@ pub trait FreeBase: Robot {
         None
     }
 
-    /// Writes the rotation of the flange per unit of each parameter: rotation vectors in the world
-    /// (rad), 3 rows of all parameters.
-    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
+    /// Writes the rotation of the flange that carries a target per unit of each parameter: rotation
+    /// vectors in the world (rad), 3 rows of all parameters.
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], target: usize, out: &mut [f64]);
 }

@@ -313,7 +313,7 @@ impl<L: Legs> Robot for Parallel<L> {
     }
     /// Writes NaN if the legs do not meet the platform.
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        let flange = self.flange(parameters, joints);
+        let flange = self.flange(parameters, joints, 0);
         for (k, out) in out.chunks_exact_mut(3).enumerate() {
             out.copy_from_slice(&flange.apply(self.on_platform(parameters, k)));
         }
@@ -444,10 +444,10 @@ impl<L: Legs> Kinematics for Parallel<L> {
 }
 
 impl<L: Legs> FreeBase for Parallel<L> {
-    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
+    fn flange(&self, parameters: &[f64], joints: &[f64], _target: usize) -> Pose {
         self.place(parameters, joints).map_or_else(nowhere, |platform| base_pose(parameters).then(&platform))
     }
-    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], _target: usize, out: &mut [f64]) {
         let n = parameters.len();
         let Some((_, twists)) = self.moving(parameters, joints) else { return out.fill(f64::NAN) };
         out.fill(0.0);

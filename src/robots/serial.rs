@@ -53,6 +53,7 @@ pub(super) struct Effects {
     pub coupling: Vec<(usize, usize)>,
     pub harmonics: Vec<usize>,
     pub backlash: Vec<usize>,
+    pub payload: Vec<usize>,
 }
 
 /// A moving joint of the chain.
@@ -81,13 +82,19 @@ enum Load {
     /// Moment of all masses beyond an axis about a direction of the frame that the axis moves, as a
     /// fraction of its maximum: 1 if the arm is stretched out level.
     Moment { axis: usize, about: Vector, largest_kg_mm: f64 },
+    /// Moment of the payload of a reading about an axis, in multiples of 100 N·m.
+    Payload { axis: usize },
 }
+
+/// Standard gravity (3rd CGPM 1901), in multiples of 100 N·m for a mass of 1 kg on a lever of 1 mm.
+const PAYLOAD: f64 = 9.806_65e-5;
 
 const GAIN: &str = meaning("meaning-gain");
 const BENDING: &str = meaning("meaning-bending");
 const COUPLING: &str = meaning("meaning-coupling");
 const HARMONIC: &str = meaning("meaning-harmonic");
 const BACKLASH: &str = meaning("meaning-backlash");
+const BY_PAYLOAD: &str = meaning("meaning-payload");
 const TILT: &str = meaning("meaning-axis-rotation");
 const ASIDE: &str = meaning("meaning-axis-displacement");
 
@@ -128,6 +135,7 @@ fn joint_error(name: String, quantity: Quantity, effect: Effect, joint: usize) -
         Effect::Harmonics => HARMONIC,
         Effect::Backlash => BACKLASH,
         Effect::Coupling => COUPLING,
+        Effect::Payload => BY_PAYLOAD,
         _ => BENDING,
     };
     let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).of_joint(joint);
@@ -148,6 +156,10 @@ pub(super) struct ArmBuilder {
     moved: Vec<Vec<Term>>,
     /// Joints with direction of approach.
     approached: Vec<usize>,
+    /// Position of the payload behind the joint values; `None` if no joint bends under it.
+    payload: Option<usize>,
+    /// Number of parameters that other branches of the robot have already added.
+    shared: usize,
 }
 
 impl ArmBuilder {
@@ -162,17 +174,43 @@ impl ArmBuilder {
             targets: targets.to_vec(),
             moved: Vec::new(),
             approached: Vec::new(),
+            payload: None,
+            shared: 0,
         };
-        for axis in 0..3 {
-            arm.push(Motion::Shift(axis), 0.0, &[axis]);
-        }
-        (0..3).for_each(|axis| arm.push(Motion::Attitude(axis), 0.0, &[3 + axis]));
-        arm.based = arm.elements.len();
+        arm.place_base();
         arm
     }
 
-    /// Adds a parameter and returns its index.
+    /// Starts another branch of the same robot. Both branches share the parameters and the
+    /// directions of approach of their common joints.
+    pub fn branch(&self) -> Self {
+        let mut branch = Self::new(&self.targets);
+        branch.parameters = self.parameters.clone();
+        branch.approached = self.approached.clone();
+        branch.shared = self.parameters.len();
+        branch
+    }
+
+    /// Takes over the parameters and the directions of approach of the last branch.
+    pub fn complete(&mut self, last: &Self) {
+        self.parameters = last.parameters.clone();
+        self.approached = last.approached.clone();
+    }
+
+    /// Adds the motions of the base.
+    fn place_base(&mut self) {
+        for axis in 0..3 {
+            self.push(Motion::Shift(axis), 0.0, &[axis]);
+        }
+        (0..3).for_each(|axis| self.push(Motion::Attitude(axis), 0.0, &[3 + axis]));
+        self.based = self.elements.len();
+    }
+
+    /// Adds a parameter, unless another branch has it, and returns its index.
     pub fn add(&mut self, parameter: Parameter) -> usize {
+        if let Some(known) = self.parameters[..self.shared].iter().position(|p| *p == parameter) {
+            return known;
+        }
         self.parameters.push(parameter);
         self.parameters.len() - 1
     }
@@ -230,6 +268,11 @@ impl ArmBuilder {
         }
     }
 
+    /// Name of an axis.
+    pub fn name(&self, axis: usize) -> &str {
+        &self.axes[axis].drive.name
+    }
+
     /// `true` if an axis or any axis beyond it carries a mass.
     pub fn is_loaded(&self, axis: usize) -> bool {
         self.axes[axis..].iter().any(|axis| axis.body.mass_kg > 0.0)
@@ -271,6 +314,21 @@ impl ArmBuilder {
             let parameter = self.add(joint_error(backlash_name(&label), quantity, Effect::Backlash, joint));
             let coefficient = Coefficient::Approach { at, factor: -0.5 * factor.signum() };
             self.moved[k].push(Term { parameter, coefficient });
+        }
+    }
+
+    /// Adds bending of revolute axes of a chain with `joints` joints under the payload of a
+    /// reading; follows [`Self::backlash`].
+    pub fn payload(&mut self, axes: &[usize], joints: usize) {
+        for &axis in axes {
+            let Drive { ref label, joint, .. } = self.axes[axis].drive;
+            let name = compliance_name(label, Some("load"));
+            let own = joint_error(name, Quantity::Angle, Effect::Payload, joint);
+            let parameter = self.add(Parameter { by: Some(joint), ..own });
+            self.loads.push(Load::Payload { axis });
+            let coefficient = Coefficient::Load(self.loads.len() - 1);
+            self.moved[axis].push(Term { parameter, coefficient });
+            self.payload = Some(joints + self.approached.len());
         }
     }
 
@@ -371,6 +429,7 @@ impl ArmBuilder {
         self.gains();
         self.harmonics(&effects.harmonics);
         self.backlash(&effects.backlash, self.axes.len());
+        self.payload(&effects.payload, self.axes.len());
         self.bending(&effects.bending);
         self.coupling(&effects.coupling);
         let joints = (1..).zip(prismatic).map(|(i, prismatic)| Joint::numbered(i, prismatic));
@@ -396,6 +455,7 @@ impl ArmBuilder {
             loads: self.loads,
             based: self.based,
             approached: self.approached,
+            payload: self.payload,
             gravity,
             of_base: Vec::new(),
             link: None,
@@ -504,6 +564,8 @@ pub struct Serial {
     based: usize,
     /// Joints whose direction of approach follows the joint values.
     approached: Vec<usize>,
+    /// Position of the payload behind the joint values.
+    payload: Option<usize>,
     gravity: Vector,
     /// Limits of each joint (rad or mm).
     limits: Vec<Option<[f64; 2]>>,
@@ -559,12 +621,16 @@ impl Serial {
             return Vec::new();
         }
         let nominal: Vec<T> = self.parameters().iter().map(|p| T::from(p.nominal)).collect();
-        self.loads_on(&self.frames(&nominal, State { joints, loads: &[] }).0)
+        let (frames, flange) = self.frames(&nominal, State { joints, loads: &[] });
+        self.loads_on(&frames, &flange, joints)
     }
 
-    /// Loads at the given frames behind all axes.
-    fn loads_on<T: Scalar>(&self, frames: &[Pose<T>]) -> Vec<T> {
+    /// Loads at the given frames behind all axes and the flange; the payload follows the joint
+    /// values.
+    fn loads_on<T: Scalar>(&self, frames: &[Pose<T>], flange: &Pose<T>, joints: &[T]) -> Vec<T> {
         let gravity = self.gravity.map(T::from);
+        let stated = |k: usize| self.payload.and_then(|at| joints.get(at + k).copied()).unwrap_or(T::from(0.0));
+        let [mass_kg, x, y, z] = [0, 1, 2, 3].map(stated);
         let size = |load: &Load| match *load {
             Load::Link { axis, link } => {
                 let next = frames.get(link + 1).unwrap_or(&frames[link]);
@@ -582,6 +648,10 @@ impl Serial {
                     dot(about, cross(lever, gravity)) * a.body.mass_kg
                 };
                 beyond.map(moment).fold(T::from(0.0), |sum, m| sum + m) * (1.0 / largest_kg_mm)
+            }
+            Load::Payload { axis } => {
+                let lever = minus(flange.apply([x, y, z]), frames[axis].translation_mm);
+                dot(frames[axis].axis(2), cross(lever, gravity)) * mass_kg * PAYLOAD
             }
         };
         self.loads.iter().map(size).collect()
@@ -649,8 +719,47 @@ impl Serial {
             .collect()
     }
 
+    /// [`FreeBase::joint_value`] for changes of all parameters from nominal.
+    pub(super) fn joint_motion(
+        &self,
+        changes: &[f64],
+        state: State,
+        joint: usize,
+        write: &mut dyn FnMut(usize, f64),
+    ) -> Option<f64> {
+        let axis = self.axes.iter().find(|axis| axis.drive.joint == joint)?;
+        let mut value = state.joints[joint];
+        // motion of the element minus its motion at nominal parameters
+        for (parameter, coefficient) in self.elements[axis.element].coefficients(state) {
+            write(parameter, coefficient / axis.drive.factor);
+            value += coefficient / axis.drive.factor * changes[parameter];
+        }
+        Some(value)
+    }
+
+    /// Number of loads.
+    pub(super) fn load_count(&self) -> usize {
+        self.loads.len()
+    }
+
+    /// Loads at joint values on a geometry with these parameters.
+    pub(super) fn loads_of(&self, nominal: &[f64], joints: &[f64]) -> Vec<f64> {
+        if self.loads.is_empty() {
+            return Vec::new();
+        }
+        let (frames, flange) = self.frames(nominal, State { joints, loads: &[] });
+        self.loads_on(&frames, &flange, joints)
+    }
+
+    /// Gain of a joint with these parameters, without the factor of its drive; `None` if the joint
+    /// does not move the arm.
+    pub(super) fn gain_of(&self, joint: usize, parameters: &[f64]) -> Option<f64> {
+        let axis = self.axes.iter().find(|axis| axis.drive.joint == joint)?;
+        Some(self.gain(axis, parameters))
+    }
+
     /// Binds parameters to the arm.
-    fn with(&self, parameters: &[f64]) -> WithParameters<'_> {
+    pub(super) fn with(&self, parameters: &[f64]) -> WithParameters<'_> {
         WithParameters { arm: self, chain: Prepared::new(&self.elements, parameters) }
     }
 
@@ -748,7 +857,7 @@ impl Robot for Serial {
                 }
             });
             frames.resize(self.axes.len(), end);
-            self.loads_on(&frames)
+            self.loads_on(&frames, &end, joints)
         }))
     }
     fn parametrised<'a>(&'a self, parameters: &'a [f64]) -> Box<dyn Parametrised + 'a> {
@@ -760,6 +869,9 @@ impl Robot for Serial {
     fn approached(&self) -> &[usize] {
         &self.approached
     }
+    fn carries_payload(&self) -> bool {
+        self.payload.is_some()
+    }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<Phrase> {
         limit_violation(self.joints(), &self.limits, joints)
     }
@@ -767,8 +879,7 @@ impl Robot for Serial {
         JointRange::of_limits(self.limits.get(joint).copied().flatten())
     }
     fn nominal_gain(&self, joint: usize) -> f64 {
-        let axis = self.axes.iter().find(|axis| axis.drive.joint == joint);
-        axis.map_or(1.0, |axis| self.gain(axis, &self.nominal()))
+        self.gain_of(joint, &self.nominal()).unwrap_or(1.0)
     }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)
@@ -929,7 +1040,7 @@ impl Kinematics for Serial {
 }
 
 impl FreeBase for Serial {
-    fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose {
+    fn flange(&self, parameters: &[f64], joints: &[f64], _target: usize) -> Pose {
         self.direct(parameters, joints)
     }
     fn joint_value(
@@ -939,41 +1050,41 @@ impl FreeBase for Serial {
         joint: usize,
         write: &mut dyn FnMut(usize, f64),
     ) -> Option<f64> {
-        let loads = self.loads_at(joints);
-        let axis = self.axes.iter().find(|axis| axis.drive.joint == joint)?;
-        let element = &self.elements[axis.element];
-        let state = State { joints, loads: &loads };
-        let mut value = joints[joint];
-        // motion of the element minus its motion at nominal parameters
-        for (parameter, coefficient) in element.coefficients(state) {
-            write(parameter, coefficient / axis.drive.factor);
-            value += coefficient / axis.drive.factor * (parameters[parameter] - self.parameters()[parameter].nominal);
-        }
-        Some(value)
+        let changes: Vec<f64> = parameters.iter().zip(self.parameters()).map(|(v, p)| v - p.nominal).collect();
+        self.joint_motion(&changes, State { joints, loads: &self.loads_at(joints) }, joint, write)
     }
-    fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        let n = parameters.len();
+    fn flange_turns(&self, parameters: &[f64], joints: &[f64], _target: usize, out: &mut [f64]) {
+        self.with(parameters).flange_turns(State { joints, loads: &self.loads_at(joints) }, out);
+    }
+}
+
+/// An arm with bound parameters.
+pub(super) struct WithParameters<'a> {
+    arm: &'a Serial,
+    chain: Prepared<'a>,
+}
+
+impl WithParameters<'_> {
+    /// Pose of the flange in the world.
+    pub fn flange(&self, state: State) -> Pose {
+        self.chain.end(state)
+    }
+
+    /// Writes like [`FreeBase::flange_turns`].
+    pub fn flange_turns(&self, state: State, out: &mut [f64]) {
+        let n = self.chain.parameters().len();
         out.fill(0.0);
-        let state = State { joints, loads: &self.loads_at(joints) };
-        let (_, axes) = Prepared::new(&self.elements, parameters).trace(state);
-        for (element, &axis) in self.elements.iter().zip(&axes) {
+        let (_, axes) = self.chain.trace(state);
+        for (element, &axis) in self.arm.elements.iter().zip(&axes) {
             let turn = element.angular_velocity(axis);
             for (parameter, coefficient) in element.coefficients(state) {
                 (0..3).for_each(|i| out[i * n + parameter] += turn[i] * coefficient);
             }
         }
     }
-}
 
-/// An arm with bound parameters.
-struct WithParameters<'a> {
-    arm: &'a Serial,
-    chain: Prepared<'a>,
-}
-
-impl WithParameters<'_> {
     /// Position of a target on a flange.
-    fn target(&self, flange: &Pose, target: usize) -> Vector {
+    pub fn target(&self, flange: &Pose, target: usize) -> Vector {
         let place = self.arm.target_place(target);
         flange.apply([0, 1, 2].map(|k| self.chain.parameters()[place + k]))
     }
@@ -994,6 +1105,20 @@ impl WithParameters<'_> {
             }
         }
         (reached, a)
+    }
+
+    /// Writes positions and joint Jacobian of some targets into the rows of all targets.
+    pub fn joint_derivatives(&self, state: State, targets: &[usize], positions: &mut [f64], out: &mut [f64]) {
+        let n = self.arm.joints().len();
+        let (flange, axes) = self.chain.trace(state);
+        for &k in targets {
+            let (rows, point) = (&mut out[3 * n * k..][..3 * n], self.target(&flange, k));
+            positions[3 * k..][..3].copy_from_slice(&point);
+            for (element, axis, joint, rate) in self.chain.rates(state, &axes) {
+                let v = element.velocity(axis, point);
+                (0..3).for_each(|i| rows[i * n + joint] += v[i] * rate);
+            }
+        }
     }
 
     /// Calls `write` with the derivatives of target positions with respect to parameters, target by
@@ -1032,17 +1157,9 @@ impl Parametrised for WithParameters<'_> {
         });
     }
     fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]) {
-        let n = self.arm.joints().len();
         out.fill(0.0);
-        let (flange, axes) = self.chain.trace(state);
-        for (k, (rows, at)) in out.chunks_exact_mut(3 * n).zip(positions.chunks_exact_mut(3)).enumerate() {
-            let point = self.target(&flange, k);
-            at.copy_from_slice(&point);
-            for (element, axis, joint, rate) in self.chain.rates(state, &axes) {
-                let v = element.velocity(axis, point);
-                (0..3).for_each(|i| rows[i * n + joint] += v[i] * rate);
-            }
-        }
+        let targets: Vec<usize> = (0..self.arm.targets().len()).collect();
+        self.joint_derivatives(state, &targets, positions, out);
     }
     fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector)) {
         self.derivatives(state, targets.iter().copied(), write);

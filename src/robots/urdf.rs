@@ -1,12 +1,14 @@
-//! `model = "urdf"`: a chain of joints from a tree in the Unified Robot Description Format.
+//! `model = "urdf"`: a chain of joints, or several, from a tree in the Unified Robot Description
+//! Format.
 //!
 //! Small errors precede each moving joint of the chain, in the frame of its origin: two rotations
 //! and, for a revolute joint, two translations. They are complete and minimal for any directions
 //! of the axes, so that parallel axes need no special parameters.
 
+use super::branches::Branches;
 use super::conventions::EffectKeys;
 use super::keys::{Description, Reader};
-use super::serial::{ArmBuilder, Body, Drive};
+use super::serial::{ArmBuilder, Body, Drive, Effects, Serial, SmallError};
 use super::{At, Fault, FaultKind, Faults, Joint, Key, Model, Quantity, Robot, TreeFault, wrong_targets};
 use etalon_base::pose::{Pose, Vector, cross, norm, unit};
 use std::sync::Arc;
@@ -20,12 +22,69 @@ const FURTHEST_MM: f64 = 20_000.0;
 /// Sine of the angle below which two axes are nominally parallel.
 const PARALLEL: f64 = 1e-6;
 
-/// Description of a robot that is a chain of a tree.
+/// Description of a robot by chains of a tree.
 struct Keys {
     tree: Arc<Tree>,
     base_link: String,
-    tool_link: String,
+    tool_link: Option<String>,
+    branches: Vec<BranchKeys>,
     effects: EffectKeys,
+}
+
+const TOOL_LINK: &str = "Link of the URDF that carries the targets: their coordinates are in its frame.";
+
+/// Description of a branch.
+struct BranchKeys {
+    tool_link: String,
+    targets: Vec<String>,
+}
+
+impl BranchKeys {
+    fn read(keys: &mut Reader) -> Self {
+        Self {
+            tool_link: keys.required(Key::plain("tool_link", TOOL_LINK)),
+            targets: keys.required(Key::plain("targets", "Names of the targets on this link.")),
+        }
+    }
+}
+
+/// A branch: a chain of the tree, and the targets that it carries.
+struct Branch<'a> {
+    link: &'a str,
+    /// Place of the link in the description.
+    at: At,
+    chain: Vec<Step<'a>>,
+    /// Indices of the targets.
+    targets: Vec<usize>,
+}
+
+impl<'a> Branch<'a> {
+    /// Moving joints, from the base.
+    fn moving(&self) -> impl Iterator<Item = &'a TreeJoint> + '_ {
+        self.chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed")
+    }
+
+    /// Effects at the axes of this branch, by their place in it; `effects` counts the axes `axes`
+    /// of all branches.
+    fn own(&self, effects: &Effects, axes: &[Joint]) -> Effects {
+        let place = |k: &usize| self.moving().position(|joint| joint.name == axes[*k].name);
+        let places = |all: &[usize]| all.iter().filter_map(place).collect();
+        Effects {
+            gravity: effects.gravity,
+            bending: places(&effects.bending),
+            payload: places(&effects.payload),
+            coupling: effects.coupling.iter().filter_map(|(k, by)| Some((place(k)?, place(by)?))).collect(),
+            harmonics: places(&effects.harmonics),
+            backlash: places(&effects.backlash),
+        }
+    }
+}
+
+/// Joints whose values move a robot, and their limits (mm or rad).
+#[derive(Default)]
+struct Drivers {
+    joints: Vec<Joint>,
+    limits: Vec<Option<[f64; 2]>>,
 }
 
 /// Links and joints of a URDF (mm, rad).
@@ -296,7 +355,7 @@ impl Tree {
 }
 
 /// Joints of a chain that move its base.
-fn of_base(chain: &[Step]) -> Vec<String> {
+fn of_base_joints(chain: &[Step]) -> Vec<String> {
     let moving = chain.iter().filter(|step| step.upward && step.joint.kind != "fixed");
     moving.map(|step| step.joint.name.clone()).collect()
 }
@@ -316,59 +375,170 @@ impl Description for Keys {
                 "base_link",
                 "Link of the URDF that is the base: a stationary link or, without an external instrument, the flange of another arm or a part on a positioner.",
             )),
-            tool_link: keys.required(Key::plain(
-                "tool_link",
-                "Link of the URDF that carries the targets: their coordinates are in its frame.",
-            )),
+            tool_link: keys.optional(Key::plain("tool_link", TOOL_LINK).essential()),
+            branches: keys.tables(
+                Key::plain(
+                    "branch",
+                    "Branches of a tree of which several links carry targets, such as two hands of one torso, instead of `tool_link`. Parameters of their common joints are identified once.",
+                ),
+                "Link at the end of a branch, and its targets.",
+                BranchKeys::read,
+            ),
             effects: EffectKeys::read(keys),
         }
     }
 
     fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
-        let tree = &self.tree;
-        let chain = tree.chain([&self.base_link, &self.tool_link])?;
+        let branches = self.branches(targets)?;
         let mut faults = wrong_targets(targets);
-        let moving = || chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");
-        let axes: Vec<Joint> =
-            moving().map(|joint| Joint { name: joint.name.clone(), quantity: joint.quantity() }).collect();
-        if axes.is_empty() {
-            let (from, to) = (self.base_link.clone(), self.tool_link.clone());
-            faults.add(At::Key("tool_link"), FaultKind::Tree(TreeFault::NothingMoves { from, to }));
+        for branch in branches.iter().filter(|branch| branch.moving().next().is_none()) {
+            let (from, to) = (self.base_link.clone(), branch.link.to_owned());
+            faults.add(branch.at.clone(), FaultKind::Tree(TreeFault::NothingMoves { from, to }));
+        }
+        let mut axes: Vec<Joint> = Vec::new();
+        for joint in branches.iter().flat_map(Branch::moving) {
+            if axes.iter().all(|known| known.name != joint.name) {
+                axes.push(Joint { name: joint.name.clone(), quantity: joint.quantity() });
+            }
         }
         let effects = faults.keep(self.effects.among(&axes));
-        let of_base = of_base(&chain);
-        if !self.effects.bending.is_empty() && !of_base.is_empty() {
-            let fault = TreeFault::BendsOnMovingBase(self.base_link.clone());
-            faults.add(At::Key("bending"), FaultKind::Tree(fault));
+        let mut of_base: Vec<String> = Vec::new();
+        for joint in branches.iter().flat_map(|branch| of_base_joints(&branch.chain)) {
+            if !of_base.contains(&joint) {
+                of_base.push(joint);
+            }
+        }
+        for (key, joints) in [("bending", &self.effects.bending), ("payload", &self.effects.payload)] {
+            if !joints.is_empty() && !of_base.is_empty() {
+                let fault = TreeFault::BendsOnMovingBase(self.base_link.clone());
+                faults.add(At::Key(key), FaultKind::Tree(fault));
+            }
+        }
+        if let Some(effects) = &effects {
+            faults.0.extend(wrong_effects(effects, &axes, &branches));
         }
         let Some(effects) = effects.filter(|_| faults.0.is_empty()) else { return Err(faults) };
-        let mut arm = ArmBuilder::new(targets);
-        let (mut joints, mut limits): (Vec<Joint>, Vec<Option<[f64; 2]>>) = Default::default();
+        let Drivers { joints, limits } = self.drivers(&branches)?;
+        let mut arms: Vec<ArmBuilder> = Vec::new();
+        for branch in &branches {
+            let mut arm = arms.last().map_or_else(|| ArmBuilder::new(targets), ArmBuilder::branch);
+            let errors = self.assemble(&mut arm, branch, &joints)?;
+            faults.0.extend(add_effects(&mut arm, &errors, &branch.own(&effects, &axes), joints.len()));
+            arms.push(arm);
+        }
+        if let Some(name) = arms.last().and_then(ArmBuilder::doubled) {
+            faults.add(At::Nowhere, FaultKind::Tree(TreeFault::DoubledName(name.to_owned())));
+        }
+        faults.or(())?;
+        let last = arms.last().map(ArmBuilder::branch);
+        let built = arms.into_iter().map(|mut arm| {
+            last.iter().for_each(|last| arm.complete(last));
+            let arm = arm.build("urdf", joints.clone(), effects.gravity);
+            arm.with_limits(limits.clone()).on_moving_base(of_base.clone())
+        });
+        let mut built: Vec<Serial> = built.collect();
+        if built.len() == 1 {
+            return Ok(Box::new(built.remove(0)));
+        }
+        let of_target = |k: usize| branches.iter().position(|branch| branch.targets.contains(&k)).unwrap_or(0);
+        let links = branches.iter().map(|branch| branch.link.to_owned()).collect();
+        let of_target = (0..targets.len()).map(of_target).collect();
+        let robot = Branches::new(built, links, of_target);
+        robot.map_or_else(
+            || Err(Fault::tree(At::Tree, TreeFault::NoMovingJoint).into()),
+            |robot| Ok(Box::new(robot) as _),
+        )
+    }
+}
+
+impl Keys {
+    /// The stated branches with their chains; a single one without `branch`.
+    fn branches(&self, targets: &[String]) -> Result<Vec<Branch<'_>>, Faults> {
+        let tree_fault = |at, fault| Err(Fault::tree(at, fault).into());
+        match (&self.tool_link, &self.branches[..]) {
+            (Some(link), []) => {
+                let chain = self.tree.chain([&self.base_link, link])?;
+                let targets = (0..targets.len()).collect();
+                return Ok(vec![Branch { link, at: At::Key("tool_link"), chain, targets }]);
+            }
+            (None, []) => return tree_fault(At::Nowhere, TreeFault::NoToolLink),
+            (Some(_), _) => return tree_fault(At::Key("tool_link"), TreeFault::ToolLinkBesideBranches),
+            (None, _) => {}
+        }
+        let mut faults = Faults::default();
+        let mut all: Vec<Branch> = Vec::new();
+        for (i, keys) in self.branches.iter().enumerate() {
+            let (link, at) = (keys.tool_link.as_str(), At::Item("branch", i));
+            let chain = self.tree.chain([&self.base_link, link]).map_err(|mut faults| {
+                let of_link = |fault: &&mut Fault| fault.at == At::Key("tool_link");
+                faults.0.iter_mut().filter(of_link).for_each(|fault| fault.at = at.clone());
+                faults
+            });
+            let own = (0..targets.len()).filter(|&k| keys.targets.contains(&targets[k])).collect();
+            all.extend(faults.keep(chain).map(|chain| Branch { link, at, chain, targets: own }));
+        }
+        for target in targets {
+            let on: Vec<usize> =
+                (0..self.branches.len()).filter(|&i| self.branches[i].targets.contains(target)).collect();
+            let target = target.clone();
+            match on[..] {
+                [] => {
+                    let known = self.branches.iter().flat_map(|branch| branch.targets.iter().cloned()).collect();
+                    let fault = TreeFault::TargetOnNoBranch { target, known };
+                    faults.add(At::Key("branch"), FaultKind::Tree(fault));
+                }
+                [first, second, ..] => {
+                    let links = [first, second].map(|i| self.branches[i].tool_link.clone());
+                    let fault = TreeFault::TargetOnTwoBranches { target, links };
+                    faults.add(At::Item("branch", second), FaultKind::Tree(fault));
+                }
+                _ => {}
+            }
+        }
+        faults.or(all)
+    }
+
+    /// Joints whose values move the branches, in the order of the chains.
+    fn drivers(&self, branches: &[Branch]) -> Result<Drivers, Faults> {
+        let mut all = Drivers::default();
+        for joint in branches.iter().flat_map(Branch::moving) {
+            let (driver, ..) = self.tree.driven_by(joint)?;
+            if all.joints.iter().all(|known| known.name != driver.name) {
+                all.joints.push(Joint { name: driver.name.clone(), quantity: driver.quantity() });
+                let endless = (driver.kind == "continuous").then_some([f64::NEG_INFINITY, f64::INFINITY]);
+                all.limits.push(driver.limits.or(endless).map(|l| l.map(|v| v * driver.scale())));
+            }
+        }
+        Ok(all)
+    }
+
+    /// Adds the axes of a branch to an arm, and returns the small errors of each.
+    fn assemble(
+        &self,
+        arm: &mut ArmBuilder,
+        branch: &Branch,
+        joints: &[Joint],
+    ) -> Result<Vec<Vec<SmallError>>, Faults> {
+        let tree = &self.tree;
         let mut errors = Vec::new();
         // preceding sliding axis, in the frame of the joint, and the joint that drives it
         let mut before: Option<(Vector, &str)> = None;
-        for Step { joint, upward } in &chain {
+        for Step { joint, upward } in &branch.chain {
             let pass = |arm: &mut ArmBuilder, before: &mut Option<(Vector, &str)>, origin: Pose| {
                 arm.place(origin);
                 *before = before.map(|(axis, driver)| (origin.inverse().rotate(axis), driver));
             };
             if !upward {
-                pass(&mut arm, &mut before, joint.origin);
+                pass(arm, &mut before, joint.origin);
             }
             if joint.kind == "fixed" {
                 if *upward {
-                    pass(&mut arm, &mut before, joint.origin.inverse());
+                    pass(arm, &mut before, joint.origin.inverse());
                 }
                 continue;
             }
             let (driver, factor, offset) = tree.driven_by(joint)?;
-            let known = joints.iter().position(|j| j.name == driver.name);
-            let index = known.unwrap_or_else(|| {
-                joints.push(Joint { name: driver.name.clone(), quantity: driver.quantity() });
-                let endless = (driver.kind == "continuous").then_some([f64::NEG_INFINITY, f64::INFINITY]);
-                limits.push(driver.limits.or(endless).map(|l| l.map(|v| v * driver.scale())));
-                joints.len() - 1
-            });
+            let index = joints.iter().position(|j| j.name == driver.name).unwrap_or_default();
             let prismatic = joint.kind == "prismatic";
             let name = joint.name.clone();
             let mimics = joint.mimic.is_some();
@@ -381,23 +551,50 @@ impl Description for Keys {
             before = prismatic.then_some((axis, driver.name.as_str()));
             arm.carry(tree.body(&joint.child));
             if *upward {
-                pass(&mut arm, &mut before, joint.origin.inverse());
+                pass(arm, &mut before, joint.origin.inverse());
             }
         }
-        arm.gains();
-        arm.harmonics(&effects.harmonics);
-        arm.backlash(&effects.backlash, joints.len());
-        for &k in &effects.bending {
-            if !arm.is_loaded(k) {
-                faults.add(At::Key("bending"), FaultKind::Tree(TreeFault::NoMass(axes[k].name.clone())));
-            }
-            arm.bending_by_masses(k, &errors[k]);
-        }
-        arm.coupling(&effects.coupling);
-        if let Some(name) = arm.doubled() {
-            faults.add(At::Nowhere, FaultKind::Tree(TreeFault::DoubledName(name.to_owned())));
-        }
-        faults.or(())?;
-        Ok(Box::new(arm.build("urdf", joints, effects.gravity).with_limits(limits).on_moving_base(of_base)))
+        Ok(errors)
     }
+}
+
+/// Adds gains and effects to an arm with small errors `errors` and `joints` joint values; returns
+/// faults.
+fn add_effects(arm: &mut ArmBuilder, errors: &[Vec<SmallError>], effects: &Effects, joints: usize) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    arm.gains();
+    arm.harmonics(&effects.harmonics);
+    arm.backlash(&effects.backlash, joints);
+    arm.payload(&effects.payload, joints);
+    for &k in &effects.bending {
+        if !arm.is_loaded(k) {
+            faults.push(Fault::tree(At::Key("bending"), TreeFault::NoMass(arm.name(k).to_owned())));
+        }
+        arm.bending_by_masses(k, &errors[k]);
+    }
+    arm.coupling(&effects.coupling);
+    faults
+}
+
+/// Faults of effects that one branch alone does not describe.
+fn wrong_effects(effects: &Effects, axes: &[Joint], branches: &[Branch]) -> Vec<Fault> {
+    let has = |branch: &Branch, k: usize| branch.moving().any(|joint| joint.name == axes[k].name);
+    let name = |k: usize| axes[k].name.clone();
+    let mut faults = Vec::new();
+    for &k in &effects.bending {
+        if branches.iter().filter(|branch| has(branch, k)).count() > 1 {
+            faults.push(Fault::tree(At::Key("bending"), TreeFault::BendsInBranches(name(k))));
+        }
+    }
+    // each hand would have a payload of its own
+    for &k in effects.payload.iter().filter(|_| branches.len() > 1) {
+        faults.push(Fault::tree(At::Key("payload"), TreeFault::PayloadInBranches(name(k))));
+    }
+    for &(k, by) in &effects.coupling {
+        if let Some(branch) = branches.iter().find(|branch| has(branch, k) && !has(branch, by)) {
+            let (joint, by, link) = (name(k), name(by), branch.link.to_owned());
+            faults.push(Fault::tree(At::Key("coupling"), TreeFault::CoupledAcrossBranches { joint, by, link }));
+        }
+    }
+    faults
 }

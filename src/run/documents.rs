@@ -10,8 +10,8 @@ use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument,
-    GeometricDocument, ImportDocument, ManifestDocument, ParametersDocument, PointError,
+    AccuracyDocument, CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FieldDocument,
+    FramesDocument, GeometricDocument, ImportDocument, ManifestDocument, ParametersDocument, PointError,
 };
 use etalon_formats::table;
 use etalon_report::Report;
@@ -31,11 +31,13 @@ pub struct Documents {
 }
 
 /// Files that a run writes, by their names up to the first `.` or `-`, beside controller files.
-const OF_RUN: [&str; 17] = [
+const OF_RUN: [&str; 19] = [
     "accuracy",
     "campaign",
     "controllers",
+    "etalon_field",
     "features",
+    "field",
     "frames",
     "geometric",
     "import",
@@ -264,6 +266,16 @@ pub fn read_parameters_and_run(path: &Path) -> Result<(ParametersDocument, Optio
         _ => files::read(path)?,
     };
     Ok((checked(path, &bytes)?, run))
+}
+
+/// Reads a `field.json` that belongs to the parameters in the file `parameters`.
+pub fn read_field(path: &Path, parameters: &Path) -> Result<FieldDocument> {
+    let field: FieldDocument = parse(path, &files::read(path)?, "field")?;
+    if field.parameters_sha256 != files::sha256(&files::read(parameters)?) {
+        let (field, parameters) = (path.display().to_string(), parameters.display().to_string());
+        return Err(error!("field-of-other-parameters", field, parameters).into());
+    }
+    Ok(field)
 }
 
 /// Parameters whose parts belong together.

@@ -8,6 +8,7 @@ use etalon_campaign::{Campaign, JoinBy};
 use etalon_documents::ResidualKind;
 use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
+use etalon_formats::tables::joints::PAYLOAD;
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
@@ -157,6 +158,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
         }
         let known = |key: &str| {
             etalon_formats::is_common_column(key)
+                || (robot.carries_payload() && PAYLOAD.contains(&key))
                 || robot.joints().iter().any(|j| etalon_formats::is_joint_column(key, j) || key == j.direction_column())
         };
         for key in log.keys().filter(|key| !known(key.get_ref()) && etalon_formats::log_column(key.get_ref()).is_some())

@@ -11,7 +11,7 @@ use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
 use etalon_base::message::{Problems, Result};
 use etalon_campaign::Campaign;
-use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
+use etalon_documents::{FieldDocument, ImportDocument, ManifestDocument, Source, to_json};
 use etalon_formats::table;
 use polars::prelude::DataFrame;
 use serde::Serialize;
@@ -85,6 +85,14 @@ impl Output {
     pub fn identified(&mut self, found: Option<&Identified>) -> Result<()> {
         let Some(found) = found else { return Ok(()) };
         self.json("parameters.json", &found.parameters)?;
+        if let Some(field) = &found.field {
+            let parameters_sha256 = self.file("parameters.json").map(files::sha256).unwrap_or_default();
+            let field = FieldDocument { parameters_sha256, ..field.clone() };
+            self.json(FieldDocument::NAME, &field)?;
+            for (name, bytes) in etalon_controllers::field_code(&field)? {
+                self.bytes(name, bytes);
+            }
+        }
         self.table("residuals", &mut evaluate::to_table(&found.errors, &found.accuracy.joints)?)?;
         self.json("accuracy.json", &found.accuracy)
     }

@@ -9,6 +9,7 @@ use crate::stages::gather::{self, Gathered};
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use crate::stages::kinds;
+use crate::stages::table_file::TableFile;
 use etalon_base::folder::Durability;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::Campaign;
@@ -180,7 +181,8 @@ fn write(
     out.optional("iso9283-streams.json", tested.streams.as_ref())?;
     out.optional("iso9283-compliance.json", tested.compliance.as_ref())?;
     if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
-        let targets = gathered.observations.as_ref().map(|table| kinds::targets(&table.table)).transpose()?;
+        let targets = |table: &TableFile| kinds::targets(&table.table, &campaign.robot.branches());
+        let targets = gathered.observations.as_ref().map(targets).transpose()?;
         let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
         let given = Given { controllers: controllers.as_ref(), ..given(campaign, robot.as_ref(), found, &summary) };
         for (name, exporter) in formats.all() {

@@ -1,7 +1,7 @@
 //! Statements of a campaign that contradict each other or have no effect, independent of its files.
 
 use crate::run::controller_formats::{is_template, template};
-use etalon_base::date::date;
+use etalon_base::date::{date, date_text};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
@@ -83,8 +83,23 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
 }
 
-/// Checks that the last day of validity is a date, and not before the measurements.
+/// Maximum number of months of validity.
+const MOST_MONTHS: u32 = 120;
+
+/// Checks that the last day of validity is a date, and not before the measurements, and that a
+/// number of months has a date from which it counts.
 fn valid_until(campaign: &Campaign, problems: &mut Problems) {
+    if let Some(months) = campaign.file.valid_for_months {
+        let error = match () {
+            () if campaign.file.valid_until.is_some() => Some(error!("valid-stated-twice")),
+            () if campaign.file.date.as_deref().and_then(date).is_none() => Some(error!("valid-months-without-date")),
+            () if !(1..=MOST_MONTHS).contains(&months) => {
+                Some(error!("valid-months-implausible", months, most = MOST_MONTHS))
+            }
+            () => None,
+        };
+        problems.0.extend(error.map(|error| error.at(campaign.place_of(&["valid_for_months"]))));
+    }
     let Some(stated) = &campaign.file.valid_until else { return };
     let place = || campaign.place_of(&["valid_until"]);
     let Some(last) = date(stated).filter(|_| stated.len() == 10) else {
@@ -93,8 +108,7 @@ fn valid_until(campaign: &Campaign, problems: &mut Problems) {
     };
     let measured = campaign.file.date.as_deref().and_then(date);
     if let Some(first) = measured.filter(|first| last < *first) {
-        let (year, month, day) = first;
-        let measured = format!("{year:04}-{month:02}-{day:02}");
+        let measured = date_text(first);
         problems.0.push(error!("valid-until-before-measurements", date = stated, measured).at(place()));
     }
 }

@@ -24,7 +24,7 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
         temperature_c: file.temperature_c,
         temperature_range_c: None,
         conditions: file.conditions.clone(),
-        valid_until: file.valid_until.clone(),
+        valid_until: file.valid_until(),
         controller_files: Vec::new(),
         issue: issue(&file.report),
         report,

@@ -4,20 +4,18 @@ use super::walk::{self, Observed};
 use crate::stages::identification::{identify, select};
 use crate::stages::monte_carlo::{Draws, Trials};
 use crate::stages::recommendation;
-use crate::stages::validation::{self, Validated};
+use crate::stages::validation::{self, Validated, Validation};
 use etalon_base::error;
 use etalon_base::message::{Place, Result};
 use etalon_campaign::{Campaign, Identify};
-use etalon_documents::{
-    CampaignReference, GivenFrames, ParametersDocument, Provenance, RecommendationDocument, UncertaintyDocument,
-};
+use etalon_documents::{CampaignReference, Provenance, RecommendationDocument, UncertaintyDocument};
 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is
 /// written.
-pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, given: GivenFrames) -> Result<Validated> {
+pub fn validate(campaign: &Campaign, judged: Validation) -> Result<Validated> {
     let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
     let selected = select(campaign, stated, robot.as_mut(), &joined, &frames)?;
-    let mut found = validation::validate(campaign, selected, robot.as_mut(), document, given)?;
+    let mut found = validation::validate(campaign, selected, robot.as_mut(), judged)?;
     found.accuracy.campaign = Some(reference(campaign));
     let (version, inputs) = (env!("CARGO_PKG_VERSION").to_owned(), gathered.document.inputs());
     found.accuracy.provenance = Some(Provenance { version, inputs, seed: None });
@@ -33,6 +31,7 @@ pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> R
     let selected = select(campaign, stated, robot.as_mut(), &joined, &frames)?;
     let mut found = recommendation::recommend(robot.as_ref(), selected, &inputs, report)?;
     found.campaign = Some(reference(campaign));
+    found.recommended.valid_until = campaign.file.valid_until();
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
 }

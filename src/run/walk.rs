@@ -158,7 +158,9 @@ impl Walk {
             problems.0.retain(|message| message.id != "target-not-exported");
         }
         problems.0.extend(wrong.0);
-        let targets = gathered.observations.as_ref().map(|t| kinds::targets(&t.table).map_err(|more| t.place(more)));
+        let branches = campaign.robot.branches();
+        let targets = gathered.observations.as_ref();
+        let targets = targets.map(|t| kinds::targets(&t.table, &branches).map_err(|more| t.place(more)));
         let targets = targets.and_then(|targets| problems.keep(targets)).unwrap_or_default();
         let unread = gathered.observations.is_none() && !campaign.file.observations.is_empty();
         let built =

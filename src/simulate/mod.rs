@@ -160,7 +160,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     if let Some(point) = truth.points.iter().find(|point| is_formula(&point.label)) {
         return Err(error!("point-label-formula", label = point.label).into());
     }
-    let mut robot = campaign.build_robot_with(&observed::targets(truth))?;
+    let mut robot = campaign.build_robot_with(&observed::targets(truth, &campaign.robot.branches()))?;
     let own = robot.parameters().len();
     let items = observed::items(truth, robot.as_mut())?;
     let known = observed::known(truth, robot.as_mut())?;

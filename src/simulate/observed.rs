@@ -75,12 +75,15 @@ impl Item {
     }
 }
 
-/// Observed targets, each once.
-pub(super) fn targets(truth: &Truth) -> Vec<String> {
+/// Observed targets, and targets of `branches` to which they refer, each once.
+pub(super) fn targets(truth: &Truth, branches: &[Vec<String>]) -> Vec<String> {
     let mut targets: Vec<String> = Vec::new();
-    for observe in &truth.observe {
-        if !observe.target.is_empty() && !targets.contains(&observe.target) {
-            targets.push(observe.target.clone());
+    let observed = truth.observe.iter().map(|observe| observe.target.as_str());
+    let others = truth.observe.iter().flat_map(|observe| kinds::OTHERS.map(|column| kinds::text(&observe.to, column)));
+    let is_on_robot = |name: &&str| branches.iter().flatten().any(|target| target == name);
+    for name in observed.chain(others.flatten().filter(is_on_robot)) {
+        if !name.is_empty() && targets.iter().all(|known| known != name) {
+            targets.push(name.to_owned());
         }
     }
     targets

@@ -8,12 +8,13 @@ use crate::stages::kinds::{self, Measurement};
 use crate::stages::orientations::{AngleOrder, ROTATION_VECTOR};
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
-use etalon_base::pose::{Vector, norm};
+use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, phrase};
 use etalon_campaign::ObservationsDefinition;
 use etalon_formats::dialect::{ColumnSource, Decimal, Delimiter, Encoding, Header};
 use etalon_formats::log_column;
 use etalon_formats::table::{ASSEMBLY, XYZ};
+use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::Kind;
 use etalon_math::Factor;
 use etalon_robots::Quantity;
@@ -128,10 +129,13 @@ fn touched_from(scene: &Scene, mut q: Vec<f64>, items: &[(&Item, &Kind)], left: 
         robot.joint_jacobian(values, &q, &mut by_joints);
         let (mut rows, mut rest) = (Vec::new(), Vec::new());
         for ((item, touches), left) in items.iter().zip(left) {
-            let p = robot.position(values, &q, item.target);
+            let (mut p, mut own) = (robot.position(values, &q, item.target), by_joints[3 * item.target * n..].to_vec());
+            if let Some(other) = touches.other_target() {
+                p = minus(p, robot.position(values, &q, other));
+                own.iter_mut().zip(&by_joints[3 * other * n..]).take(3 * n).for_each(|(own, by)| *own -= by);
+            }
             for (normal, distance) in touches.gaps(values, p, *left) {
                 rest.push(distance);
-                let own = &by_joints[3 * item.target * n..];
                 rows.extend((0..n).map(|j| weights[j] * (0..3).map(|i| normal[i] * own[i * n + j]).sum::<f64>()));
             }
         }
@@ -195,6 +199,10 @@ impl Table<'_> {
             for (joint, q) in scene.robot.joints().iter().zip(joints) {
                 self.set(&mut row, &joint.column(), joint.quantity.outward(*q));
             }
+            if scene.robot.carries_payload() {
+                let payload = PAYLOAD.into_iter().zip(joints.iter().skip(scene.robot.joints().len()));
+                payload.for_each(|(column, value)| self.set(&mut row, column, *value));
+            }
             if let (true, Some(mode)) = (scene.robot.has_assembly_modes(), joints.last()) {
                 row.insert(ASSEMBLY.to_owned(), format!("{mode:+.0}"));
             }
@@ -204,6 +212,7 @@ impl Table<'_> {
             robot: scene.robot,
             values: &scene.values,
             joints: at,
+            target: item.target,
             position,
             sigma_mm: scene.u_mm(item.u_um),
             sigma_rad: scene.u_rad(item.urot_deg),
@@ -223,6 +232,7 @@ impl Table<'_> {
     fn text(&self) -> String {
         let layout = self.stated.layout();
         let joints = self.scene.robot.joints().iter().map(|joint| joint.column());
+        let joints = joints.chain(PAYLOAD.map(str::to_owned));
         let columns = ["kind", "pose", "cycle", "target"].map(str::to_owned).into_iter().chain(joints);
         let more = [ASSEMBLY].into_iter().chain(kinds::names()).chain(XYZ).chain(kinds::numbers());
         let columns = columns.chain(more.chain(["u_mm", "urot_deg"]).map(str::to_owned));
@@ -272,7 +282,7 @@ fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Resu
     let here = || campaign.place(&stated.file);
     let table = etalon_formats::observations_with(file, text, &stated.layout()).map_err(|more| more.at(&here()))?;
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
-    let mut robot = campaign.build_robot_with(&kinds::targets(&table)?)?;
+    let mut robot = campaign.build_robot_with(&kinds::targets(&table, &campaign.robot.branches())?)?;
     let table = Observations::Table(table);
     let read = Input::of(campaign, identify, &table)?.read(robot.as_mut(), &mut Vec::new())?;
     let value = |p: &etalon_robots::Parameter| scene.robot.index(&p.name).map_or(p.nominal, |i| scene.values[i]);

@@ -145,6 +145,18 @@ pub struct Poses {
     pub theta_deg: Vec<f64>,
     /// Random joint values.
     pub drawn: Option<Drawn>,
+    /// Payload at these poses, for a robot with `payload`; none by default.
+    pub load: Option<Payload>,
+}
+
+/// Payload of the robot.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Payload {
+    /// Mass.
+    pub kg: f64,
+    /// Centre of mass in the flange.
+    pub xyz_mm: Vector,
 }
 
 /// Poses with uniformly distributed, independent random joint values; a pose with contacts is drawn
@@ -260,14 +272,32 @@ impl Truth {
         let Some(range) = self.range(pose) else { return Ok(Vec::new()) };
         let (from, to) = (stated_joints(robot, &range.from)?, stated_joints(robot, &range.to)?);
         let mut noise = Noise::new(self.seed, DRAWN + ((pose as u64) << 20) + attempt);
-        Ok(from.iter().zip(&to).map(|(a, b)| 0.5 * (a + b) + noise.uniform(0.5 * (b - a))).collect())
+        let drawn = from.iter().zip(&to).map(|(a, b)| 0.5 * (a + b) + noise.uniform(0.5 * (b - a))).collect();
+        Ok(self.loaded(robot, pose, drawn))
+    }
+
+    /// Adds the payload of a pose, numbered from 0, to its joint values.
+    fn loaded(&self, robot: &dyn Robot, mut pose: usize, mut joints: Vec<f64>) -> Vec<f64> {
+        if robot.carries_payload() && robot.approached().is_empty() {
+            let mut load = None;
+            for poses in &self.poses {
+                if pose < poses.count() {
+                    load = poses.load;
+                    break;
+                }
+                pose -= poses.count();
+            }
+            let Payload { kg, xyz_mm: [x, y, z] } = load.unwrap_or(Payload { kg: 0.0, xyz_mm: [0.0; 3] });
+            joints.extend([kg, x, y, z]);
+        }
+        joints
     }
 
     /// `true` if joint values (mm or rad) are in the range of the random pose.
     pub(super) fn is_within(&self, robot: &dyn Robot, pose: usize, q: &[f64]) -> bool {
         let Some(range) = self.range(pose) else { return true };
         let ends = stated_joints(robot, &range.from).ok().zip(stated_joints(robot, &range.to).ok());
-        ends.is_some_and(|(from, to)| (0..q.len()).all(|j| from[j] <= q[j] && q[j] <= to[j]))
+        ends.is_some_and(|(from, to)| (0..from.len()).all(|j| from[j] <= q[j] && q[j] <= to[j]))
     }
 
     /// Joint values of all poses (mm or rad); `values` are the true parameters.
@@ -275,7 +305,7 @@ impl Truth {
         let mut all = Vec::new();
         for poses in &self.poses {
             for q in &poses.joints {
-                all.push(stated_joints(robot, q)?);
+                all.push(self.loaded(robot, all.len(), stated_joints(robot, q)?));
             }
             for circle in &poses.circles {
                 let platform = robot.platform().ok_or_else(|| error!("truth-circles-not-planar"))?;

@@ -264,7 +264,7 @@ fn f_test(before: [f64; 3], after: [f64; 3]) -> [f64; 2] {
 }
 
 /// All effects, the simpler ones first.
-pub(super) const ALL: [Effect; 7] = [
+pub(super) const ALL: [Effect; 8] = [
     Effect::Zeros,
     Effect::Geometry,
     Effect::Gains,
@@ -272,6 +272,7 @@ pub(super) const ALL: [Effect; 7] = [
     Effect::Backlash,
     Effect::Coupling,
     Effect::Bending,
+    Effect::Payload,
 ];
 
 impl Tried {

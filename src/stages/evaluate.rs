@@ -12,12 +12,13 @@ use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorStatistics, Figure, FigureBudget, FigureContribution, LimitQuantity,
-    LimitVerdict, PointError, PoseSet, ReadingReliability, Statistics,
+    AccuracyDocument, AccuracySet, DistanceStatistics, ErrorStatistics, Figure, FigureBudget, FigureContribution,
+    LimitQuantity, LimitVerdict, PointError, PoseSet, ReadingReliability, RelativeAccuracy, Statistics,
 };
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::{
-    self as identify, Condition, FigureUncertainty, FrameError, JudgedErrors, Observation, Settings, Systematic,
+    self as identify, Condition, DistanceErrors, FigureUncertainty, FrameError, JudgedErrors, Observation, Settings,
+    Systematic,
 };
 use etalon_math::statistics::{mean, quantile, rms};
 use etalon_robots::Robot;
@@ -66,6 +67,14 @@ pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selec
 /// Errors of every observation of both sets with two sets of parameters.
 pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> Vec<PointError> {
     BeforeAfter { robot, before, after }.errors(sets)
+}
+
+/// Replaces the errors after calibration by those of a robot with a residual field.
+pub fn correct(errors: &mut [PointError], corrected: &dyn Robot, sets: &Sets, after: &[f64]) {
+    let others = self::errors(corrected, sets, after, after);
+    for (error, other) in errors.iter_mut().zip(others) {
+        (error.after_mm, error.after_deg) = (other.after_mm, other.after_deg);
+    }
 }
 
 /// A robot with all parameters before and after an identification.
@@ -152,32 +161,38 @@ impl BeforeAfter<'_> {
         });
     }
 
-    /// Errors of each target of a pose in space; with three or more, the rotation that remains
-    /// between them.
+    /// Errors of each target of a pose in space; with three or more on one branch, the rotation
+    /// that remains between them.
     fn target_errors(&self, o: &Observation, set: PoseSet) -> Vec<PointError> {
         let Self { robot, before, after } = *self;
         let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
-        let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
+        let seen = &seen[..];
+        let of_branch = |i: usize| {
+            let same = move |k: &usize| robot.branch_of(seen[*k].0) == robot.branch_of(seen[i].0);
+            (0..seen.len()).filter(same)
+        };
         let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
         let (b, a) = (predict(before), predict(after));
         // a rotation needs three targets that are not on one line
-        let turned = |from: &[Vector]| {
-            let fitted = etalon_fit::rigid(from, &measured).ok()?;
+        let turned = |of_all: &[Vector], i: usize| {
+            // one rotation a pose and branch: with its first target
+            let first = of_branch(i).next() == Some(i);
+            let (from, to): (Vec<Vector>, Vec<Vector>) =
+                of_branch(i).filter(|_| first).map(|k| (of_all[k], seen[k].1)).unzip();
+            let fitted = etalon_fit::rigid(&from, &to).ok()?;
             Some(fitted.to_T_from.angle_rad().to_degrees())
         };
-        let (before_deg, after_deg) = (turned(&b), turned(&a));
         let error = |i: usize| PointError {
             set: set.to_owned(),
             pose: o.pose,
             cycle: o.cycle,
             target: robot.targets()[seen[i].0].clone(),
             quantity: Position,
-            at_mm: measured[i],
-            before_mm: minus(measured[i], b[i]),
-            after_mm: minus(measured[i], a[i]),
-            // one rotation a pose: with its first target
-            before_deg: before_deg.filter(|_| i == 0),
-            after_deg: after_deg.filter(|_| i == 0),
+            at_mm: seen[i].1,
+            before_mm: minus(seen[i].1, b[i]),
+            after_mm: minus(seen[i].1, a[i]),
+            before_deg: turned(&b, i),
+            after_deg: turned(&a, i),
             joints: logged(robot, &o.joints),
             reliability: None,
             own_redundancy: None,
@@ -264,7 +279,7 @@ impl ErrorUncertainty {
         };
         let planar = robot.dimension() == 2;
         let all = || sets.calibration.iter().chain(&sets.validation);
-        let turned = |o| rotation_per_mm(o, planar);
+        let turned = |o| rotation_per_mm(robot, o);
         let of_targets = all().filter_map(turned).reduce(f64::max).map(|per_mm| (per_mm * coordinate_mm).to_degrees());
         let stated = instrument.rotation_uncertainty_rad().map(|u| 3f64.sqrt() * u.to_degrees());
         let of_frame = frame_rotation_rad(systematic, planar).to_degrees();
@@ -288,6 +303,51 @@ impl ErrorUncertainty {
     }
 }
 
+/// Errors of the distances between the deciding poses, with the parameters `before` and with the
+/// judged ones; `None` without two poses of one target.
+///
+/// # Errors
+/// Fails if residuals cannot be evaluated.
+pub fn relative(
+    campaign: &Campaign,
+    judged: Judged,
+    before: &[f64],
+    systematic: &Systematic,
+) -> Result<Option<RelativeAccuracy>> {
+    let Judged { robot, values, set_up, sets, settings } = judged;
+    let set = if sets.validation.is_empty() { PoseSet::Calibration } else { PoseSet::Validation };
+    let errors = JudgedErrors {
+        robot,
+        values,
+        set_up,
+        calibration: &sets.calibration,
+        observations: sets.of(set).0,
+        conditions: &[],
+        position_mm: campaign.file.instrument.position_uncertainty_mm(),
+    };
+    let found = errors.distances(before, settings, systematic).map_err(remedied)?;
+    Ok(found.map(|found| RelativeAccuracy {
+        set,
+        available: found.available,
+        all: distances(found.all),
+        steps: found.steps.into_iter().map(distances).collect(),
+    }))
+}
+
+fn distances(errors: DistanceErrors) -> DistanceStatistics {
+    let expanded = |k: usize| errors.standard_uncertainties_mm.map(|u| 2.0 * u[k]);
+    DistanceStatistics {
+        from_mm: errors.range_mm[0],
+        to_mm: errors.range_mm[1],
+        pairs: errors.after_mm.len(),
+        expanded_rms_mm: expanded(0),
+        expanded_p95_mm: expanded(1),
+        expanded_max_mm: expanded(2),
+        before: summarise(errors.before_mm),
+        after: summarise(errors.after_mm),
+    }
+}
+
 /// Largest standard uncertainty (rad) of the rotation of a frame that is measured again at each
 /// pose; the base absorbs the part that is common to all poses.
 fn frame_rotation_rad(systematic: &Systematic, planar: bool) -> f64 {
@@ -298,10 +358,18 @@ fn frame_rotation_rad(systematic: &Systematic, planar: bool) -> f64 {
 
 /// Standard uncertainty of the rotation of the targets of an observation, rad for 1 mm of a
 /// coordinate: the root of the trace of the inverse of Σ(|r|²I - r rᵀ), r from their centroid;
-/// planar robots rotate about z alone.
-fn rotation_per_mm(o: &Observation, planar: bool) -> Option<f64> {
-    let measured: Vec<Vector> = o.targets.iter().flatten().copied().collect();
-    let middle = centroid(&measured)?;
+/// planar robots rotate about z alone. The largest of all branches.
+fn rotation_per_mm(robot: &dyn Robot, o: &Observation) -> Option<f64> {
+    let of_branch = |branch: usize| {
+        let own = o.targets.iter().enumerate().filter(|(k, _)| robot.branch_of(*k) == branch);
+        body_rotation_per_mm(&own.filter_map(|(_, at)| *at).collect::<Vec<_>>(), robot.dimension() == 2)
+    };
+    (0..robot.branches().len().max(1)).filter_map(of_branch).reduce(f64::max)
+}
+
+/// [`rotation_per_mm`] of the targets of one body.
+fn body_rotation_per_mm(measured: &[Vector], planar: bool) -> Option<f64> {
+    let middle = centroid(measured)?;
     let arms = measured.iter().map(|p| nalgebra::Vector3::from(minus(*p, middle)));
     let inertia: nalgebra::Matrix3<f64> =
         arms.map(|r| nalgebra::Matrix3::identity() * r.norm_squared() - r * r.transpose()).sum();
@@ -352,6 +420,7 @@ pub fn evaluate(
         joints: robot.joints().iter().map(|joint| joint.column()).collect(),
         sets,
         validation_distance: None,
+        relative: None,
         placed_apart: Vec::new(),
         effects: Vec::new(),
         budget: uncertainty.figures,
@@ -360,6 +429,7 @@ pub fn evaluate(
         limits: verdicts,
         tool: None,
         map: None,
+        field: None,
         given: None,
     }
 }

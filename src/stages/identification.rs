@@ -9,6 +9,7 @@ use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
+use crate::stages::field;
 use crate::stages::influence::influences;
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
@@ -27,7 +28,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections, StatedPoses};
 use etalon_documents::parameters_document;
 use etalon_documents::{
-    AccuracyDocument, Conformity, EffectProof, FramePose, FramesDocument, JointTravel, LimitVerdict,
+    AccuracyDocument, Conformity, EffectProof, FieldDocument, FramePose, FramesDocument, JointTravel, LimitVerdict,
     ParametersDocument, PointError, WorldFrame,
 };
 use etalon_formats::table;
@@ -53,6 +54,9 @@ pub struct Identified {
     pub settings: Settings,
     /// Result of the solver.
     pub found: Identification,
+    /// Residual field, if one was asked for and proved; the hash of the parameters is known when
+    /// they are written.
+    pub field: Option<FieldDocument>,
     /// Input for another identification.
     pub again: Again,
 }
@@ -144,6 +148,9 @@ pub fn identify(
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
     found.warnings.extend(accuracy.limits.iter().filter_map(not_assessable).map(Into::into));
     accuracy.placed_apart = placed.documents(robot);
+    // targets that are located by these poses would have too small errors
+    let located = Judged { sets: &sets, ..judged };
+    accuracy.relative = evaluate::relative(campaign, located, &before, &systematic)?;
     accuracy.effects = proofs.unwrap_or_else(|| unused(robot, &sets, &settings, &found));
     accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, &sets, &settings, &found));
     found.warnings.extend(accuracy.effects.iter().filter_map(would_prove).map(Into::into));
@@ -153,19 +160,22 @@ pub fn identify(
         accuracy.joints.push(table::TIME.to_owned());
     }
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near).map(Into::into));
+    let field = if stated.field { field::search(robot, &sets, &settings, (&mut found, &mut accuracy)) } else { None };
     let tool = campaign.file.tool.map(|tool| tool.point());
     let at_tool = |problems: Problems| problems.at(&campaign.place_of(&["tool"]));
     let point = tool.or_else(|| ToolPoint::centre(robot)).unwrap_or(ToolPoint::FIRST_TARGET);
     let held = etalon_identify::held(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
     let prediction = ToolPrediction { robot, point, before: &before, found: &found, held };
-    let expected = Expected::new(prediction, &settings, &accuracy);
+    let expected = Expected::new(prediction, &settings, &accuracy).with_field(field.as_ref(), &accuracy);
     if tool.is_some() || robot.platform().is_some() {
         accuracy.tool = expected.accuracy(&all, &accuracy).map_err(at_tool)?;
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
     let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
     found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)).map(Into::into));
+    let field = field.map(|field| FieldDocument::new(robot, &found.values, &field, String::new()));
     let mut parameters = parameters_document(robot, &settings, &before, &found, &BTreeMap::new());
+    parameters.valid_until = campaign.file.valid_until();
     placed.mark(robot, &found, &mut parameters);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
     if let Some(reliability) =
@@ -178,7 +188,7 @@ pub fn identify(
     accuracy.parameter_influences = influences(robot, &all, &found.values, &parameters);
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
     let again = Again { systematic, before, apart };
-    Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })
+    Ok(Identified { parameters, accuracy, errors, sets, settings, found, field, again })
 }
 
 /// Warning about a limit whose quantity the poses that decide do not show.

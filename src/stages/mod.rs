@@ -13,6 +13,7 @@ pub mod distance;
 pub mod evaluate;
 mod excitation;
 pub mod exclusions;
+mod field;
 pub mod frames;
 pub mod gather;
 pub mod geometric;

@@ -386,14 +386,18 @@ fn reading(
 
 /// Mean, standard deviation, and the ends of the probabilistically symmetric interval of 95 % (JCGM
 /// 101, 7.6, 7.7).
-struct Distribution {
-    mean: f64,
-    sd: f64,
-    interval: [f64; 2],
+pub(crate) struct Distribution {
+    /// Mean of the draws.
+    pub mean: f64,
+    /// Standard deviation of the draws.
+    pub sd: f64,
+    /// Ends of the interval.
+    pub interval: [f64; 2],
 }
 
 impl Distribution {
-    fn of(mut drawn: Vec<f64>) -> Self {
+    /// Summarises the draws.
+    pub fn of(mut drawn: Vec<f64>) -> Self {
         drawn.sort_by(f64::total_cmp);
         let (mean, sd) = (mean(drawn.iter().copied()), standard_deviation(&drawn));
         let at = |p: f64| drawn.get((p * drawn.len() as f64) as usize).or(drawn.last()).copied().unwrap_or(f64::NAN);

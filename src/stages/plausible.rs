@@ -178,7 +178,8 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
 /// Returns a warning if a joint bends against its own torque: gravity or an axis has the wrong
 /// direction.
 fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
-    let of_one_joint = |p: &Parameter| p.effect == Effect::Bending && p.by.is_some() && p.by == p.joint;
+    let of_one_joint =
+        |p: &Parameter| matches!(p.effect, Effect::Bending | Effect::Payload) && p.by.is_some() && p.by == p.joint;
     let negative = |&&i: &&usize| {
         let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
         of_one_joint(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u

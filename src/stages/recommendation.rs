@@ -268,6 +268,7 @@ fn meaning(
         Effect::Backlash => phrase!("backlash"),
         Effect::Coupling => phrase!("coupling"),
         Effect::Bending => phrase!("bending"),
+        Effect::Payload => phrase!("payload-bending"),
     };
     let effects: Vec<Phrase> = chosen.iter().map(word).collect();
     let (load, count) = (parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count(), parameters.len());

@@ -5,13 +5,15 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{RobotHead, screws_text, table_text};
-use etalon_documents::{AxesCheck, AxesDocument, AxesRobot, AxesTarget, AxisEntry, AxisPath, Provenance, ZeroAxis};
+use etalon_documents::{
+    AxesCheck, AxesDocument, AxesParameter, AxesRobot, AxesTarget, AxisEntry, AxisPath, Provenance, ZeroAxis,
+};
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::axes::{
     Agreement, AxesModel, AxesSettings, BaseRule, Change, JointAxis, Slip, Sweep, SweepFault, SweepReading, axis_slip,
     compared, joint_axis, joint_slip, smooth, start_gap,
 };
-use etalon_robots::{AxisTable, Joint, Quantity, modified_table, standard_table};
+use etalon_robots::{AxisTable, Joint, Parameter, Quantity, Role, modified_table, standard_table};
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 
@@ -433,6 +435,11 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
             table_text(head, stated.convention == TableConvention::Mdh, rows)
         }
     };
+    let (parameters, covariance) = match stated.convention {
+        TableConvention::Poe => (Vec::new(), Vec::new()),
+        convention => parameters(model, convention == TableConvention::Mdh),
+    };
+    let robot_toml = robot_toml + &tolerances(&parameters);
     let zero = model.axes.iter().zip(&model.uncertainties).zip(&table.joints).map(|((axis, u), joint)| ZeroAxis {
         joint: joint.clone(),
         direction: into_base.rotate(axis.direction),
@@ -452,7 +459,61 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
             .map(|((target, xyz), u)| AxesTarget { target: target.clone(), xyz_mm: *xyz, standard_uncertainty_mm: *u })
             .collect(),
         convention: stated.convention.name().to_owned(),
+        parameters,
+        covariance,
         robot_toml,
+    }
+}
+
+/// Least standard uncertainty of a parameter as a prior, in standard uncertainties by the sweeps: a
+/// tolerance of 4.3 of them is exceeded by error alone once in 50 000 parameters.
+const LEAST_PRIOR: f64 = 2.5;
+
+/// Tolerance (mm, deg) of parameters that a convention fixes. Of parameters that poses cannot
+/// separate, a run holds those with the smallest tolerances.
+const FIXED: f64 = 1e-6;
+
+/// Parameters of a table, and their covariance.
+fn parameters(model: &AxesModel, modified: bool) -> (Vec<AxesParameter>, Vec<Vec<f64>>) {
+    let Some(found) = model.table_parameters(modified) else { return Default::default() };
+    let factor: Vec<f64> = found.quantities.iter().map(|quantity| quantity.outward(1.0)).collect();
+    let of = |(k, s): (usize, f64)| {
+        let u = found.covariance[(k, k)].sqrt();
+        let half_width = 3f64.sqrt() * s.max(LEAST_PRIOR * u);
+        let usual = Parameter::new(found.names[k].clone(), found.quantities[k], Role::Robot, 0.0).tolerance;
+        AxesParameter {
+            name: found.names[k].clone(),
+            unit: found.quantities[k].unit().to_owned(),
+            value: factor[k] * found.values[k],
+            standard_uncertainty: factor[k] * u,
+            tolerance: (half_width < usual).then_some(factor[k] * half_width),
+        }
+    };
+    let fixed = found.fixed.iter().map(|(name, quantity, value)| AxesParameter {
+        name: name.clone(),
+        unit: quantity.unit().to_owned(),
+        value: quantity.outward(*value),
+        standard_uncertainty: 0.0,
+        tolerance: Some(FIXED),
+    });
+    let known = found.independent_uncertainties().into_iter().enumerate().map(of);
+    let parameters = known.chain(fixed).collect();
+    let row = |i: usize| (0..factor.len()).map(|j| factor[i] * factor[j] * found.covariance[(i, j)]).collect();
+    (parameters, (0..factor.len()).map(row).collect())
+}
+
+/// Table `tolerance` of robot.toml, with two digits that are rounded up.
+fn tolerances(parameters: &[AxesParameter]) -> String {
+    let stated = parameters.iter().filter_map(|p| Some((&p.name, p.tolerance?)));
+    let line = |(name, tolerance): (&String, f64)| {
+        let digit = 10f64.powf(tolerance.log10().floor() - 1.0);
+        let decimals = (1.0 - tolerance.log10().floor()).max(0.0) as usize;
+        format!("{name} = {:.decimals$}\n", (tolerance / digit).ceil() * digit)
+    };
+    let lines: String = stated.map(line).collect();
+    match lines.is_empty() {
+        true => lines,
+        false => format!("\n# {}\n[tolerance]\n{lines}", phrase!("axes-comment-tolerance")),
     }
 }
 

@@ -7,9 +7,9 @@ use etalon_base::message::Result;
 use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_documents::{AccuracyDocument, MapNode, PredictionMap, Statistics, ToolAccuracy};
-use etalon_identify::{Settings, ToolError, ToolFrame, ToolPrediction, UncertaintyFrom};
-use etalon_robots::Kinematics;
+use etalon_documents::{AccuracyDocument, FieldHeldOut, MapNode, PredictionMap, Statistics, ToolAccuracy};
+use etalon_identify::{JointField, Settings, ToolError, ToolFrame, ToolPrediction, UncertaintyFrom};
+use etalon_robots::{Correction, Kinematics};
 use nalgebra::Matrix3;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Gamma};
@@ -25,6 +25,9 @@ pub struct Expected<'a> {
     prediction: ToolPrediction<'a>,
     model_mm: f64,
     place_mm: f64,
+    instrument_mm: f64,
+    /// Residual field, and the model error with it.
+    field: Option<(&'a JointField, f64)>,
 }
 
 impl<'a> Expected<'a> {
@@ -42,7 +45,22 @@ impl<'a> Expected<'a> {
             _ => (measured.powi(2) - instrument).max(0.0).sqrt(),
         };
         let place_mm = dimension.sqrt() * prediction.point.standard_uncertainty_mm;
-        Self { prediction, model_mm, place_mm }
+        Self { prediction, model_mm, place_mm, instrument_mm: instrument.sqrt(), field: None }
+    }
+
+    /// Adds a residual field, whose model error is that at held-out poses.
+    pub fn with_field(self, field: Option<&'a JointField>, accuracy: &AccuracyDocument) -> Self {
+        let held_out = accuracy.field.as_ref().and_then(|field| field.held_out.as_ref());
+        let left = |held: &FieldHeldOut| (held.with_mm.powi(2) - self.instrument_mm.powi(2)).max(0.0).sqrt();
+        Self { field: field.zip(held_out.map(left)), ..self }
+    }
+
+    /// Expected size of the error with the field at joint values (mm).
+    fn with_field_mm(&self, error: &ToolError, joints: &[f64]) -> Option<f64> {
+        let (field, left_mm) = self.field?;
+        let share = field.share(joints);
+        let model = share * left_mm.powi(2) + (1.0 - share) * self.model_mm.powi(2);
+        Some(error.parameters_mm.hypot(error.held_mm).hypot(model.sqrt()).hypot(self.place_mm))
     }
 
     fn at(&self, joints: &[f64]) -> Result<Option<ToolError>> {
@@ -156,6 +174,7 @@ impl<'a> Expected<'a> {
             before_mm: norm(error.before_mm),
             parameters_mm: error.parameters_mm,
             standard_uncertainty_mm: self.total_mm(&error),
+            with_field_mm: self.with_field_mm(&error, &joints),
             p95_mm: p95(&covariance),
         }))
     }

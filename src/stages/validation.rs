@@ -9,9 +9,9 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
-use etalon_documents::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDocument};
-use etalon_identify::{Comparison, GivenParameters, Settings};
-use etalon_robots::{Robot, Role};
+use etalon_documents::{AccuracyDocument, FieldDocument, FieldSummary, GivenFrames, GivenSummary, ParametersDocument};
+use etalon_identify::{Comparison, Corrected, GivenParameters, JointField, Settings};
+use etalon_robots::{Correction, Robot, Role};
 
 /// Errors of given parameters, and remarks for the reader.
 #[derive(Clone, Debug)]
@@ -22,15 +22,26 @@ pub struct Validated {
     pub messages: Vec<Message>,
 }
 
+/// Parameters that are judged.
+#[derive(Clone, Copy, Debug)]
+pub struct Validation<'a> {
+    /// Identified parameters; `None` for nominal ones.
+    pub document: Option<&'a ParametersDocument>,
+    /// Residual field that belongs to the parameters.
+    pub field: Option<&'a FieldDocument>,
+    /// Origin of base and targets.
+    pub frames: GivenFrames,
+}
+
 /// Judges the parameters of a document, or nominal ones, on the `selected` observations of a
 /// campaign.
 pub fn validate(
     campaign: &Campaign,
     selected: Selected,
     robot: &mut dyn Robot,
-    document: Option<&ParametersDocument>,
-    frames: GivenFrames,
+    judged: Validation,
 ) -> Result<Validated> {
+    let Validation { document, frames, .. } = judged;
     let Selected { mut sets, settings, mut apart, systematic, mut messages, .. } = selected;
     if frames == GivenFrames::Given {
         // all places are given
@@ -43,9 +54,19 @@ pub fn validate(
     messages.extend(document.and_then(|document| other_nominal(robot, document)));
     let mut values = Values::of(robot, document, frames, &sets, &settings)?;
     let robot: &dyn Robot = robot;
+    let field = judged.field.map(|field| field.field(robot)).transpose()?;
+    if let (Some(field), GivenFrames::Refit) = (&field, frames) {
+        let corrected = Corrected::new(robot, field);
+        let after = etalon_identify::refit_frames(&corrected, &sets.calibration, &settings, &values.after);
+        values.after = after.map_err(remedied)?;
+    }
     let placed = apart.placed(robot, &mut values.before, &mut values.after)?;
     messages.extend(placed.message(robot, &sets)?);
     let mut errors = evaluate::errors(robot, &sets, &values.before, &values.after);
+    if let Some(field) = &field {
+        evaluate::correct(&mut errors, &Corrected::new(robot, field), &sets, &values.after);
+        messages.extend(beyond_field(field, &sets));
+    }
     errors.extend(apart.errors(robot, &values.before, &values.after, &placed));
     let set_up = match frames {
         GivenFrames::Given => Vec::new(),
@@ -58,11 +79,15 @@ pub fn validate(
     let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
     accuracy.placed_apart = placed.documents(robot);
+    // targets that are located by these poses would have too small errors
+    let located = Judged { sets: &sets, ..judged };
+    accuracy.relative = evaluate::relative(campaign, located, &values.before, &systematic)?;
     let definition = definition(accuracy.definition_phrase, document.is_some(), frames);
     (accuracy.definition, accuracy.definition_phrase) = (definition.to_string(), Some(definition));
     let consistency = document.filter(|_| frames != GivenFrames::Refit && sets.calibration_conditions.is_empty());
     let p_value = consistency.map(|document| p_value(robot, document, &sets, &settings)).transpose()?.flatten();
     accuracy.given = Some(GivenSummary { frames, p_value });
+    accuracy.field = field.map(|field| FieldSummary::given(robot, &field));
     messages.extend(worse(&accuracy));
     Ok(Validated { accuracy, messages })
 }
@@ -162,6 +187,13 @@ fn definition(of: Option<Phrase>, identified: bool, frames: GivenFrames) -> Phra
         (false, GivenFrames::Given) => phrase!("values-nominal"),
     };
     of.unwrap_or_else(|| Phrase::new("error-definition")).with("values", &values)
+}
+
+/// Returns a warning if poses are beyond the field, where it fades out.
+fn beyond_field(field: &JointField, sets: &Sets) -> Option<Message> {
+    let all: Vec<&[f64]> = sets.calibration.iter().chain(&sets.validation).map(|o| o.joints.as_slice()).collect();
+    let count = all.iter().filter(|joints| field.share(joints) < 1.0).count();
+    (count > 0).then(|| warning!("poses-beyond-field", count, total = all.len()))
 }
 
 /// Returns a warning if the given parameters are worse than nominal ones.

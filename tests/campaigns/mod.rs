@@ -2,16 +2,19 @@
 
 mod apart;
 mod blunders;
+mod branches;
 mod budget;
 mod code;
 pub mod controllers;
 pub mod dialects;
 mod effects;
+mod field;
 mod gauge;
 mod joins;
 mod meanings;
 mod mixed;
 mod own_formats;
+mod payload;
 mod platform_controllers;
 mod pose_names;
 mod repeatability;

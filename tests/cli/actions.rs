@@ -73,6 +73,11 @@ fn a_last_day_of_validity_is_a_date_after_the_measurements() {
     for (stated, id) in [
         ("valid_until = \"next year\"", "valid-until-no-date"),
         ("date = \"2026-03-02\"\nvalid_until = \"2026-03-01\"", "valid-until-before-measurements"),
+        ("date = \"2026-03-02\"\nvalid_until = \"2027-03-01\"\nvalid_for_months = 12", "valid-stated-twice"),
+        ("valid_for_months = 12", "valid-months-without-date"),
+        ("date = \"in spring\"\nvalid_for_months = 12", "valid-months-without-date"),
+        ("date = \"2026-03-02\"\nvalid_for_months = 365", "valid-months-implausible"),
+        ("date = \"2026-03-02\"\nvalid_for_months = 0", "valid-months-implausible"),
     ] {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("campaign.toml", name, &format!("{name}\n{stated}"));
@@ -83,4 +88,31 @@ fn a_last_day_of_validity_is_a_date_after_the_measurements() {
     ends(&scratch, "run", 0, &[]);
     let campaign = std::fs::read_to_string(scratch.path().join("out/campaign.json")).unwrap();
     assert!(campaign.contains("\"valid_until\": \"2027-03-02\""), "{campaign}");
+}
+
+/// Parameters state their last day of validity, and commands that use them compare it with today.
+/// Nothing that is written depends on today.
+#[test]
+fn commands_warn_of_parameters_whose_validity_has_passed() {
+    let scratch = copy_sample("prexyt-cmm");
+    let name = "name = \"PreXYT, CMM (synthetic)\"";
+    scratch.replace("campaign.toml", name, &format!("{name}\ndate = \"2026-03-31\"\nvalid_for_months = 11"));
+    ends(&scratch, "run", 0, &[]);
+    let out = scratch.path().join("out");
+    let parameters: Value = serde_json::from_slice(&std::fs::read(out.join("parameters.json")).unwrap()).unwrap();
+    assert_eq!(parameters["valid_until"], "2027-02-28");
+    // seconds of 2027-02-28 and 2027-03-01, both at noon (`date -u -d`)
+    let exported = |seconds: &str| {
+        let mut command = Command::new(crate::support::program());
+        command.args(["export", "out/parameters.json", "--format", "c-header"]).current_dir(scratch.path());
+        let ended = command.env("SOURCE_DATE_EPOCH", seconds).output().unwrap();
+        let header = std::fs::read_dir(&out).unwrap().flatten().map(|file| file.path());
+        let header = header.into_iter().find(|path| path.extension().is_some_and(|e| e == "h")).expect("a header");
+        assert_eq!(ended.status.code(), Some(0));
+        (String::from_utf8_lossy(&ended.stderr).into_owned(), std::fs::read_to_string(header).unwrap())
+    };
+    let (in_time, late) = (exported("1803816000"), exported("1803902400"));
+    assert!(!in_time.0.contains("parameters-expired") && late.0.contains("parameters-expired"), "{late:?}");
+    assert_eq!(in_time.1, late.1);
+    assert!(late.1.contains("valid until: 2027-02-28"), "{}", late.1);
 }

@@ -104,6 +104,35 @@ fn sweeps_give_a_robot_that_reaches_where_the_truth_does() {
     assert!(miss > 0.1 && miss < 2.0, "{miss}");
 }
 
+/// The robot file of a table states as tolerances what the sweeps determine, and `run` reads them as prior information; a tilt that
+/// the table loses is within the tolerance of Hayati's angle.
+#[test]
+fn the_robot_file_of_a_table_states_what_the_sweeps_determine() {
+    let found = document(&table(&rows(), true), &["--convention", "mdh"]).robot.unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("robot.toml");
+    std::fs::write(&path, &found.robot_toml).unwrap();
+    let built = read_robot(Path::new(&path)).unwrap().build(&["tool".to_owned()]).unwrap();
+    let n = found.covariance.len();
+    assert!(n > 8 && found.parameters.len() > n && found.covariance.iter().all(|row| row.len() == n));
+    for (k, p) in found.parameters[..n].iter().enumerate() {
+        let built = &built.parameters()[built.index(&p.name).unwrap_or_else(|| panic!("{}", p.name))];
+        assert!((built.quantity.outward(built.nominal) - p.value).abs() < 1e-6, "{}: {}", p.name, p.value);
+        assert!((found.covariance[k][k].sqrt() / p.standard_uncertainty - 1.0).abs() < 1e-9, "{}", p.name);
+        let Some(tolerance) = p.tolerance else { continue };
+        assert!(tolerance > 4.3 * p.standard_uncertainty && built.tolerance_is_stated, "{}", p.name);
+        // rounded up to two digits
+        let stated = built.quantity.outward(built.tolerance);
+        assert!(stated >= tolerance * (1.0 - 1e-9) && stated < 1.11 * tolerance, "{}: {stated} {tolerance}", p.name);
+    }
+    let stated = |name: &str| found.parameters.iter().find(|p| p.name == name).and_then(|p| p.tolerance);
+    assert!(stated("beta_3").is_some_and(|t| t > 0.057 && t < 1.0), "{:?}", found.parameters);
+    // what a convention fixes has the smallest tolerance: the base stands on axis 1
+    assert!(["alpha_1", "theta_1", "d_1"].iter().all(|name| stated(name) == Some(1e-6)), "{:?}", found.parameters);
+    let screws = document(&table(&rows(), true), &[]).robot.unwrap();
+    assert!(screws.parameters.is_empty() && !screws.robot_toml.contains("[tolerance]"));
+}
+
 #[test]
 fn check_poses_test_order_and_signs() {
     let mut rows = rows();

@@ -180,6 +180,55 @@ fn a_joint_with_its_table_moves_by_what_is_programmed() {
     }
 }
 
+/// Backlash in both columns of LinuxCNC and Beckhoff: the axis that obeys its table is where it is programmed from either side, as
+/// the model of the robot with directions of approach says.
+#[test]
+fn backlash_is_in_the_columns_of_both_directions() {
+    let of =
+        |toml: &str, effects: &str| toml.replacen("model = \"serial\"", &format!("model = \"serial\"\n{effects}"), 1);
+    let rows = |table: &str| -> Vec<Vec<f64>> {
+        table.lines().map(|l| l.split(' ').map(|v| v.parse().unwrap()).collect()).collect()
+    };
+    let lost = |name: &str, nominal: f64| match name {
+        "backlash_2" | "backlash_q2" => 0.04,
+        "q2_rz" => nominal + 1e-3,
+        _ => nominal,
+    };
+    let cross = Identified::new(&of(CROSS, "backlash = [2]"), lost);
+    let names: Vec<&str> = cross.robot.parameters().iter().map(|p| p.name.as_str()).collect();
+    assert!(names.iter().any(|n| n.starts_with("backlash")), "{names:?}");
+    let range = ["--axis", "q2_mm=0:200:100"];
+    let table = cross.written(&[&range[..], &["--to", "linuxcnc"]].concat());
+    let beckhoff = cross.written(&[&range[..], &["--to", "beckhoff"]].concat());
+    for (i, row) in rows(&table).iter().enumerate() {
+        assert!((row[1] - row[0] + 0.02).abs() < 1e-9 && (row[2] - row[0] - 0.02).abs() < 1e-9, "{table}");
+        for (direction, column) in [(1.0, 1), (-1.0, 2)] {
+            // the motor goes to nominal + (nominal - actual)
+            let motor = row[0] + row[0] - row[column];
+            let reached = cross.robot.position(&cross.values, &[0.0, motor, direction], 0);
+            let wanted = cross.robot.position(&cross.values, &[0.0, row[0], 0.0], 0);
+            assert!(norm(minus(reached, wanted)) < 1e-9, "{row:?}");
+        }
+        let of_beckhoff = |name: &str| 1e-4 * value(&beckhoff, &format!("kw.ssfk.table[{i}].{name}"));
+        assert!((of_beckhoff("pos") + 0.02).abs() < 1e-9 && (of_beckhoff("neg") - 0.02).abs() < 1e-9, "{beckhoff}");
+    }
+    // an axis without backlash, of the same table
+    let table = cross.written(&["--axis", "q1_mm=0:200:100", "--to", "linuxcnc"]);
+    assert!(rows(&table).iter().all(|row| row[1] == row[2]), "{table}");
+    // one value for both directions: the middle, and what it lacks
+    let (table, code, said) = cross.table(&[&range[..], &["--to", "sinumerik"]].concat());
+    assert!(code == Some(0) && said.says("warning[backlash-not-in-table] axis=q2_mm"), "{said}");
+    assert!(value(&table, "$AA_ENC_COMP[0,1,AX1]").abs() < 1e-6, "{table}");
+    // the table of errors makes the same table again
+    std::fs::write(cross.scratch.path().join("errors.csv"), cross.written(&range)).unwrap();
+    let again = etalon(&cross.scratch.path(), &["axis-table", "errors.csv", "--axis", "q2_mm", "--to", "linuxcnc"]);
+    assert_eq!(text(&again.stdout), cross.written(&[&range[..], &["--to", "linuxcnc"]].concat()));
+    // one column alone is no table of both directions
+    std::fs::write(cross.scratch.path().join("half.csv"), "q2_mm,forward\n0,0.1\n50,0.1\n").unwrap();
+    let half = etalon(&cross.scratch.path(), &["axis-table", "half.csv", "--axis", "q2_mm", "--to", "linuxcnc"]);
+    assert!(half.status.code() == Some(2) && text(&half.stderr).contains("backward"), "{}", text(&half.stderr));
+}
+
 /// Squareness: the second slide leads the table along the first.
 #[test]
 fn one_axis_corrects_another() {

@@ -66,7 +66,7 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
         assert_eq!(serde_json::from_str::<CompareDocument>(&attached).unwrap().trends, document.trends);
     }
     let mut book: Xlsx<_> = calamine::open_workbook(at.join("compare.xlsx")).unwrap();
-    let changes = book.worksheet_range("Changes").unwrap();
+    let changes = book.worksheet_range("Änderungen").unwrap();
     assert_eq!(changes.rows().count(), 1 + document.trends.iter().map(|t| t.changes.len()).sum::<usize>());
     refused(&etalon(at, &["compare", "spring", "autumn", "--report", "a.txt"]), &["`a.txt`", "ends in .html"]);
     let shown = text(&etalon(at, &["compare", "spring/campaign.toml", "autumn"]).stdout);

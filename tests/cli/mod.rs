@@ -24,6 +24,7 @@ mod platforms;
 mod report;
 mod reports;
 mod robot;
+mod selftest;
 mod streams;
 mod study;
 mod tables;

@@ -79,6 +79,7 @@ fn samples() -> Vec<&'static str> {
         "surfaces",
         "turntable",
         "two-arms",
+        "two-hands",
     ];
     within.into_iter().chain(outside).collect()
 }
@@ -118,7 +119,7 @@ fn every_report_speaks_one_language_and_has_no_number_that_means_nothing() {
         let bytes = std::fs::read(scratch.path().join("out/report.xlsx")).unwrap();
         assert!(text_in(&bytes, "<c:chart>"), "{sample}: no chart");
         let colours = ["C6EFCE", "FFC7CE", "FFEB9C"].map(|colour| text_in(&bytes, colour));
-        let limits = workbook(&scratch).sheet_names().iter().any(|name| name == "Limits");
+        let limits = workbook(&scratch).sheet_names().iter().any(|name| name == "Limites");
         assert_eq!(colours.contains(&true), limits, "{sample}: verdicts and their colours");
     }
 }

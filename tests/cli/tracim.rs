@@ -127,6 +127,12 @@ fn chebyshev_elements_are_answered() {
     let line: Vec<[f64; 3]> = (0..9).map(|i| [f64::from(i), 3.0 + 0.02 * f64::from(i % 2), 0.0]).collect();
     let grid = (0..5).flat_map(|i| (0..5).map(move |k| (i, k)));
     let plane: Vec<[f64; 3]> = grid.map(|(i, k)| [f64::from(i), f64::from(k), 0.03 * f64::from((i + k) % 2)]).collect();
+    // six points on the axes, eight in the corners 0.01 mm further out
+    let mut sphere: Vec<[f64; 3]> = (0..6)
+        .map(|i| std::array::from_fn(|k| if k == i / 2 { 9.0 * (1.0 - 2.0 * (i % 2) as f64) } else { 0.0 }))
+        .collect();
+    let corner = 9.01 / 3f64.sqrt();
+    sphere.extend((0..8).map(|i| [0, 1, 2].map(|k| if i >> k & 1 == 0 { corner } else { -corner })));
     let cylinder = [wavy(8.0, 0.0), wavy(8.0, 10.0), wavy(8.0, 20.0)].concat();
     let data = test_data(
         "chebyshev",
@@ -134,17 +140,21 @@ fn chebyshev_elements_are_answered() {
             ("C01", "LINE_2D", line),
             ("C09", "CIRCLE_2D", wavy(8.0, 0.0)),
             ("C17", "PLANE", plane),
+            ("C27", "SPHERE", sphere),
             ("C37", "CYLINDER", cylinder),
         ],
     );
     let xml = answer(&data);
     assert!(xml.contains("<chebyshevResultPackage ") && xml.contains("xmlns=\"http://tracim.ptb.de/chebyshev/test\""));
-    near(&numbers(&xml, "formDeviation"), &[0.02, 0.01, 0.03, 0.01], 1e-9);
+    near(&numbers(&xml, "formDeviation"), &[0.02, 0.01, 0.03, 0.01, 0.01], 1e-9);
     let of = |id: &str| result(&xml, id);
     near(&vector(of("C01"), "position")[1..], &[3.01, 0.0], 1e-9);
     near(&vector(of("C09"), "position"), &[1.0, 2.0, 0.0], 1e-9);
     near(&numbers(of("C09"), "radius"), &[8.005], 1e-9);
     near(&vector(of("C17"), "position")[2..], &[0.015], 1e-9);
+    near(&vector(of("C27"), "position"), &[0.0; 3], 1e-9);
+    near(&vector(of("C27"), "orientation"), &[0.0; 3], 1e-18);
+    near(&numbers(of("C27"), "radius"), &[9.005], 1e-9);
     near(&numbers(of("C37"), "radius"), &[8.005], 1e-9);
     near(&numbers(&xml, "mpe_formDeviation"), &[1e-5], 1e-18);
     assert!(texts(&xml, "mpe_angle").is_empty());

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Units by the ending of a key.
-const UNITS: [(&str, &str); 16] = [
+const UNITS: [(&str, &str); 17] = [
     ("_um_per_m", "µm/m"),
     ("_per_c", "1/°C"),
     ("_uncertainty_c", "°C"),
@@ -22,6 +22,7 @@ const UNITS: [(&str, &str); 16] = [
     ("_kg", "kg"),
     ("_percent", "%"),
     ("_minutes", "min"),
+    ("_months", "months"),
     ("temperature_c", "°C"),
     ("per_count", "of the joint"),
 ];
@@ -332,8 +333,19 @@ fn keys_of_campaigns_are_documented() {
 #[test]
 fn keys_of_robots_are_documented() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/keys");
-    let all = ["prexyt", "five_bar", "serial", "serial-dh", "serial-poe", "urdf", "hexapod", "delta", "delta_linear"]
-        .map(|model| folder.join(format!("robot-{model}.toml")));
+    let all = [
+        "prexyt",
+        "five_bar",
+        "serial",
+        "serial-dh",
+        "serial-poe",
+        "urdf",
+        "urdf-branches",
+        "hexapod",
+        "delta",
+        "delta_linear",
+    ]
+    .map(|model| folder.join(format!("robot-{model}.toml")));
     for path in &all {
         let robot = etalon::campaign::read_robot(path).unwrap();
         robot.build(&["T".to_owned()]).unwrap_or_else(|e| panic!("{}: {e}", path.display()));

@@ -210,7 +210,7 @@ fn orientations_in_any_form_are_the_same() {
         .map(|_| {
             let joints = [2.8, 1.0, 1.0, 2.6, 1.9, 3.0].map(|range| noise.uniform(range)).to_vec();
             let body = robot
-                .flange(&truth, &joints)
+                .flange(&truth, &joints, 0)
                 .then(&mounting)
                 .then(&Pose::from_rotation_vector([0; 3].map(|_| noise.gaussian(1e-4))));
             let at = robot.position(&truth, &joints, 0).map(|v| v + noise.gaussian(0.02));

@@ -223,6 +223,10 @@ const IDENTIFIED: &[Case] = &[
         "identify --robot @/robot.toml --observations @/observations.csv --standard-uncertainty-um 20 --pose-residuals",
     ),
     ("place-without-nominal", "column-arm", &[], "validate @ --frames given"),
+    ("payload-column-missing column=load_kg", "payload-arm", &[("observations.csv", "load_kg", "mass_kg")], RUN),
+    ("payload-column-missing column=load_z_mm", "payload-arm", &[("observations.csv", "load_z_mm", "lz_mm")], RUN),
+    ("payload-invalid column=load_kg value=-3", "payload-arm", &[("observations.csv", ",3.000000,", ",-3.0,")], RUN),
+    ("payload-invalid column=load_kg value=missing", "payload-arm", &[("observations.csv", ",3.000000,", ",,")], RUN),
     (
         "base-off-nominal",
         "probe-poses",
@@ -241,6 +245,7 @@ pub(super) const QIF: &str = "<QIFDocument versionQIF=\"3.0.0\"><FileUnits><Prim
 
 /// Commands with a table of a few rows.
 const TABLES: &[Case] = &[
+    ("columns-not-read count=1", "surfaces", &[("observations.csv", "offset_mm,u_mm", "offset_mm,um_mm")], RUN),
     (
         "proposal-not-toml",
         "",

@@ -2,7 +2,7 @@
 
 use super::ran;
 use etalon::base::message::{Message, Problems};
-use etalon::documents::{Iso9283Places, ParametersDocument};
+use etalon::documents::{FieldDocument, Iso9283Places, ParametersDocument};
 use etalon::fit::{Element, FitSettings, Probe, Side, Source, element, rigid};
 use etalon::identify::geometric::{self, BaseMeasurements, LeadMeasurements, Measurements, ShaftMeasurements};
 use etalon::identify::{Comparison, GivenParameters, Observation, Settings, ToolFrame, ToolPoint};
@@ -28,6 +28,26 @@ const O: [f64; 3] = [0.0; 3];
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const FAR: [f64; 3] = [100.0, 0.0, 0.0];
+
+/// A field of a robot, and its inconsistency.
+#[test]
+fn of_residual_fields() {
+    let field = |robot: &str, covariance: &str| -> FieldDocument {
+        let text = format!(
+            "{{\"schema\": \"etalon/field/1\", \"robot\": \"{robot}\", \"parameters_sha256\": \"\", \"joints\": [], \"components\": [], \
+             \"parameters\": [], \"covariance\": {covariance}, \"covariance_of\": [], \"factor\": 1, \"noise_mm\": 0.02, \
+             \"provenance\": {{\"version\": \"0.1.0\", \"inputs\": {{}}, \"seed\": null}}}}"
+        );
+        serde_json::from_str(&text).unwrap()
+    };
+    let robot = Prexyt::default();
+    let refused = |robot_named: &str, covariance: &str| vec![field(robot_named, covariance).field(&robot).unwrap_err()];
+    assert!(field(robot.model(), "[]").field(&robot).is_ok());
+    hold(vec![
+        ("field-of-other-robot", refused("serial", "[]")),
+        ("field-inconsistent", refused(robot.model(), "[[1]]")),
+    ]);
+}
 
 #[test]
 fn of_files_names_and_missing_data() {

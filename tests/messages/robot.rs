@@ -8,6 +8,8 @@ const DH: &str = "draw-wire";
 const SCREWS: &str = "probe-poses";
 const U: &str = "arm.urdf";
 const URDF: &str = "column-arm";
+const HANDS: &str = "two-hands";
+const O: &str = "observations.csv";
 const ELBOW: &str = "<joint name=\"elbow\" type=\"revolute\">";
 const PAN: &str = "    <child link=\"shoulder_link\"/>\n";
 
@@ -47,6 +49,38 @@ const KEYS: &[Case] = &[
         CHECK,
     ),
     ("bending-on-moving-base", "two-arms", &[(R, "base_link", "bending = [\"left_q2\"]\nbase_link")], CHECK),
+    ("tool-link-missing", URDF, &[(R, "tool_link = \"tool\"", "")], CHECK),
+    ("tool-link-beside-branches", HANDS, &[(R, "base_link", "tool_link = \"left_hand\"\nbase_link")], CHECK),
+    ("target-on-two-branches target=L1", HANDS, &[(R, "[\"R1\", \"R2\"]", "[\"R1\", \"R2\", \"L1\"]")], CHECK),
+    ("target-on-no-branch target=R2", HANDS, &[(R, "\"R1\", \"R2\"", "\"R1\"")], CHECK),
+    ("payload-in-branches joint=torso_yaw", HANDS, &[(R, "base_link", "payload = [\"torso_yaw\"]\nbase_link")], CHECK),
+    ("bending-in-branches joint=torso_yaw", HANDS, &[(R, "base_link", "bending = [\"torso_yaw\"]\nbase_link")], CHECK),
+    (
+        "coupling-across-branches joint=left_1",
+        HANDS,
+        &[(R, "base_link", "coupling = [[\"left_1\", \"right_1\"]]\nbase_link")],
+        CHECK,
+    ),
+    (
+        "several-branches",
+        HANDS,
+        &[("t.csv", "", "torso_yaw_deg\n1\n")],
+        "kinematics direct @/t.csv --robot @/robot.toml",
+    ),
+    ("target-of-same-branch name=L2", HANDS, &[(O, "+", "bar,81,L1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,L2,,,,,\n")], CHECK),
+    (
+        "bar-without-other-hand name=anchor",
+        HANDS,
+        &[(O, "+", "bar,81,L1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,anchor,,,,,\n")],
+        CHECK,
+    ),
+    ("bar-length-at-pose", HANDS, &[(O, "+", "bar,81,L1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,R1,,,,650,\n")], CHECK),
+    (
+        "rigid-across-branches",
+        HANDS,
+        &[("campaign.toml", "[limits]", "[[rigid]]\ntargets = [\"L1\", \"R1\"]\ntolerance_mm = 1.0\n[limits]")],
+        CHECK,
+    ),
     ("bending-without-mass", URDF, &[(U, "<inertial>", "<!--"), (U, "</inertial>", "-->")], CHECK),
 ];
 

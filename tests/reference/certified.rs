@@ -7,6 +7,7 @@ use etalon::campaign::Campaign;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// Number of reference campaigns.
 const CAMPAIGNS: usize = 12;
@@ -168,4 +169,34 @@ fn one_changed_digit_is_beyond_the_permissible_errors() {
     let moved = format!("{}{}", &row[..row.len() - 1], (last + 1) % 10);
     scratch.replace("observations.csv", row, &moved);
     assert!(Shares::of(&scratch, &certified(name)).worst().1 > 1.0);
+}
+
+/// The archive has every campaign, the programs and checksums, and the same bytes wherever it is made.
+#[test]
+fn the_archive_is_complete_and_reproducible() {
+    let made = |folder: &Path| {
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/campaigns/archive.sh");
+        let output = Command::new("bash").arg(script).arg(folder).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        folder.join("etalon-reference-1.tar.gz")
+    };
+    let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+    let [one, other] = [0, 1].map(|i| made(folders[i].path()));
+    assert!(std::fs::read(&one).unwrap() == std::fs::read(other).unwrap());
+    let bash = |command: &str| {
+        let output = Command::new("bash").args(["-c", command]).current_dir(folders[0].path()).output().unwrap();
+        assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    bash("tar xzf etalon-reference-1.tar.gz && cd etalon-reference-1 && sha256sum -c --quiet SHA256SUMS");
+    let files = bash("cd etalon-reference-1 && find . -type f");
+    for name in names() {
+        assert!(files.contains(&format!("./{name}/certified.json")), "{name}");
+    }
+    for file in
+        ["README.md", "LICENSE", "CITATION.cff", "program/make.py", "program/compare.py", "program/kinematics.py"]
+    {
+        assert!(files.contains(&format!("./{file}\n")), "{file}");
+    }
+    assert!(!bash("cat etalon-reference-1/README.md").contains("samples/reference"));
 }

@@ -73,6 +73,7 @@ pub fn copy_sample(name: &str) -> Scratch {
         "commanded.csv",
         "arm.urdf",
         "two_arms.urdf",
+        "two_hands.urdf",
     ] {
         if from.join(file).exists() {
             std::fs::copy(from.join(file), scratch.path().join(file)).unwrap();

@@ -56,7 +56,8 @@ impl PlanOptions {
         let document = match &self.robot {
             None => Iso9283PlanDocument::new(&plan, None),
             Some(file) => {
-                let robot = read_robot(file)?.build(&["target".to_owned()])?;
+                let robot = read_robot(file)?;
+                let robot = robot.build(&robot.targets_or("target"))?;
                 let reach = reach(&plan, robot.as_ref()).map_err(|UnknownReach| unknown_reach(robot.model()))?;
                 Iso9283PlanDocument::new(&plan, Some((robot.as_ref(), &reach)))
             }

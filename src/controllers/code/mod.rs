@@ -23,6 +23,9 @@ use serde::Serialize;
 pub(super) fn formulas(given: &Given) -> Result<Vec<Formula>> {
     let (robot, values) = given.robot()?;
     let formulas = robot.kinematics().map(|arm| arm.formulas(&values)).unwrap_or_default();
+    if !robot.branches().is_empty() {
+        return Err(error!("several-branches", links = robot.branches()).into());
+    }
     if formulas.is_empty() {
         return Err(error!("formulas-missing", model = robot.model()).into());
     }

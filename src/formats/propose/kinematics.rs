@@ -329,7 +329,7 @@ fn residual(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Resid
             let value = sample.joints[of.order[k]][i] * factor(of.units[k]);
             if of.reversed[k] { -value } else { value }
         };
-        arm.flange(&nominal, &(0..of.order.len()).map(joint).collect::<Vec<f64>>())
+        arm.flange(&nominal, &(0..of.order.len()).map(joint).collect::<Vec<f64>>(), 0)
     };
     let unknowns = 12 + 3 * targets;
     let row = |i: usize, pose: &Pose, axis: usize| {

@@ -25,7 +25,7 @@ pub(super) fn flange(robot: &dyn Robot, reading: &Reading, value: &dyn Fn(usize)
     };
     let joints: Vec<f64> = (0..reading.order.len()).map(joint).collect();
     let arm = robot.free_base()?;
-    joints.iter().all(|value| value.is_finite()).then(|| arm.flange(&robot.nominal(), &joints))
+    joints.iter().all(|value| value.is_finite()).then(|| arm.flange(&robot.nominal(), &joints, 0))
 }
 
 /// Orders the components of a quaternion whose order is open, if the flanges of the rows fit one

@@ -6,11 +6,15 @@ use etalon_base::{error, phrase};
 use etalon_robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 
+/// Columns of the payload of a reading: mass, and centre of mass in the flange.
+pub const PAYLOAD: [&str; 4] = ["load_kg", "load_x_mm", "load_y_mm", "load_z_mm"];
+
 /// Returns the joint values of each row (mm or rad), followed by the directions of joints with
-/// backlash.
+/// backlash, and by the payload.
 ///
 /// # Errors
-/// Reports all missing columns of joints and of `needed`, and values that are not directions.
+/// Reports all missing columns of joints and of `needed`, and values that are not directions or
+/// payloads.
 pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
@@ -36,7 +40,36 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
             row.push(direction);
         }
     }
+    if robot.carries_payload() {
+        add_payloads(table, &mut rows)?;
+    }
     Ok(rows)
+}
+
+/// Adds the payload of each row.
+fn add_payloads(table: &DataFrame, rows: &mut [Vec<f64>]) -> Result<()> {
+    for column in PAYLOAD {
+        if table.column(column).is_err() {
+            return Err(error!("payload-column-missing", column).into());
+        }
+        for (i, (row, value)) in rows.iter_mut().zip(table::numbers(table, column)?).enumerate() {
+            // rows of fixed points have no joint values
+            let is_pose = row.iter().all(|value| value.is_finite());
+            if let Some(message) = wrong_payload(column, value).filter(|_| is_pose) {
+                let line = table::integers(table, "line").ok().map(|lines| lines[i] as usize);
+                return Err(message.at(Place { line, ..Place::default() }).into());
+            }
+            row.push(value);
+        }
+    }
+    Ok(())
+}
+
+/// Returns the error that a value is not that of a payload.
+pub fn wrong_payload(column: &str, value: f64) -> Option<Message> {
+    let stated = if value.is_nan() { "missing".to_owned() } else { value.to_string() };
+    let wrong = !value.is_finite() || (column == PAYLOAD[0] && value < 0.0);
+    wrong.then(|| error!("payload-invalid", column, value = stated))
 }
 
 /// Returns the error that a value is not the direction from which a joint came.

@@ -193,6 +193,14 @@ impl AxesModel {
         all
     }
 
+    /// Covariance of a function of the axes and the flange in the base.
+    pub(super) fn covariance_of_axes(&self, f: &dyn Fn(&[AxisLine], &Pose) -> Vec<f64>) -> DMatrix<f64> {
+        self.covariance(&|zero| {
+            let (_, axes, flange, _) = self.in_base(zero);
+            f(&axes, &flange)
+        })
+    }
+
     fn set_uncertainties(&mut self) {
         let cells = |zero: &AtZero| {
             let (_, axes, _, targets) = self.in_base(zero);

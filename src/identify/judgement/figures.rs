@@ -5,7 +5,7 @@
 //! belong to the measurement: they were fitted to calibration readings, with the errors of these.
 
 use super::budget::{Contributions, Figure, Observed, Systematic, UncertaintySource as Source};
-use crate::{Condition, Covariance, Kind, Observation, Prior, ResidualKind, Result, Settings};
+use crate::{Apart, Between, Condition, Covariance, Kind, Observation, Prior, ResidualKind, Result, Settings};
 use etalon_base::pose_name::PoseName;
 use etalon_math::Problem;
 use etalon_math::statistics::rms;
@@ -37,7 +37,8 @@ impl Kind {
             Self::Seen(_) => Some(ErrorKind::Position),
             Self::Distance(_) => Some(ErrorKind::Distance),
             Self::On(_) => Some(ErrorKind::Surface),
-            Self::Contact(_) => Some(ErrorKind::Contact),
+            Self::Contact(_) | Self::Between(Between { apart: Apart::Touching, .. }) => Some(ErrorKind::Contact),
+            Self::Between(_) => Some(ErrorKind::Distance),
             Self::Coordinate(_) => Some(ErrorKind::Coordinate),
             Self::Orientation(_) | Self::Joint(_) => None,
         }
@@ -95,7 +96,7 @@ struct Reading {
 }
 
 /// Everything on which a figure depends, in linear approximation.
-struct Propagation {
+pub(super) struct Propagation {
     readings: Vec<Reading>,
     residuals: Vec<f64>,
     /// Sensitivities of a platform's pose to the coordinates of its two targets.
@@ -154,7 +155,8 @@ impl JudgedErrors<'_> {
         Ok(all)
     }
 
-    fn propagation(&self, settings: &Settings, systematic: &Systematic) -> Result<Propagation> {
+    /// Response of the judged residuals to every error of the measurement.
+    pub(super) fn propagation(&self, settings: &Settings, systematic: &Systematic) -> Result<Propagation> {
         let robot = self.robot;
         let is_platform = robot.platform().is_some();
         let free = if self.set_up.is_empty() { &[0][..] } else { self.set_up };
@@ -251,6 +253,11 @@ impl JudgedErrors<'_> {
 }
 
 impl Propagation {
+    /// Number of judged residuals.
+    pub(super) fn residual_count(&self) -> usize {
+        self.residuals.len()
+    }
+
     /// Derivatives of a figure with respect to the judged residuals (mm); `None` without such
     /// errors.
     fn derivatives(&self, kind: ErrorKind, figure: Figure) -> Option<Vec<f64>> {
@@ -284,7 +291,7 @@ impl Propagation {
     }
 
     /// Variance of each source.
-    fn variances(&self, by: &[f64]) -> Contributions {
+    pub(super) fn variances(&self, by: &[f64]) -> Contributions {
         let mut all: BTreeMap<Source, f64> = BTreeMap::new();
         let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
         add(Source::Instrument, self.noise(by));

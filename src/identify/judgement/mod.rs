@@ -10,6 +10,7 @@ pub(crate) mod figures;
 pub(crate) mod logs;
 pub(crate) mod predict;
 pub(crate) mod regional;
+pub(crate) mod relative;
 pub(crate) mod reliability;
 pub(crate) mod robust;
 pub(crate) mod significance;

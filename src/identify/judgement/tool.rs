@@ -74,8 +74,8 @@ impl ToolPoint {
                 Ok([pose.x_mm + turned[0], pose.y_mm + turned[1], turned[2]])
             }
             ToolFrame::Flange => {
-                let arm = robot.free_base().ok_or_else(|| lacks("flange"))?;
-                Ok(arm.flange(&values, joints).apply(self.point_mm))
+                let arm = robot.free_base().filter(|arm| arm.branches().is_empty()).ok_or_else(|| lacks("flange"))?;
+                Ok(arm.flange(&values, joints, 0).apply(self.point_mm))
             }
             ToolFrame::Targets => self.on_targets(&places(robot, &values, joints)),
         }
@@ -133,7 +133,7 @@ impl ToolPoint {
         let places = places(robot, &values, joints);
         let at = self.on_targets(&places)?;
         for (i, column) in columns.iter_mut().enumerate() {
-            let moved: Vec<Vector> = (0..places.len()).map(|k| of_target(&full, k, i)).collect();
+            let moved: Vec<Vector> = carriers(robot).map(|k| of_target(&full, k, i)).collect();
             *column = carried(&places, &moved, at, self.point_mm == [0.0; 3]);
         }
         Ok(of_roles(robot, columns, &[Role::Robot, Role::Target]))
@@ -241,7 +241,12 @@ fn without_base(robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
 }
 
 fn places(robot: &dyn Robot, values: &[f64], joints: &[f64]) -> Vec<Vector> {
-    (0..robot.targets().len()).map(|k| robot.position(values, joints, k)).collect()
+    carriers(robot).map(|k| robot.position(values, joints, k)).collect()
+}
+
+/// Targets of the rigid body that carries the first target.
+fn carriers(robot: &dyn Robot) -> impl Iterator<Item = usize> + '_ {
+    (0..robot.targets().len()).filter(|&k| robot.branch_of(k) == robot.branch_of(0))
 }
 
 /// The columns of parameters with one of these roles; the others are zero.

@@ -163,6 +163,11 @@ impl Owners {
             }
         }
         fixtures.retain(|first| !shared.contains(first));
+        // an observation of two targets is in no block
+        for c in settings.conditions.iter().filter(|c| c.kind.other_target().is_some()) {
+            let both = c.kind.other_target().into_iter().chain([c.target]).map(|k| arm.target_place(k));
+            both.for_each(|first| targets.retain(|of| of.start != first));
+        }
         // what ties two of them together is in no block
         for known in settings.known.iter().filter(|known| known.points().len() > 1) {
             fixtures.retain(|first| !known.points().contains(first));

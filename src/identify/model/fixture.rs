@@ -22,9 +22,12 @@ pub enum Fixture<'a> {
     Station(&'a str),
     /// The radius of a sphere: `NAME_radius`. Its centre is a point.
     Radius(&'a str),
+    /// The length of a bar between two targets: `bar_TARGET_OTHER`.
+    Bar([&'a str; 2]),
 }
 
 const STATION: &str = meaning("meaning-station-pose");
+const BAR: &str = meaning("meaning-bar-length");
 
 impl Fixture<'_> {
     /// Adds its parameters to those of `robot`, unless they exist, and returns the index of the
@@ -46,6 +49,12 @@ impl Fixture<'_> {
                 (0..3).map(|axis| along(name, axis)).chain(turns).collect()
             }
             Self::Radius(name) => vec![(format!("{name}_radius"), Length, Role::Fixture)],
+            Self::Bar([a, b]) => {
+                // a bar is the same from either end
+                let [there, back] = [[a, b], [b, a]].map(|[a, b]| format!("bar_{a}_{b}"));
+                let name = if robot.index(&back).is_some() { back } else { there };
+                vec![(name, Length, Role::Fixture)]
+            }
         };
         if let Some(first) = robot.index(&names[0].0) {
             return first;
@@ -56,8 +65,10 @@ impl Fixture<'_> {
             tolerance: f64::INFINITY,
             ..Parameter::new(name, quantity, role, 0.0)
         }));
-        if let Self::Station(_) = self {
-            all[first..].iter_mut().for_each(|p| p.meaning = STATION);
+        match self {
+            Self::Station(_) => all[first..].iter_mut().for_each(|p| p.meaning = STATION),
+            Self::Bar(_) => all[first..].iter_mut().for_each(|p| p.meaning = BAR),
+            _ => {}
         }
         first
     }

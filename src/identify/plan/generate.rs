@@ -255,8 +255,9 @@ impl<'a> Judge<'a> {
     /// times `sign`.
     fn is_seen(&self, joints: &[f64], places: &[Vector], sign: f64) -> bool {
         let (Some(sight), Some(arm)) = (&self.domain.sight, self.robot.free_base()) else { return true };
-        let base_t_flange = self.base_t_world.then(&arm.flange(&self.nominal, joints));
         sight.reflectors.iter().all(|reflector| {
+            let flange = arm.flange(&self.nominal, joints, reflector.target);
+            let base_t_flange = self.base_t_world.then(&flange);
             let axis = base_t_flange.rotate(reflector.axis);
             let to_instrument = minus(sight.instrument_mm, places[reflector.target]);
             let lengths = norm(axis) * norm(to_instrument);

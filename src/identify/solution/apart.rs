@@ -41,7 +41,8 @@ impl Condition {
             _ => vec![equation.unknowns()],
         };
         if equation.depends_on_target() {
-            shown.push(three(arm.target_place(self.target)).collect());
+            let targets = std::iter::once(self.target).chain(equation.other_target());
+            shown.extend(targets.map(|k| three(arm.target_place(k)).collect()));
         }
         shown.retain(|group| !group.is_empty());
         shown

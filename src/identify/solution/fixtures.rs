@@ -1,7 +1,7 @@
 //! Starting values of sockets, fixed points, planes and orientations of bodies, each in closed form
 //! at the current base and joints.
 
-use crate::model::kinds::{Condition, Contact, Kind, lay, meet, mount, onto, places, point, reach, stand};
+use crate::model::kinds::{Condition, Contact, Kind, lay, meet, mount, onto, places, point, reach, span, stand};
 use crate::{Observation, Settings};
 use etalon_base::pose::Vector;
 use etalon_robots::FreeBase;
@@ -56,6 +56,7 @@ pub(crate) fn place_seen(
     mount(arm, &settings.conditions, wanted, values);
     let is_unknown = |first| wanted.contains(&first) && !known.contains_key(&first) && !sockets.contains(&first);
     reach(arm, &settings.conditions, is_unknown, values);
+    span(arm, &settings.conditions, |length| wanted.contains(&length), values);
     lay(arm, settings, wanted, values);
 }
 

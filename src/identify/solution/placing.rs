@@ -105,9 +105,9 @@ pub(crate) fn place_targets(
 ) {
     let mut on_flange: BTreeMap<usize, Vec<Vector>> = BTreeMap::new();
     for o in observations {
-        let world = arm.flange(values, &o.joints).inverse();
         for &k in targets {
-            on_flange.entry(k).or_default().extend(o.targets[k].map(|at| world.apply(at)));
+            let in_flange = |at| arm.flange(values, &o.joints, k).inverse().apply(at);
+            on_flange.entry(k).or_default().extend(o.targets[k].map(in_flange));
         }
     }
     for (k, at) in on_flange {
@@ -205,10 +205,11 @@ impl Sighting {
         let mut in_base = nominal.to_vec();
         in_base[..6].fill(0.0);
         let of_pose = |o: &Observation| {
-            let base_t_flange = arm.flange(&in_base, &o.joints);
-            let seen = o.targets.iter().enumerate();
-            let seen =
-                seen.filter_map(|(k, at)| Some(Self { base_t_flange, place: arm.target_place(k), measured: (*at)? }));
+            let seen = o.targets.iter().enumerate().filter_map(|(k, at)| {
+                let measured = (*at)?;
+                let base_t_flange = arm.flange(&in_base, &o.joints, k);
+                Some(Self { base_t_flange, place: arm.target_place(k), measured })
+            });
             seen.collect::<Vec<_>>()
         };
         observations.iter().flat_map(of_pose).collect()

@@ -44,6 +44,7 @@ pub(crate) fn changes(robot: &dyn Robot, observations: &[Observation]) -> Vec<Ch
         let what = phrase!("slip-unit", quantity = "points", slip);
         Change { origin: Origin::Unit, anywhere: true, ..Change::named(what, changed) }
     }));
+    all.extend(exchanged_branches(robot, observations).into_iter().map(|(what, changed)| Change::named(what, changed)));
     all.extend(units_of_targets(robot, observations).into_iter().map(|(what, changed)| Change::named(what, changed)));
     all
 }
@@ -76,6 +77,29 @@ fn units_of_targets(robot: &dyn Robot, observations: &[Observation]) -> Vec<(Phr
         }
     }
     all
+}
+
+/// Observations with the targets of two branches exchanged, in their order, and the change.
+fn exchanged_branches(robot: &dyn Robot, observations: &[Observation]) -> Vec<(Phrase, Vec<Observation>)> {
+    let links = robot.branches();
+    let seen = readings(robot, observations);
+    let of = |branch: usize| -> Vec<usize> {
+        seen.iter().map(|(k, _)| *k).filter(|&k| robot.branch_of(k) == branch).collect()
+    };
+    let pairs = (0..links.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
+    let exchanged = |(a, b): (usize, usize)| {
+        let (first, second) = (of(a), of(b));
+        if first.is_empty() || first.len() != second.len() {
+            return None;
+        }
+        let mut changed = observations.to_vec();
+        for o in &mut changed {
+            first.iter().zip(&second).for_each(|(&i, &j)| o.targets.swap(i, j));
+        }
+        let [first, second] = [a, b].map(|branch| format!("`{}`", links[branch]));
+        Some((phrase!("slip-branches-exchanged", first, second), changed))
+    };
+    pairs.filter_map(exchanged).collect()
 }
 
 /// Maximum number of groups of targets whose unit is questioned.

@@ -51,7 +51,11 @@ fn by_points(
     let nominal = robot.nominal();
     let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
     let subset = spread_over(observations, SUBSET);
-    let there = |o: &Observation| arm.flange(&nominal, &o.joints).translation_mm.iter().all(|v| v.is_finite());
+    let there = |o: &Observation| {
+        let measured = (0..o.targets.len()).filter(|&k| o.targets[k].is_some());
+        let mut places = measured.flat_map(|k| arm.flange(&nominal, &o.joints, k).translation_mm);
+        places.all(f64::is_finite)
+    };
     let Placed { rms_mm, mut values } = place(robot, arm, &subset, &nominal, &places)?.ok_or_else(|| {
         if !subset.iter().all(there) {
             return far_from_nominal(robot, observations, [f64::INFINITY, 0.0], noise_mm).into();

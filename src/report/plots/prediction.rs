@@ -97,7 +97,15 @@ mod tests {
 
     fn node(at_mm: [f64; 3], before_mm: f64, after_mm: f64) -> MapNode {
         let (joints, parameters_mm, p95_mm) = (vec![], after_mm, 2.0 * after_mm);
-        MapNode { at_mm, joints, before_mm, parameters_mm, standard_uncertainty_mm: after_mm, p95_mm }
+        MapNode {
+            at_mm,
+            joints,
+            before_mm,
+            parameters_mm,
+            standard_uncertainty_mm: after_mm,
+            with_field_mm: None,
+            p95_mm,
+        }
     }
 
     fn drawn(nodes: Vec<MapNode>, planar: bool) -> Vec<Figure> {

@@ -62,6 +62,7 @@ fn of_set(report: &Report, words: &Words) -> Option<Section> {
         placed_apart: Vec::new(),
         effects: Vec::new(),
         validation_distance: None,
+        relative: None,
         ..identified.accuracy.clone()
     };
     let mut section = errors::of(&accuracy, &[], words);

@@ -38,6 +38,9 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::heading(tr!(words, "trends-of-the-residuals")));
         section.push(Block::note(tr!(words, "trends-note")));
         section.push(Block::Table(trends(&accuracy.trends, words)));
+        if accuracy.field.is_none() && accuracy.trends.iter().any(|t| t.p_value < SIGNIFICANCE) {
+            section.push(Block::note(tr!(words, "trends-suggest-field")));
+        }
     }
     section.whole()
 }

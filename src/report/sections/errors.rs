@@ -1,5 +1,6 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
+use super::relative;
 use crate::model::{Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, shown, significant, term, yes_no};
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
@@ -75,6 +76,9 @@ fn with_flagged(
             outside = d.outside,
             total = d.poses
         )));
+    }
+    if let Some(relative) = &accuracy.relative {
+        relative::push(&mut section, relative, words);
     }
     if let Some(tool) = accuracy.tool.as_ref().filter(|_| whole) {
         push_tool(&mut section, accuracy, tool, words);
@@ -436,6 +440,7 @@ mod tests {
     fn shown(all: Vec<ErrorStatistics>) -> Vec<Vec<String>> {
         let set = set(PoseSet::Validation, all);
         let document = AccuracyDocument {
+            field: None,
             given: None,
             campaign: None,
             provenance: None,
@@ -451,6 +456,7 @@ mod tests {
             placed_apart: Vec::new(),
             effects: Vec::new(),
             validation_distance: None,
+            relative: None,
             budget: Vec::new(),
             limits: vec![],
             tool: None,

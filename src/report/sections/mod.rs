@@ -13,6 +13,7 @@ pub(super) mod distributions;
 pub(super) mod drift;
 pub(super) mod effects;
 pub(super) mod errors;
+pub(super) mod field;
 pub(super) mod fit;
 mod frames;
 mod geometric;
@@ -24,7 +25,9 @@ pub(super) mod page_one;
 pub(super) mod parameters;
 pub(super) mod plan;
 pub(super) mod provenance;
+mod relative;
 mod repeatability;
+pub(super) mod selftest;
 mod streams;
 mod test_poses;
 pub(super) mod verdict;
@@ -39,7 +42,7 @@ type Make = fn(&Report, &Words) -> Option<Section>;
 
 /// Evidence before and after the characteristics of ISO 9283, in the order of reading.
 const BEFORE: [Make; 4] = [conditions::section, limits::section, errors::section, errors::pictures];
-const AFTER: [Make; 2] = [effects::section, budget::section];
+const AFTER: [Make; 3] = [field::section, effects::section, budget::section];
 /// Annexes behind the evidence.
 const ANNEXES: [Make; 10] = [
     errors::other_sets,

@@ -34,7 +34,8 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     let set = documents.accuracy.sets.last().unwrap();
     let e = set.leading().unwrap();
     assert!((first.gain_mm.unwrap() - (e.before.rms - e.after.rms)).abs() < 1e-12);
-    assert!(first.what_phrase.as_ref().unwrap().id == "action-load", "{first:?}");
+    // no controller loads a JSON file
+    assert!(first.what_phrase.as_ref().unwrap().id == "action-load-or-compensate", "{first:?}");
     let load = first.reason_phrase.as_ref().unwrap();
     let unit = |key: &str| match &load.arguments[key] {
         etalon_base::catalogue::Argument::Text(text) => text.split(' ').next_back().unwrap().to_owned(),

@@ -115,6 +115,7 @@ impl Documents {
             accuracy: AccuracyDocument {
                 campaign: None,
                 provenance: None,
+                field: None,
                 given: None,
                 joints: vec![],
                 trends: vec![],
@@ -129,6 +130,7 @@ impl Documents {
                 placed_apart: Vec::new(),
                 effects: Vec::new(),
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
+                relative: Some(relative()),
                 budget: Vec::new(),
                 limits: vec![
                     limit(LimitQuantity::PositionMaxMm, 0.050, 0.0442),
@@ -282,6 +284,7 @@ fn parameters() -> ParametersDocument {
     ParametersDocument {
         schema: ParametersDocument::SCHEMA.to_owned(),
         robot: "prexyt".to_owned(),
+        valid_until: None,
         parameters,
         sketches: vec![],
         covariance: vec![],
@@ -371,4 +374,17 @@ fn robust() -> RobustSummary {
         critical_residual: 4.1,
         disagreeing: 1,
     }
+}
+
+/// Errors of distances that grow with the distance.
+pub(crate) fn relative() -> RelativeAccuracy {
+    let of = |from_mm: f64, to_mm: f64, pairs: usize, size: f64| {
+        let sizes = |rms: f64| Statistics { mean: 0.8 * rms, rms, p95: 2.0 * rms, max: 3.0 * rms };
+        let (before, after) = (sizes(10.0 * size), sizes(size));
+        let expanded = Some(1e-3);
+        let (expanded_rms_mm, expanded_p95_mm, expanded_max_mm) = (expanded, expanded, expanded);
+        DistanceStatistics { from_mm, to_mm, pairs, before, after, expanded_rms_mm, expanded_p95_mm, expanded_max_mm }
+    };
+    let steps = vec![of(0.0, 100.0, 400, 0.012), of(100.0, 200.0, 700, 0.018), of(200.0, 300.0, 175, 0.025)];
+    RelativeAccuracy { set: PoseSet::Validation, available: 1275, all: of(0.0, 300.0, 1275, 0.017), steps }
 }

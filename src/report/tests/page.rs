@@ -41,9 +41,9 @@ fn the_demo_page_has_what_a_reader_needs() {
     {
         assert!(page.contains(&format!("<section id=\"{id}\"")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
     }
-    // two of page one, nine figures of errors, three of parameters, two of residuals, one of
+    // two of page one, ten figures of errors, three of parameters, two of residuals, one of
     // singular values
-    assert_eq!(page.matches("<svg").count(), 17);
+    assert_eq!(page.matches("<svg").count(), 18);
 }
 
 /// A parameter is effective if residuals exceed the instrument's uncertainty, and if most of the
@@ -215,6 +215,7 @@ fn nothing_to_draw_is_said() {
     let mut documents = Documents::demo();
     documents.errors.clear();
     documents.accuracy.sets.clear();
+    documents.accuracy.relative = None;
     documents.import.sources.clear();
     documents.import.messages.clear();
     documents.parameters.messages.clear();
@@ -267,7 +268,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     documents.errors[0].at_mm[2] = 100.0;
     let page = page(&documents);
     assert!(page.contains("Position error before calibration, xz plane") && page.contains("z (mm)"));
-    assert_eq!(page.matches("<svg").count(), 27);
+    assert_eq!(page.matches("<svg").count(), 28);
 }
 
 #[test]

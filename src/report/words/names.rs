@@ -47,6 +47,7 @@ pub(crate) fn effect(effect: Effect) -> Phrase {
         Effect::Backlash => phrase!("backlash"),
         Effect::Coupling => phrase!("coupling"),
         Effect::Bending => phrase!("bending"),
+        Effect::Payload => phrase!("payload-bending"),
     }
 }
 

@@ -94,6 +94,11 @@ fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Resu
     if names.len() < 2 || names.len() < rigid.targets.len() {
         return Err(error!("rigid-targets").at(place(campaign, rigid)));
     }
+    let is_on = |branch: &Vec<String>| names.iter().any(|name| branch.iter().any(|target| target == name));
+    if campaign.robot.branches().iter().filter(|branch| is_on(branch)).count() > 1 {
+        return Err(error!("rigid-across-branches", targets = names.iter().copied().collect::<Vec<_>>())
+            .at(place(campaign, rigid)));
+    }
     if !(rigid.tolerance_mm > 0.0 && rigid.tolerance_mm.is_finite()) {
         let place = campaign.place_of(&["rigid", &index.to_string(), "tolerance_mm"]);
         return Err(error!("limit-not-positive", key = "tolerance_mm").at(place));

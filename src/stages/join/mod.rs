@@ -23,6 +23,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, ClockOffset, ClockRate, Join, JoinBy};
 use etalon_documents::{FramesDocument, SourceKind, Unmatched};
+use etalon_formats::tables::joints::{PAYLOAD, wrong_payload};
 use etalon_formats::{JointLog, LogRow, Point, SharedText};
 use etalon_identify::{Covariance, directions, turned};
 use etalon_robots::{Quantity, Robot};
@@ -133,6 +134,7 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
     let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);
     let mut observations = Vec::new();
     for log in &imported.logs {
+        check_payloads(log, robot)?;
         let log = &*with_directions(log, robot)?;
         let joined = match definition.by {
             JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot).map(|(rows, more)| {
@@ -448,6 +450,22 @@ fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, J
         log.joints.push(name);
     }
     Ok(log)
+}
+
+/// Checks the payload in each row of a log.
+fn check_payloads(log: &JointLog, robot: &dyn Robot) -> Result<()> {
+    let columns = if robot.carries_payload() { &PAYLOAD[..] } else { &[] };
+    for column in columns {
+        let found = log.joints.iter().position(|name| name == column);
+        let found = found.ok_or_else(|| error!("payload-column-missing", column))?;
+        for (i, row) in log.rows.iter().enumerate() {
+            let value = row.joints.get(found).copied().unwrap_or(f64::NAN);
+            if let Some(message) = wrong_payload(column, value) {
+                return Err(message.within(phrase!("in-row", row = i + 1)).into());
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The rows without those before the first motion of a joint with backlash.

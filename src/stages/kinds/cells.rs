@@ -100,6 +100,18 @@ impl Cells {
         Ok(Fixture::Point(name).add_to(robot))
     }
 
+    /// The target of another branch that a column names, if it is one; an error for a target of
+    /// the same branch.
+    pub(super) fn other_target(&self, column: &str, robot: &dyn Robot) -> Result<Option<usize>> {
+        let index = |name: &str| robot.targets().iter().position(|target| target == name);
+        let name = self.name(column)?;
+        let Some(other) = index(name).filter(|_| !robot.branches().is_empty()) else { return Ok(None) };
+        match index(&self.target) {
+            Some(own) if robot.branch_of(own) != robot.branch_of(other) => Ok(Some(other)),
+            _ => Err(error!("target-of-same-branch", target = self.target, name).into()),
+        }
+    }
+
     /// The first parameter of the station.
     pub(super) fn station(&self, robot: &mut dyn Robot) -> Result<Option<usize>> {
         let Some(name) = &self.station else { return Ok(None) };

@@ -1,14 +1,17 @@
-//! A target in a socket.
+//! A target in a socket, or at a target of another branch.
 
 use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::message::Result;
-use etalon_identify::Kind;
+use etalon_identify::{Apart, Between, Kind};
 use etalon_robots::Robot;
 
 pub(super) struct Contact;
 
 impl Contact {
     fn of(cells: &Cells, robot: &mut dyn Robot) -> Result<Kind> {
+        if let Some(other) = cells.other_target("socket", robot)? {
+            return Ok(Kind::Between(Between { other, apart: Apart::Touching }));
+        }
         Ok(Kind::Contact(etalon_identify::Contact { socket: cells.point("socket", robot)? }))
     }
 }

@@ -1,10 +1,11 @@
-//! The distance of a target from a fixed point, or of two fixed points.
+//! The distance of a target from a fixed point or from a target of another branch, or of two fixed
+//! points.
 
 use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
-use etalon_identify::{Fixture, Kind, Known};
+use etalon_identify::{Apart, Between, Fixture, Kind, Known};
 use etalon_robots::Robot;
 
 pub(super) struct Distance;
@@ -15,6 +16,10 @@ impl RowKind for Distance {
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {
+        if let Some(other) = row.cells.other_target("other", robot)? {
+            let apart = Apart::Distance(row.cells.distance()?);
+            return Ok(vec![(Kind::Between(Between { other, apart }), f64::NAN)]);
+        }
         let to = row.cells.point("other", robot)?;
         let distance = etalon_identify::Distance { to, distance_mm: row.cells.distance()? };
         Ok(vec![(Kind::Distance(distance), f64::NAN)])
@@ -31,6 +36,12 @@ impl RowKind for Distance {
     }
 
     fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated> {
+        if let Some(other) = cells.other_target("other", robot)? {
+            return Ok(Simulated::anywhere(move |at| {
+                let distance = norm(minus(at.position, at.robot.position(at.values, at.joints, other)));
+                Ok(vec![("distance_mm", at.length(distance))])
+            }));
+        }
         let to = cells.point("other", robot)?;
         Ok(Simulated::anywhere(move |at| {
             let distance = norm(minus(at.position, at.point(to)));

@@ -27,6 +27,8 @@ pub struct Facts {
     pub has_stations: bool,
     /// A row may be without a target.
     pub is_of_robot: bool,
+    /// A row without a pose is about targets, not about fixed points.
+    pub is_of_targets: bool,
 }
 
 /// A kind of rows: its columns, the conditions in a row, and the simulation of a row.
@@ -103,6 +105,8 @@ pub struct Measurement<'a> {
     pub values: &'a [f64],
     /// Joint values, in mm and rad.
     pub joints: &'a [f64],
+    /// Index of the target.
+    pub target: usize,
     /// Position of the target, mm.
     pub position: Vector,
     /// Stream of the noise.

@@ -4,6 +4,7 @@
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and
 //! distances.
 
+mod bar;
 mod cells;
 mod contact;
 mod distance;
@@ -27,6 +28,7 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_formats::table;
+use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
@@ -35,10 +37,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The kinds of rows. To add one: its module with a [`RowKind`], and its line here; a new column of
 /// names also in [`table::TEXTS`].
-const KINDS: [&dyn RowKind; 8] = [
+const KINDS: [&dyn RowKind; 9] = [
     &point::Point,
     &pose::Body,
     &distance::Distance,
+    &bar::Bar,
     &contact::Contact,
     &surface::PLANE,
     &surface::LINE,
@@ -89,19 +92,26 @@ impl Observed {
     }
 }
 
-/// The names in the column `target` that are on the robot (of rows with a pose), each once, in
-/// their order.
-pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
+/// The names of rows with a pose that are on the robot: those in the column `target`, and targets
+/// of `branches` that another target refers to. Each once, in their order.
+pub fn targets(observations: &DataFrame, branches: &[Vec<String>]) -> Result<Vec<String>> {
     let mut targets: Vec<String> = Vec::new();
     let fixed = fixed_rows(observations)?;
-    for (name, _) in table::texts(observations, "target")?.into_iter().zip(fixed).filter(|(_, fixed)| !fixed) {
-        // the value of a joint is of no target
-        if !name.is_empty() && !targets.contains(&name) {
-            targets.push(name);
+    let columns = OTHERS.into_iter().filter(|column| observations.column(column).is_ok());
+    for column in std::iter::once("target").chain(columns) {
+        for (name, _) in table::texts(observations, column)?.into_iter().zip(&fixed).filter(|(_, fixed)| !**fixed) {
+            let is_on_robot = column == "target" || branches.iter().any(|targets| targets.contains(&name));
+            // the value of a joint is of no target
+            if !name.is_empty() && is_on_robot && !targets.contains(&name) {
+                targets.push(name);
+            }
         }
     }
     Ok(targets)
 }
+
+/// Columns that may name a target of another branch.
+pub const OTHERS: [&str; 2] = ["other", "socket"];
 
 /// The poses of a table.
 pub fn poses(observations: &DataFrame) -> Result<BTreeSet<PoseName>> {
@@ -128,6 +138,38 @@ fn misspelt(observations: &DataFrame) -> Result<Problems> {
         problems.0.extend(misspelt_names(&names, most, |row| fixed[row], &line));
     }
     Ok(problems)
+}
+
+/// Columns of every row without a unit, beside those of kinds, coordinates and orientations.
+const OF_ROWS: [&str; 11] = [
+    "line",
+    "pose",
+    "cycle",
+    "target",
+    table::LABEL,
+    table::TIME,
+    table::ASSEMBLY,
+    "approach",
+    "robot",
+    "reading",
+    "direction",
+];
+
+/// Warning about columns that neither observations nor the joints of the robot have.
+fn unread(robot: &dyn Robot, observations: &DataFrame) -> Option<Message> {
+    // a column may be in another unit of its quantity
+    let quantity = |name: &str| name.rsplit_once('_').map_or(name, |(quantity, _)| quantity).to_owned();
+    let with_units = columns().into_iter().chain(table::XYZ).chain(table::UNCERTAINTIES).chain(table::COVARIANCES);
+    let with_units = with_units.chain(orientations::columns()).chain(PAYLOAD).map(quantity).collect::<BTreeSet<_>>();
+    let of_joint = |name: &str| {
+        robot.joints().iter().any(|joint| joint.factor(name).is_some() || joint.direction_column() == name)
+    };
+    let is_own =
+        |name: &str| OF_ROWS.contains(&name) || columns().contains(&name) || with_units.contains(&quantity(name));
+    let names = observations.get_column_names().into_iter().map(|name| name.as_str());
+    let unknown = names.filter(|name| !is_own(name) && !of_joint(name));
+    let columns: Vec<String> = unknown.map(|name| format!("`{name}`")).collect();
+    (!columns.is_empty()).then(|| warning!("columns-not-read", count = columns.len(), columns).routine())
 }
 
 /// Returns an error if a target of measured positions is misspelt, as for a table.
@@ -227,6 +269,7 @@ pub fn observed(
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {
     misspelt(observations)?.check()?;
+    messages.extend(unread(robot, observations));
     let observations = &*resolution::of_table(observations, messages)?;
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)

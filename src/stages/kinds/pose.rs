@@ -34,7 +34,8 @@ impl RowKind for Body {
             let frame_T_world = station.map_or_else(Pose::identity, |station| in_station(at, station));
             let mut numbers = xyz(at.place(frame_T_world.apply(at.position)));
             let arm = at.robot.free_base().ok_or_else(|| not_of("poses", at.robot))?;
-            let body = arm.flange(at.values, at.joints).then(&Pose::from_rotation_vector(at.point(mounting)));
+            let body =
+                arm.flange(at.values, at.joints, at.target).then(&Pose::from_rotation_vector(at.point(mounting)));
             let sigma_rad = at.sigma_rad.clone()?;
             let off = Pose::from_rotation_vector([0.0; 3].map(|v| v + at.noise.gaussian(sigma_rad)));
             let seen = frame_T_world.then(&off.then(&body));

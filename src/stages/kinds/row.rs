@@ -141,7 +141,10 @@ impl Row {
             self.seen_whole(kind, name)?;
         }
         let Some(pose) = self.pose else {
-            check_fixed(self.cells.name("target")?, robot)?;
+            let name = self.cells.name("target")?;
+            if !kind.facts().is_of_targets {
+                check_fixed(name, robot)?;
+            }
             settings.known.push(kind.known(self, positive(self.u_mm, false)?, robot)?);
             return Ok(());
         };

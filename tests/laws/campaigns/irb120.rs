@@ -175,7 +175,7 @@ fn compensated_joints_predict_the_test_error() {
     let robot = read_robot(&sample).unwrap().build(&["SMR_1", "SMR_2", "SMR_3"].map(str::to_owned)).unwrap();
     let arm = robot.kinematics().unwrap();
     let identified = &found.found.values;
-    let calibrated = Calibrated { arm, nominal: arm.nominal(), identified: identified.clone() };
+    let calibrated = Calibrated { arm, nominal: arm.nominal(), identified: identified.clone(), field: None };
     let base = arm.base_in_world(identified).unwrap();
     let (mut before, mut after) = (Vec::new(), Vec::new());
     for o in &found.sets.validation {

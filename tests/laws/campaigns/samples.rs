@@ -4,8 +4,17 @@ use crate::support::scratch::{Scratch, copy_sample, ends};
 use etalon::documents::ParametersDocument;
 use etalon::simulate::Truth;
 
-const SAMPLES: [&str; 7] =
-    ["draw-wire", "linear-delta", "probe-poses", "second-encoders", "surfaces", "turntable", "two-arms"];
+const SAMPLES: [&str; 9] = [
+    "draw-wire",
+    "linear-delta",
+    "payload-arm",
+    "probe-poses",
+    "second-encoders",
+    "surfaces",
+    "turntable",
+    "two-arms",
+    "two-hands",
+];
 
 fn parameters(scratch: &Scratch) -> ParametersDocument {
     serde_json::from_slice(&std::fs::read(scratch.path().join("out/parameters.json")).unwrap()).unwrap()

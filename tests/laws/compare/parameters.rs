@@ -35,6 +35,7 @@ fn no_errors() -> AccuracyDocument {
     AccuracyDocument {
         campaign: None,
         provenance: None,
+        field: None,
         given: None,
         joints: vec![],
         trends: vec![],
@@ -48,6 +49,7 @@ fn no_errors() -> AccuracyDocument {
         placed_apart: Vec::new(),
         effects: Vec::new(),
         validation_distance: None,
+        relative: None,
         budget: vec![],
         limits: Vec::new(),
         tool: None,
@@ -81,6 +83,7 @@ pub(crate) fn identified(
     let n = values.len();
     let square = |i: usize, j: usize| if i == j { u[i] * u[i] } else { 0.0 };
     let mut parameters = ParametersDocument {
+        valid_until: None,
         schema: "etalon/parameters/2".to_owned(),
         robot: "prexyt".to_owned(),
         parameters: values.iter().zip(u).enumerate().map(entry).collect(),

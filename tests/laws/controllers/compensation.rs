@@ -94,7 +94,7 @@ fn pseudo_poses_land_on_their_targets() {
             Quantity::Ratio => p.nominal + noise.uniform(1e-3),
         };
         let identified: Vec<f64> = robot.parameters().iter().map(|p| real(p, &mut noise)).collect();
-        let calibrated = Calibrated { arm, nominal: arm.nominal(), identified: identified.clone() };
+        let calibrated = Calibrated { arm, nominal: arm.nominal(), identified: identified.clone(), field: None };
         let (mut done, mut refused, mut worst) = (0, 0, 0.0f64);
         while done < wanted && refused < wanted {
             let mut q: Vec<f64> = (0..arm.joints().len())

@@ -4,8 +4,8 @@ use super::drawn::number;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm, unit};
 use etalon::identify::axes::{AxesModel, AxesSettings, JointAxis, Sweep, SweepReading, axis_slip, joint_axis, smooth};
-use etalon::identify::{Observation, Prior, Settings, identify};
-use etalon::robots::{AxisLine, Robot, Serial};
+use etalon::identify::{Identification, Observation, Prior, Settings, identify};
+use etalon::robots::{AxisLine, Quantity, Robot, Serial, modified_table, standard_table};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 const NOISE_MM: f64 = 0.02;
@@ -151,6 +151,106 @@ fn the_robot_of_the_axes_agrees_with_truth_and_identification() {
     let share: Vec<f64> = shares.iter().zip(counts).map(|(s, c)| s / c).collect();
     println!("within 95 %: {share:.4?} of {counts:?} (joint values, none, against identification)");
     assert!(share[..2].iter().all(|s| (s - 0.95).abs() < 0.03) && share[2] > 0.9);
+}
+
+/// The table of the axes with what is known before any pose: by the sweeps, or by a drawing.
+fn known_before(model: &AxesModel, targets: usize, modified: bool, drawing: Option<&mut Noise>) -> Serial {
+    let known = model.table_parameters(modified).unwrap();
+    let priors = known.independent_uncertainties();
+    let table = match modified {
+        true => modified_table(&model.axes, &model.flange),
+        false => standard_table(&model.axes, &model.flange),
+    };
+    let names: Vec<String> = (0..targets).map(|t| format!("T{t}")).collect();
+    let mut robot = Serial::of_axis_table(modified, &table.joints, &names);
+    let mut drawing = drawing;
+    for (name, by_sweeps) in known.names.iter().zip(priors) {
+        let p = robot.definition_mut().parameters.iter_mut().find(|p| p.name == *name).expect("of the table");
+        let s = match (&mut drawing, p.quantity) {
+            (None, _) => by_sweeps,
+            (Some(noise), quantity) => {
+                let s = if quantity == Quantity::Length { 0.5 } else { 1e-3 };
+                p.nominal += noise.gaussian(s);
+                s
+            }
+        };
+        let t = p.quantity.outward(3f64.sqrt() * s);
+        p.state_tolerance(t);
+    }
+    for (name, ..) in &known.fixed {
+        let p = robot.definition_mut().parameters.iter_mut().find(|p| p.name == *name).unwrap();
+        p.state_tolerance(1e-6);
+    }
+    robot
+}
+
+/// Standard uncertainties (mm) of the first target at joint values, by the identified parameters.
+fn uncertainty_mm(robot: &Serial, found: &Identification, joints: &[f64]) -> Vector {
+    let (free, covariance) = (&found.free, found.covariance.as_ref().expect("a covariance"));
+    let by = |&i: &usize| {
+        let moved = |h: f64| {
+            let mut values = found.values.clone();
+            values[i] += h;
+            robot.position(&values, joints, 0)
+        };
+        minus(moved(1e-5), moved(-1e-5)).map(|d| d / 2e-5)
+    };
+    let by: Vec<Vector> = free.iter().map(by).collect();
+    let n = free.len();
+    let variance = |axis: usize| -> f64 {
+        let pairs = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        pairs.map(|(i, j)| by[i][axis] * by[j][axis] * covariance[i * n + j]).sum()
+    };
+    [0, 1, 2].map(|axis| variance(axis).sqrt())
+}
+
+/// Axes as prior information of a few poses: positions at new poses are nearer to the truth than by the axes alone, and than by
+/// the poses with the tolerances of a drawing; and they are within their uncertainty.
+#[test]
+fn axes_and_few_poses_predict_better_than_either() {
+    let (mut squares, mut inside, mut count, mut held) = ([0.0; 3], 0.0, 0.0, 0);
+    for trial in 0..number("ETALON_TRIALS", 120) {
+        let mut noise = Noise::new(453, trial);
+        let arm = Arm::drawn(&mut noise, trial);
+        let rest: Vec<f64> = (0..6).map(|_| noise.uniform(0.8)).collect();
+        let model = AxesModel::new(arm.measured(&arm.sweeps(&mut noise, &rest, false)), arm.targets.len()).unwrap();
+        let (modified, targets) = (trial % 2 == 0, arm.targets.len());
+        let pose = |noise: &mut Noise| -> Vec<f64> { (0..6).map(|_| noise.uniform(2.0)).collect() };
+        let poses: Vec<Vec<f64>> = (0..14).map(|_| pose(&mut noise)).collect();
+        let mut observed = |i: usize| Observation {
+            pose: (i as i64).into(),
+            joints: poses[i].clone(),
+            targets: (0..targets).map(|t| Some(arm.reading(&mut noise, 0, t, &poses[i]).position_mm)).collect(),
+            ..Observation::default()
+        };
+        let measured: Vec<Observation> = (0..poses.len()).map(&mut observed).collect();
+        let settings =
+            Settings { standard_uncertainty_mm: Some(NOISE_MM), prior: Prior::TOLERANCES, ..Settings::default() };
+        let robots =
+            [known_before(&model, targets, modified, None), known_before(&model, targets, modified, Some(&mut noise))];
+        let found =
+            [0, 1].map(|k| identify(&robots[k], &measured, &settings).unwrap_or_else(|e| panic!("{trial} {e:?}")));
+        // what a convention fixes is held; what the axes determine is not
+        let determined = model.table_parameters(modified).unwrap().names;
+        held += determined.iter().filter(|n| !found[0].free.contains(&robots[0].index(n).unwrap())).count();
+        for _ in 0..10 {
+            let joints = pose(&mut noise);
+            let truth = arm.pose(&joints).apply(arm.targets[0]);
+            let of = |k: usize| robots[k].position(&found[k].values, &joints, 0);
+            let at = [model.position(&joints, 0), of(1), of(0)];
+            at.iter().zip(&mut squares).for_each(|(at, sum)| *sum += norm(minus(*at, truth)).powi(2));
+            let u = uncertainty_mm(&robots[0], &found[0], &joints);
+            for axis in 0..3 {
+                inside += f64::from(u8::from((at[2][axis] - truth[axis]).abs() < 1.96 * u[axis]));
+                count += 1.0;
+            }
+        }
+    }
+    let ([axes, poses, both], share) = (squares.map(|s| (s / count * 3.0).sqrt()), inside / count);
+    println!("rms: axes {axes:.4}, poses {poses:.4}, both {both:.4} mm; within 95 %: {share:.4}, held {held}");
+    assert_eq!(held, 0);
+    assert!(both < 0.9 * axes && both < 0.9 * poses, "{axes} {poses} {both}");
+    assert!(share > 0.94, "{share}");
 }
 
 /// Identification of all readings from the true robot as nominal one.

@@ -121,7 +121,7 @@ impl Campaign {
             let joints = self.joints();
             let seen = self.at(&joints).map(|v| v + self.error(U_MM));
             let off = Vector3::from([0; 3].map(|_| self.error(U_RAD)));
-            let flange = turn_of(&self.robot.flange(&self.truth, &joints));
+            let flange = turn_of(&self.robot.flange(&self.truth, &joints, 0));
             let body = Rotation3::from_scaled_axis(off) * flange * Rotation3::from_scaled_axis(Vector3::from(turn));
             let pose = PoseName::from(self.settings.conditions.len() as i64 + 1);
             self.observations.push(Observation {
@@ -452,7 +452,7 @@ impl Campaign {
             Kind::Contact(Contact { socket }) => {
                 vec![("kind", "contact".to_owned()), ("socket", fixture(socket).to_owned())]
             }
-            Kind::Seen(_) => panic!("{c:?}"),
+            Kind::Seen(_) | Kind::Between(_) => panic!("{c:?}"),
             Kind::On(On { surface, unknowns, offset_mm }) => {
                 let (kind, axis) = match surface {
                     Surface::Plane { axis } => ("plane", ["x", "y", "z"][axis]),

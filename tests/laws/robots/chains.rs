@@ -249,12 +249,12 @@ fn a_chain_between_two_hands_is_that_of_both_arms() {
             let values: Vec<f64> = robot.parameters().iter().map(value).collect();
             let joint = |j: &etalon::robots::Joint| q[names.iter().position(|n| *n == j.name).unwrap()];
             let joints: Vec<f64> = robot.joints().iter().map(joint).collect();
-            robot.free_base().unwrap().flange(&values, &joints)
+            robot.free_base().unwrap().flange(&values, &joints, 0)
         };
         let mut hand: Pose = of(left.as_ref());
         // the world of the chain is the left hand
         hand = hand.inverse().then(&of(right.as_ref()));
-        let found = both.free_base().unwrap().flange(&values, &q);
+        let found = both.free_base().unwrap().flange(&values, &q, 0);
         assert!(norm(minus(found.translation_mm, hand.translation_mm)) < 1e-9, "{found:?} {hand:?}");
         assert!(found.inverse().then(&hand).angle_rad() < 1e-9);
     }
@@ -460,7 +460,7 @@ impl ProbeStations {
             let mut off = |u: f64| [0; 3].map(|_| errors * self.noise.gaussian(u));
             let (moved, turn) = (off(U_MM), Pose::from_rotation_vector(off(U_RAD)));
             let at = minus(self.robot.position(&self.truth, &joints, 0), moved);
-            let flange = self.robot.free_base().unwrap().flange(&self.truth, &joints);
+            let flange = self.robot.free_base().unwrap().flange(&self.truth, &joints, 0);
             let body = turn.then(&flange.then(&mounted));
             let (station, frame) = if i % 2 == 1 { (Some(self.station), station) } else { (None, Pose::identity()) };
             let in_frame = Pose { translation_mm: [0.0; 3], ..frame.then(&body) };

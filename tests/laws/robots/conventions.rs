@@ -307,7 +307,7 @@ fn three_reflectors_as_one_pose() {
     let on_flange = Pose { translation_mm: probe, ..Pose::from_rotation_vector(turn) };
     let mut misses = Vec::new();
     for o in &found.sets.validation {
-        let flange = robot.free_base().unwrap().flange(&other.values, &o.joints).then(&on_flange);
+        let flange = robot.free_base().unwrap().flange(&other.values, &o.joints, 0).then(&on_flange);
         let seen = o.targets.iter().zip(&places).filter_map(|(seen, place)| Some((seen.as_ref()?, place)));
         misses.extend(seen.map(|(seen, place)| norm(minus(*seen, flange.apply(*place)))));
     }

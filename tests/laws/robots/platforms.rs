@@ -85,12 +85,12 @@ fn turns_are_the_numeric_derivative(robot: &dyn Robot, joints: &[f64]) {
     let (arm, n, h) = (robot.free_base().unwrap(), robot.parameters().len(), 1e-5);
     let p: Vec<f64> = robot.nominal().iter().enumerate().map(|(i, v)| v + 0.01 * ((i * 5) % 7) as f64).collect();
     let mut turns = vec![0.0; 3 * n];
-    arm.flange_turns(&p, joints, &mut turns);
+    arm.flange_turns(&p, joints, 0, &mut turns);
     for j in 0..n {
         let at = |by: f64| {
             let mut moved = p.clone();
             moved[j] += by;
-            arm.flange(&moved, joints)
+            arm.flange(&moved, joints, 0)
         };
         let turned = at(h).then(&at(-h).inverse()).rotation_vector_rad();
         for i in 0..3 {
@@ -239,7 +239,7 @@ impl Design<'_> {
             });
             let Some(mounting) = mounting else { continue };
             let turn = |v: Vector| Rotation3::from_scaled_axis(Vector3::from(v));
-            let flange = robot.free_base().unwrap().flange(&truth, &joints).rotation;
+            let flange = robot.free_base().unwrap().flange(&truth, &joints, 0).rotation;
             let flange = Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| flange[i][j]));
             let body = turn([0; 3].map(|_| errors * noise.gaussian(U_RAD))) * flange * turn([0.3; 3]);
             let rotation = std::array::from_fn(|i| std::array::from_fn(|j| body[(i, j)]));

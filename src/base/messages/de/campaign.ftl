@@ -111,7 +111,7 @@ urdf-mimic-unknown = Gelenk `{ $joint }` folgt dem Gelenk `{ $mimics }`, das in 
 urdf-mimics-itself = Gelenk `{ $joint }` folgt sich selbst
     .hint = in <mimic> ein anderes Gelenk nennen
 urdf-mimics-several = Gelenk `{ $joint }` folgt mehreren Gelenken
-    .hint = ein `mimic` behalten: ein Gelenk einer URDF folgt einem Gelenk. Hängt es von mehreren ab, alle entfernen: es ist dann ein eigenes Gelenk mit einer Spalte im Protokoll
+    .hint = ein `mimic` behalten: ein Gelenk einer URDF folgt einem Gelenk. Hängt `{ $joint }` von mehreren Gelenken der Kette ab, keines behalten: das erste unter seinem Namen protokollieren, und den Faktor jedes weiteren in `coupling = [["{ $joint }", "..."]]` und [nominal] angeben
 
 urdf-nothing-moves = zwischen `{ $from }` und `{ $to }` bewegt sich kein Gelenk
     .hint = `base_link` und `tool_link` prüfen
@@ -127,6 +127,27 @@ bending-without-mass = hinter Gelenk `{ $joint }` ist keine Masse angegeben: kei
 
 parameter-name-doubled = zwei Parameter hießen `{ $name }`
     .hint = die Zielmarke umbenennen: keine Zielmarke darf wie ein Gelenk heißen
+
+tool-link-missing = kein Glied trägt die Zielmarken
+    .hint = `tool_link = "..."` angeben, oder bei mehreren Gliedern je ein [[branch]] mit `tool_link` und `targets`
+
+tool-link-beside-branches = `tool_link` und [[branch]] geben beide die Glieder der Zielmarken an
+    .hint = `tool_link` entfernen, und für sein Glied ein [[branch]] mit `targets` angeben
+
+target-on-two-branches = Zielmarke `{ $target }` ist an zwei Zweigen: `{ $first }` und `{ $second }`
+    .hint = aus `targets` eines der beiden entfernen
+
+target-on-no-branch = Zielmarke `{ $target }` ist an keinem Zweig
+    .hint = in `targets` des [[branch]] aufnehmen, dessen Glied sie trägt
+
+bending-in-branches = `bending` von Gelenk `{ $joint }` wird nicht modelliert: mehrere Zweige belasten es
+    .hint = das Gelenk aus `bending` entfernen
+
+payload-in-branches = `payload` des Gelenks `{ $joint }` wird nicht modelliert: der Roboter hat mehrere Zweige
+    .hint = `payload` entfernen, oder den Zweig allein mit `tool_link` beschreiben
+
+coupling-across-branches = Gelenk `{ $by }` bewegt den Zweig `{ $link }` nicht, in dem `{ $joint }` mit ihm gekoppelt ist
+    .hint = das Paar aus `coupling` entfernen: beide Gelenke müssen auf dem Weg zu jedem Glied liegen
 
 key-of-other-model = `{ $key }` hat für dieses Modell keine Bedeutung
     .hint = `{ $key }` gehört zu `model = "{ $model }"`

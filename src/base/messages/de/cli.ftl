@@ -164,6 +164,9 @@ infinite-solutions = { $joints } Gelenke erreichen eine Pose auf unendlich viele
 no-whole-pose = das Modell `{ $model }` hat keine Kinematik der vollständigen Pose
     .hint = ein anderes Modell verwenden
 
+several-branches = ein Roboter mit mehreren Zweigen ({ $links }) ist keine einzelne Kette
+    .hint = ein Glied als `tool_link` einer robot.toml angeben, deren URDF die kalibrierte ist: `etalon export --format urdf` schreibt den kalibrierten Baum
+
 table-quaternion-length = das Quaternion hat die Länge { FIXED($length, 4) }
     .expected = 1: qw, qx, qy, qz einer Drehung
     .hint = prüfen, ob die Reihenfolge der Spalten stimmt (qw ist der Skalarteil) und ob es keine Winkel sind
@@ -501,3 +504,14 @@ cell-largest-residual = { $measure ->
         [position] mm
        *[orientation] deg
     }, Zeile { $line }
+
+targets-beyond-field = { $count ->
+        [one] Ziel { $targets } liegt
+       *[other] Ziele { $targets } liegen
+    } außerhalb des Residuenfelds, wo es abklingt
+    .hint = Kalibrierposen in diesem Bereich messen
+parameters-expired = die Parameter gelten bis { $last }; heute ist der { $today }
+    .hint = einige Posen messen und `etalon verify` verwenden, oder neu kalibrieren
+
+backlash-not-in-table = die Tabelle hat einen Wert für beide Richtungen; das Umkehrspiel von `{ $axis }`, bis { FIXED($backlash, 5) } { $unit }, ist nicht enthalten
+    .hint = es als Umkehrspiel der Achse in der Steuerung angeben

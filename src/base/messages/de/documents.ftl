@@ -3,7 +3,7 @@
 action-load-or-compensate = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
-    } in eigene Software laden, oder die Programme einer Steuerung korrigieren, die mit nominaler Geometrie rechnet:
+    } in eigene Software laden; für eine Steuerung mit nominaler Geometrie die Programme mit `etalon compensate` korrigieren
 
 limits-for-several-robots = Grenzwerte gelten für einen Roboter, die Tabelle enthält aber { $robots }
     .hint = jeden Roboter einzeln prüfen; zusammen ergeben sie die Austauschbarkeit
@@ -156,3 +156,19 @@ action-state-limits-reason = ohne Grenzwerte gibt es keine Bewertung
 action-warm-up = den Roboter vor der Prüfung warmfahren und `warm_up_minutes` angeben
 action-warm-up-cold = der Roboter wurde kalt geprüft
 action-warm-up-drift = Drift von AP: { $change } in { $cycles } Zyklen, nicht abgeklungen
+
+field-of-other-robot = das Residuenfeld gehört zu einem anderen Roboter: `{ $name }`
+    .hint = die field.json des Laufs verwenden, der diesen Roboter identifiziert hat
+
+field-inconsistent = das Residuenfeld ist widersprüchlich
+    .hint = die Kampagne erneut ausführen
+
+field-needs-positions = Messwerte eines Residuenfelds sind Positionen von Zielmarken, ohne Bedingungen, starre Teile, Plattformen und angegebene Kovarianzen
+field-needs-poses = { $poses ->
+        [one] { $poses } Pose
+       *[other] { $poses } Posen
+    }; ein Residuenfeld braucht { $needed }
+field-readings-suspect = an der zurückgehaltenen Pose { $pose } beträgt die Abweichung mit dem Feld { FIXED($error_mm, 3) } mm, mehr als das 8fache des Medians aller Posen: ihre Messwerte sind verdächtig
+field-undetermined = die Positionen bestimmen die Parameter nicht in jedem Teil der Posen
+field-not-shown = die Residuen zeigen keine Abhängigkeit von den Gelenken: die Likelihood steigt um { FIXED($rise, 1) }, erforderlich ist { FIXED($threshold, 1) } (−2 ln L)
+field-not-proven = an zurückgehaltenen Posen beträgt die Positionsabweichung { FIXED($without_mm, 3) } mm ohne und { FIXED($with_mm, 3) } mm mit dem Feld (quadratischer Mittelwert); der Gewinn ist das { FIXED($gain, 1) }fache seiner Standardunsicherheit, erforderlich ist das 2,3fache

@@ -490,3 +490,14 @@ doubt-numbers-and-text = Spalte { $column } enthält in { $count } von { $rows }
 
 doubt-array-columns = `{ $array }` hat { $count } Spalten: Gelenke, Koordinaten oder beides nebeneinander
 zero-count-alone = `zero_count` ist ohne `per_count` wirkungslos
+
+payload-column-missing = `payload` der Roboterdatei braucht die Spalte `{ $column }`
+    .expected = `load_kg`, und der Schwerpunkt im Flansch: `load_x_mm`, `load_y_mm`, `load_z_mm`
+    .hint = die Spalte ergänzen, mit 0 in Zeilen ohne Last, oder `payload` aus der Roboterdatei entfernen
+
+payload-invalid = `{ $column }` { $value ->
+        [missing] fehlt
+       *[other] ist { $value }
+    }
+    .expected = eine Masse in kg von mindestens 0, oder eine Länge in mm
+    .hint = 0 angeben, wo der Roboter nichts trägt

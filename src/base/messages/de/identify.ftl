@@ -217,6 +217,7 @@ points-undetermined = diese Punkte bestimmen das angepasste Element nicht
 slip-reversed = { $joint } umgekehrt
 
 slip-exchanged = { $first } und { $second } vertauscht
+slip-branches-exchanged = vertauschten Zielmarken von { $first } und { $second }
 
 slip-joint-order = die Gelenke { $order ->
         [reversed] in umgekehrter Reihenfolge

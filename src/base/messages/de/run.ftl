@@ -205,3 +205,14 @@ template-name-reserved = eine Auswertung schreibt `{ $file }` selbst
     .hint = die Vorlage umbenennen
 
 controller-template = Vorlage eines Steuerungsformats
+
+field-of-other-parameters = `{ $field }` gehört nicht zu `{ $parameters }`: die Prüfsumme der Parameter weicht ab
+    .hint = beide Dateien eines Laufs angeben
+valid-stated-twice = `valid_until` und `valid_for_months` sind beide angegeben
+    .hint = eines von beiden weglassen
+
+valid-months-without-date = `valid_for_months` braucht das Datum (`date`) der Messungen
+    .hint = `date = "2026-03-02"` angeben, oder den letzten Tag als `valid_until`
+
+valid-months-implausible = `valid_for_months` ist { $months }
+    .expected = 1 bis { $most } Monate

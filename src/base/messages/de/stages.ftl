@@ -12,6 +12,9 @@ rigid-row-refused = `{ $target }` wird in Zeile { $row } abgelehnt: { $reason }
 rigid-targets = ein starres Teil braucht mindestens zwei Zielmarken, jede einmal genannt
     .hint = jede Zielmarke des Teils einmal in `targets` nennen
 
+rigid-across-branches = das starre Teil { $targets } erstreckt sich über mehrere Zweige des Roboters
+    .hint = je ein [[rigid]] für die Zielmarken jedes Zweigs angeben
+
 limit-not-positive = `{ $key }` muss eine positive Zahl sein
     .expected = { $key ->
             [drift_mm] die größte Bewegung einer festen Zielmarke während der Kampagne, zum Beispiel `0.02`
@@ -281,6 +284,15 @@ fixed-point-on-robot = `{ $name }` ist eine Zielmarke am Roboter, kein fester Pu
 
 distance-to-itself = der Abstand reicht von `{ $name }` zu sich selbst
     .hint = `other` berichtigen
+
+target-of-same-branch = `{ $target }` und `{ $name }` sind am selben Zweig
+    .hint = eine Zielmarke eines anderen Zweigs angeben; die Form der Zielmarken an einem Glied steht in [[rigid]]
+
+bar-without-other-hand = `{ $name }` ist keine Zielmarke eines anderen Zweigs als `{ $target }`
+    .hint = eine Zielmarke eines anderen Zweigs angeben; `kind = "distance"` ist für einen Stab mit festem Ende
+
+bar-length-at-pose = ein Stab hat an allen Posen eine Länge
+    .hint = `distance_mm` in einer Zeile ohne Pose angeben; Längen, die an jeder Pose gemessen sind, sind `kind = "distance"`
 
 number-missing = `{ $column }` fehlt oder ist keine Zahl
     .expected = { $column ->
@@ -1079,6 +1091,7 @@ axes-comment-joint = q{ $number } ist { $name }
 axes-comment-zero = die Gelenkwerte sind zu Beginn der Messreihen null
 
 axes-comment-target = Zielmarke { $name } am Flansch (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+axes-comment-tolerance = die Messreihen bestimmen diese Parameter: die Toleranzen sind Halbbreiten von Rechteckverteilungen
 
 axes-robot-name = Roboter nach seinen Achsen
 
@@ -1207,3 +1220,10 @@ cell-change-scale = die gemessenen Punkte sind mit { $factor } multipliziert
 cell-change-mirrored = die bekannten Punkte sind gespiegelt (eine Koordinate hat das andere Vorzeichen)
 
 cell-change-exchanged = die Punkte der Zeilen { $first } und { $second } sind vertauscht
+
+field-refused = kein Residuenfeld: { $reason }
+
+poses-beyond-field = { $count } von { $total } Posen liegen außerhalb des Residuenfelds, wo es abklingt
+    .hint = Kalibrierposen in diesem Bereich messen
+
+field-parameters-wrong = die Identifikation hat einen Fehler, den ein Feld verdecken würde

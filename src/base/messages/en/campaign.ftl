@@ -252,7 +252,7 @@ urdf-mimics-itself = joint `{ $joint }` mimics itself
 # Do: Keep the element that applies, or remove all of them and log the value of the joint.
 # Example: a wrist whose angle is the sum of two motor angles
 urdf-mimics-several = joint `{ $joint }` mimics several joints
-    .hint = keep one `mimic`: a URDF joint follows one master. If the joint depends on several, remove all of them: it is then a joint of its own, with a column in the log
+    .hint = keep one `mimic`: a URDF joint follows one master. If `{ $joint }` depends on several joints of the chain, keep none: log the first master under its name, and state the factor of each further master in `coupling = [["{ $joint }", "..."]]` and [nominal]
 
 # Means: All joints between base link and tool link are fixed.
 # Matters: There is nothing to identify.
@@ -288,6 +288,55 @@ bending-without-mass = `bending` of joint `{ $joint }` needs a mass beyond it
 # Example: a target `q1`
 parameter-name-doubled = two parameters would be called `{ $name }`
     .hint = rename the target: a target must not have the name of a joint
+
+# Means: A robot of `model = "urdf"` states no link that carries its targets.
+# Matters: The end of the chain is unknown.
+# Do: State `tool_link`, or a [[branch]] for each link with targets.
+# Example: robot.toml with `file` and `base_link` alone
+tool-link-missing = no link carries the targets
+    .hint = state `tool_link = "..."`, or a [[branch]] with `tool_link` and `targets` for each of several links
+
+# Means: robot.toml states both `tool_link` and [[branch]].
+# Matters: A target would be on two links.
+# Do: Keep `tool_link` for one link, or [[branch]] for several.
+# Example: `tool_link = "left_hand"` above a [[branch]]
+tool-link-beside-branches = `tool_link` and [[branch]] both state the links of the targets
+    .hint = remove `tool_link`, and give its link a [[branch]] with `targets`
+
+# Means: Two branches list the same target.
+# Matters: A target is on one link.
+# Do: Remove the target from one of the branches.
+# Example: `targets = ["L1"]` in both branches
+target-on-two-branches = target `{ $target }` is on two branches: `{ $first }` and `{ $second }`
+    .hint = remove it from `targets` of one of them
+
+# Means: A target of the campaign is on none of the branches of robot.toml.
+# Matters: Its position on the robot is unknown.
+# Do: Add the target to `targets` of the branch whose link carries it.
+# Example: a target `L3` that no [[branch]] lists
+target-on-no-branch = target `{ $target }` is on no branch
+    .hint = add it to `targets` of the [[branch]] whose link carries it
+
+# Means: `bending` names a joint that carries several branches.
+# Matters: Its load depends on the joints and masses of all branches, which one chain does not hold.
+# Do: Remove the joint from `bending`.
+# Example: `bending = ["torso"]` of a robot with two hands
+bending-in-branches = `bending` of joint `{ $joint }` is not modelled: several branches load it
+    .hint = remove the joint from `bending`
+
+# Means: `payload` names a joint of a robot with several branches.
+# Matters: Each hand has a payload of its own, and a row states one.
+# Do: Remove `payload`, or describe the branch alone with `tool_link`.
+# Example: `payload = ["torso"]` of a robot with two hands
+payload-in-branches = `payload` of joint `{ $joint }` is not modelled: the robot has several branches
+    .hint = remove `payload`, or describe the branch alone with `tool_link`
+
+# Means: `coupling` names a joint that moves a joint of another branch.
+# Matters: A coupling is modelled along one chain.
+# Do: Remove the pair.
+# Example: `coupling = [["left_1", "right_1"]]`
+coupling-across-branches = joint `{ $by }` does not move the branch `{ $link }`, in which `{ $joint }` is coupled to it
+    .hint = remove the pair from `coupling`: both joints must be on the way to each link
 
 # Means: A key of robot.toml belongs to another robot model.
 # Matters: It has no effect on this model.

@@ -361,6 +361,13 @@ infinite-solutions = { $joints } joints reach a pose in infinitely many ways
 no-whole-pose = `{ $model }` has no kinematics of a whole pose
     .hint = use another model
 
+# Means: The command needs one chain of joints, from the base to one tool.
+# Matters: A robot with several branches has a tool at the end of each.
+# Do: Use the calibrated URDF in a robot.toml with one `tool_link`.
+# Example: `etalon kinematics` for a robot with [[branch]]
+several-branches = a robot with several branches ({ $links }) has no single chain
+    .hint = state one link as `tool_link` of a robot.toml whose URDF is the calibrated one: `etalon export --format urdf` writes the calibrated tree
+
 # Means: A quaternion of the table does not have the length 1.
 # Matters: Its components are probably in another order or mistyped.
 # Do: Correct the quaternion.
@@ -845,3 +852,26 @@ cell-largest-residual = { $measure ->
         [position] mm
        *[orientation] deg
     }, line { $line }
+
+# Means: Joint values of some targets are beyond the range in which the residual field was measured.
+# Matters: There the field fades out, and the command compensates the parameters alone.
+# Do: Accept the larger error there, or measure these regions in the calibration.
+# Example: a target with a joint 40 degrees beyond all calibration poses
+targets-beyond-field = { $count ->
+        [one] target { $targets } is
+       *[other] targets { $targets } are
+    } beyond the residual field, where it fades out
+    .hint = measure calibration poses in this region
+# Means: The last day on which the laboratory states the parameters as valid has passed.
+# Matters: The robot may have changed since: zeros after a collision or an exchanged motor, geometry by wear.
+# Do: Measure a few poses and use `etalon verify`, or calibrate again.
+# Example: `etalon export parameters.json` in 2027 with `valid_until = "2026-03-02"`
+parameters-expired = the parameters are valid until { $last }; today is { $today }
+    .hint = measure a few poses and use `etalon verify`, or calibrate again
+
+# Means: The axis has backlash, and the table holds one value for both directions of motion.
+# Matters: The table corrects the middle of the backlash; half of it remains in each direction.
+# Do: State the value as the backlash of the axis in the control, or use a format with both directions (linuxcnc, beckhoff).
+# Example: `etalon axis-table out/parameters.json --robot robot.toml --axis q1_mm=0:500:50 --to sinumerik`
+backlash-not-in-table = the table has one value for both directions; the backlash of `{ $axis }`, up to { FIXED($backlash, 5) } { $unit }, is not in it
+    .hint = state it as the backlash of the axis in the control

@@ -3,7 +3,7 @@
 action-load-or-compensate = load `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(or { $others })
-    } into your own software, or correct the programs of a controller that computes with nominal geometry:
+    } into your own software; for a controller with nominal geometry, correct its programs with `etalon compensate`
 
 # Means: Limits are stated, and the table has rows of several robots.
 # Matters: Limits of AP and RP apply to one robot.
@@ -222,3 +222,27 @@ action-state-limits-reason = a verdict needs limits
 action-warm-up = warm the robot up before the test, and state `warm_up_minutes`
 action-warm-up-cold = the robot was tested cold
 action-warm-up-drift = AP drifts by { $change } in { $cycles } cycles and has not settled
+
+# Means: The field names a joint, parameter or model that the robot does not have.
+# Matters: A field holds for one robot alone.
+# Do: Use the robot file and the field of the same campaign.
+# Example: `--field` with the field.json of another robot
+field-of-other-robot = the residual field belongs to another robot: `{ $name }`
+    .hint = use the field.json of the run that identified this robot
+
+# Means: A number of the field is missing, not finite, or out of its range.
+# Matters: The errors of the joints cannot be computed.
+# Do: Run the campaign again.
+# Example: a field.json with a row of the covariance deleted
+field-inconsistent = the residual field is inconsistent
+    .hint = run the campaign again
+
+field-needs-positions = the readings of a residual field are positions of targets, without conditions, rigid parts, platforms and stated covariances
+field-needs-poses = { $poses ->
+        [one] { $poses } pose
+       *[other] { $poses } poses
+    }; a residual field needs { $needed }
+field-readings-suspect = at held-out pose { $pose } the error with the field is { FIXED($error_mm, 3) } mm, more than 8 times the median of all poses: its readings are suspect
+field-undetermined = the positions do not determine the parameters in every part of the poses
+field-not-shown = the residuals show no dependence on the joints: the likelihood rises by { FIXED($rise, 1) }, and { FIXED($threshold, 1) } is required (−2 ln L)
+field-not-proven = at held-out poses the position error is { FIXED($without_mm, 3) } mm without and { FIXED($with_mm, 3) } mm with the field (root mean square); the gain is { FIXED($gain, 1) } of its standard uncertainties, and 2.3 are required

@@ -920,3 +920,22 @@ doubt-numbers-and-text = column { $column } holds numbers in { $count } of { $ro
 
 doubt-array-columns = `{ $array }` has { $count } columns: joints, coordinates, or both beside each other
 zero-count-alone = `zero_count` has no effect without `per_count`
+
+# Means: robot.toml states joints that bend under a payload of each reading (`payload`), and a column of the payload is missing.
+# Matters: The deflection follows from mass and centre of mass; a missing column is no zero.
+# Do: Add the column, or state it as a constant of the file.
+# Example: `payload = [2, 3]` and a table without `load_kg`
+payload-column-missing = `payload` of the robot file needs the column `{ $column }`
+    .expected = `load_kg`, and the centre of mass in the flange: `load_x_mm`, `load_y_mm`, `load_z_mm`
+    .hint = add the column, 0 in rows without a load, or remove `payload` from the robot file
+
+# Means: A cell of the payload is empty, infinite, or a negative mass.
+# Matters: The deflection of the row is unknown.
+# Do: Correct the cell; a row without a load has the mass 0.
+# Example: -5 in the column `load_kg`
+payload-invalid = `{ $column }` is { $value ->
+        [missing] missing
+       *[other] { $value }
+    }
+    .expected = a mass in kg of at least 0, or a length in mm
+    .hint = state 0 where the robot carries nothing

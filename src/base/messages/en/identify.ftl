@@ -441,6 +441,7 @@ points-undetermined = these points do not determine the element fitted to them
 slip-reversed = { $joint } reversed
 
 slip-exchanged = { $first } and { $second } exchanged
+slip-branches-exchanged = the targets of { $first } and { $second } exchanged
 
 slip-joint-order = the joints { $order ->
         [reversed] in reverse order

@@ -451,3 +451,31 @@ template-name-reserved = a run writes `{ $file }` itself
     .hint = rename the template
 
 controller-template = template of a controller format
+
+# Means: The field was estimated with other parameters than the given ones.
+# Matters: A field describes what one set of parameters leaves; with others it adds errors.
+# Do: Give the parameters.json and the field.json of one run.
+# Example: `--field old/field.json --parameters out/parameters.json`
+field-of-other-parameters = `{ $field }` does not belong to `{ $parameters }`: the hash of the parameters differs
+    .hint = give both files of one run
+# Means: The last day of validity is stated as a day and as a number of months.
+# Matters: The two may differ.
+# Do: State one of them.
+# Example: `valid_until = "2027-03-02"` with `valid_for_months = 12`
+valid-stated-twice = `valid_until` and `valid_for_months` are both stated
+    .hint = omit one of them
+
+# Means: A number of months of validity counts from the date of the measurements, which is missing or
+# is no date.
+# Matters: The last day of validity is unknown.
+# Do: State `date` as 2026-03-02, or `valid_until`.
+# Example: `valid_for_months = 12` without `date`
+valid-months-without-date = `valid_for_months` needs the `date` of the measurements
+    .hint = state `date = "2026-03-02"`, or the last day as `valid_until`
+
+# Means: The number of months of validity is zero, or beyond ten years.
+# Matters: Reports and commands compare the last day of validity with other dates.
+# Do: State the interval in months.
+# Example: `valid_for_months = 365`
+valid-months-implausible = `valid_for_months` is { $months }
+    .expected = 1 to { $most } months

@@ -22,6 +22,13 @@ rigid-row-refused = row { $row }: `{ $target }` is refused: { $reason }
 rigid-targets = a rigid part needs two or more targets, each named once
     .hint = name each target of the part once in `targets`
 
+# Means: A rule of [[rigid]] lists targets of several branches of the robot.
+# Matters: Joints move these targets against each other, so that their distances vary.
+# Do: State one [[rigid]] for the targets of each branch.
+# Example: `targets = ["L1", "R1"]` of a left and a right hand
+rigid-across-branches = the rigid part { $targets } spans several branches of the robot
+    .hint = state one [[rigid]] for the targets of each branch
+
 # Means: `tolerance_mm` of [[rigid]] or `drift_mm` of [[fixed]] is zero, negative or not finite.
 # Matters: With such a limit, either all rows or none would be refused.
 # Do: State the largest permitted deviation of a distance, or motion of a target.
@@ -571,6 +578,27 @@ fixed-point-on-robot = `{ $name }` is a target on the robot, not a fixed point
 # Example: `target = "A"`, `other = "A"`
 distance-to-itself = the distance is from `{ $name }` to itself
     .hint = correct `other`
+
+# Means: A row relates two targets of the same link.
+# Matters: Their distance is the same at every pose and says nothing about the robot.
+# Do: Name a target of another branch, or state the shape of the targets in [[rigid]].
+# Example: `target = "L1"`, `other = "L2"` on the same hand
+target-of-same-branch = `{ $target }` and `{ $name }` are on the same branch
+    .hint = name a target of another branch; the shape of targets on one link is stated in [[rigid]]
+
+# Means: The other end of a bar is no target of another branch.
+# Matters: A bar of `kind = "bar"` is held by two links of the robot.
+# Do: Name a target of another branch in `other`; for a bar with a fixed end use `kind = "distance"`.
+# Example: `kind = "bar"` with `other = "anchor"`
+bar-without-other-hand = `{ $name }` is not a target of another branch than `{ $target }`
+    .hint = name a target of another branch; `kind = "distance"` is for a bar with a fixed end
+
+# Means: A row of `kind = "bar"` with a pose states a distance.
+# Matters: A bar has one length. Its uncertainty would count once a pose.
+# Do: State the length in a row without pose, or use `kind = "distance"` for lengths that are measured at each pose.
+# Example: `kind = "bar"`, `pose = 3`, `distance_mm = 500`
+bar-length-at-pose = a bar has one length at all poses
+    .hint = state `distance_mm` in a row without pose; lengths that are measured at each pose are `kind = "distance"`
 
 # Means: A required number of the row is missing or cannot be read.
 # Matters: The row has no observation.
@@ -2150,6 +2178,7 @@ axes-comment-joint = q{ $number } is { $name }
 axes-comment-zero = joint values are zero at the start of the sweeps
 
 axes-comment-target = target { $name } on the flange (mm): { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+axes-comment-tolerance = the sweeps determine these parameters: tolerances are half-widths of rectangular distributions
 
 axes-robot-name = Robot by its axes
 
@@ -2374,3 +2403,18 @@ cell-change-scale = the measured points are multiplied by { $factor }
 cell-change-mirrored = the known points are mirrored (one coordinate has the other sign)
 
 cell-change-exchanged = the points of lines { $first } and { $second } are exchanged
+
+# Means: `field = true` asks for a residual field, and none is accepted.
+# Matters: Parameters and results are those without a field.
+# Do: Read the reason: measure more poses, correct the set-up, or omit `field`.
+# Example: `field = true` in a campaign in which the model fits
+field-refused = no residual field: { $reason }
+
+# Means: Joint values of some poses are beyond the range in which the residual field was measured.
+# Matters: There the field fades out, and errors are those of the parameters alone.
+# Do: Measure these regions in the calibration, or judge them separately.
+# Example: a validation at joint values that no calibration pose reached
+poses-beyond-field = { $count } of { $total } poses are beyond the residual field, where it fades out
+    .hint = measure calibration poses in this region
+
+field-parameters-wrong = the identification has an error, which a field would hide

@@ -111,7 +111,7 @@ urdf-mimic-unknown = l’articulation `{ $joint }` imite `{ $mimics }`, absente 
 urdf-mimics-itself = l’articulation `{ $joint }` s’imite elle-même
     .hint = indiquer une autre articulation dans <mimic>
 urdf-mimics-several = l’articulation `{ $joint }` imite plusieurs articulations
-    .hint = garder un seul `mimic` : une articulation URDF en imite une seule. Si elle dépend de plusieurs, les supprimer tous : elle devient une articulation à part, avec sa colonne dans le journal
+    .hint = garder un seul `mimic` : une articulation URDF en imite une seule. Si `{ $joint }` dépend de plusieurs articulations de la chaîne, n’en garder aucun : enregistrer la première sous son nom, et indiquer le facteur de chaque autre dans `coupling = [["{ $joint }", "..."]]` et [nominal]
 
 urdf-nothing-moves = aucune articulation ne bouge entre `{ $from }` et `{ $to }`
     .hint = vérifier `base_link` et `tool_link`
@@ -127,6 +127,27 @@ bending-without-mass = aucune masse n’est indiquée au-delà de l’articulati
 
 parameter-name-doubled = deux paramètres s’appelleraient `{ $name }`
     .hint = renommer la cible : aucune cible ne peut porter le nom d’une articulation
+
+tool-link-missing = aucun membre ne porte les cibles
+    .hint = indiquer `tool_link = "..."`, ou un [[branch]] avec `tool_link` et `targets` pour chacun de plusieurs membres
+
+tool-link-beside-branches = `tool_link` et [[branch]] indiquent tous deux les membres des cibles
+    .hint = supprimer `tool_link`, et donner à son membre un [[branch]] avec `targets`
+
+target-on-two-branches = la cible `{ $target }` est sur deux branches : `{ $first }` et `{ $second }`
+    .hint = la supprimer dans `targets` de l’une d’elles
+
+target-on-no-branch = la cible `{ $target }` n’est sur aucune branche
+    .hint = l’ajouter à `targets` du [[branch]] dont le membre la porte
+
+bending-in-branches = `bending` de l’articulation `{ $joint }` n’est pas modélisé : plusieurs branches la chargent
+    .hint = supprimer l’articulation de `bending`
+
+payload-in-branches = `payload` de l’articulation `{ $joint }` n’est pas modélisé : le robot a plusieurs branches
+    .hint = supprimer `payload`, ou décrire la branche seule par `tool_link`
+
+coupling-across-branches = l’articulation `{ $by }` ne déplace pas la branche `{ $link }`, dans laquelle `{ $joint }` lui est couplée
+    .hint = supprimer la paire de `coupling` : les deux articulations doivent se trouver sur le chemin vers chaque membre
 
 key-of-other-model = `{ $key }` est sans objet pour ce modèle
     .hint = `{ $key }` appartient à `model = "{ $model }"`

@@ -164,6 +164,9 @@ infinite-solutions = { $joints } articulations atteignent une pose d’une infin
 no-whole-pose = le modèle `{ $model }` n’a pas de cinématique de la pose complète
     .hint = utiliser un autre modèle
 
+several-branches = un robot à plusieurs branches ({ $links }) n’est pas une chaîne unique
+    .hint = indiquer un seul membre comme `tool_link` d’un robot.toml dont l’URDF est celui étalonné : `etalon export --format urdf` écrit l’arborescence étalonnée
+
 table-quaternion-length = le quaternion a pour norme { FIXED($length, 4) }
     .expected = 1 : qw, qx, qy, qz d’une rotation
     .hint = vérifier l’ordre des colonnes (qw est la partie scalaire), et qu’elles ne contiennent pas d’angles
@@ -501,3 +504,14 @@ cell-largest-residual = { $measure ->
         [position] mm
        *[orientation] deg
     }, ligne { $line }
+
+targets-beyond-field = { $count ->
+        [one] la cible { $targets } est
+       *[other] les cibles { $targets } sont
+    } au-delà du champ résiduel, où il s’éteint
+    .hint = mesurer des poses d’étalonnage dans cette région
+parameters-expired = les paramètres sont valables jusqu’au { $last } ; nous sommes le { $today }
+    .hint = mesurer quelques poses et utiliser `etalon verify`, ou étalonner à nouveau
+
+backlash-not-in-table = la table a une valeur pour les deux sens ; le jeu de `{ $axis }`, jusqu’à { FIXED($backlash, 5) } { $unit }, n’y figure pas
+    .hint = l’indiquer comme jeu de l’axe dans la commande

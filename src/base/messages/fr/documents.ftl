@@ -3,7 +3,7 @@
 action-load-or-compensate = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
-    } dans votre propre logiciel, ou corriger les programmes d’une commande qui calcule avec la géométrie nominale :
+    } dans votre propre logiciel ; pour une commande à géométrie nominale, corriger ses programmes par `etalon compensate`
 
 limits-for-several-robots = les limites valent pour un seul robot, or le tableau en contient { $robots }
     .hint = vérifier chaque robot séparément ; ensemble, ils donnent l’interchangeabilité
@@ -156,3 +156,19 @@ action-state-limits-reason = sans limites, il n’y a pas de verdict
 action-warm-up = mettre le robot en température avant l’essai, et indiquer `warm_up_minutes`
 action-warm-up-cold = le robot a été essayé à froid
 action-warm-up-drift = dérive de AP : { $change } en { $cycles } cycles, sans stabilisation
+
+field-of-other-robot = le champ résiduel est celui d’un autre robot : `{ $name }`
+    .hint = utiliser le field.json de l’exécution qui a identifié ce robot
+
+field-inconsistent = le champ résiduel est incohérent
+    .hint = relancer la campagne
+
+field-needs-positions = les lectures d’un champ résiduel sont des positions de cibles, sans conditions, pièces rigides, plateformes ni covariances indiquées
+field-needs-poses = { $poses ->
+        [one] { $poses } pose
+       *[other] { $poses } poses
+    } ; un champ résiduel en demande { $needed }
+field-readings-suspect = à la pose réservée { $pose }, l’erreur avec le champ est de { FIXED($error_mm, 3) } mm, plus de 8 fois la médiane de toutes les poses : ses lectures sont douteuses
+field-undetermined = les positions ne déterminent pas les paramètres dans chaque partie des poses
+field-not-shown = les résidus ne dépendent pas visiblement des articulations : la vraisemblance augmente de { FIXED($rise, 1) }, et { FIXED($threshold, 1) } est requis (−2 ln L)
+field-not-proven = aux poses réservées, l’erreur de position est de { FIXED($without_mm, 3) } mm sans le champ et de { FIXED($with_mm, 3) } mm avec lui (moyenne quadratique) ; le gain est de { FIXED($gain, 1) } fois son incertitude-type, et 2,3 sont requis

@@ -490,3 +490,14 @@ doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $cou
 
 doubt-array-columns = `{ $array }` a { $count } colonnes : des articulations, des coordonnées, ou les deux côte à côte
 zero-count-alone = `zero_count` est sans effet sans `per_count`
+
+payload-column-missing = `payload` du fichier du robot exige la colonne `{ $column }`
+    .expected = `load_kg`, et le centre de masse dans la bride : `load_x_mm`, `load_y_mm`, `load_z_mm`
+    .hint = ajouter la colonne, avec 0 dans les lignes sans charge, ou supprimer `payload` du fichier du robot
+
+payload-invalid = `{ $column }` { $value ->
+        [missing] manque
+       *[other] vaut { $value }
+    }
+    .expected = une masse en kg d’au moins 0, ou une longueur en mm
+    .hint = indiquer 0 lorsque le robot ne porte rien

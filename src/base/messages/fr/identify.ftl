@@ -217,6 +217,7 @@ points-undetermined = ces points ne déterminent pas l’élément ajusté
 slip-reversed = { $joint } inversé
 
 slip-exchanged = { $first } et { $second } intervertis
+slip-branches-exchanged = les cibles de { $first } et { $second } échangées
 
 slip-joint-order = les articulations { $order ->
         [reversed] dans l’ordre inverse

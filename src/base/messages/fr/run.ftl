@@ -205,3 +205,14 @@ template-name-reserved = une évaluation écrit elle-même `{ $file }`
     .hint = renommer le gabarit
 
 controller-template = gabarit d’un format de commande
+
+field-of-other-parameters = `{ $field }` n’appartient pas à `{ $parameters }` : l’empreinte des paramètres diffère
+    .hint = indiquer les deux fichiers d’une même exécution
+valid-stated-twice = `valid_until` et `valid_for_months` sont indiqués tous les deux
+    .hint = omettre l’un des deux
+
+valid-months-without-date = `valid_for_months` exige la date (`date`) des mesures
+    .hint = indiquer `date = "2026-03-02"`, ou le dernier jour par `valid_until`
+
+valid-months-implausible = `valid_for_months` vaut { $months }
+    .expected = 1 à { $most } mois

@@ -12,6 +12,9 @@ rigid-row-refused = `{ $target }` est rejetée à la ligne { $row } : { $reason
 rigid-targets = une pièce rigide nécessite au moins deux cibles, chacune indiquée une seule fois
     .hint = indiquer chaque cible de la pièce une seule fois dans `targets`
 
+rigid-across-branches = la pièce rigide { $targets } s’étend sur plusieurs branches du robot
+    .hint = indiquer un [[rigid]] pour les cibles de chaque branche
+
 limit-not-positive = `{ $key }` doit être un nombre positif
     .expected = { $key ->
             [drift_mm] le plus grand mouvement d’une cible fixe pendant la campagne, par exemple `0.02`
@@ -281,6 +284,15 @@ fixed-point-on-robot = `{ $name }` est une cible portée par le robot, et non un
 
 distance-to-itself = la distance va de `{ $name }` à lui-même
     .hint = corriger `other`
+
+target-of-same-branch = `{ $target }` et `{ $name }` sont sur la même branche
+    .hint = indiquer une cible d’une autre branche ; la forme des cibles d’un membre est indiquée dans [[rigid]]
+
+bar-without-other-hand = `{ $name }` n’est pas une cible d’une autre branche que `{ $target }`
+    .hint = indiquer une cible d’une autre branche ; `kind = "distance"` convient à une barre dont une extrémité est fixe
+
+bar-length-at-pose = une barre a une seule longueur pour toutes les poses
+    .hint = indiquer `distance_mm` dans une ligne sans pose ; des longueurs mesurées à chaque pose sont `kind = "distance"`
 
 number-missing = `{ $column }` manque ou n’est pas un nombre
     .expected = { $column ->
@@ -1081,6 +1093,7 @@ axes-comment-joint = q{ $number } est { $name }
 axes-comment-zero = les valeurs articulaires sont nulles au début des balayages
 
 axes-comment-target = cible { $name } sur la bride (mm) : { FIXED($x, 4) } { FIXED($y, 4) } { FIXED($z, 4) }
+axes-comment-tolerance = les balayages déterminent ces paramètres : les tolérances sont des demi-largeurs de lois rectangulaires
 
 axes-robot-name = Robot décrit par ses axes
 
@@ -1209,3 +1222,10 @@ cell-change-scale = les points mesurés sont multipliés par { $factor }
 cell-change-mirrored = les points connus sont en miroir (une coordonnée a l’autre signe)
 
 cell-change-exchanged = les points des lignes { $first } et { $second } sont échangés
+
+field-refused = pas de champ résiduel : { $reason }
+
+poses-beyond-field = { $count } des { $total } poses sont au-delà du champ résiduel, où il s’éteint
+    .hint = mesurer des poses d’étalonnage dans cette région
+
+field-parameters-wrong = l’identification a une erreur, qu’un champ cacherait

@@ -47,7 +47,7 @@ pub(crate) fn meet(arm: &dyn FreeBase, contacts: &[&Condition], unknown: &[usize
     let (mut a, mut b) = (Vec::new(), Vec::new());
     for c in contacts {
         let Kind::Contact(Contact { socket }) = c.kind else { continue };
-        let (flange, target) = (arm.flange(values, &c.joints), arm.target_place(c.target));
+        let (flange, target) = (arm.flange(values, &c.joints, c.target), arm.target_place(c.target));
         for i in 0..3 {
             let mut row = vec![0.0; 3 * unknown.len()];
             let mut rest = -flange.translation_mm[i];

@@ -6,6 +6,7 @@
 //! behind its own ([`Fixture`](crate::Fixture)). To add a kind: its module with an [`Equation`],
 //! and its line in [`Kind`].
 
+mod between;
 mod contact;
 mod coordinate;
 mod distance;
@@ -15,6 +16,7 @@ mod orientation;
 mod seen;
 mod surface;
 
+pub use between::{Apart, Between};
 pub use contact::Contact;
 pub use coordinate::Coordinate;
 pub use distance::Distance;
@@ -24,6 +26,7 @@ pub use orientation::{Orientation, mounted_misfit_rad, mounted_misfits_rad};
 pub use seen::Seen;
 pub use surface::{On, Surface};
 
+pub(crate) use between::span;
 pub(crate) use contact::meet;
 pub(crate) use distance::reach;
 pub(crate) use known::places;
@@ -66,6 +69,8 @@ pub(crate) struct At<'a> {
     pub values: &'a [f64],
     /// Joint values in mm or rad.
     pub joints: &'a [f64],
+    /// Index of the target.
+    pub target: usize,
     /// Position of the target at these joint values (mm).
     pub position: Vector,
     /// Standard uncertainty of each residual, mm or rad.
@@ -121,6 +126,11 @@ pub(crate) trait Equation {
         true
     }
 
+    /// Other target on whose position the residuals depend, if any.
+    fn other_target(&self) -> Option<usize> {
+        None
+    }
+
     /// Gaps between a target at `p` and its position by the condition, with their directions; empty
     /// if the condition does not state a position. `left` is the error of the contact.
     fn gaps(&self, _values: &[f64], _p: Vector, _left: Vector) -> Vec<(Vector, f64)> {
@@ -151,6 +161,8 @@ pub enum Kind {
     On(On),
     /// The value of a joint.
     Joint(JointValue),
+    /// Place of the target relative to a target of another branch.
+    Between(Between),
 }
 
 impl Kind {
@@ -163,6 +175,7 @@ impl Kind {
             Self::Seen(kind) => kind,
             Self::On(kind) => kind,
             Self::Joint(kind) => kind,
+            Self::Between(kind) => kind,
         }
     }
 
@@ -178,8 +191,14 @@ impl Kind {
 
     /// Gaps (mm) between a target at `p` and the point or surface that it touches up to an error
     /// `left`, each with its gradient with respect to `p`; empty if the target touches nothing.
+    /// With another target, `p` is the vector from that target.
     pub fn gaps(&self, values: &[f64], p: Vector, left: Vector) -> Vec<(Vector, f64)> {
         self.equation().gaps(values, p, left)
+    }
+
+    /// Other target on whose position the residuals depend, if any.
+    pub fn other_target(&self) -> Option<usize> {
+        self.equation().other_target()
     }
 
     /// `true` for the orientation of a body.
@@ -203,7 +222,7 @@ pub(crate) fn point(values: &[f64], first: usize) -> Vector {
 
 /// Place of the target of a condition in the world.
 fn place(arm: &dyn FreeBase, c: &Condition, values: &[f64]) -> Vector {
-    arm.flange(values, &c.joints).apply(point(values, arm.target_place(c.target)))
+    arm.flange(values, &c.joints, c.target).apply(point(values, arm.target_place(c.target)))
 }
 
 /// The rigid motion from the first to the second point of each pair, by least squares.
@@ -218,7 +237,8 @@ pub(crate) fn onto(pairs: &[(Vector, Vector)]) -> Option<Pose> {
 impl Condition {
     /// The condition evaluated at `values`, for the position `position` of the target.
     pub(crate) fn at<'a>(&'a self, arm: Option<&'a dyn FreeBase>, values: &'a [f64], position: Vector) -> At<'a> {
-        At { arm, values, joints: &self.joints, position, standard_uncertainty: self.standard_uncertainty }
+        let (joints, target) = (&self.joints[..], self.target);
+        At { arm, values, joints, target, position, standard_uncertainty: self.standard_uncertainty }
     }
 
     /// Writes the residuals over their standard uncertainties.
@@ -315,13 +335,15 @@ mod tests {
         };
         let table = [[0.0, 0.0, 0.0, 290.0], [-1.5, 0.0, -1.5, 0.0], [0.0, 270.0, 0.0, 0.0], [-1.5, 70.0, 0.0, 302.0]];
         let joints: Vec<SerialJoint> = table.iter().map(joint).collect();
-        let mut robot = Serial::new(&joints, &["ball".to_owned()], [0.0, 0.0, -1.0], &[2, 3], &[(4, 3)]);
+        let targets = ["ball", "end"].map(str::to_owned);
+        let mut robot = Serial::new(&joints, &targets, [0.0, 0.0, -1.0], &[2, 3], &[(4, 3)]);
         let mut noise = Noise::new(18, 3);
         let socket = Fixture::Point("s").add_to(&mut robot);
         let (plane, line) = (Fixture::Plane("p", 1).add_to(&mut robot), Fixture::Line("l", 2).add_to(&mut robot));
         let radius = Fixture::Radius("s").add_to(&mut robot);
         let mounting = Fixture::Mounting("ball").add_to(&mut robot);
         let station = Fixture::Station("t").add_to(&mut robot);
+        let length = Fixture::Bar(["ball", "end"]).add_to(&mut robot);
         let body = Pose::from_rotation_vector([0.3, -0.8, 1.1]);
         let from = |first: usize, last: usize| [first, first + 1, first + 2, last];
         let kinds = [
@@ -336,6 +358,9 @@ mod tests {
             Kind::On(On { surface: Surface::Sphere, unknowns: from(socket, radius), offset_mm: 3.0 }),
             Kind::Joint(JointValue { joint: 2, value: 0.7, is_angle: true }),
             Kind::Joint(JointValue { joint: 3, value: -0.2, is_angle: true }),
+            Kind::Between(Between { other: 1, apart: Apart::Distance(300.0) }),
+            Kind::Between(Between { other: 1, apart: Apart::Bar(length) }),
+            Kind::Between(Between { other: 1, apart: Apart::Touching }),
         ];
         let n = robot.parameters().len();
         let random =
@@ -350,8 +375,9 @@ mod tests {
                 c.residuals(&at, &mut out[..kind.rows()]);
                 out
             };
-            let (mut moved, mut exact) = (vec![0.0; 3 * n], vec![0.0; kind.rows() * n]);
+            let (mut moved, mut exact) = (vec![0.0; 6 * n], vec![0.0; kind.rows() * n]);
             robot.jacobian(&values, &c.joints, &mut moved);
+            moved.truncate(3 * n);
             let at = c.at(robot.free_base(), &values, robot.position(&values, &c.joints, 0));
             c.jacobian(&at, &moved, &mut exact);
             assert!(exact.iter().any(|d| *d != 0.0), "{kind:?}");

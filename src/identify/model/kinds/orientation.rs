@@ -41,7 +41,7 @@ impl Equation for Orientation {
     fn residuals(&self, at: &At, out: &mut [f64]) {
         let turned = at.arm.map(|arm| {
             let mounted = Pose::from_rotation_vector(point(at.values, self.mounting));
-            let body = arm.flange(at.values, at.joints).then(&mounted);
+            let body = arm.flange(at.values, at.joints, at.target).then(&mounted);
             body.then(&self.world_T_body(at.values).inverse()).rotation_vector_rad()
         });
         out.copy_from_slice(&turned.unwrap_or_default());
@@ -55,8 +55,8 @@ impl Equation for Orientation {
         let axes = turning_axes(left.map(|v| v / at.standard_uncertainty * at.standard_uncertainty));
         let back = Matrix3::from_fn(|i, k| axes[k][i]).try_inverse().unwrap_or_else(Matrix3::identity);
         let mut turns = vec![0.0; 3 * n];
-        arm.flange_turns(at.values, at.joints, &mut turns);
-        let flange = arm.flange(at.values, at.joints);
+        arm.flange_turns(at.values, at.joints, at.target, &mut turns);
+        let flange = arm.flange(at.values, at.joints, at.target);
         for (k, axis) in turning_axes(point(at.values, mounting)).into_iter().enumerate() {
             let axis = flange.rotate(axis);
             (0..3).for_each(|i| turns[i * n + mounting + k] += axis[i]);
@@ -97,7 +97,7 @@ pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usiz
     let mut bodies: BTreeMap<usize, Vec<(Vector, Vector)>> = BTreeMap::new();
     for c in conditions {
         if let Kind::Orientation(observed) = c.kind {
-            let body = arm.flange(values, &c.joints).inverse().then(&observed.world_T_body(values));
+            let body = arm.flange(values, &c.joints, c.target).inverse().then(&observed.world_T_body(values));
             let axes = (0..3).map(|k| (Pose::identity().axis(k), body.axis(k)));
             bodies.entry(observed.mounting).or_default().extend(axes);
         }

@@ -91,7 +91,8 @@ pub(crate) fn stand(
     let mut alone: BTreeMap<usize, Vec<Vector>> = BTreeMap::new();
     for c in settings.conditions.iter().filter(|c| !seen.contains(&c.target)) {
         if let Kind::Seen(Seen { station, at_mm }) = c.kind {
-            let at = arm.flange(values, &c.joints).inverse().apply(station_pose(values, station).apply(at_mm));
+            let at =
+                arm.flange(values, &c.joints, c.target).inverse().apply(station_pose(values, station).apply(at_mm));
             alone.entry(arm.target_place(c.target)).or_default().push(at);
         }
     }

@@ -1,0 +1,160 @@
+### Messages of selftest. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+# Means: The reference data inside the program cannot be read.
+# Matters: Without them the installation cannot be validated. The program file is damaged.
+# Do: Install etalon again, and compare the SHA-256 of the program file with that of the release.
+# Example: a program file with a changed byte
+selftest-data-unreadable = the reference data `{ $name }` in the program cannot be read: { $reason }
+    .hint = install etalon again
+
+# Means: The folder for temporary files cannot be written.
+# Matters: The validation writes a campaign there, runs it, and removes it.
+# Do: Free space on the disk, or set `TMPDIR` (`TEMP` on Windows) to a folder that can be written.
+# Example: `TMPDIR=/missing etalon selftest`
+selftest-folder-not-written = `{ $folder }` cannot be written: { $reason }
+    .hint = set `TMPDIR` (`TEMP` on Windows) to a folder that can be written
+
+selftest-hash-expected = a SHA-256: 64 hexadecimal digits
+
+## Requirements
+selftest-fits = Geometric elements: position, direction, size, sum of squares and uncertainty are those of an independent program with 60 digits; minimum zones and enclosing circles are those of geometry
+selftest-solver = Solver: published problems of nonlinear least squares reach the published minima
+selftest-frames = Frames: orientations and transforms are those of geometry
+selftest-kinematics = Kinematics: each model agrees with an independent program with 60 digits, with its inverse, with numeric derivatives, and with the code that etalon exports
+selftest-identification = Identification: exact observations give the parameters back; a whole campaign gives the true values within their uncertainty
+selftest-reference = Reference campaigns: parameters, covariance and errors are those of an independent program with 110 digits
+selftest-uncertainty = Uncertainties: published examples of the GUM (H.1 to H.3) and of JCGM 101 (9.2 to 9.5) are reproduced
+selftest-standards = ISO 9283 and ISO 230-2: the characteristics are those of independent programs
+selftest-coverage = Coverage: 95 % intervals hold the true value in 95 % of drawn campaigns
+selftest-formats = Exports of measuring systems: known texts have their coordinates, and every format is read as it was written
+selftest-exports = Controller files: what is written is read back
+selftest-threads = Same input, same bytes, on one and on many threads
+selftest-nist = Reference data of NIST: fitted elements are the published ones
+
+## Tests
+selftest-not-made = { $name }: not possible: { $reason }
+selftest-fit-point = { $name }: point
+selftest-fit-direction = { $name }: direction
+selftest-fit-size = { $name }: radius or angle
+selftest-fit-squares = { $name }: sum of squares
+selftest-fit-uncertainty = { $name }: standard uncertainty of the radius
+selftest-zone = { $name }: minimum zone
+selftest-enclosing = { $name }: smallest enclosing radius
+selftest-sum-of-squares = { $name }: sum of squares at the minimum
+selftest-solution = { $name }: parameters at the minimum
+selftest-covariance = { $name }: covariance
+selftest-quaternion = quaternion of a rotation
+selftest-quaternion-back = rotation of a quaternion
+selftest-rotation-vector = rotation matrix of a rotation vector
+selftest-rotation-vector-back = rotation vector of a rotation matrix
+selftest-rpy = rotation matrix of roll, pitch, yaw
+selftest-rpy-back = roll, pitch, yaw of a rotation matrix
+selftest-apply = transform of a point
+selftest-inverse = transform after its inverse
+selftest-rigid = transform between two sets of points
+selftest-rigid-rms = residuals of this transform
+selftest-positions = { $name }: positions of the targets
+selftest-jacobian = { $name }: derivatives minus numeric derivatives
+selftest-inverse-none = { $name }: the inverse finds no joint values
+selftest-direct-of-inverse = { $name }: direct(inverse(pose)) minus pose
+selftest-inverse-of-direct = { $name }: inverse(direct(joints)) minus joints
+selftest-code = { $name }: position by the exported `{ $format }`
+selftest-recovered = { $name }: positions by the parameters identified from exact observations
+selftest-truth = { $name }: largest deviation of a parameter from its true value, over its uncertainty
+selftest-chi-square = chi-square over degrees of freedom
+selftest-certified-values = { $name }: { $count } parameters
+selftest-certified-uncertainties = { $name }: standard uncertainties
+selftest-certified-status = { $name }: parameters that are wrongly held or identified
+selftest-certified-covariance = { $name }: covariance
+selftest-certified-residuals = { $name }: root mean square and chi-square
+selftest-certified-errors = { $name }: errors before and after
+selftest-gum = { $name }
+selftest-draws-mean = { $name }: mean of the draws
+selftest-draws-u = { $name }: standard uncertainty of the draws
+selftest-draws-interval = { $name }: interval of { $percent } %
+selftest-draws-shortest = { $name }: shortest interval of { $percent } %
+selftest-linear-u = { $name }: standard uncertainty of first order
+selftest-chi-square-table = quantiles of chi-square
+selftest-f-table = quantile of the F distribution
+selftest-conformity = probability of conformity
+selftest-characteristic = { $name }
+selftest-shares = share of the intervals that hold the true value, { $parameters } parameters, { $draws } campaigns
+selftest-mean-chi-square = mean chi-square over degrees of freedom, { $draws } campaigns
+selftest-read = { $name } in { $unit }: known text
+selftest-written-read = { $name } in { $unit }: written and read
+selftest-listed = { $format }: values beside their names
+selftest-file-robot = { $format }: robot that the file describes
+selftest-same-bytes = files that differ between 1 and { $threads } threads, of { $files }
+selftest-files-written = all files are written
+selftest-nist-sets = { $name }: largest deviation in { $count } data sets
+
+## Slips
+selftest-wrong-digit = wrong digit: significant digit { $digit } of `{ $place }`
+selftest-swapped = exchanged: `{ $first }` and `{ $second }`
+selftest-wrong-unit = wrong unit: `{ $place }` times { SCIENTIFIC($factor, 3) }
+
+## Causes
+selftest-other-version = the stored document is of etalon { $before }, the program is etalon { $after }
+selftest-other-input = `{ $file }` has changed
+selftest-new-input = `{ $file }` is not among the stored inputs
+selftest-missing-input = `{ $file }` is no longer an input
+selftest-other-model = the robot was of model `{ $before }` and is of model `{ $after }`
+
+## Protocol
+selftest-title = Validation of the installation
+selftest-subtitle = etalon { $version } on { $system } { $architecture }; validation of software before use (ISO/IEC 17025:2017, 7.11.2)
+selftest-passed = { $checks } tests of { $requirements } requirements passed; { $slips } of { $slips } slips were noticed
+selftest-failed = { $failed ->
+        [one] { $failed } of { $checks } tests failed
+       *[other] { $failed } of { $checks } tests failed
+    }
+selftest-slips-missed = { $missed ->
+        [one] { $missed } of { $slips } slips was not noticed
+       *[other] { $missed } of { $slips } slips were not noticed
+    }
+selftest-program-changed = the program file does not have the stated SHA-256
+selftest-program-unreadable = the program file cannot be read
+selftest-reference-changed = changed reference data: { $files }
+selftest-values-same = campaign { $campaign }: { $compared } parameters are those of the stored document
+selftest-values-moved = { $moved ->
+        [one] campaign { $campaign }: { $moved } value differs from the stored document
+       *[other] campaign { $campaign }: { $moved } values differ from the stored document
+    }
+selftest-statement = This protocol applies to the program file with this SHA-256, on this machine.
+selftest-overview = Requirements
+selftest-failed-tests = Failed tests
+selftest-installation = Installation (IQ)
+selftest-operation = Operation (OQ)
+selftest-slips = Slips that must be noticed
+selftest-performance = Performance (PQ)
+selftest-program-hash = SHA-256 of the program
+selftest-stated-hash = stated SHA-256
+selftest-system = system
+selftest-threads-offered = threads
+selftest-packages = packages
+selftest-packages-note = Packages of Cargo.lock, of which the program, its build scripts and its tests are built.
+selftest-nist-absent = reference data of NIST: not present (set `ETALON_REFERENCE` to a folder that has them)
+selftest-nist-present = reference data of NIST: present
+selftest-requirement = requirement
+selftest-tests = tests
+selftest-test = test
+selftest-source = source
+selftest-expected = expected
+selftest-found = found
+selftest-deviation = deviation
+selftest-permissible = permissible
+selftest-result = result
+selftest-result-pass = pass
+selftest-result-fail = fail
+selftest-slip = slip
+selftest-tests-failed = failed tests
+selftest-as-it-must = fails as it must
+selftest-missed = not noticed
+selftest-reference-data = reference data
+selftest-package = package
+selftest-version = version
+selftest-quantity = quantity
+selftest-over-u = difference / u
+selftest-tolerance = Permissible: { SCIENTIFIC($of_uncertainty, 0) } standard uncertainties for a value, { SCIENTIFIC($of_uncertainty, 0) } of itself for an uncertainty, { SCIENTIFIC($relative, 0) } of itself for a value without uncertainty.
+selftest-cause = Known difference: { $cause }.
+selftest-cause-unknown = No known difference: version, model and inputs are the same.

@@ -1,0 +1,39 @@
+//! Last day of validity of given parameters, compared with today: a warning on stderr. Documents
+//! and files have no date of their own.
+
+use etalon_base::date::{date, date_text, day_of_epoch};
+use etalon_base::message::Message;
+use etalon_base::warning;
+use etalon_documents::{CampaignSummary, ParametersDocument};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// Returns a warning if the last day of validity of parameters, or of their campaign, has passed.
+pub(super) fn expired(parameters: &ParametersDocument, campaign: Option<&CampaignSummary>) -> Option<Message> {
+    let of_campaign = || campaign.and_then(|campaign| campaign.valid_until.as_deref());
+    passed(parameters.valid_until.as_deref().or_else(of_campaign)?, today()?)
+}
+
+fn passed(valid_until: &str, today: (i32, u8, u8)) -> Option<Message> {
+    let last = date(valid_until).filter(|last| *last < today)?;
+    Some(warning!("parameters-expired", last = date_text(last), today = date_text(today)).to_decide())
+}
+
+/// Today (UTC), or the day that `SOURCE_DATE_EPOCH` states.
+fn today() -> Option<(i32, u8, u8)> {
+    let stated = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.trim().parse().ok());
+    let clock = || i64::try_from(SystemTime::now().duration_since(UNIX_EPOCH).ok()?.as_secs()).ok();
+    day_of_epoch(stated.or_else(clock)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_day_is_valid_and_the_next_is_not() {
+        assert!(passed("2027-03-02", (2027, 3, 2)).is_none() && passed("2027-03-02", (2026, 12, 31)).is_none());
+        let late = passed("2027-03-02", (2027, 3, 3)).expect("a warning");
+        assert!(late.is("parameters-expired", &[("last", &"2027-03-02"), ("today", &"2027-03-03")]));
+        assert!(passed("soon", (2027, 3, 3)).is_none());
+    }
+}

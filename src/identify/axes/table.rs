@@ -1,0 +1,106 @@
+//! Denavit-Hartenberg parameters of a robot from sweeps, with their covariance, as prior
+//! information of an identification.
+
+use super::AxesModel;
+use etalon_robots::{AxisTable, Effect, Quantity, Robot, Role, Serial, modified_table, standard_table};
+use nalgebra::{DMatrix, SymmetricEigen};
+
+/// Parameters of the table that the axes determine, and those that a convention fixes: base
+/// against the first axis, flange against the last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableParameters {
+    /// Names as in the robot's model.
+    pub names: Vec<String>,
+    /// Quantity of each parameter.
+    pub quantities: Vec<Quantity>,
+    /// Values (mm, rad). Hayati's angle is zero in a table: its uncertainty has the measured angle.
+    pub values: Vec<f64>,
+    /// Covariance in the order of the names (mm, rad).
+    pub covariance: DMatrix<f64>,
+    /// Parameters that a convention fixes, with their values (mm, rad).
+    pub fixed: Vec<(String, Quantity, f64)>,
+}
+
+/// Standard uncertainty (mm, rad) below which a convention fixes a parameter.
+const FIXED: [f64; 2] = [1e-6, 1e-8];
+
+impl AxesModel {
+    /// Parameters of the table in modified or standard convention; `None` without joints.
+    pub fn table_parameters(&self, modified: bool) -> Option<TableParameters> {
+        let table = table(modified, self);
+        if table.joints.is_empty() {
+            return None;
+        }
+        let robot = Serial::of_axis_table(modified, &table.joints, &["target".to_owned()]);
+        let of_table = |p: &etalon_robots::Parameter| {
+            p.role == Role::Robot && matches!(p.effect, Effect::Zeros | Effect::Geometry)
+        };
+        let listed: Vec<usize> = (0..robot.parameters().len()).filter(|&i| of_table(&robot.parameters()[i])).collect();
+        let values: Vec<f64> = listed.iter().map(|&i| robot.parameters()[i].nominal).collect();
+        let mut all = self.covariance_of_table(modified, &table, (&listed, &values));
+        for tilt in &table.tilts {
+            // the link of a row is before its axis in modified convention, otherwise behind it
+            let ends = if modified { [tilt.row.wrapping_sub(1), tilt.row] } else { [tilt.row, tilt.row + 1] };
+            let u = ends.iter().filter_map(|end| self.uncertainties.get(*end)).map(|u| u[0].powi(2)).sum::<f64>();
+            let name = format!("beta_{}", tilt.row + 1);
+            if let Some(k) = listed.iter().position(|&i| robot.parameters()[i].name == name) {
+                all[(k, k)] = u + tilt.angle_rad.powi(2);
+            }
+        }
+        let parameter = |k: &usize| &robot.parameters()[listed[*k]];
+        let least = |k: &usize| FIXED[usize::from(parameter(k).quantity == Quantity::Angle)];
+        let (known, fixed): (Vec<usize>, Vec<usize>) =
+            (0..listed.len()).partition(|k| all[(*k, *k)] > least(k).powi(2));
+        let fixed = fixed.iter().map(|k| (parameter(k).name.clone(), parameter(k).quantity, values[*k]));
+        Some(TableParameters {
+            fixed: fixed.collect(),
+            names: known.iter().map(|k| parameter(k).name.clone()).collect(),
+            quantities: known.iter().map(|k| parameter(k).quantity).collect(),
+            values: known.iter().map(|&k| values[k]).collect(),
+            covariance: DMatrix::from_fn(known.len(), known.len(), |i, j| all[(known[i], known[j])]),
+        })
+    }
+
+    /// Covariance of the parameters `listed` about their values.
+    fn covariance_of_table(
+        &self,
+        modified: bool,
+        table: &AxisTable,
+        (listed, values): (&[usize], &[f64]),
+    ) -> DMatrix<f64> {
+        self.covariance_of_axes(&|axes, flange| {
+            let mut changed = if modified { modified_table(axes, flange) } else { standard_table(axes, flange) };
+            // a change does not decide what is near-parallel
+            changed.joints.iter_mut().zip(&table.joints).for_each(|(row, of)| row.parallel = of.parallel);
+            let robot = Serial::of_axis_table(modified, &changed.joints, &["target".to_owned()]);
+            let parameters = robot.parameters();
+            let difference = |(&i, value): (&usize, &f64)| {
+                let d = parameters[i].nominal - value;
+                // angles about half a turn
+                if parameters[i].quantity == Quantity::Angle { d.sin().atan2(d.cos()) } else { d }
+            };
+            listed.iter().zip(values).map(difference).collect()
+        })
+    }
+}
+
+fn table(modified: bool, model: &AxesModel) -> AxisTable {
+    match modified {
+        true => modified_table(&model.axes, &model.flange),
+        false => standard_table(&model.axes, &model.flange),
+    }
+}
+
+impl TableParameters {
+    /// Standard uncertainties (mm, rad) as which the parameters may be stated without their
+    /// correlations: independent parameters with these are nowhere better known than by the
+    /// covariance. Each is that of the parameter, times the root of the largest eigenvalue of the
+    /// correlations.
+    pub fn independent_uncertainties(&self) -> Vec<f64> {
+        let u: Vec<f64> = (0..self.names.len()).map(|k| self.covariance[(k, k)].sqrt()).collect();
+        let n = u.len();
+        let correlations = DMatrix::from_fn(n, n, |i, j| self.covariance[(i, j)] / (u[i] * u[j]));
+        let largest = SymmetricEigen::new(correlations).eigenvalues.iter().copied().fold(1.0, f64::max);
+        u.into_iter().map(|u| u * largest.sqrt()).collect()
+    }
+}

@@ -1,0 +1,298 @@
+//! Relative accuracy: errors of the distances between poses, which do not depend on the base.
+//!
+//! The error of a pair of readings of one target at two poses is the distance of the predicted
+//! positions minus the distance of the measured positions. A shift or rotation of the base, or of
+//! the frame of all measurements, changes neither. The target has an effect unless both poses have
+//! the same orientation. The parameters of the robot are judged: they add no uncertainty.
+
+use super::figures::{JudgedErrors, Propagation};
+use crate::{Observation, Result, Settings, Systematic};
+use etalon_base::noise::Noise;
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_math::statistics::rms;
+
+/// Maximum number of pairs; of more pairs, an even selection counts.
+const MOST_PAIRS: usize = 100_000;
+/// Minimum number of steps of the distances; the step is 1, 2 or 5 times a power of ten.
+const STEPS: f64 = 5.0;
+/// Seed of the selection.
+const SEED: u64 = 45;
+
+/// Errors of distances, of all pairs and by steps of the distance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RelativeErrors {
+    /// Number of pairs of readings of one target at different poses.
+    pub available: usize,
+    /// All selected pairs.
+    pub all: DistanceErrors,
+    /// Pairs of each step of the measured distance; steps without pairs are omitted.
+    pub steps: Vec<DistanceErrors>,
+}
+
+/// Errors of the distances within a range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DistanceErrors {
+    /// Range of the measured distances (mm): from the first value to below the second.
+    pub range_mm: [f64; 2],
+    /// Sizes (mm) of the errors of each pair before and after, in one order.
+    pub before_mm: Vec<f64>,
+    /// See `before_mm`.
+    pub after_mm: Vec<f64>,
+    /// Standard uncertainties (mm) of root mean square, 95th percentile and maximum after; absent
+    /// if no uncertainty is stated.
+    pub standard_uncertainties_mm: Option<[f64; 3]>,
+}
+
+/// One reading of a target.
+struct Reading {
+    pose: PoseName,
+    /// First of its residuals, and their number.
+    rows: (usize, usize),
+    measured: [Vector; 2],
+    /// Positions predicted with the parameters before and after.
+    predicted: [Vector; 2],
+}
+
+/// A pair of readings.
+#[derive(Clone, Copy)]
+struct Pair {
+    readings: [usize; 2],
+    distance_mm: f64,
+    /// Predicted minus measured distance (mm) before and after.
+    error_mm: [f64; 2],
+}
+
+impl JudgedErrors<'_> {
+    /// Errors of the distances between the judged positions with the parameters `before`, and with
+    /// the judged parameters; `None` without two poses of one target. Conditions do not count.
+    ///
+    /// # Errors
+    /// Fails if residuals cannot be evaluated.
+    pub fn distances(
+        &self,
+        before: &[f64],
+        settings: &Settings,
+        systematic: &Systematic,
+    ) -> Result<Option<RelativeErrors>> {
+        let groups = self.readings_of_targets(before);
+        let readings: Vec<&Reading> = groups.iter().flatten().collect();
+        let (pairs, available) = pairs(&groups);
+        let all: Vec<Pair> = pairs.into_iter().map(|pair| Pair::of(pair, &readings)).collect();
+        let finite = |p: &Pair| [p.distance_mm, p.error_mm[0], p.error_mm[1]].iter().all(|v| v.is_finite());
+        if all.is_empty() || !all.iter().all(finite) {
+            return Ok(None);
+        }
+        let stated = settings.standard_uncertainty_mm.is_some();
+        let propagation = stated.then(|| self.propagation(settings, systematic)).transpose()?;
+        let of = |range_mm: [f64; 2], pairs: &[Pair]| DistanceErrors {
+            range_mm,
+            before_mm: pairs.iter().map(|p| p.error_mm[0].abs()).collect(),
+            after_mm: pairs.iter().map(|p| p.error_mm[1].abs()).collect(),
+            standard_uncertainties_mm: propagation
+                .as_ref()
+                .map(|propagation| uncertainties(propagation, pairs, &readings)),
+        };
+        let largest = all.iter().map(|p| p.distance_mm).fold(0.0, f64::max);
+        let step = step(largest);
+        let mut by_step: Vec<Vec<Pair>> = Vec::new();
+        for pair in &all {
+            let k = (pair.distance_mm / step) as usize;
+            by_step.resize_with(by_step.len().max(k + 1), Vec::new);
+            by_step[k].push(*pair);
+        }
+        let ends = |k: usize| [k as f64 * step, (k + 1) as f64 * step];
+        let steps = by_step.iter().enumerate().filter(|(_, pairs)| !pairs.is_empty());
+        Ok(Some(RelativeErrors {
+            available,
+            steps: steps.map(|(k, pairs)| of(ends(k), pairs)).collect(),
+            all: of([0.0, ends(by_step.len().saturating_sub(1))[1]], &all),
+        }))
+    }
+
+    /// Readings of each target, or of the centre of a platform, in the order of the residuals of
+    /// the judged positions.
+    fn readings_of_targets(&self, before: &[f64]) -> Vec<Vec<Reading>> {
+        let (robot, values) = (self.robot, [before, self.values]);
+        let mut groups: Vec<Vec<Reading>> = Vec::new();
+        groups.resize_with(robot.targets().len().max(1), Vec::new);
+        let mut row = 0;
+        for o in self.observations {
+            if let Some(platform) = robot.platform() {
+                let [Some(k), Some(l)] = o.targets[..] else { continue };
+                let pair = [[k[0], k[1]], [l[0], l[1]]];
+                let measured = values.map(|values| {
+                    let pose = platform.measured_pose(values, pair);
+                    [pose.x_mm, pose.y_mm, 0.0]
+                });
+                let predicted = [0, 1].map(|i| {
+                    let error = platform.pose_error(values[i], &o.joints, pair);
+                    [measured[i][0] + error[0], measured[i][1] + error[1], 0.0]
+                });
+                groups[0].push(Reading { pose: o.pose, rows: (row, 2), measured, predicted });
+                row += 3;
+                continue;
+            }
+            for (k, at) in measured_targets(o) {
+                let predicted = values.map(|values| robot.position(values, &o.joints, k));
+                let rows = (row, robot.dimension());
+                groups[k].push(Reading { pose: o.pose, rows, measured: [at; 2], predicted });
+                row += robot.dimension();
+            }
+        }
+        groups
+    }
+}
+
+/// Indices and positions of the measured targets.
+fn measured_targets(o: &Observation) -> impl Iterator<Item = (usize, Vector)> + '_ {
+    o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?)))
+}
+
+impl Pair {
+    fn of(readings: [usize; 2], all: &[&Reading]) -> Self {
+        let [a, b] = readings.map(|i| all[i]);
+        let length = |from: [Vector; 2], to: [Vector; 2], i: usize| norm(minus(to[i], from[i]));
+        let error = |i| length(a.predicted, b.predicted, i) - length(a.measured, b.measured, i);
+        Self { readings, distance_mm: length(a.measured, b.measured, 1), error_mm: [error(0), error(1)] }
+    }
+
+    /// Adds the derivatives of `weight` times the error with respect to the residuals (predicted
+    /// minus measured position).
+    fn add(&self, weight: f64, readings: &[&Reading], by: &mut [f64]) {
+        let [a, b] = self.readings.map(|i| readings[i]);
+        let across = minus(b.measured[1], a.measured[1]);
+        let length = norm(across);
+        if length > 0.0 {
+            for (reading, sign) in [(a, -1.0), (b, 1.0)] {
+                let (first, rows) = reading.rows;
+                (0..rows).for_each(|i| by[first + i] += sign * weight * across[i] / length);
+            }
+        }
+    }
+}
+
+/// Pairs of readings of one target at different poses, by their index over all groups: all of them,
+/// or an even selection. Also the number of all pairs.
+fn pairs(groups: &[Vec<Reading>]) -> (Vec<[usize; 2]>, usize) {
+    let count: usize = groups.iter().map(|group| pairs_of(group.len())).sum();
+    let mut available = count;
+    let mut indices = selection(count).into_iter().peekable();
+    let (mut chosen, mut first, mut start) = (Vec::new(), 0, 0);
+    for group in groups {
+        let mut poses: Vec<PoseName> = group.iter().map(|r| r.pose).collect();
+        poses.sort_unstable();
+        available -= poses.chunk_by(|a, b| a == b).map(|same| pairs_of(same.len())).sum::<usize>();
+        let end = start + pairs_of(group.len());
+        while let Some(index) = indices.next_if(|index| *index < end) {
+            let [i, j] = pair_at(index - start);
+            if group[i].pose != group[j].pose {
+                chosen.push([first + i, first + j]);
+            }
+        }
+        first += group.len();
+        start = end;
+    }
+    (chosen, available)
+}
+
+/// Number of pairs of `n` items.
+fn pairs_of(n: usize) -> usize {
+    n * n.saturating_sub(1) / 2
+}
+
+/// Indices of a list of pairs in ascending order: all, or one at random in each of
+/// [`MOST_PAIRS`] equal parts.
+fn selection(count: usize) -> Vec<usize> {
+    if count <= MOST_PAIRS {
+        return (0..count).collect();
+    }
+    let mut noise = Noise::new(SEED, 0);
+    let part = count as f64 / MOST_PAIRS as f64;
+    let index = |k: usize| ((k as f64 + 0.5 + noise.uniform(0.5)) * part) as usize;
+    let mut indices: Vec<usize> = (0..MOST_PAIRS).map(index).map(|index| index.min(count - 1)).collect();
+    // neighbouring parts may share the index at their common end
+    indices.dedup();
+    indices
+}
+
+/// Pair i < j at an index of the list (0, 1), (0, 2), (1, 2), (0, 3) ...
+fn pair_at(index: usize) -> [usize; 2] {
+    let mut j = ((1.0 + (1.0 + 8.0 * index as f64).sqrt()) / 2.0) as usize;
+    // the root is rounded
+    while pairs_of(j) > index {
+        j -= 1;
+    }
+    while pairs_of(j + 1) <= index {
+        j += 1;
+    }
+    [index - pairs_of(j), j]
+}
+
+/// Width of the steps of distances up to this one: 1, 2 or 5 times a power of ten.
+fn step(largest_mm: f64) -> f64 {
+    let least = (largest_mm / STEPS).max(f64::MIN_POSITIVE);
+    let decade = 10f64.powf(least.log10().floor());
+    [5.0, 2.0, 1.0].into_iter().map(|m| m * decade).find(|step| *step <= least).unwrap_or(decade)
+}
+
+/// Standard uncertainties (mm) of root mean square, 95th percentile and maximum of the errors
+/// after.
+fn uncertainties(propagation: &Propagation, pairs: &[Pair], readings: &[&Reading]) -> [f64; 3] {
+    let size = |p: &Pair| p.error_mm[1].abs();
+    let all = rms(pairs.iter().map(size));
+    let mut order: Vec<usize> = (0..pairs.len()).collect();
+    order.sort_by(|a, b| size(&pairs[*a]).total_cmp(&size(&pairs[*b])));
+    let mut root = vec![0.0; propagation.residual_count()];
+    if all > 0.0 {
+        let weight = |p: &Pair| p.error_mm[1] / (all * pairs.len() as f64);
+        pairs.iter().for_each(|p| p.add(weight(p), readings, &mut root));
+    }
+    let of = |by: &[f64]| propagation.variances(by).iter().map(|(_, variance)| variance).sum::<f64>().sqrt();
+    // a quantile lies between two errors in their order
+    let quantile = |share: f64| {
+        let rank = share * order.len().saturating_sub(1) as f64;
+        let (low, part) = (rank.floor() as usize, rank.fract());
+        let mut by = vec![0.0; root.len()];
+        for (k, weight) in [(low, 1.0 - part), (low + 1, part)] {
+            if let Some(pair) = order.get(k).map(|i| &pairs[*i]).filter(|_| weight > 0.0) {
+                pair.add(weight * pair.error_mm[1].signum(), readings, &mut by);
+            }
+        }
+        of(&by)
+    };
+    [of(&root), quantile(0.95), quantile(1.0)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_list_of_pairs_has_each_pair_once_and_the_selection_is_even() {
+        let listed: Vec<[usize; 2]> = (0..pairs_of(5)).map(pair_at).collect();
+        let expected: Vec<[usize; 2]> = (0..5).flat_map(|j| (0..j).map(move |i| [i, j])).collect();
+        assert_eq!(listed, expected);
+        for n in [3_000usize, 100_000, 60_000_000] {
+            let last = pairs_of(n) - 1;
+            assert_eq!((pair_at(last), pair_at(last + 1)), ([n - 2, n - 1], [0, n]));
+        }
+        assert_eq!(selection(MOST_PAIRS), (0..MOST_PAIRS).collect::<Vec<_>>());
+        let few = selection(7 * MOST_PAIRS + 3);
+        assert!((MOST_PAIRS / 100 * 99..=MOST_PAIRS).contains(&few.len()));
+        assert!(few.windows(2).all(|pair| pair[0] < pair[1]) && few == selection(7 * MOST_PAIRS + 3));
+        // in steps of a part, anywhere in the whole list
+        let place = |index: usize| (index as f64 / (7.0 + 3.0 / MOST_PAIRS as f64)).fract();
+        let mean = few.iter().map(|index| place(*index)).sum::<f64>() / few.len() as f64;
+        assert!(few.windows(2).all(|pair| pair[1] - pair[0] < 15) && (mean - 0.5).abs() < 0.005, "{mean}");
+    }
+
+    #[test]
+    fn steps_are_round_and_at_least_five() {
+        for (largest, width) in [(1000.0, 200.0), (999.0, 100.0), (260.0, 50.0), (24.0, 2.0), (5.0, 1.0)] {
+            assert!((step(largest) / width - 1.0).abs() < 1e-12, "{largest}: {}", step(largest));
+            assert!(largest / step(largest) >= 5.0 - 1e-9 && largest / step(largest) < 13.0);
+        }
+        assert!(step(0.0) > 0.0);
+    }
+}
