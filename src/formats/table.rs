@@ -204,12 +204,14 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
     })
 }
 
+/// Columns without a unit that a row may have, beside [`TEXTS`] and those of an orientation.
+pub const OF_ROWS: [&str; 9] = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approach", "robot", "reading", "direction"];
+
 /// `true` if tables of etalon have a column of this name; columns of other programs have other
 /// names.
 fn is_own(name: &str) -> bool {
-    let fixed = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approach", "robot", "reading", "direction", "force_n"];
     let unit = ["_mm", "_m", "_um", "_inch", "_deg", "_rad", "_ms", "_ns", "_mm2", "_direction"];
-    [&fixed[..], &TEXTS, &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
+    [&OF_ROWS[..], &["force_n"], &TEXTS, &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
         || unit.iter().any(|unit| name.ends_with(unit))
 }
 

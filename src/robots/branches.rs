@@ -148,11 +148,7 @@ impl FreeBase for Branches {
         write: &mut dyn FnMut(usize, f64),
     ) -> Option<f64> {
         let nominal = self.nominal();
-        let changes: Vec<f64> = parameters.iter().zip(&nominal).map(|(value, nominal)| value - nominal).collect();
-        self.arms.iter().find_map(|arm| {
-            let loads = arm.loads_of(&nominal, joints);
-            arm.joint_motion(&changes, State { joints, loads: &loads }, joint, write)
-        })
+        self.arms.iter().find_map(|arm| arm.joint_value_about([&nominal, parameters], joints, joint, write))
     }
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], target: usize, out: &mut [f64]) {
         self.at(parameters, joints, target, |arm, state| arm.flange_turns(state, out));

@@ -720,7 +720,7 @@ impl Serial {
     }
 
     /// [`FreeBase::joint_value`] for changes of all parameters from nominal.
-    pub(super) fn joint_motion(
+    fn joint_motion(
         &self,
         changes: &[f64],
         state: State,
@@ -749,6 +749,18 @@ impl Serial {
         }
         let (frames, flange) = self.frames(nominal, State { joints, loads: &[] });
         self.loads_on(&frames, &flange, joints)
+    }
+
+    /// Value of a joint with nominal and present parameters, as [`FreeBase::joint_value`] has it.
+    pub(super) fn joint_value_about(
+        &self,
+        [nominal, parameters]: [&[f64]; 2],
+        joints: &[f64],
+        joint: usize,
+        write: &mut dyn FnMut(usize, f64),
+    ) -> Option<f64> {
+        let changes: Vec<f64> = parameters.iter().zip(nominal).map(|(value, nominal)| value - nominal).collect();
+        self.joint_motion(&changes, State { joints, loads: &self.loads_of(nominal, joints) }, joint, write)
     }
 
     /// Gain of a joint with these parameters, without the factor of its drive; `None` if the joint
@@ -1050,8 +1062,7 @@ impl FreeBase for Serial {
         joint: usize,
         write: &mut dyn FnMut(usize, f64),
     ) -> Option<f64> {
-        let changes: Vec<f64> = parameters.iter().zip(self.parameters()).map(|(v, p)| v - p.nominal).collect();
-        self.joint_motion(&changes, State { joints, loads: &self.loads_at(joints) }, joint, write)
+        self.joint_value_about([&self.nominal(), parameters], joints, joint, write)
     }
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], _target: usize, out: &mut [f64]) {
         self.with(parameters).flange_turns(State { joints, loads: &self.loads_at(joints) }, out);

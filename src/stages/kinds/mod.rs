@@ -140,21 +140,6 @@ fn misspelt(observations: &DataFrame) -> Result<Problems> {
     Ok(problems)
 }
 
-/// Columns of every row without a unit, beside those of kinds, coordinates and orientations.
-const OF_ROWS: [&str; 11] = [
-    "line",
-    "pose",
-    "cycle",
-    "target",
-    table::LABEL,
-    table::TIME,
-    table::ASSEMBLY,
-    "approach",
-    "robot",
-    "reading",
-    "direction",
-];
-
 /// Warning about columns that neither observations nor the joints of the robot have.
 fn unread(robot: &dyn Robot, observations: &DataFrame) -> Option<Message> {
     // a column may be in another unit of its quantity
@@ -164,8 +149,8 @@ fn unread(robot: &dyn Robot, observations: &DataFrame) -> Option<Message> {
     let of_joint = |name: &str| {
         robot.joints().iter().any(|joint| joint.factor(name).is_some() || joint.direction_column() == name)
     };
-    let is_own =
-        |name: &str| OF_ROWS.contains(&name) || columns().contains(&name) || with_units.contains(&quantity(name));
+    let without_unit = [&["line"][..], &table::OF_ROWS, &table::TEXTS].concat();
+    let is_own = |name: &str| without_unit.contains(&name) || with_units.contains(&quantity(name));
     let names = observations.get_column_names().into_iter().map(|name| name.as_str());
     let unknown = names.filter(|name| !is_own(name) && !of_joint(name));
     let columns: Vec<String> = unknown.map(|name| format!("`{name}`")).collect();

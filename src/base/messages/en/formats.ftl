@@ -921,8 +921,8 @@ doubt-numbers-and-text = column { $column } holds numbers in { $count } of { $ro
 doubt-array-columns = `{ $array }` has { $count } columns: joints, coordinates, or both beside each other
 zero-count-alone = `zero_count` has no effect without `per_count`
 
-# Means: robot.toml states joints that bend under a payload of each reading (`payload`), and a column of the payload is missing.
-# Matters: The deflection follows from mass and centre of mass; a missing column is no zero.
+# Means: `payload` in robot.toml names joints that bend under a load, and the table lacks a column of the load.
+# Matters: The deflection follows from mass and centre of mass; without the column they are unknown.
 # Do: Add the column, or state it as a constant of the file.
 # Example: `payload = [2, 3]` and a table without `load_kg`
 payload-column-missing = `payload` of the robot file needs the column `{ $column }`

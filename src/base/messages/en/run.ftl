@@ -465,8 +465,7 @@ field-of-other-parameters = `{ $field }` does not belong to `{ $parameters }`: t
 valid-stated-twice = `valid_until` and `valid_for_months` are both stated
     .hint = omit one of them
 
-# Means: A number of months of validity counts from the date of the measurements, which is missing or
-# is no date.
+# Means: `valid_for_months` counts from the date of the measurements. `date` is missing or malformed.
 # Matters: The last day of validity is unknown.
 # Do: State `date` as 2026-03-02, or `valid_until`.
 # Example: `valid_for_months = 12` without `date`

@@ -586,8 +586,8 @@ distance-to-itself = the distance is from `{ $name }` to itself
 target-of-same-branch = `{ $target }` and `{ $name }` are on the same branch
     .hint = name a target of another branch; the shape of targets on one link is stated in [[rigid]]
 
-# Means: The other end of a bar is no target of another branch.
-# Matters: A bar of `kind = "bar"` is held by two links of the robot.
+# Means: `other` of a bar names something else than a target of another branch.
+# Matters: Two links of the robot hold a bar of `kind = "bar"`.
 # Do: Name a target of another branch in `other`; for a bar with a fixed end use `kind = "distance"`.
 # Example: `kind = "bar"` with `other = "anchor"`
 bar-without-other-hand = `{ $name }` is not a target of another branch than `{ $target }`
