@@ -11,6 +11,7 @@
 # make bench   compare with SciPy, NumPy and Pinocchio, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
+# make bench-python calls from Python beside the library, after `make python`
 # make thesis  the tables and figures of the thesis, printed and computed side by side: target/thesis/thesis.html and thesis.md
 # make test-slurm run campaigns on a Slurm cluster of two nodes on this machine, and kill one (needs root, slurm-wlm and munge)
 # make test-linuxcnc load exported kinematics into LinuxCNC and compare its joint positions (needs root; installs linuxcnc-uspace of Debian)
@@ -43,7 +44,7 @@ CAMPAIGNS ?=
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test quick unit attack test-slurm test-linuxcnc real reference thesis bench bench-fit bench-import samples python book dist help clean
+.PHONY: all report compare test quick unit attack test-slurm test-linuxcnc real reference thesis bench bench-fit bench-import bench-python samples python book dist help clean
 
 # names of folders are never a part of a rule, and reach the shell as they are: from its own patterns, or quoted
 unexport CAMPAIGNS
@@ -161,9 +162,13 @@ python:
 	CARGO_TARGET_DIR=$(PYTHON_BUILD)/target $(PYTHON_BUILD)/venv/bin/maturin build $(WHEEL) --locked --manifest-path python/Cargo.toml --out $(PYTHON_BUILD)/wheels
 	$(PYTHON_BUILD)/venv/bin/pip install --quiet --force-reinstall --no-deps $(PYTHON_BUILD)/wheels/*.whl
 	$(PYTHON_BUILD)/venv/bin/pip install --quiet numpy pytest
-	$(PYTHON_BUILD)/venv/bin/pip install --quiet scipy polars pandas pyarrow jsonschema taplo || echo "some peers could not be installed: tests with them are skipped"
+	$(PYTHON_BUILD)/venv/bin/pip install --quiet scipy polars pandas pyarrow jsonschema taplo distributed nbclient nbformat ipykernel || echo "some peers could not be installed: tests with them are skipped"
 	$(PYTHON_BUILD)/venv/bin/pytest -q -p no:cacheprovider python/tests
 	ls $(PYTHON_BUILD)/wheels
+
+# after `make python`
+bench-python:
+	PYTHON=$(PYTHON_BUILD)/venv/bin/python cargo bench --locked --bench python
 
 # what cargo installs beside the build
 TOOLS := $(abspath $(CARGO_TARGET_DIR))/tools

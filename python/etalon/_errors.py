@@ -15,7 +15,8 @@ class Message:
         expected: What was expected there, or None.
         hint: What to do, or None.
         place: File, line and column as a dictionary, or None.
-        id: Id of the message, or None.
+        id: Id of the message (``etalon explain ID``), or None.
+        arguments: Arguments of the message by name.
     """
 
     def __init__(self, stated: dict[str, Any]) -> None:
@@ -25,6 +26,7 @@ class Message:
         self.hint: str | None = stated.get("hint")
         self.place: dict[str, Any] | None = stated.get("place")
         self.id: str | None = stated.get("id")
+        self.arguments: dict[str, Any] = stated.get("arguments", {})
 
     def __repr__(self) -> str:
         return f"Message({self.severity}: {self.what})"

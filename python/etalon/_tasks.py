@@ -46,7 +46,7 @@ def identify(
         hold: Names of parameters that stay nominal; ``*`` stands for any text.
         exclude: ``"POSES: REASON"``: readings that are left out.
         exclude_rows: ``"ROWS: REASON"``: rows that are left out, counted from 1.
-        effects: ``"usual"``, ``"all"``, or a list of zeros, geometry, gains, harmonics, backlash, coupling, bending.
+        effects: ``"usual"``, ``"all"``, or a list of zeros, geometry, gains, harmonics, backlash, coupling, bending, payload.
         prior: ``"tolerances"``: nominal values with tolerances are readings; ``"none"``: plain least squares.
         target: Target of all rows, of a table without that column.
         pose: ``"row"``: rows are numbered as poses, of a table without that column.
@@ -71,7 +71,7 @@ def identify(
         prior=prior,
         target=target,
         pose=pose,
-        column=[f"{name}={heading}" for name, heading in (columns or {}).items()],
+        column=_headings(columns),
     )
     return load(_etalon.identify(robot_of(robot), text_of(observations), options))  # type: ignore[return-value]
 
@@ -162,6 +162,87 @@ def verify(
     """
     options = options_of(standard_uncertainty_um=standard_uncertainty_um, target=target, pose=pose)
     return load(_etalon.verify(robot_of(robot), json_of(parameters), text_of(observations), options))  # type: ignore[return-value]
+
+
+def axes(
+    sweeps: Any,
+    *,
+    joints: Sequence[str] = (),
+    prismatic: Sequence[str] = (),
+    backwards: Sequence[str] = (),
+    standard_uncertainty_um: float | None = None,
+    convention: str | None = None,
+    columns: dict[str, str] | None = None,
+) -> documents.AxesDocument:
+    """Find the axes of joints from sweeps of one joint at a time (circle-point analysis).
+
+    Args:
+        sweeps: Table with ``joint`` (the swept joint), ``target``, ``x_mm``, ``y_mm``, ``z_mm`` and, where known, a column for each joint
+            (``q1_deg`` ...).
+        joints: Joints from the base; in the order of their numbers if empty.
+        prismatic: Prismatic joints without a column of joint values.
+        backwards: Joints that were swept in negative direction, without joint values.
+        standard_uncertainty_um: Of one measured coordinate (k = 1), um; from the residuals of each sweep if None.
+        convention: Convention of the robot file: ``"poe"``, ``"dh"`` or ``"mdh"``.
+        columns: As in :func:`identify`.
+
+    Returns:
+        :class:`etalon.documents.AxesDocument`; ``Robot.from_toml(found.robot.robot_toml)`` is the robot without a nominal model.
+
+    Raises:
+        Error: The table does not read, or a sweep determines no axis.
+    """
+    options = options_of(
+        joints=joined(joints) or None,
+        prismatic=joined(prismatic) or None,
+        backwards=joined(backwards) or None,
+        standard_uncertainty_um=standard_uncertainty_um,
+        convention=convention,
+        column=_headings(columns),
+    )
+    return load(_etalon.axes(text_of(sweeps), options))  # type: ignore[return-value]
+
+
+def cell(
+    readings: Any,
+    solve: str,
+    *,
+    orientation: str | None = None,
+    measured_orientation: str | None = None,
+    mounting: str | None = None,
+    standard_uncertainty_um: float | None = None,
+    rotation_uncertainty_deg: float | None = None,
+    columns: dict[str, str] | None = None,
+) -> documents.CellDocument:
+    """Find tool, work object, hand and eye, or an external axis from controller poses and measurements.
+
+    Args:
+        readings: Table with the columns of the problem: ``flange_x_mm`` ..., ``x_mm`` ... (``etalon cell --help``).
+        solve: Problem: ``"tool-point"``, ``"tool-reflector"``, ``"tool-axes"``, ``"hand-eye"``, ``"object"``, ``"three-points"``, ``"linear-axis"`` or
+            ``"rotary-axis"``.
+        orientation: Order of the angles ``flange_a_deg``, ``flange_b_deg``, ``flange_c_deg``.
+        measured_orientation: Order of the angles ``a_deg``, ``b_deg``, ``c_deg``.
+        mounting: Part of the measuring system that is on the robot (hand and eye).
+        standard_uncertainty_um: Of one coordinate, robot and measurement together (k = 1), um; from the residuals if None.
+        rotation_uncertainty_deg: Of an orientation about any axis (k = 1), deg; from the residuals if None.
+        columns: As in :func:`identify`.
+
+    Returns:
+        :class:`etalon.documents.CellDocument`: frames and points with standard uncertainties (k = 1), mm and deg.
+
+    Raises:
+        Error: The table does not read, or leaves a direction open.
+    """
+    options = options_of(
+        solve=solve,
+        orientation=orientation,
+        measured_orientation=measured_orientation,
+        mounting=mounting,
+        standard_uncertainty_um=standard_uncertainty_um,
+        rotation_uncertainty_deg=rotation_uncertainty_deg,
+        column=_headings(columns),
+    )
+    return load(_etalon.cell(text_of(readings), options))  # type: ignore[return-value]
 
 
 def iso9283(
@@ -280,3 +361,7 @@ def iso230(positions: Any) -> documents.AxisDocument:
 
 def _texts(*tables: Any) -> list[str | None]:
     return [None if table is None else text_of(table) for table in tables]
+
+
+def _headings(columns: dict[str, str] | None) -> list[str]:
+    return [f"{name}={heading}" for name, heading in (columns or {}).items()]

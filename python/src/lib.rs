@@ -32,7 +32,7 @@ mod _etalon {
     #[pymodule_export]
     use super::tables::csv;
     #[pymodule_export]
-    use super::tasks::{identify, iso230, iso9283, iso9283_path, plan, verify};
+    use super::tasks::{axes, cell, command, identify, iso230, iso9283, iso9283_path, plan, verify};
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 }

@@ -37,6 +37,35 @@ pub fn verify(
     json(&verified.map_err(failed)?)
 }
 
+/// Axes of joints from sweeps of one joint at a time.
+#[pyfunction]
+pub fn axes(py: Python<'_>, table: &str, options: Vec<String>) -> PyResult<String> {
+    let table = Table { name: "sweeps", text: table };
+    json(&py.detach(|| in_memory::axes(&table, &options)).map_err(failed)?)
+}
+
+/// Tool, object, hand and eye, or an external axis.
+#[pyfunction]
+pub fn cell(py: Python<'_>, table: &str, options: Vec<String>) -> PyResult<String> {
+    let table = Table { name: "readings", text: table };
+    json(&py.detach(|| in_memory::cell(&table, &options)).map_err(failed)?)
+}
+
+/// Runs a command with `--json` if it has this option: exit code, stdout, stderr, and messages as
+/// JSON.
+#[pyfunction]
+pub fn command(py: Python<'_>, words: Vec<String>) -> PyResult<(u8, String, String, String)> {
+    let mut words: Vec<String> = ["etalon".to_owned()].into_iter().chain(words).collect();
+    let answer = py.detach(|| {
+        if in_memory::has_json(&words) && !words.iter().any(|word| word == "--json") {
+            words.push("--json".to_owned());
+        }
+        in_memory::answer(words.into_iter().map(Into::into))
+    });
+    let text = String::from_utf8(answer.stdout)?;
+    Ok((answer.code, text, answer.stderr, json(&answer.messages)?))
+}
+
 /// Characteristics of poses by ISO 9283, from attained poses, commanded ones and reference targets.
 #[pyfunction]
 pub fn iso9283(py: Python<'_>, tables: [Option<String>; 3], options: Vec<String>) -> PyResult<String> {

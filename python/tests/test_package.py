@@ -1,6 +1,8 @@
 """Examples run, stubs are those of the schemas, and everything public says what it does."""
 
 import inspect
+import json
+import re
 import shutil
 import subprocess
 import sys
@@ -11,7 +13,7 @@ import pytest
 import etalon
 
 FOLDER = Path(__file__).resolve().parents[1]
-EXAMPLES = sorted((FOLDER / "examples").glob("*.py"))
+EXAMPLES = sorted((FOLDER / "examples").glob("[0-9]*.py"))
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
@@ -20,6 +22,30 @@ def test_an_example_runs(example, tmp_path):
     ran = subprocess.run([sys.executable, example.name], cwd=tmp_path / "examples", capture_output=True, text=True)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert ran.stdout.strip()
+
+
+def test_notebooks_are_those_of_the_scripts(tmp_path):
+    sys.path.insert(0, str(FOLDER / "examples"))
+    try:
+        import make_notebooks
+    finally:
+        sys.path.pop(0)
+    made = make_notebooks.notebooks()
+    assert len(made) == len(EXAMPLES)
+    for path, text in made.items():
+        assert path.read_text(encoding="utf-8") == text, "run python/examples/make_notebooks.py"
+
+
+def test_a_notebook_runs_in_jupyter(tmp_path):
+    nbclient = pytest.importorskip("nbclient")
+    nbformat = pytest.importorskip("nbformat")
+    pytest.importorskip("ipykernel")
+    shutil.copytree(FOLDER / "examples", tmp_path / "examples")
+    book = nbformat.read(tmp_path / "examples/01_calibrate_an_arm.ipynb", as_version=4)
+    nbformat.validate(book)
+    nbclient.NotebookClient(book, resources={"metadata": {"path": tmp_path / "examples"}}, kernel_name="python3").execute()
+    printed = "".join(output.get("text", "") for cell in book.cells for output in cell.get("outputs", []))
+    assert "(k = 2)" in printed
 
 
 def test_the_stub_is_that_of_the_schemas():
@@ -45,3 +71,38 @@ def test_dask_takes_the_same_call(sample):
     folder = str(sample("prexyt-cmm"))
     with distributed.Client(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None) as client:
         assert client.submit(etalon.run, folder, reports=False).result().met
+
+
+def test_every_document_has_its_class():
+    schemas = [json.loads(path.read_text(encoding="utf-8")) for path in (FOLDER.parent / "schemas").glob("*.schema.json")]
+    versioned = {schema["title"] for schema in schemas if "schema" in schema.get("properties", {})}
+    assert "SelftestDocument" in versioned
+    assert set(etalon.documents._CLASSES.values()) == versioned
+
+
+#: Options that tables in memory do not need, or that write files.
+OF_FILES = {
+    "--robot --observations --candidates --parameters --json --report --language --logo --templates --toml --help",
+    "--delimiter --decimal --thousands --encoding --sheet --header --no-header --missing --comment --only --without --constant --coverage-factor",
+    "--controller --name --number",
+    # the plan of a verification, and of an ISO test, by `command`
+    "--positions --candidates --plan --stream --compliance",
+}
+OF_PLAN = "--poses --targets --generate --program --truth --workspace --grouped --column --target --pose"
+
+
+@pytest.mark.parametrize("function", [etalon.identify, etalon.axes, etalon.cell, etalon.verify, etalon.plan], ids=lambda f: f.__name__)
+def test_every_option_is_a_keyword(function):
+    help_text = etalon.command(function.__name__, help=True).text
+    options = set(re.findall(r"^ +(?:-\w, )?(--[a-z0-9-]+)", help_text, re.MULTILINE))
+    assert "--standard-uncertainty-um" in options
+    keywords = {"--" + name.replace("_", "-") for name in inspect.signature(function).parameters} | {"--column"}
+    of_files = {option for text in OF_FILES for option in text.split()}
+    if function is etalon.plan:
+        # generated candidates come with files: by `command`
+        of_files |= set(OF_PLAN.split())
+        generation = help_text[help_text.index("--generate") :] if "--generate" in help_text else ""
+        of_files |= set(re.findall(r"^ +(--[a-z0-9-]+)", generation, re.MULTILINE))
+    if function in (etalon.axes, etalon.cell):
+        of_files |= {"--target", "--pose"}
+    assert options - keywords - of_files == set()

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from conftest import IRB120, dh
 
 import etalon
 
@@ -89,6 +90,64 @@ def test_poses_are_planned(arm):
     candidates = {name: column for name, column in table.items() if name in ("pose", "target") or name.endswith("_deg")}
     found = etalon.plan(robot, candidates, 20, nodes=10, starts=1)
     assert len(found.chosen) == 20 and found.bound >= found.value
+
+
+def test_axes_of_sweeps_are_those_of_the_arm():
+    """Sweeps of an exact arm: its own directions of axes."""
+    nominal = np.array([20.0, -30.0, 25.0, 40.0, 35.0, 10.0])
+    rows, poses = [], 0
+    for joint in range(6):
+        for angle in np.linspace(-60.0, 60.0, 15):
+            values = nominal.copy()
+            values[joint] += angle
+            rows.append((f"q{joint + 1}", values))
+    joints = np.array([values for _, values in rows])
+    xyz = (dh(joints, *IRB120) @ np.array([80.0, 40.0, 60.0, 1.0]))[:, :3]
+    table = {"joint": [name for name, _ in rows], "target": ["SMR"] * len(rows)}
+    table |= {f"q{i + 1}_deg": joints[:, i] for i in range(6)} | {name: xyz[:, k] for k, name in enumerate(["x_mm", "y_mm", "z_mm"])}
+    found = etalon.axes(table, standard_uncertainty_um=10)
+    alpha, a, theta, d = IRB120
+    for axis in found.axes:
+        count = int(axis.joint[1:])
+        start = dh(nominal[None, :count], alpha[:count], a[:count], theta[:count], d[:count])[0]
+        assert np.abs(np.cross(axis.direction, start[:3, 2])).max() < 1e-6, axis.joint
+    with pytest.raises(etalon.Error):
+        etalon.axes({name: column[:2] for name, column in table.items()})
+
+
+def test_the_tool_point_is_found():
+    """Orientations about one point: an exact tool of (10, -20, 150) mm."""
+    noise = np.random.default_rng(3)
+    flange = dh(noise.uniform(-80, 80, (8, 6)), *IRB120)[:, :3, :3]
+    position = np.array([400.0, 100.0, 300.0]) - flange @ np.array([10.0, -20.0, 150.0])
+    # Rz(a) Ry(b) Rx(c)
+    a = np.degrees(np.arctan2(flange[:, 1, 0], flange[:, 0, 0]))
+    b = np.degrees(np.arctan2(-flange[:, 2, 0], np.hypot(flange[:, 2, 1], flange[:, 2, 2])))
+    c = np.degrees(np.arctan2(flange[:, 2, 1], flange[:, 2, 2]))
+    table = {f"flange_{name}_mm": position[:, k] for k, name in enumerate("xyz")}
+    table |= {"flange_a_deg": a, "flange_b_deg": b, "flange_c_deg": c}
+    found = etalon.cell(table, "tool-point", orientation="zyx", standard_uncertainty_um=20)
+    point = next(p for p in found.points if p.reference == "flange")
+    assert np.abs(np.array(point.xyz_mm) - [10.0, -20.0, 150.0]).max() < 1e-6
+    with pytest.raises(etalon.Error) as raised:
+        etalon.cell(table, "tool-point", standard_uncertainty_um=20)
+    assert raised.value.messages
+
+
+def test_any_command_runs_in_this_process(arm, tmp_path):
+    robot, table, _ = arm
+    found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    (tmp_path / "parameters.json").write_text(found.to_json())
+    written = etalon.command("export", tmp_path / "parameters.json", format=["csv", "json"], to=tmp_path / "files")
+    assert written.met and isinstance(written.document, etalon.documents.WrittenDocument)
+    assert (tmp_path / "files" / "controller.csv").is_file(), written.document.files
+    explained = etalon.command("explain", "unit-missing").document
+    assert explained.messages
+    with pytest.raises(etalon.Error, match="nonsense"):
+        etalon.command("export", tmp_path / "parameters.json", nonsense=True)
+    with pytest.raises(etalon.Error) as raised:
+        etalon.command("run", tmp_path / "missing")
+    assert raised.value.id and raised.value.message
 
 
 def test_accuracy_and_repeatability_are_those_of_the_formulas():

@@ -1,9 +1,12 @@
 //! Command `etalon axes`.
 
+use super::given::Table;
 use super::text_format::TableFormat;
 use super::{Verdict, check_positive, print, print_text, remark};
 use crate::stages::sweeps::{self, SweepsStated, TableConvention};
+use crate::stages::table_file::TableFile;
 use etalon_base::catalogue::Phrase;
+use etalon_base::message::Result;
 use etalon_base::phrase;
 use etalon_documents::{AxesDocument, AxisEntry, to_json};
 use std::path::PathBuf;
@@ -49,16 +52,7 @@ pub struct AxesCommand {
 
 impl AxesCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        let file = self.format.read_poses(&self.table)?;
-        let stated = SweepsStated {
-            joints: self.joints,
-            prismatic: self.prismatic,
-            backwards: self.backwards,
-            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
-            convention: self.convention,
-        };
-        let document = sweeps::axes(&file, &stated)?;
+        let document = self.found(&self.format.read_poses(&self.table)?)?;
         if !self.json {
             remark(&document.messages);
         }
@@ -71,6 +65,23 @@ impl AxesCommand {
             },
         }
         Ok(Verdict::Met)
+    }
+
+    /// The answer from a table in memory.
+    pub(super) fn in_memory(&self, table: &Table) -> Result<AxesDocument> {
+        self.found(&self.format.parse_poses(table.name, table.text)?)
+    }
+
+    fn found(&self, file: &TableFile) -> Result<AxesDocument> {
+        check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
+        let stated = SweepsStated {
+            joints: self.joints.clone(),
+            prismatic: self.prismatic.clone(),
+            backwards: self.backwards.clone(),
+            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
+            convention: self.convention,
+        };
+        sweeps::axes(file, &stated)
     }
 }
 

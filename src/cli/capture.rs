@@ -35,3 +35,18 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>) -> Answer {
 pub(super) fn add(change: impl FnOnce(&mut Answer)) -> bool {
     ANSWER.with_borrow_mut(|answer| answer.as_mut().map(change).is_some())
 }
+
+/// `true` if the command of these words, the first of which is the program's name, has the option
+/// `--json`.
+pub fn has_json(words: &[String]) -> bool {
+    let mut command = super::command();
+    command.build();
+    let mut found = &command;
+    for word in words.iter().skip(1) {
+        match found.find_subcommand(word) {
+            Some(inner) => found = inner,
+            None => break,
+        }
+    }
+    found.get_arguments().any(|argument| argument.get_long() == Some("json"))
+}

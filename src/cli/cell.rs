@@ -1,9 +1,11 @@
 //! Command `etalon cell`.
 
+use super::given::Table;
 use super::text_format::TableFormat;
 use super::{Verdict, check_positive, print, print_text, remark};
 use crate::stages::cell::{self, CellKind, CellMounting, CellStated};
 use crate::stages::orientations::AngleOrder;
+use crate::stages::table_file::TableFile;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
@@ -73,6 +75,24 @@ fn order(option: &str, text: Option<&str>) -> Result<Option<AngleOrder>> {
 
 impl CellCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        let document = self.solved(&self.format.read_poses(&self.table)?)?;
+        if !self.json {
+            remark(&document.messages);
+        }
+        match self.controller.as_deref().and_then(etalon_controllers::cell::by_name) {
+            _ if self.json => print(to_json(&document)?)?,
+            Some(format) => print(self.data(format, &document)?)?,
+            None => print_text(&text(&document))?,
+        }
+        Ok(Verdict::Met)
+    }
+
+    /// The answer from a table in memory.
+    pub(super) fn in_memory(&self, table: &Table) -> Result<CellDocument> {
+        self.solved(&self.format.parse_poses(table.name, table.text)?)
+    }
+
+    fn solved(&self, file: &TableFile) -> Result<CellDocument> {
         check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
         check_positive("--rotation-uncertainty-deg", self.rotation_uncertainty_deg)?;
         let stated = CellStated {
@@ -83,17 +103,7 @@ impl CellCommand {
             position_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
         };
-        let file = self.format.read_poses(&self.table)?;
-        let document = cell::cell(&file, &stated)?;
-        if !self.json {
-            remark(&document.messages);
-        }
-        match self.controller.as_deref().and_then(etalon_controllers::cell::by_name) {
-            _ if self.json => print(to_json(&document)?)?,
-            Some(format) => print(self.data(format, &document)?)?,
-            None => print_text(&text(&document))?,
-        }
-        Ok(Verdict::Met)
+        cell::cell(file, &stated)
     }
 
     /// Data of a controller.

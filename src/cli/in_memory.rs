@@ -11,13 +11,13 @@ use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    AxisDocument, CheckDocument, Iso9283Document, Iso9283StreamDocument, ParametersDocument, PlanDocument,
-    VerificationDocument,
+    AxesDocument, AxisDocument, CellDocument, CheckDocument, Iso9283Document, Iso9283StreamDocument,
+    ParametersDocument, PlanDocument, VerificationDocument,
 };
 use etalon_robots::{Kinematics, Robot};
 use std::path::Path;
 
-pub use super::capture::{Answer, answer};
+pub use super::capture::{Answer, answer, has_json};
 pub use super::given::{Given, Table};
 pub use super::init::{known_names, known_text, urdf_text};
 
@@ -69,6 +69,22 @@ pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
 pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]) -> Result<VerificationDocument> {
     let files = ["--robot", PLACEHOLDER, "--parameters", PLACEHOLDER, PLACEHOLDER];
     options_of::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
+}
+
+/// Finds the axes of joints from sweeps, as `etalon axes`.
+///
+/// # Errors
+/// Fails like the command.
+pub fn axes(table: &Table, options: &[String]) -> Result<AxesDocument> {
+    Ok(options_of::<super::axes::AxesCommand>(&[PLACEHOLDER], options)?.in_memory(table)?)
+}
+
+/// Finds tool, object, hand and eye, or an external axis, as `etalon cell`.
+///
+/// # Errors
+/// Fails like the command.
+pub fn cell(table: &Table, options: &[String]) -> Result<CellDocument> {
+    Ok(options_of::<super::cell::CellCommand>(&[PLACEHOLDER], options)?.in_memory(table)?)
 }
 
 /// Evaluates attained poses, as `etalon iso9283 pose`; the second table has the commanded poses,

@@ -195,7 +195,11 @@ fn run(command: Command) -> u8 {
 /// terminal.
 fn refuse(error: &clap::Error) -> u8 {
     let text = error.render().to_string();
-    if capture::add(|answer| answer.stderr.push_str(&text)) {
+    let shown = |answer: &mut capture::Answer| match error.use_stderr() {
+        true => answer.stderr.push_str(&text),
+        false => answer.stdout.extend_from_slice(text.as_bytes()),
+    };
+    if capture::add(shown) {
         return u8::try_from(error.exit_code()).unwrap_or(2);
     }
     match printable_lines(&text) {

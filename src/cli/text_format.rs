@@ -243,6 +243,11 @@ impl TableFormat {
         TableFile::parse_with(name, text, &self.layout(true)?)
     }
 
+    /// Table of poses in a text; columns that it lacks are left out.
+    pub fn parse_poses(&self, name: &str, text: &str) -> Result<TableFile, Problems> {
+        TableFile::parse_with(name, text, &TableLayout { lenient: true, ..self.layout(false)? })
+    }
+
     fn layout(&self, is_of_observations: bool) -> Result<TableLayout, Problems> {
         let constant = |text: &String| named("constant", text).map(|(name, value)| (name, constant_of(value)));
         Ok(TableLayout {

@@ -1,0 +1,63 @@
+"""Any command of the program in this process."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+from . import _etalon
+from ._errors import Error, Message
+from ._options import options_of
+from .documents import Document, load
+
+
+class Answer:
+    """Answer of a command.
+
+    Attributes:
+        met: False if a stated limit is not met, or the result is implausible (exit code 1).
+        document: Document of ``--json``, or None for a command that has none.
+        text: What the command prints.
+        messages: Warnings.
+    """
+
+    def __init__(self, met: bool, text: str, document: Document | None, messages: tuple[Message, ...]) -> None:
+        self.met = met
+        self.text = text
+        self.document = document
+        self.messages = messages
+
+    def __repr__(self) -> str:
+        return f"Answer(met={self.met}, document={self.document!r})"
+
+    def _repr_html_(self) -> str:
+        verdict = "" if self.met else "<p>a limit is not met, or the result is implausible</p>"
+        return verdict + (self.document._repr_html_() if self.document is not None else "")
+
+
+def command(*words: str | os.PathLike[str], **options: Any) -> Answer:
+    """Run a command of the program in this process, with ``--json`` where the command has it.
+
+    ``command("export", "out/parameters.json", format=["abb", "csv"], to="cell")`` is
+    ``etalon export out/parameters.json --format abb --format csv --to cell --json``.
+
+    Args:
+        words: The command and its arguments.
+        options: Options by name: True is a flag, a list repeats the option, None is left out.
+
+    Raises:
+        Error: The command could not run (exit code 2); for ``check``, the document says why.
+    """
+    names = [os.fspath(word) for word in words]
+    code, text, said, stated = _etalon.command(names + options_of(**options))
+    # the help of a command, and a text that is no document, stay texts
+    try:
+        answer = json.loads(text) if text.lstrip().startswith("{") else None
+    except ValueError:
+        answer = None
+    document = load(text) if answer is not None else None
+    if code == 2 and document is None:
+        raise Error(said.strip(), stated)
+    messages = tuple(Message(message) for message in json.loads(stated))
+    return Answer(code == 0, text, document, messages)
