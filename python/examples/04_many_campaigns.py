@@ -27,6 +27,6 @@ try:
 except ImportError:
     print([calibrate(folder) for folder in folders])
 else:
-    if __name__ == "__main__":
-        with Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
-            print(client.gather(client.map(calibrate, folders)))
+    # a cluster in this process, since etalon releases the GIL; Client("SCHEDULER:8786") is a real one
+    with Client(processes=False, n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+        print(client.gather(client.map(calibrate, folders)))

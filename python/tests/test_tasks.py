@@ -141,7 +141,7 @@ def test_any_command_runs_in_this_process(arm, tmp_path):
     written = etalon.command("export", tmp_path / "parameters.json", format=["csv", "json"], to=tmp_path / "files")
     assert written.met and isinstance(written.document, etalon.documents.WrittenDocument)
     assert (tmp_path / "files" / "controller.csv").is_file(), written.document.files
-    explained = etalon.command("explain", "unit-missing").document
+    explained = etalon.command("explain", "unit-unknown").document
     assert explained.messages
     with pytest.raises(etalon.Error, match="nonsense"):
         etalon.command("export", tmp_path / "parameters.json", nonsense=True)
