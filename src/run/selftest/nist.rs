@@ -24,10 +24,14 @@ pub(super) fn requirement() -> Option<SelftestRequirement> {
 /// Errors of a fit beside the published answer (mm, rad).
 type Errors = fn(&Fit, &[f64]) -> f64;
 
-const ELEMENTS: [(&str, &str, Element, Errors); 3] = [
+// circles of the folder Circle2d lie in planes of any axis: they are fitted in space
+const ELEMENTS: [(&str, &str, Element, Errors); 6] = [
+    ("Circle2d", "cir2d", Element::Circle3d, circle),
+    ("Circle3d", "cir", Element::Circle3d, circle),
     ("Plane", "pla", Element::Plane, plane),
     ("Sphere", "sph", Element::Sphere, sphere),
     ("Cylinder", "cyl", Element::Cylinder, cylinder),
+    ("Cone", "con", Element::Cone, cone),
 ];
 
 fn of_element(folder: &Path, prefix: &str, (kind, errors): (Element, Errors), rows: &mut Rows) {
@@ -83,4 +87,27 @@ fn cylinder(fit: &Fit, answer: &[f64]) -> f64 {
     let (point, direction) = (vector(answer), vector(&answer[3..]));
     let beside = norm(cross(minus(fit.point_mm, point), direction)) / norm(direction);
     beside.max((2.0 * radius - answer[6]).abs()).max(angle(axis, direction))
+}
+
+fn circle(fit: &Fit, answer: &[f64]) -> f64 {
+    let (Some(normal), Some(radius), true) = (fit.direction, fit.radius_mm, answer.len() >= 7) else {
+        return f64::INFINITY;
+    };
+    let centre = norm(minus(fit.point_mm, vector(answer)));
+    centre.max((2.0 * radius - answer[6]).abs()).max(angle(normal, vector(&answer[3..])))
+}
+
+/// NIST states the orthogonal distance from a point of the axis to the surface, and the full apex
+/// angle in degrees.
+fn cone(fit: &Fit, answer: &[f64]) -> f64 {
+    let (Some(axis), Some(apex), Some(opening), true) =
+        (fit.direction, fit.apex_mm(), fit.apex_angle_rad, answer.len() >= 8)
+    else {
+        return f64::INFINITY;
+    };
+    let (point, direction) = (vector(answer), vector(&answer[3..]));
+    let from_apex = minus(point, apex);
+    let beside = norm(cross(from_apex, axis));
+    let distance = (norm(from_apex) * (opening / 2.0).sin() - answer[6]).abs();
+    beside.max(distance).max(angle(axis, direction)).max((opening - answer[7].to_radians()).abs())
 }
