@@ -2731,6 +2731,8 @@ class WrittenFile(Record):
     """Name of the file in the output folder."""
     format: str
     """Name of the format."""
+    is_for_controllers: bool
+    """`false` for a file that programs of a laboratory read, and no controller loads."""
 
 class WrittenParameter(Record):
     """A parameter as written to a file."""

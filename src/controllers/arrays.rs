@@ -72,6 +72,10 @@ impl Exporter for Npz {
         "etalon_parameters.npz"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
         // without a time, so that equal parameters give equal bytes
@@ -139,6 +143,10 @@ impl Exporter for Mat {
 
     fn file_name(&self) -> &'static str {
         "etalon_parameters.mat"
+    }
+
+    fn is_for_controllers(&self) -> bool {
+        false
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

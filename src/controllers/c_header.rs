@@ -18,6 +18,10 @@ impl Exporter for CHeader {
         "etalon_parameters.h"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let robot = identifier(&document.robot);

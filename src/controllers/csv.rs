@@ -31,6 +31,10 @@ impl Exporter for Csv {
         "controller.csv"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let mut writer = csv::Writer::from_writer(Vec::new());

@@ -34,6 +34,10 @@ impl Exporter for Dcc {
         FILE
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let stated = Stated::new(given)?;
         let root = element("dcc:digitalCalibrationCertificate", [stated.administration(), results(given, &stated)])

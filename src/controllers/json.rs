@@ -45,6 +45,10 @@ impl Exporter for Json {
         "controller.json"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let parameters = document.parameters.iter().map(|p| {

@@ -74,6 +74,11 @@ pub trait Exporter {
         false
     }
 
+    /// `false` for files that programs of a laboratory read, and no controller loads.
+    fn is_for_controllers(&self) -> bool {
+        true
+    }
+
     /// `true` if the file shows the errors of the measured points ([`Given::errors`]).
     fn shows_errors(&self) -> bool {
         false

@@ -22,6 +22,10 @@ impl Exporter for Matlab {
         "etalon_parameters.m"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let names = given.names("MATLAB", |p| identifier(&p.name))?;

@@ -19,6 +19,10 @@ impl Exporter for Python {
         "etalon_parameters.py"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let identified: Vec<String> = document.identified().map(|p| p.name.clone()).collect();

@@ -28,6 +28,10 @@ impl Exporter for Qif {
         "parameters.qif"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let parameters = &given.parameters.parameters;
         let identifier = given.identifier()?;

@@ -36,6 +36,10 @@ impl Exporter for Recording {
         "measured.mcap"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn shows_errors(&self) -> bool {
         true
     }

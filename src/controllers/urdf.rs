@@ -41,6 +41,10 @@ impl Exporter for Urdf {
         "calibrated.urdf"
     }
 
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn unsuited(&self, given: &Given) -> Option<Message> {
         if let Some(file) = given.description {
             return holds_xacro(file.text).then(|| error!("urdf-holds-xacro", file = file.file));

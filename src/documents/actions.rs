@@ -101,6 +101,14 @@ pub struct WrittenFile {
     pub format: String,
     /// Name of the file in the output folder.
     pub file: String,
+    /// `false` for a file that programs of a laboratory read, and no controller loads.
+    #[serde(default = "is_loaded")]
+    pub is_for_controllers: bool,
+}
+
+/// Files of output folders that do not state it were said to be for controllers.
+fn is_loaded() -> bool {
+    true
 }
 
 /// Documents from which actions are derived.
@@ -171,15 +179,6 @@ fn listed(poses: &[PoseName]) -> String {
     poses.iter().take(POSES).map(PoseName::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// Formats of files that programs of a laboratory read; no controller loads them.
-const OF_LABORATORIES: [&str; 10] =
-    ["c-header", "csv", "dcc", "json", "matlab", "mcap", "numpy", "python", "qif", "urdf"];
-
-/// `true` if a controller loads one of the files of a campaign.
-fn files_of_controllers(campaign: &CampaignSummary) -> bool {
-    campaign.controller_files.iter().any(|file| !OF_LABORATORIES.contains(&file.format.as_str()))
-}
-
 /// Values of a limit in its unit.
 fn in_unit(value: f64, limit: &LimitVerdict) -> String {
     if limit.unit == "mm" { length(value) } else { format!("{value:.4} {}", limit.unit) }
@@ -229,14 +228,15 @@ impl Evidence<'_> {
             left_out.map_or_else(|| ControllerErrors::of(set, None), |c| c.deciding().cloned())
         };
         let better = |e: &ControllerErrors| !e.is_hardly_better_than_nominal();
-        let known: Vec<(&WrittenFile, ControllerErrors)> =
+        let mut known: Vec<(&WrittenFile, ControllerErrors)> =
             files.filter_map(|f| Some((f, of(f).filter(better)?))).collect();
+        let of_controllers = known.iter().any(|(file, _)| file.is_for_controllers);
+        known.retain(|(file, _)| file.is_for_controllers || !of_controllers);
         let best = known.iter().map(|(_, e)| e.written).min_by(|a, b| a.rms_mm.total_cmp(&b.rms_mm))?;
         let alike: Vec<_> = known.iter().filter(|(_, e)| e.written == best).collect();
         let (first, errors) = alike.first()?;
         let names: Vec<&str> = alike.iter().map(|(f, _)| f.file.as_str()).collect();
         let others = names[1..].join(", ");
-        let of_controllers = files_of_controllers(self.campaign);
         let (count, file) = (names.len() - 1, first.file.as_str());
         let what = match self.campaign.synthetic.is_some() {
             true => phrase!("action-load-synthetic", file, count, others),

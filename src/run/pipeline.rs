@@ -117,6 +117,7 @@ fn written(given: &Given, formats: &ControllerFormats) -> Vec<WrittenFile> {
     let file = |(name, exporter): (&str, &dyn Exporter)| WrittenFile {
         format: name.to_owned(),
         file: exporter.file_name().to_owned(),
+        is_for_controllers: exporter.is_for_controllers(),
     };
     formats.all().into_iter().filter(is_written).map(file).collect()
 }

@@ -19,7 +19,11 @@ fn actions(documents: &Documents) -> Vec<Action> {
 fn measured() -> Documents {
     let mut documents = Documents::demo();
     documents.campaign.synthetic = None;
-    let file = |format: &str, file: &str| WrittenFile { format: format.to_owned(), file: file.to_owned() };
+    let file = |format: &str, file: &str| WrittenFile {
+        format: format.to_owned(),
+        file: file.to_owned(),
+        is_for_controllers: false,
+    };
     documents.campaign.controller_files = vec![file("json", "controller.json"), file("csv", "controller.csv")];
     documents.parameters.messages.clear();
     documents.import.messages.clear();
@@ -36,12 +40,18 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     assert!((first.gain_mm.unwrap() - (e.before.rms - e.after.rms)).abs() < 1e-12);
     // no controller loads a JSON file
     assert!(first.what_phrase.as_ref().unwrap().id == "action-load-or-compensate", "{first:?}");
-    let load = first.reason_phrase.as_ref().unwrap();
+    let load = first.reason_phrase.clone().unwrap();
     let unit = |key: &str| match &load.arguments[key] {
         etalon_base::catalogue::Argument::Text(text) => text.split(' ').next_back().unwrap().to_owned(),
         other => panic!("{other:?}"),
     };
     assert_eq!(unit("expected"), unit("nominal"), "{load:?}");
+    let of_controller =
+        WrittenFile { format: "twincat".to_owned(), file: "etalon.st".to_owned(), is_for_controllers: true };
+    documents.campaign.controller_files.push(of_controller);
+    let first = &actions(&documents)[0];
+    assert_eq!(first.file.as_deref(), Some("etalon.st"));
+    assert!(first.what_phrase.as_ref().unwrap().id == "action-load", "{first:?}");
     documents.campaign.synthetic = Some("simulated".to_owned());
     let synthetic = &actions(&documents)[0];
     assert!(synthetic.what.contains("not into a robot"), "{synthetic:?}");
