@@ -9,7 +9,7 @@ tables in notebooks. What is wrong with the input is raised as :class:`etalon.Er
 from . import documents, fit, frames, kinematics
 from ._campaigns import Run, batch, check, recommend, run, uncertainty, validate
 from ._commands import Answer, command
-from ._errors import Error, Message
+from ._errors import Error, ImplausibleWarning, Message
 from ._etalon import VERSION as __version__
 from ._robot import Robot, robots
 from ._tasks import axes, cell, identify, iso230, iso9283, iso9283_path, plan, verify
@@ -19,6 +19,7 @@ __all__ = [
     "Answer",
     "Document",
     "Error",
+    "ImplausibleWarning",
     "Message",
     "Robot",
     "Run",

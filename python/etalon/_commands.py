@@ -39,8 +39,8 @@ class Answer:
 def command(*words: str | os.PathLike[str], **options: Any) -> Answer:
     """Run a command of the program in this process, with ``--json`` where the command has it.
 
-    ``command("export", "out/parameters.json", format=["abb", "csv"], to="cell")`` is
-    ``etalon export out/parameters.json --format abb --format csv --to cell --json``.
+    ``command("export", "out/parameters.json", format=["csv", "twincat"], to="cell")`` is
+    ``etalon export out/parameters.json --format csv --format twincat --to cell --json``.
 
     Args:
         words: The command and its arguments.

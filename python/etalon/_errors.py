@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from typing import Any
 
 
@@ -30,6 +31,20 @@ class Message:
 
     def __repr__(self) -> str:
         return f"Message({self.severity}: {self.what})"
+
+
+class ImplausibleWarning(UserWarning):
+    """The result can be that of no such robot; its messages of severity ``error`` say why. The program ends with exit code 1."""
+
+
+def warn_if_implausible(document: Any) -> Any:
+    """Warn if a document has messages of severity ``error``, and return the document."""
+    stated = [Message(message) for message in document.to_dict().get("messages", [])]
+    wrong = [message for message in stated if message.severity == "error"]
+    if wrong:
+        text = "\n".join(f"{message.id}: {message.what}" + (f"\nhint: {message.hint}" if message.hint else "") for message in wrong)
+        warnings.warn(text, ImplausibleWarning, stacklevel=3)
+    return document
 
 
 class Error(ValueError):

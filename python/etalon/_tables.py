@@ -19,7 +19,10 @@ def text_of(table: Any) -> str:
         with open(table, encoding="utf-8-sig") as file:
             return file.read()
     if hasattr(table, "__arrow_c_stream__"):
-        return _etalon.csv(table)
+        try:
+            return _etalon.csv(table)
+        except ImportError as missing:
+            raise Error(f"{type(table).__module__.split('.')[0]} needs another package for its Arrow interface: {missing}") from missing
     if isinstance(table, dict):
         return _of_columns({str(name): np.asarray(column) for name, column in table.items()})
     if isinstance(table, np.ndarray) and table.dtype.names:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from typing import Any
 
 from . import _etalon, documents
+from ._errors import Error, warn_if_implausible
 from ._options import joined, options_of
 from ._robot import Robot, robot_of
 from ._tables import text_of
@@ -57,6 +59,9 @@ def identify(
 
     Raises:
         Error: The table does not read, does not belong to the robot, or does not determine the parameters.
+
+    Warns:
+        ImplausibleWarning: The parameters can be those of no such robot: a column may be wrong.
     """
     options = options_of(
         standard_uncertainty_um=standard_uncertainty_um,
@@ -73,7 +78,8 @@ def identify(
         pose=pose,
         column=_headings(columns),
     )
-    return load(_etalon.identify(robot_of(robot), text_of(observations), options))  # type: ignore[return-value]
+    found = load(_etalon.identify(robot_of(robot), text_of(observations), options))
+    return warn_if_implausible(found)  # type: ignore[no-any-return]
 
 
 def plan(
@@ -143,6 +149,7 @@ def verify(
     standard_uncertainty_um: float | None = None,
     target: str | None = None,
     pose: str | None = None,
+    columns: dict[str, str] | None = None,
 ) -> documents.VerificationDocument:
     """Judge from some few measured poses whether identified parameters still hold.
 
@@ -153,6 +160,7 @@ def verify(
         standard_uncertainty_um: Of one measured coordinate (k = 1), um; that of the calibration if None.
         target: As in :func:`identify`.
         pose: As in :func:`identify`.
+        columns: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.VerificationDocument`; ``.verdict`` is ``valid``, ``base_moved``, ``joint`` or ``other``.
@@ -160,7 +168,7 @@ def verify(
     Raises:
         Error: The table or the parameters do not belong to the robot.
     """
-    options = options_of(standard_uncertainty_um=standard_uncertainty_um, target=target, pose=pose)
+    options = options_of(standard_uncertainty_um=standard_uncertainty_um, target=target, pose=pose, column=_headings(columns))
     return load(_etalon.verify(robot_of(robot), json_of(parameters), text_of(observations), options))  # type: ignore[return-value]
 
 
@@ -364,4 +372,8 @@ def _texts(*tables: Any) -> list[str | None]:
 
 
 def _headings(columns: dict[str, str] | None) -> list[str]:
+    names = re.compile(r"[xyz]_mm|pose|cycle|target|.*_(deg|rad|mm)")
+    swapped = {heading: name for name, heading in (columns or {}).items() if names.fullmatch(heading) and not names.fullmatch(name)}
+    if swapped:
+        raise Error(f"`columns` has etalon's names as values: write columns={swapped}, from etalon's name to the heading of the table")
     return [f"{name}={heading}" for name, heading in (columns or {}).items()]

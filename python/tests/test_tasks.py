@@ -1,5 +1,7 @@
 """Commands on tables: against known errors, formulas of the standards, and between libraries of tables."""
 
+import warnings
+
 import numpy as np
 import pytest
 from conftest import IRB120, dh
@@ -64,6 +66,23 @@ def test_what_is_wrong_with_a_table_is_raised_with_its_place(arm):
         etalon.identify(robot, dict(table, x_mm=[1.0]))
     with pytest.raises(etalon.Error, match="not a table"):
         etalon.identify(robot, 5)
+
+
+def test_implausible_parameters_warn(arm):
+    robot, table, _ = arm
+    reversed_q6 = dict(table, q6_deg=-np.asarray(table["q6_deg"]))
+    with pytest.warns(etalon.ImplausibleWarning, match="tolerance"):
+        etalon.identify(robot, reversed_q6, standard_uncertainty_um=10)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        etalon.identify(robot, table, standard_uncertainty_um=10)
+
+
+def test_names_and_headings_the_wrong_way_round_are_named(arm):
+    robot, table, _ = arm
+    renamed = {{"q1_deg": "A1"}.get(name, name): column for name, column in table.items()}
+    with pytest.raises(etalon.Error, match="columns={'q1_deg': 'A1'}"):
+        etalon.identify(robot, renamed, columns={"A1": "q1_deg"})
 
 
 def test_parameters_are_verified(arm):

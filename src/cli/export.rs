@@ -29,8 +29,8 @@ pub struct ExportCommand {
     /// (`etalon recommend`), which are identified again with all others at nominal.
     #[arg(long, value_name = "WHICH", value_enum, default_value = "identified")]
     parameters: Which,
-    /// Format; json, csv and c-header by default; may be repeated.
-    #[arg(long, value_name = "NAME")]
+    /// Name of a format.
+    #[arg(long, value_name = "NAME", help = format_help())]
     format: Vec<String>,
     /// Template of a format of your own, NAME.j2, which writes NAME; may be repeated.
     #[arg(long, value_name = "FILE")]
@@ -52,6 +52,12 @@ pub struct ExportCommand {
     /// Print the names of the files written, and the errors with them, as JSON.
     #[arg(long)]
     json: bool,
+}
+
+/// Help of `--format`, with the names of all formats.
+fn format_help() -> String {
+    let names: Vec<&str> = etalon_controllers::names().collect();
+    format!("Format: {}; json, csv and c-header by default; may be repeated", names.join(", "))
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]

@@ -144,7 +144,11 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let mark = if dialect.decimal == Decimal::Point { '.' } else { ',' };
     let fractions = used.iter().filter(|f| f.contains(mark)).count();
     let three = |field: &&&Cow<str>| {
-        field.split_once(mark).is_some_and(|(_, after)| after.len() == 3 && after.bytes().all(|b| b.is_ascii_digit()))
+        // a group of thousands does not follow a zero
+        field.split_once(mark).is_some_and(|(before, after)| {
+            let whole = before.trim_start_matches(['+', '-']);
+            !whole.starts_with('0') && after.len() == 3 && after.bytes().all(|b| b.is_ascii_digit())
+        })
     };
     let threes = used.iter().filter(three).count();
     // a dialect that splits decimal numbers in two finds whole numbers only: prefer fractions

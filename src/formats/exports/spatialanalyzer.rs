@@ -20,10 +20,9 @@ impl ExportFormat for SpatialAnalyzer {
     fn recognise(&self, text: &str) -> Option<Recognised> {
         let mark = |l: &str| l.starts_with("// SpatialAnalyzer") || l.starts_with("// AXES =");
         let what = phrase!("is-spatialanalyzer");
-        let axes = text.lines().find(|line| line.starts_with("// AXES ="));
-        let says = |unit: &&str| axes.is_some_and(|line| line.contains(&format!("({unit})")));
         let found = Recognised::by(text.lines().take(20).any(mark), 0.9, what)?;
-        Some(Recognised { unit: ["mm", "m", "inch"].into_iter().find(says), ..found })
+        let mut stated = text.lines().filter_map(|line| line.trim_start().strip_prefix(COMMENT).and_then(stated_unit));
+        Some(Recognised { unit: stated.next().and_then(|(_, word)| unit_name(word)), ..found })
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -56,7 +55,12 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
         let Some(comment) = line.trim_start().strip_prefix(COMMENT) else { continue };
         let at = || Place::line(file, i + 1, line);
         if let Some(axes) = comment.trim().strip_prefix("AXES =") {
-            problems.0.extend(axes_disagree(axes.trim(), unit).map(|m| m.at(at())));
+            problems.0.extend(not_cartesian(axes.trim()).map(|m| m.at(at())));
+        }
+        if let Some((how, of_file)) = stated_unit(comment)
+            && unit_name(of_file) != Some(unit.name())
+        {
+            problems.0.push(error!("unit-differs", of_file, how, stated = unit.name()).at(at()));
         }
         columns = columns.or_else(|| named(comment));
     }
@@ -84,22 +88,37 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// Error if the statement `CARTESIAN: X,  Y,  Z (mm)` disagrees with the unit of the campaign.
-fn axes_disagree(axes: &str, unit: Unit) -> Option<Message> {
-    let (kind, names) = axes.split_once(':').unwrap_or((axes, ""));
-    if kind.trim() != "CARTESIAN" {
-        let message = error!("coordinates-not-cartesian", found = kind.trim(), cartesian = "CARTESIAN");
+/// Error if the coordinates of a statement `CARTESIAN: X,  Y,  Z (mm)` are of another type.
+fn not_cartesian(axes: &str) -> Option<Message> {
+    let kind = axes.split_once(':').map_or(axes, |(kind, _)| kind).trim();
+    (kind != "CARTESIAN").then(|| {
+        let message = error!("coordinates-not-cartesian", found = kind, cartesian = "CARTESIAN");
         let columns = "\"label\", \"radius\", \"azimuth\", \"z\"";
-        return Some(message.hint(phrase!("export-cartesian-or-columns", columns)));
+        message.hint(phrase!("export-cartesian-or-columns", columns))
+    })
+}
+
+/// Unit that a comment states, and how: `AXES = CARTESIAN: X,  Y,  Z (mm)`, `Units: mm`.
+fn stated_unit(comment: &str) -> Option<(&'static str, &str)> {
+    if let Some(axes) = comment.trim().strip_prefix("AXES =") {
+        let (_, rest) = axes.split_once('(')?;
+        return Some(("AXES", rest.split_once(')')?.0.trim()));
     }
-    let stated = names.split_once('(').and_then(|(_, rest)| rest.split_once(')')).map(|(unit, _)| unit.trim())?;
-    let name = match stated.to_ascii_lowercase().as_str() {
-        "mm" | "millimeters" | "millimetres" => "mm",
-        "m" | "meters" | "metres" => "m",
-        "in" | "inch" | "inches" => "inch",
-        _ => stated,
-    };
-    (name != unit.name()).then(|| error!("unit-differs", of_file = stated, how = "AXES", stated = unit.name()))
+    let at = comment.to_ascii_lowercase().find("unit")?;
+    let rest = comment[at + "unit".len()..].trim_start_matches(['s', 'S']).trim_start();
+    let word = rest.strip_prefix([':', '='])?.trim_start().split(|c: char| !c.is_alphabetic()).next()?;
+    // other words are no units of lengths
+    unit_name(word).map(|_| ("Units", word))
+}
+
+/// Name of a unit of lengths in a campaign.
+fn unit_name(stated: &str) -> Option<&'static str> {
+    match stated.to_ascii_lowercase().as_str() {
+        "mm" | "millimeters" | "millimetres" | "millimeter" | "millimetre" => Some("mm"),
+        "m" | "meters" | "metres" | "meter" | "metre" => Some("m"),
+        "in" | "inch" | "inches" => Some("inch"),
+        _ => None,
+    }
 }
 
 /// Columns by the comment that names them: `Collection,  Group,  Point,  X,  Y,  Z`.
@@ -169,6 +188,13 @@ mod tests {
         let error = |text: &str, unit| rows("f", &text.into(), unit).1.0.remove(0);
         let differs = error(&format!("{HEAD}1,2,3\n"), Unit::Inch);
         assert!(differs.is("unit-differs", &[("of_file", &"mm"), ("stated", &"inch")]), "{differs}");
+        // a line of its own, or behind other words
+        for head in ["// Units: inches\n", "// SpatialAnalyzer export, Unit = in\n"] {
+            let differs = error(&format!("{head}1,2,3\n"), Unit::Millimetre);
+            assert!(differs.is("unit-differs", &[("how", &"Units"), ("stated", &"mm")]), "{differs}");
+            assert_eq!(SpatialAnalyzer.recognise(&format!("// SpatialAnalyzer\n{head}")).unwrap().unit, Some("inch"));
+            assert!(rows("f", &format!("{head}1,2,3\n").as_str().into(), Unit::Inch).1.0.is_empty());
+        }
         let spherical = error("// AXES = SPHERICAL: R, T, P\n1,2,3\n", Unit::Millimetre);
         assert!(spherical.is("coordinates-not-cartesian", &[("found", &"SPHERICAL")]), "{spherical}");
         for (row, found) in [("C, G, 0, 1, 2, 3, 02/12/25 16:42:11\n", 7), ("C G P 1 2 3\n", 1)] {

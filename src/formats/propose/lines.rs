@@ -50,6 +50,11 @@ pub(super) fn unit_line(unit: Option<&str>) -> String {
     }
 }
 
+/// Returns the line of a unit that the kinematics of the nominal robot support.
+pub(super) fn fitted_unit_line(unit: Option<&str>) -> String {
+    unit_line(unit).replace("the file states it", "the kinematics of the nominal robot fit with it")
+}
+
 /// Returns the role of each column in an export of the measured point with this number.
 pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
     const XYZ: [ColumnRole; 3] = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];
@@ -223,11 +228,10 @@ impl Proposal<'_> {
         let unit = points.and_then(|points| self.unit(points));
         let dialect = self.dialect(set);
         let mut out = format!("[[export]]\nfile = {}\nformat = {dialect}\n", quoted(self.file));
-        let line = unit_line(unit.map(Unit::name));
         let fitted = |at: &usize| self.table.columns[*at].heading.fitted;
         out += &match points.is_some_and(|points| points.columns.iter().flatten().all(fitted)) {
-            true => line.replace("the file states it", "the kinematics of the nominal robot fit with it"),
-            false => line,
+            true => fitted_unit_line(unit.map(Unit::name)),
+            false => unit_line(unit.map(Unit::name)),
         };
         let of: Vec<ColumnRole> = roles.iter().copied().filter(|role| role.is_coordinate()).collect();
         let kind = coordinate_type(&of).unwrap_or(CoordinateType::Cartesian);

@@ -23,7 +23,7 @@ use super::exports::{Format, Recognised, head, recognise};
 use super::guess::{Guess, guesses, names};
 use super::input::{bytes_of, decode};
 use super::logs::LogKind;
-use super::{ros_bag, workbook};
+use super::{Point, ros_bag, workbook};
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
 use against::Remarks;
 use etalon_base::catalogue::Phrase;
@@ -31,10 +31,11 @@ use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_base::{error, phrase};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
 use etalon_robots::Robot;
+use headings::Heading;
 use lines::{JOINTS, Proposal};
-use meaning::Interpretation;
+use meaning::{Interpretation, Meaning, PointSet, Taken};
 use std::path::Path;
-use table::Table;
+use table::{Column, Table};
 
 /// Kind of a text that holds no points, and how surely it is recognised, from 0 to 1.
 fn without_points(text: &str) -> Option<(&'static str, f64)> {
@@ -185,18 +186,32 @@ pub fn propose(file: &str, text: &str) -> FormatsDocument {
 }
 
 /// Returns the proposal for a text that states its format.
-fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<FormatsDocument> {
+fn of_known_format(
+    empty: &FormatsDocument,
+    file: &str,
+    text: &str,
+    correct: Option<Correct>,
+) -> Option<FormatsDocument> {
     let Known::Points(format, Recognised { what, unit, .. }) = known(text)? else { return None };
     let mut document = empty.clone();
     document.format = Some(format.to_owned());
     document.kind = "export".to_owned();
     document.because(phrase!("because-it-is", what));
-    let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{}", quoted(file), lines::unit_line(unit));
+    let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
+    let points = read.map(|(format, unit)| format.read(file, &text.into(), unit).0).unwrap_or_default();
+    document.rows = points.len();
+    let (mut table, mut found) = points_alone(&points, unit);
+    if let Some(correct) = correct {
+        let remarks = correct(&mut table, &mut found);
+        remarks.reasons.into_iter().for_each(|reason| document.because(reason));
+        remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
+    }
+    let (stated, unit) = (unit, unit.or(table.columns[0].heading.unit));
+    let unit_line = if stated.is_some() { lines::unit_line(unit) } else { lines::fitted_unit_line(unit) };
+    let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{unit_line}", quoted(file));
     if unit.is_none() {
         document.ask(phrase!("ask-unit"));
     }
-    let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
-    document.rows = read.map_or(0, |(format, unit)| format.read(file, &text.into(), unit).0.len());
     let columns = Format::named(format).map(|format| format.dialect.columns.roles()).unwrap_or_default();
     let lines = match columns.is_empty() || columns.contains(&ColumnRole::Label) {
         true => lines,
@@ -210,12 +225,37 @@ fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<Fo
     Some(document)
 }
 
+/// Table of points that a format of its own states, in their unit.
+fn points_alone(points: &[Point], unit: Option<&'static str>) -> (Table, Interpretation) {
+    let points = &points[..points.len().min(table::MOST_ROWS)];
+    let heading = Heading { unit, ..Heading::default() };
+    let size = Unit::named(unit.unwrap_or("mm")).map_or(1.0, Unit::in_mm);
+    let axis = |(k, name): (usize, &str)| Column {
+        name: Some(name.to_owned()),
+        heading: heading.clone(),
+        values: points.iter().map(|point| point.xyz_mm[k] / size).collect(),
+        ..Column::default()
+    };
+    let mut columns: Vec<Column> = ["x", "y", "z"].into_iter().enumerate().map(axis).collect();
+    let mut found = Interpretation {
+        points: vec![PointSet { tag: String::new(), columns: [0, 1, 2].map(Some) }],
+        taken: (0..3).map(|axis| Taken { meaning: Meaning::Point(0, axis), why: None }).collect(),
+        ..Interpretation::default()
+    };
+    if points.iter().all(|point| !point.label.is_empty()) {
+        let cells = points.iter().map(|point| (*point.label).into()).collect();
+        columns.push(Column { name: Some("label".to_owned()), cells, ..Column::default() });
+        found.taken.push(Taken { meaning: Meaning::Label, why: None });
+    }
+    (Table { columns, rows: points.len(), sampled: false }, found)
+}
+
 /// Proposes readings of a text, or of a sheet whose cells are separated by tabs.
-fn propose_in(file: &str, text: &str, sheet: Option<&str>, correct: Option<Correct>) -> FormatsDocument {
+fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<Correct>) -> FormatsDocument {
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
     if sheet.is_none()
-        && let Some(known) = of_known_format(&document, file, text)
+        && let Some(known) = of_known_format(&document, file, text, reborrowed(&mut correct))
     {
         return known;
     }

@@ -88,6 +88,10 @@ struct Join {
     matching: usize,
     /// Rows of export and log that belong together.
     pairs: Vec<(usize, usize)>,
+    /// Form of the labels whose `{pose}` is the label of the log.
+    form: Option<String>,
+    /// `true` if the labels of the log are names of poses.
+    names_poses: bool,
 }
 
 /// Proposes uses of several files that belong to one campaign, and how they are joined.
@@ -131,6 +135,10 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         _ => String::new(),
     };
     let tests = poses(&parts);
+    if let (Some(log), Some((_, Join { names_poses: true, .. }))) = (log, joined.first()) {
+        let toml = &mut parts[log].document.toml;
+        *toml = toml.replace("columns = { label = ", "columns = { pose = ");
+    }
     name_sections(&mut parts);
     let mut toml = String::new();
     for part in &parts {
@@ -395,19 +403,32 @@ fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, log: &Part) 
         }
         let pairs: Vec<(usize, usize)> =
             mine.iter().enumerate().filter_map(|(i, key)| Some((i, *at.get(key.as_str())?))).collect();
-        Some(Join { by, keys: mine.len(), matching: pairs.len(), pairs })
+        Some(Join { by, keys: mine.len(), matching: pairs.len(), pairs, form: None, names_poses: false })
     };
+    // labels of the log that name poses
+    let by_name = |mine: &Option<Vec<String>>, form: Option<String>| {
+        Some(Join { form, names_poses: true, ..by_key("pose", mine, &of_log.labels)? })
+    };
+    let rest = keys.labels.as_deref().and_then(behind_common_beginning);
+    let (form, rest) = rest.map(|(form, rest)| (Some(form), Some(rest))).unwrap_or_default();
+    let of_form = |(form, targets): &(&str, Vec<String>)| form.contains("{pose}") && targets.len() > 1;
+    let several_targets = keys.form.as_ref().is_some_and(of_form);
     let named = keys.poses.clone().filter(|_| !keys.by_row);
     let row = (keys.rows == of_log.rows).then(|| Join {
         by: "row",
         keys: keys.rows,
         matching: keys.rows,
         pairs: (0..keys.rows).map(|i| (i, i)).collect(),
+        form: None,
+        names_poses: false,
     });
     let all = [
         by_key("pose, cycle", &both(&named, &keys.cycles), &both(&of_log.poses, &of_log.cycles)),
         by_key("pose", &named, &of_log.poses),
-        by_key("label", &keys.labels, &of_log.labels),
+        by_name(&named, None),
+        by_key("label", &keys.labels, &of_log.labels).filter(|_| several_targets),
+        by_name(&keys.labels, Some(NUMBER.to_owned())),
+        by_name(&rest, form),
         by_key("pose", &keys.poses, &of_log.poses),
         row,
         by_time(keys, &of_log),
@@ -434,7 +455,19 @@ fn by_time(keys: &Keys, log: &Keys) -> Option<Join> {
     };
     let within = |(_, time): &(usize, &f64)| (*first..=*last).contains(*time);
     let pairs: Vec<(usize, usize)> = mine.iter().enumerate().filter(within).map(|(i, t)| (i, nearest(*t))).collect();
-    Some(Join { by: "time", keys: mine.len(), matching: pairs.len(), pairs })
+    Some(Join { by: "time", keys: mine.len(), matching: pairs.len(), pairs, form: None, names_poses: false })
+}
+
+/// Returns the labels behind a beginning that all have (`A::`), and their form (`A::{pose}`).
+fn behind_common_beginning(labels: &[String]) -> Option<(String, Vec<String>)> {
+    let (first, others) = labels.split_first()?;
+    let common = |other: &String| first.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count();
+    let length = others.iter().map(common).min()?;
+    let end = first.char_indices().filter(|(at, c)| *at < length && !c.is_alphanumeric()).last();
+    let (at, separator) = end?;
+    let beginning = &first[..at + separator.len_utf8()];
+    let rest = labels.iter().map(|label| label.strip_prefix(beginning).map(str::to_owned)).collect::<Option<_>>()?;
+    Some((format!("{beginning}{{pose}}"), rest))
 }
 
 /// Writes the targets of an export, and the form of its labels.
@@ -454,16 +487,21 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
         );
         add(&stem);
     }
+    // a format of its own states no form of its labels
+    if part.document.format.is_some() && keys.labels.is_some() && join.is_some() {
+        *toml += LABEL_LINE;
+    }
     if toml.contains(LABEL_LINE) {
-        let by_label = join.is_some_and(|join| join.by == "label");
         let by_row = join.is_some_and(|join| join.by == "row");
         // numbers that name no row of the log are names of points
-        let form = keys.form.as_ref().filter(|(form, _)| !(by_label || by_row && *form == NUMBER));
-        let mut line = match form {
-            Some((form, _)) => format!("label = \"{form}\"   # all {} labels have this form\n", keys.rows),
-            None => String::new(),
-        };
-        if by_row && form.is_none_or(|(form, _)| !form.contains("{pose}")) {
+        let of_join = join.and_then(|join| join.form.as_deref());
+        let form = keys.form.as_ref().filter(|(form, _)| !(by_row && *form == NUMBER));
+        let form = form.filter(|_| of_join.is_none());
+        let stated = of_join.or(form.map(|(form, _)| *form));
+        let mut line = stated
+            .map(|form| format!("label = {}   # all {} labels have this form\n", quoted(form), keys.rows))
+            .unwrap_or_default();
+        if by_row && stated.is_none_or(|form| !form.contains("{pose}")) {
             line += POSE_LINE;
         }
         let named = form.iter().flat_map(|(_, targets)| targets);
@@ -609,6 +647,9 @@ impl Keys {
             let pattern = pattern.as_ref()?;
             labels.as_ref()?.iter().map(|label| of(pattern.read(label, |_| false)?)).collect()
         };
+        let is_log = part.document.kind == "log";
+        // a log states poses in a column
+        let of_labels = |of: &dyn Fn(crate::export::LabelNames) -> Option<String>| of_labels(of).filter(|_| !is_log);
         let mut poses = column(Meaning::Pose).or_else(|| of_labels(&|named| Some(named.pose?.to_string())));
         let by_row = poses.is_none() && labels.is_none() && part.document.kind == "export";
         if by_row {
