@@ -159,9 +159,9 @@ impl Simulated {
             criterion: Criterion::O1,
             single,
             start: Vec::new(),
-            starts: 0,
+            starts: Some(0),
             seed: 1,
-            nodes: 0,
+            nodes: Some(0),
         };
         let conventional = plan(&robot, &plate, &settings(), &request(25, true), &|_, _| {}).expect("plan");
         let ours = plan(&robot, &candidates, &settings(), &request(7, false), &|_, _| {}).expect("plan");

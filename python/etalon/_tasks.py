@@ -48,7 +48,8 @@ def identify(
         hold: Names of parameters that stay nominal; ``*`` stands for any text.
         exclude: ``"POSES: REASON"``: readings that are left out.
         exclude_rows: ``"ROWS: REASON"``: rows that are left out, counted from 1.
-        effects: ``"usual"``, ``"all"``, or a list of zeros, geometry, gains, harmonics, backlash, coupling, bending, payload.
+        effects: ``"usual"``, ``"all"``, or a list of zeros, geometry, gains, harmonics, backlash, coupling, bending, payload,
+            torque, expansion, drift, lateral, pedestal.
         prior: ``"tolerances"``: nominal values with tolerances are readings; ``"none"``: plain least squares.
         target: Target of all rows, of a table without that column.
         pose: ``"row"``: rows are numbered as poses, of a table without that column.
@@ -91,8 +92,8 @@ def plan(
     single: bool = False,
     start: Sequence[Any] = (),
     compare: Sequence[Any] = (),
-    starts: int = 10,
-    nodes: int = 2000,
+    starts: int | None = None,
+    nodes: int | None = None,
     seed: int = 1,
     standard_uncertainty_um: float | None = None,
     hold: Sequence[str] = (),
@@ -110,8 +111,8 @@ def plan(
         single: Chooses row by row instead of pose by pose.
         start: Poses from which the choice starts.
         compare: Poses to compare the plan with.
-        starts: Random starts of the exchange.
-        nodes: Largest number of nodes of branch and bound.
+        starts: Random starts of the exchange; by default as many as the problem deserves.
+        nodes: Largest number of nodes of branch and bound; likewise.
         seed: Seed of the random starts.
         standard_uncertainty_um: Of one coordinate (k = 1), um, for the predicted uncertainties.
         hold: As in :func:`identify`.

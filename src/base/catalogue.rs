@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 use unic_langid::LanguageIdentifier;
 
 macro_rules! files {
@@ -262,19 +262,35 @@ whole!(u8, u16, u32, u64, usize, i32, i64, i128);
 
 type Bundle = FluentBundle<FluentResource>;
 
-static BUNDLES: LazyLock<[Bundle; 3]> = LazyLock::new(|| [0, 1, 2].map(bundle));
+/// Texts of each file by language, parsed when one of them is needed: parsing all of them takes
+/// longer than the calibration of a robot.
+static BUNDLES: [[OnceLock<Bundle>; LANGUAGES.len()]; FILES.len()] =
+    [const { [const { OnceLock::new() }; LANGUAGES.len()] }; FILES.len()];
 
-fn bundle(language: usize) -> Bundle {
+/// File of each id.
+static FILE_OF: LazyLock<BTreeMap<&'static str, usize>> = LazyLock::new(|| {
+    let ids = |(file, (_, texts)): (usize, &(_, [&'static str; LANGUAGES.len()]))| {
+        texts[0].lines().filter_map(id_of).map(move |id| (id, file))
+    };
+    FILES.iter().enumerate().flat_map(ids).collect()
+});
+
+/// Id whose text begins on this line of a file.
+fn id_of(line: &str) -> Option<&str> {
+    let (id, _) = line.split_once(" =").filter(|_| line.starts_with(char::is_alphabetic))?;
+    (!id.contains(' ')).then_some(id)
+}
+
+fn bundle(file: usize, language: usize) -> Bundle {
     let identifier: LanguageIdentifier = LANGUAGES[language].parse().unwrap_or_default();
     let mut bundle = FluentBundle::new_concurrent(vec![identifier]);
     bundle.set_use_isolating(false);
     bundle.set_formatter(Some(if language == 0 { point } else { comma }));
     let _ = bundle.add_function("FIXED", fixed);
     let _ = bundle.add_function("SCIENTIFIC", move |positional, _| scientific(positional, LANGUAGES[language]));
-    for (_, texts) in FILES {
-        let resource = FluentResource::try_new(texts[language].to_owned()).unwrap_or_else(|(resource, _)| resource);
-        let _ = bundle.add_resource(resource);
-    }
+    let text = FILES[file].1[language].to_owned();
+    let resource = FluentResource::try_new(text).unwrap_or_else(|(resource, _)| resource);
+    let _ = bundle.add_resource(resource);
     bundle
 }
 
@@ -341,7 +357,8 @@ fn marked(text: String, language: &str) -> String {
 /// Text of an id, or of an attribute of it.
 pub(crate) fn render(id: &str, attribute: Option<&str>, arguments: &Arguments, language: &str) -> Option<String> {
     let index = LANGUAGES.iter().position(|known| *known == language).unwrap_or_default();
-    let bundle = &BUNDLES[index];
+    let file = *FILE_OF.get(id)?;
+    let bundle = BUNDLES[file][index].get_or_init(|| bundle(file, index));
     let message = bundle.get_message(id)?;
     let pattern = match attribute {
         Some(name) => message.get_attribute(name)?.value(),
@@ -420,11 +437,7 @@ pub fn entries() -> Vec<Entry> {
 fn entries_of(file: &'static str, text: &'static str) -> Vec<Entry> {
     let (mut all, mut entry, mut last) = (Vec::new(), Entry::default(), None);
     for line in text.lines() {
-        let id = line
-            .split_once(" =")
-            .map(|(id, _)| id)
-            .filter(|id| line.starts_with(char::is_alphabetic) && !id.contains(' '));
-        if let Some(id) = id {
+        if let Some(id) = id_of(line) {
             all.push(Entry { id, file, ..std::mem::take(&mut entry) });
         } else if let Some(comment) = line.strip_prefix("# ") {
             let labelled = comment.split_once(": ").and_then(|(label, rest)| Some((part(label)?, rest)));

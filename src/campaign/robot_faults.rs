@@ -87,6 +87,7 @@ fn tree(fault: &TreeFault, file: &str) -> Message {
         }
         Tree::BendsInBranches(joint) => error!("bending-in-branches", joint),
         Tree::PayloadInBranches(joint) => error!("payload-in-branches", joint),
+        Tree::ElasticInBranches(key) => error!("elastic-in-branches", key),
         Tree::CoupledAcrossBranches { joint, by, link } => error!("coupling-across-branches", joint, by, link),
     }
 }

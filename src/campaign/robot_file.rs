@@ -227,7 +227,10 @@ impl RobotFile {
         // without a stated model, keys of any model
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
         let stated = MODELS.iter().find(|model| written.trim_matches(['"', '\'']) == model.name);
-        let schema = stated.map_or_else(|| keys(&MODELS).to_value(), |model| keys_of(model));
+        let schema = match stated {
+            Some(model) => toml_file::kept_schema(format!("robot {}", model.name).into(), || keys_of(model)),
+            None => toml_file::kept_schema("robot".into(), || keys(&MODELS).to_value()),
+        };
         let Recovered { value, problems, unread } = toml_file::recover_with(&name, text, &schema, read);
         let mut problems = problems;
         let mut robot = value.map(|robot| Self { source: (name, text.to_owned()), unread, ..robot });

@@ -7,7 +7,10 @@ use etalon_base::{error, phrase};
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::{Arc, Mutex, PoisonError};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
@@ -72,8 +75,17 @@ pub fn parse<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) -> Result
 
 /// Like [`parse`], but also returns the value without the entries that do not fit.
 pub(super) fn recover<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) -> Recovered<T> {
-    let schema = schemars::schema_for!(T).to_value();
+    let schema = kept_schema(T::schema_id(), || schemars::schema_for!(T).to_value());
     recover_with(file, text, &schema, |root| T::deserialize(Deserializer::from(root)))
+}
+
+/// JSON Schemas by id, for the next file of the same kind: a schema takes longer than a file.
+static SCHEMAS: Mutex<BTreeMap<Cow<'static, str>, Arc<Value>>> = Mutex::new(BTreeMap::new());
+
+/// The schema with this id, from `make` if it is needed for the first time.
+pub(super) fn kept_schema(id: Cow<'static, str>, make: impl FnOnce() -> Value) -> Arc<Value> {
+    let mut schemas = SCHEMAS.lock().unwrap_or_else(PoisonError::into_inner);
+    schemas.entry(id).or_insert_with(|| Arc::new(make())).clone()
 }
 
 /// Like [`recover`], with a given schema and reader.

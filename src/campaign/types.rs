@@ -578,10 +578,11 @@ pub struct Identify {
     #[serde(default)]
     pub prior: PriorRule,
     /// Identified effects of the robot itself: a list of `zeros`, `geometry`, `gains`, `harmonics`,
-    /// `backlash`, `coupling`, `bending`, `payload`; `usual`, the default, for all effects in the
-    /// robot file except gains of revolute joints of arms and payload; `all`; or `proven` for the
-    /// effects that reduce the errors of calibration poses left out of the identification, as
-    /// chosen by `etalon recommend`.
+    /// `backlash`, `coupling`, `bending`, `payload`, `torque`, `expansion`, `drift`, `lateral`,
+    /// `pedestal`; `usual`, the default, for all effects in the robot file except gains of revolute
+    /// joints of arms and `payload` to `pedestal`; `all`; or `proven` for the effects that reduce
+    /// the errors of calibration poses left out of the identification, as chosen by `etalon
+    /// recommend`.
     #[serde(default)]
     pub effects: EffectRule,
     /// Readings to be omitted, each with a reason that the report shows.

@@ -1,8 +1,10 @@
 //! Command `etalon cell`.
 
 use super::given::Table;
+use super::report::Reports;
 use super::text_format::TableFormat;
 use super::{Verdict, check_positive, print, print_text, remark};
+use crate::run::documents::read_cell;
 use crate::stages::cell::{self, CellKind, CellMounting, CellStated};
 use crate::stages::orientations::AngleOrder;
 use crate::stages::table_file::TableFile;
@@ -10,8 +12,9 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
-use etalon_controllers::cell::{CellData, CellFormat};
-use etalon_documents::{CellDocument, CellFrameEntry, CellPointEntry, to_json};
+use etalon_controllers::cell::{self as controllers, CellOptions, CellText};
+use etalon_documents::{CellDocument, CellFrameEntry, CellPointEntry, Presentation, to_json};
+use etalon_report::{CellLines, Renderer};
 use std::path::PathBuf;
 
 /// Find tool, work object, hand and eye, or an external axis from controller poses and
@@ -26,7 +29,14 @@ use std::path::PathBuf;
   object          nominal_x_mm, nominal_y_mm, nominal_z_mm; x_mm, y_mm, z_mm
   three-points    point (origin, x, xy or x1, x2, y1); x_mm, y_mm, z_mm
   linear-axis     axis_mm; x_mm, y_mm, z_mm; target
-  rotary-axis     axis_deg; x_mm, y_mm, z_mm; target")]
+  rotary-axis     axis_deg; x_mm, y_mm, z_mm; target
+
+Controllers, by answer:
+  tool                  abb, kuka, fanuc, ur, yaskawa
+  work object           abb, kuka, fanuc, ur
+  base of the robot     abb-moc
+  rotary axis           abb-moc, kuka, maxkins, 5axiskins
+  two rotary axes       xyzac-trt-kins, xyzbc-trt-kins, grblhal")]
 pub struct CellCommand {
     /// Table of the readings (CSV).
     table: PathBuf,
@@ -54,12 +64,21 @@ pub struct CellCommand {
     /// Print the data of a controller instead of the text.
     #[arg(long, value_name = "MAKER", conflicts_with = "json", value_parser = etalon_controllers::cell::names().collect::<Vec<_>>())]
     controller: Option<String>,
-    /// Name of the tool or object in the data of the controller.
+    /// Name of the tool, object or mechanical unit in the data of the controller.
     #[arg(long, value_name = "NAME", requires = "controller", default_value = "etalon")]
     name: String,
-    /// Number of the tool or base in the data of the controller.
+    /// Number of the tool, base or external kinematic in the data of the controller.
     #[arg(long, value_name = "N", requires = "controller", default_value_t = 1)]
     number: u32,
+    /// Answer of the second rotary axis of the same machine (JSON of this command).
+    #[arg(long, value_name = "FILE", requires = "controller")]
+    with: Option<PathBuf>,
+    /// Length (mm) of the tool at whose end the first target is: a pivot length reaches to the
+    /// gauge line.
+    #[arg(long, value_name = "MM", requires = "controller")]
+    tool_length_mm: Option<f64>,
+    #[command(flatten)]
+    reports: Reports,
     #[command(flatten)]
     format: TableFormat,
     /// Print the answer as JSON.
@@ -75,13 +94,18 @@ fn order(option: &str, text: Option<&str>) -> Result<Option<AngleOrder>> {
 
 impl CellCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        self.check_tool_length()?;
+        self.reports.check([Some(&self.table), self.with.as_ref()].into_iter().flatten())?;
         let document = self.solved(&self.format.read_poses(&self.table)?)?;
+        let lines = self.lines(&document)?;
         if !self.json {
             remark(&document.messages);
+            remark(lines.as_ref().map_or(&[], |lines| &lines.messages));
         }
-        match self.controller.as_deref().and_then(etalon_controllers::cell::by_name) {
+        self.report(&document, lines.as_ref())?;
+        match lines {
             _ if self.json => print(to_json(&document)?)?,
-            Some(format) => print(self.data(format, &document)?)?,
+            Some(lines) => print(lines.text)?,
             None => print_text(&text(&document))?,
         }
         Ok(Verdict::Met)
@@ -106,11 +130,31 @@ impl CellCommand {
         cell::cell(file, &stated)
     }
 
-    /// Data of a controller.
-    fn data(&self, format: &dyn CellFormat, document: &CellDocument) -> Result<String> {
-        CellData::new(document, &self.name, self.number)
-            .map(|data| format.text(&data))
-            .ok_or_else(|| error!("cell-no-controller-data", solve = document.solve).into())
+    fn check_tool_length(&self) -> Result<()> {
+        match self.tool_length_mm.is_none_or(|mm| mm >= 0.0 && mm.is_finite()) {
+            true => Ok(()),
+            false => Err(error!("option-not-positive", option = "--tool-length-mm").into()),
+        }
+    }
+
+    /// Data of the stated controller.
+    fn lines(&self, document: &CellDocument) -> Result<Option<CellText>> {
+        let Some(format) = self.controller.as_deref().and_then(controllers::by_name) else { return Ok(None) };
+        let options = CellOptions {
+            name: self.name.clone(),
+            number: self.number,
+            second: self.with.as_deref().map(read_cell).transpose()?,
+            tool_length_mm: self.tool_length_mm,
+        };
+        controllers::write(format, document, &options).map(Some)
+    }
+
+    /// Writes the reports.
+    fn report(&self, document: &CellDocument, lines: Option<&CellText>) -> Result<()> {
+        let maker = self.controller.as_deref().unwrap_or_default();
+        let lines = lines.map(|lines| CellLines { maker, text: &lines.text, messages: &lines.messages });
+        let presentation = self.reports.over(Presentation::default())?;
+        self.reports.write(&Renderer::cell(document, lines, presentation)?)
     }
 }
 

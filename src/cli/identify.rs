@@ -4,6 +4,7 @@ use super::given::Given;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
+use crate::stages::circumstances::hold_constant;
 use crate::stages::evaluate::Sets;
 use crate::stages::exclusions::{Exclusion, excluded_rows};
 use crate::stages::identification::Input;
@@ -19,7 +20,7 @@ use etalon_campaign::{Exclude, RobotFile, read_robot};
 use etalon_documents::to_json;
 use etalon_documents::{Effect, ParametersDocument, parameters_document};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
-use etalon_formats::tables::joints::PAYLOAD;
+use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{Effects, Prior, ResidualKind, Settings, Systematic, weigh};
 use etalon_report::Renderer;
 use etalon_robots::Robot;
@@ -77,8 +78,9 @@ pub struct IdentifyCommand {
     #[arg(long, value_enum, default_value_t)]
     prior: PriorOption,
     /// Effects to identify: `all`, or a list of zeros, geometry, gains, harmonics, backlash,
-    /// coupling, bending, payload; by default all effects in the robot file except gains of
-    /// revolute joints of arms and payload.
+    /// coupling, bending, payload, torque, expansion, drift, lateral, pedestal; by default all
+    /// effects in the robot file except gains of revolute joints of arms and payload to
+    /// pedestal.
     #[arg(long, value_parser = effects, value_name = "EFFECTS", default_value = "usual")]
     effects: Effects,
     /// Print parameters.json instead of a table.
@@ -147,6 +149,7 @@ impl IdentifyCommand {
         messages.extend(stale(robot.as_ref(), &observations));
         let calibration_conditions = settings.conditions.clone();
         let sets = Sets { calibration: observations, calibration_conditions, ..Sets::default() };
+        messages.extend(hold_constant(robot.as_ref(), &sets, &mut settings));
         let mut solved = Solved::new(robot.as_ref(), &sets, &settings, &Systematic::default())?;
         solved.judge(robot.as_ref(), &sets, &settings, messages);
         Ok(parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, inputs))
@@ -225,7 +228,7 @@ pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message>
         .chain(UNCERTAINTIES)
         .chain(COVARIANCES)
         .chain(kinds::columns());
-    let payload = if robot.carries_payload() { &PAYLOAD[..] } else { &[] };
-    let known = known.chain(payload.iter().copied());
+    let stated = stated_columns(robot);
+    let known = known.chain(stated.iter().map(String::as_str));
     observed.named().unread(&known.chain(joints).collect::<Vec<_>>())
 }

@@ -91,12 +91,14 @@ pub struct PlanCommand {
     /// Poses with which the plan is compared.
     #[arg(long, value_name = "POSES", value_delimiter = ',', value_parser = pose)]
     compare: Vec<PoseName>,
-    /// Number of random starts of the exchange.
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = option_at_most::<100_000>)]
-    starts: usize,
-    /// Maximum number of nodes of branch and bound.
-    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = option_at_most::<10_000_000>)]
-    nodes: usize,
+    /// Number of random starts of the exchange; by default 10, or none if a large problem is within
+    /// 1 % of the bound.
+    #[arg(long, value_name = "N", value_parser = option_at_most::<100_000>)]
+    starts: Option<usize>,
+    /// Maximum number of nodes of branch and bound; by default 2000, fewer for a large problem, and
+    /// none as soon as it is within 1 % of the bound.
+    #[arg(long, value_name = "N", value_parser = option_at_most::<10_000_000>)]
+    nodes: Option<usize>,
     /// Seed of the random starts, and of generated candidates.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -107,8 +109,9 @@ pub struct PlanCommand {
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
     /// Effects to identify: `all`, or a list of zeros, geometry, gains, harmonics, backlash,
-    /// coupling, bending, payload; by default all effects in the robot file except gains of
-    /// revolute joints of arms and payload.
+    /// coupling, bending, payload, torque, expansion, drift, lateral, pedestal; by default all
+    /// effects in the robot file except gains of revolute joints of arms and payload to
+    /// pedestal.
     #[arg(long, value_parser = super::identify::effects, value_name = "EFFECTS", default_value = "usual")]
     effects: Effects,
     /// Use of nominal values: as observations with their tolerances, or as starting values of plain
@@ -155,6 +158,7 @@ impl PlanCommand {
         let inputs = files::sha256_of(self.inputs())?;
         let mut document = self.planned(robot.as_ref(), candidates, everywhere, inputs)?;
         document.generated = generated;
+        self.program.complete(robot.as_ref(), &mut document)?;
         if let Some(path) = &self.poses {
             files::write(path, csv(robot.as_ref(), &document).as_bytes())?;
         }
@@ -204,7 +208,7 @@ impl PlanCommand {
             criterion: self.index.0,
             single: self.single,
             start: self.start.clone(),
-            starts: self.starts as u64,
+            starts: self.starts.map(|starts| starts as u64),
             seed: self.seed,
             nodes: self.nodes,
         };
@@ -301,6 +305,7 @@ impl PlanCommand {
             chosen: chosen.collect(),
             order: Some(measuring_order(robot, observations, planned)),
             generated: None,
+            program: None,
             value: planned.index,
             bound: planned.bound,
             at_most_below_percent: below,

@@ -53,7 +53,7 @@ use etalon_documents::{
     AccuracyDocument, CampaignSummary, ControllersDocument, ParameterEntry, ParameterStatus, ParametersDocument,
     PointError, to_json,
 };
-use etalon_robots::{Effect, JointChain, Parameter, Robot, Role};
+use etalon_robots::{Circumstance, Effect, JointChain, Parameter, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 pub(crate) use template::comment;
 
@@ -188,6 +188,8 @@ pub struct Given<'a> {
     pub errors: Option<&'a [PointError]>,
     /// Values that the run identified again for formats that leave parameters out.
     pub controllers: Option<&'a ControllersDocument>,
+    /// SHA-256 of parameters.json, if its bytes are at hand.
+    pub parameters_sha256: Option<&'a str>,
     /// Hash of the calibration in the controller, for formats that state it.
     pub controller_hash: Option<&'a str>,
     /// `true` to write parameters that failed their checks; the file then says so.
@@ -217,6 +219,7 @@ impl<'a> Given<'a> {
             accuracy: None,
             errors: None,
             controllers: None,
+            parameters_sha256: None,
             controller_hash: None,
             force: false,
             file: None,
@@ -281,6 +284,9 @@ impl<'a> Given<'a> {
 
     /// SHA-256 of parameters.json.
     fn sha256(&self) -> Result<String> {
+        if let Some(hash) = self.parameters_sha256 {
+            return Ok(hash.to_owned());
+        }
         Ok(files::sha256(&to_json(self.file.map_or(self.parameters, |(_, identified)| identified))?))
     }
 
@@ -312,15 +318,31 @@ impl<'a> Given<'a> {
     /// Like [`Self::header`], for formats with joints and links only: lists the effects that they
     /// cannot hold.
     fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
-        let effects = [Effect::Bending, Effect::Payload, Effect::Coupling, Effect::Harmonics, Effect::Backlash];
+        let effects = [
+            Effect::Bending,
+            Effect::Payload,
+            Effect::Torque,
+            Effect::Expansion,
+            Effect::Drift,
+            Effect::Lateral,
+            Effect::Pedestal,
+            Effect::Coupling,
+            Effect::Harmonics,
+            Effect::Backlash,
+        ];
         self.header_without(&effects, "not in this format", units)
     }
 
     /// Like [`Self::header`], for code that computes from joint values only: lists backlash, which
-    /// it cannot follow, and bending under payloads.
+    /// it cannot follow, and effects of what a reading states beside joint values.
     fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
-        let why = "joints are taken in the middle of their backlash and without payload, not in this code";
-        self.header_without(&[Effect::Backlash, Effect::Payload], why, units)
+        let mut effects = vec![Effect::Backlash, Effect::Payload, Effect::Torque, Effect::Expansion, Effect::Drift];
+        // without known masses, the payload alone tilts joints and base
+        if self.robot.is_some_and(|robot| robot.circumstances().contains(&Circumstance::PayloadMass)) {
+            effects.extend([Effect::Lateral, Effect::Pedestal]);
+        }
+        let why = "joints are taken in the middle of their backlash and without payload and torques, at the reference temperature, not in this code";
+        self.header_without(&effects, why, units)
     }
 
     /// Like [`Self::header`], with the robot's parameters of these effects, which are left out.
@@ -426,7 +448,7 @@ fn is_geometry(parameter: &Parameter) -> bool {
 
 /// `true` if code that computes from joint values only holds the parameter.
 fn is_in_code(parameter: &Parameter) -> bool {
-    !matches!(parameter.effect, Effect::Backlash | Effect::Payload)
+    parameter.effect != Effect::Backlash && !parameter.effect.follows_readings()
 }
 
 /// File names of all formats.

@@ -1,6 +1,7 @@
 //! All formats with the same parameters: written values read back bit for bit.
 
 mod certificates;
+mod field;
 #[path = "../../tests/support/skipped.rs"]
 mod skipped;
 

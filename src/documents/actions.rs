@@ -6,7 +6,7 @@ use crate::{
     PointError, PoseSet, PositionErrors, Reason, UncertaintySource, VerdictDocument,
 };
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Rank};
+use etalon_base::message::{Message, Rank, Severity};
 use etalon_base::phrase;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
@@ -207,8 +207,12 @@ impl Evidence<'_> {
         }
         // stable: steps without a known gain keep the order of the verdict
         all.sort_by(|a, b| b.gain_mm.unwrap_or(0.0).total_cmp(&a.gain_mm.unwrap_or(0.0)));
-        // without limits nothing decides whether a file may be loaded
-        all.sort_by_key(|action| action.action != ActionKind::StateLimits);
+        // an implausible result comes first; without limits nothing decides whether a file may be
+        // loaded
+        all.sort_by_key(|action| match &action.message {
+            Some(message) if message.severity == Severity::Error => 0,
+            _ => 1 + u8::from(action.action != ActionKind::StateLimits),
+        });
         all.truncate(MOST);
         all
     }

@@ -38,6 +38,9 @@ pub struct PlanDocument {
     /// Limits within which the candidates were drawn, if they were generated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub generated: Option<GeneratedCandidates>,
+    /// Measuring program, if one is written. Joint values of `chosen` are those that it commands.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub program: Option<PlannedProgram>,
     /// Index of the chosen poses.
     pub value: f64,
     /// Upper bound of the index for any choice of as many candidates; absent for O4, which has no
@@ -121,6 +124,9 @@ pub struct GeneratedCandidates {
     pub outside_box: usize,
     /// Draws with a reflector that faces away from the instrument.
     pub facing_away: usize,
+    /// Bodies in the way of the instrument, with the draws that each hides first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub obstacles: Vec<PlannedObstacle>,
     /// Smallest and largest value of each joint, by column.
     pub ranges: BTreeMap<String, [f64; 2]>,
     /// Box of the targets in the base of the robot: smallest and largest `x`, `y`, `z` as stated.
@@ -143,6 +149,34 @@ pub struct PlannedReflector {
     pub axis: Option<Vector>,
     /// Largest angle between the axis and the direction to the instrument, if stated.
     pub acceptance_deg: Option<f64>,
+}
+
+/// A program that drives to the chosen poses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlannedProgram {
+    /// Name of the file.
+    pub file: String,
+    /// Language.
+    pub language: String,
+    /// Waiting time at each pose.
+    pub dwell_s: f64,
+    /// Digital output that is on during the second half of the waiting time, if stated.
+    pub trigger: Option<String>,
+}
+
+/// A body in the way of the instrument.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlannedObstacle {
+    /// Name; that of its joint for a link.
+    pub name: String,
+    /// `true` if the body is a link of the arm, which moves with the joint of this name.
+    pub is_link: bool,
+    /// Shape and size (mm), as stated.
+    pub stated: String,
+    /// Draws in which the body hides a reflector, and no earlier one in the list does.
+    pub hidden: usize,
 }
 
 /// Greedy choice of the thesis.

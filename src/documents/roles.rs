@@ -40,5 +40,15 @@ mirror! {
         Bending,
         /// Bending of joints under a payload that each reading states.
         Payload,
+        /// Bending of joints under their torques, which each reading states.
+        Torque,
+        /// Common expansion of all lengths with the temperature that each reading states.
+        Expansion,
+        /// Drift of the zeros of joints with the temperature that each reading states.
+        Drift,
+        /// Tilt of revolute joints across their axes under the moment of masses and payload.
+        Lateral,
+        /// Tilt and torsion of the base under the moment of masses and payload.
+        Pedestal,
     }
 }

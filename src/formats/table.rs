@@ -188,14 +188,18 @@ pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
 
 fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
     table.column(name).map_err(|_| {
-        // the program adds the column `line`
-        let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| *name != "line");
+        // the program adds these columns
+        let added = |name: &&str| ["line", "cycle"].contains(name);
+        let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| !added(name));
         let names: Vec<&str> = names.collect();
         let foreign: Vec<&str> = names.iter().copied().filter(|name| !is_own(name)).collect();
         let message = error!("column-unknown", column = name);
         // a column of the same quantity in another unit is not the column that is missing
         let stem = |name: &'_ str| name.rsplit_once('_').map(|(stem, _)| stem.to_owned());
+        let heading = foreign.first().filter(|_| foreign.len() == 1).copied().unwrap_or("HEADING");
         match foreign[..] {
+            _ if name == "target" => message.hint(phrase!("state-column-or-target", heading)).into(),
+            _ if name == "pose" => message.hint(phrase!("state-column-or-pose", heading)).into(),
             [heading] if !heading.contains('"') && stem(heading).is_none_or(|s| stem(name) != Some(s)) => {
                 message.hint(phrase!("state-column", column = name, heading)).into()
             }

@@ -20,6 +20,7 @@ pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
 pub use judgement::excitation::left_to_tolerances;
 pub use judgement::figures::{ErrorKind, FigureUncertainty, JudgedErrors};
+pub use judgement::loads::{LoadContradiction, LoadSlip, load_slips};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::relative::{DistanceErrors, RelativeErrors};
@@ -59,7 +60,7 @@ pub use warning::{Origin, SetUpError, Subject, Warning};
 
 use etalon_base::error;
 use etalon_base::pattern::matches_pattern;
-use etalon_math::{Factor, Options, Termination, factor_at, solve, solve_near, svd};
+use etalon_math::{Factor, Linearised, Options, Termination, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
 use solution::solver::solve_identifiable;
@@ -427,8 +428,10 @@ pub struct Repeated<'a> {
     common: Option<Common>,
     /// Standard deviations of the rows that are not coordinates of targets.
     stated: Vec<f64>,
-    /// Factor of the Jacobian at the solution, and the scales of its columns.
-    linearised: Option<(Factor, Vec<f64>)>,
+    /// Linear part at the solution.
+    linearised: Option<Linearised>,
+    /// Joint values of the linear part.
+    joints: Vec<f64>,
 }
 
 /// Convergence tolerance: step length relative to the first step. The next step, at most a tenth of
@@ -445,12 +448,14 @@ impl<'a> Repeated<'a> {
     ) -> Self {
         let mut settings = settings.as_found(found);
         let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok();
-        let linearised = problem.as_ref().map(|problem| factor_at(problem, &found.free_values()));
+        let linearised = problem.as_ref().map(|problem| Linearised::new(problem, &found.free_values()));
         let regular = |f: &Factor| svd(f).rank(RANK_TOLERANCE) == found.free.len();
         let stated = problem.as_ref().map_or_else(Vec::new, Residuals::stated);
         let common = problem.and_then(|problem| problem.common);
         settings.common_uncertainty_mm = None;
-        Self { robot, settings, found, common, stated, linearised: linearised.filter(|(factor, _)| regular(factor)) }
+        let joints = observations.iter().flat_map(|o| o.joints.iter().copied()).collect();
+        let linearised = linearised.filter(|linearised| regular(&linearised.factor));
+        Self { robot, settings, found, common, stated, linearised, joints }
     }
 
     /// Standard deviations of the rows beside coordinates of targets: conditions, shapes and known
@@ -466,8 +471,8 @@ impl<'a> Repeated<'a> {
         let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
         problem.common.clone_from(&self.common);
         problem.drawn = drawn;
-        let (factor, scale) = self.linearised.as_ref()?;
-        let near = solve_near(&problem, &x, (factor, scale), LAST_STEP);
+        let is_same = observations.iter().flat_map(|o| &o.joints).eq(&self.joints);
+        let near = solve_near(&problem, &x, self.linearised.as_ref()?, is_same, LAST_STEP);
         near.map(|x| problem.all(&x)).or_else(|| solved_from(&problem, &x))
     }
 }

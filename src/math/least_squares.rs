@@ -73,23 +73,50 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
     }
 }
 
-/// Solution of a problem that differs little from a problem with this factor of the Jacobian at
-/// `start`, whose columns are divided by `scale`. Takes undamped steps by the current gradient and
-/// that factor, until a step is below `near` times the first. `None` if steps do not shrink
-/// tenfold.
+/// Linear part of a problem at one point.
+#[derive(Clone, Debug)]
+pub struct Linearised {
+    /// Elements of the Jacobian, row by row.
+    pub jacobian: Vec<f64>,
+    /// Factor of the Jacobian, with columns divided by `scale`.
+    pub factor: Factor,
+    /// Norms of the columns of the Jacobian.
+    pub scale: Vec<f64>,
+}
+
+impl Linearised {
+    /// Linear part of `problem` at `x`.
+    pub fn new(problem: &impl Problem, x: &[f64]) -> Self {
+        let width = problem.blocks().map_or(x.len(), Blocks::width);
+        let mut jacobian = vec![0.0; problem.residual_count() * width];
+        problem.jacobian(x, &mut jacobian);
+        let rows = Rows { numbers: &jacobian, n: x.len(), blocks: problem.blocks() };
+        let scale = rows.norms();
+        Self { factor: rows.factor(&vec![0.0; problem.residual_count()], &scale), scale, jacobian }
+    }
+}
+
+/// Solution of a problem that differs little from a problem with this linear part at `start`. Takes
+/// undamped steps by the current gradient and that factor, until a step is below `near` times the
+/// first. With `is_same`, the Jacobian at `start` is that of the linear part. `None` if steps do
+/// not shrink tenfold.
 pub fn solve_near(
     problem: &impl Problem,
     start: &[f64],
-    (factor, scale): (&Factor, &[f64]),
+    linearised: &Linearised,
+    is_same: bool,
     near: f64,
 ) -> Option<Vec<f64>> {
     let mut run = Run::new(problem, start, Options::default());
-    run.scale = scale.to_vec();
+    run.scale.clone_from(&linearised.scale);
     let mut residuals = vec![0.0; run.residuals.len()];
     let (mut first, mut last) = (None, f64::INFINITY);
     loop {
-        run.differentiate();
-        let step = factor.solve_normal(run.rows(), run.target(), scale)?;
+        match first {
+            None if is_same => run.jacobian.copy_from_slice(&linearised.jacobian),
+            _ => run.differentiate(),
+        }
+        let step = linearised.factor.solve_normal(run.rows(), run.target(), &linearised.scale)?;
         let size = run.relative(&step);
         if size.is_nan() || size > 0.1 * last {
             return None;

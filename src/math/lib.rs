@@ -21,7 +21,7 @@ mod trust_region;
 pub use blocks::{Blocks, OWN, Rows};
 pub use eigen::{smallest_eigenvector, symmetric_eigen};
 pub use factor::Factor;
-pub use least_squares::{Solution, solve};
+pub use least_squares::{Linearised, Solution, solve};
 pub use least_squares::{column_norms, covariance, factor_at, linearised_at, solve_near};
 pub use loss::Loss;
 pub use priors::{ParameterPrior, WithPriors};

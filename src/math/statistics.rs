@@ -26,21 +26,30 @@ pub fn standard_deviation(values: &[f64]) -> f64 {
     variance(values).sqrt()
 }
 
-/// Quantile of values in ascending order, interpolated linearly between order statistics
-/// (definition 7 of Hyndman & Fan 1996, as in spreadsheets); `None` without values.
-pub fn quantile(ascending: &[f64], share: f64) -> Option<f64> {
-    let rank = share * ascending.len().saturating_sub(1) as f64;
-    let (low, part) = (*ascending.get(rank.floor() as usize)?, rank.fract());
-    let high = ascending.get(rank.floor() as usize + 1).unwrap_or(&low);
-    Some(low + part * (high - low))
+/// Quantile of values in any order, interpolated linearly between order statistics (definition 7 of
+/// Hyndman & Fan 1996, as in spreadsheets); `None` without values. Rearranges the values.
+pub fn quantile(values: &mut [f64], share: f64) -> Option<f64> {
+    let rank = share * values.len().saturating_sub(1) as f64;
+    let at = rank.floor() as usize;
+    if at >= values.len() {
+        return None;
+    }
+    let (_, &mut low, above) = values.select_nth_unstable_by(at, f64::total_cmp);
+    let high = above.iter().copied().min_by(f64::total_cmp).unwrap_or(low);
+    Some(low + rank.fract() * (high - low))
 }
 
 /// The two middle values in ascending order, equal for an odd number of values; `None` without
 /// values.
 pub fn middle_pair(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     let mut values: Vec<f64> = values.into_iter().collect();
-    values.sort_by(f64::total_cmp);
-    Some([*values.get(values.len().saturating_sub(1) / 2)?, *values.get(values.len() / 2)?])
+    if values.is_empty() {
+        return None;
+    }
+    let (middle, is_even) = (values.len() / 2, values.len() % 2 == 0);
+    let (below, &mut upper, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
+    let lower = below.iter().copied().max_by(f64::total_cmp).filter(|_| is_even);
+    Some([lower.unwrap_or(upper), upper])
 }
 
 /// Median as one of the values: the larger one of the middle pair for an even number; `None`
@@ -72,9 +81,12 @@ mod tests {
 
     #[test]
     fn quantiles_by_hand() {
-        assert_eq!(quantile(&[], 0.5), None);
-        assert_eq!(quantile(&[1.0, 2.0, 4.0], 0.0), Some(1.0));
-        assert_eq!(quantile(&[1.0, 2.0, 4.0], 0.75), Some(3.0));
-        assert_eq!(quantile(&[1.0, 2.0, 4.0], 1.0), Some(4.0));
+        assert_eq!(quantile(&mut [], 0.5), None);
+        assert_eq!(quantile(&mut [4.0, 2.0, 1.0], 0.0), Some(1.0));
+        assert_eq!(quantile(&mut [1.0, 4.0, 2.0], 0.75), Some(3.0));
+        assert_eq!(quantile(&mut [2.0, 1.0, 4.0], 1.0), Some(4.0));
+        // 0 to 100 in another order
+        let mut values: Vec<f64> = (0..101).map(|i| f64::from(i * 37 % 101)).collect();
+        assert_eq!([0.3, 0.625, 0.95].map(|share| quantile(&mut values, share)), [Some(30.0), Some(62.5), Some(95.0)]);
     }
 }

@@ -26,10 +26,10 @@ use etalon_base::date::day_of_epoch;
 use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
-    AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument,
-    Evidence, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument,
-    PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, SelftestDocument, UncertaintyDocument,
-    VerdictDocument, VerificationDocument, VerificationPlanDocument,
+    AccuracyDocument, CampaignReference, CampaignSummary, CellDocument, Characteristics, CompareDocument,
+    ControllersDocument, Evidence, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged,
+    ParametersDocument, PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, SelftestDocument,
+    UncertaintyDocument, VerdictDocument, VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
@@ -181,6 +181,17 @@ fn of_model(document: &ParametersDocument, words: &Words) -> String {
     tr!(words, "calibration-report-of-model", model = words.model(&document.robot))
 }
 
+/// Lines for a controller in the report of a cell.
+#[derive(Clone, Copy, Debug)]
+pub struct CellLines<'a> {
+    /// Name of the format.
+    pub maker: &'a str,
+    /// Lines.
+    pub text: &'a str,
+    /// Warnings about them.
+    pub messages: &'a [Message],
+}
+
 /// Campaign to which an answer refers.
 struct Head<'a> {
     label: String,
@@ -324,6 +335,23 @@ impl Renderer {
         };
         let attachments = vec![Attachment::of("plan.json", "data", tr!(words, "attached-plan"), document)?];
         Ok(Self::new(contents, attachments, presentation, words))
+    }
+
+    /// Creates the report of a frame of a robot cell, with the lines for a controller.
+    pub fn cell(document: &CellDocument, lines: Option<CellLines>, presentation: Presentation) -> Result<Self> {
+        use sections::cell::{sections, verdict};
+        let words = Words::of(presentation.language);
+        let mut sections = sections(document, lines, &words);
+        sections.extend(sections::provenance::of(&document.provenance, &[], &words).whole());
+        let contents = Contents {
+            title: tr!(words, "cell-title", solve = document.solve),
+            subtitle: tr!(words, "cell-subtitle", readings = document.readings),
+            verdict: verdict(document, lines, &words),
+            sections,
+            ..Contents::default()
+        };
+        let attached = Attachment::of("cell.json", "data", tr!(words, "attached-cell"), document)?;
+        Ok(Self::answer(contents, attached, presentation, words))
     }
 
     /// Creates the report of ISO 9283 characteristics without a campaign.

@@ -5,7 +5,7 @@
 //! robot. A parameter of a common joint is therefore one parameter.
 
 use super::serial::{Serial, WithParameters};
-use super::{Definition, FreeBase, JointRange, Loads, OptionalParameter, Parametrised, Robot, State};
+use super::{Circumstance, Definition, FreeBase, JointRange, Loads, OptionalParameter, Parametrised, Robot, State};
 use etalon_base::catalogue::Phrase;
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::sketch::Sketch;
@@ -99,6 +99,9 @@ impl Robot for Branches {
     }
     fn approached(&self) -> &[usize] {
         self.arms[0].approached()
+    }
+    fn circumstances(&self) -> &[Circumstance] {
+        self.arms[0].circumstances()
     }
     fn branches(&self) -> &[String] {
         &self.links

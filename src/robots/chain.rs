@@ -19,7 +19,7 @@ pub(super) enum Motion {
     /// Component 0, 1 or 2 of a rotation vector (rad). The three components are consecutive
     /// elements with consecutive parameters; the last element moves the frame.
     Attitude(usize),
-    /// Constant displacement.
+    /// Constant displacement; terms lengthen its translation by their sum, as a ratio.
     Fixed(Pose),
 }
 
@@ -35,6 +35,9 @@ pub(super) enum Coefficient {
     /// `factor` times the direction of approach of a joint: +1 from below, −1 from above, 0 if not
     /// stated. `at` is the position of the direction behind the joint values.
     Approach { at: usize, factor: f64 },
+    /// `factor` · (value − `from`) of a value that each reading states; 0 if it is not stated. `at`
+    /// is the position of the value behind the joint values.
+    Stated { at: usize, from: f64, factor: f64 },
     /// Load on the chain, by its index.
     Load(usize),
 }
@@ -73,6 +76,9 @@ impl<J: Scalar> State<'_, J> {
             Coefficient::Approach { at, factor } => {
                 self.joints.get(at).map_or(J::from(0.0), |direction| *direction * factor)
             }
+            Coefficient::Stated { at, from, factor } => {
+                self.joints.get(at).map_or(J::from(0.0), |value| (*value + -from) * factor)
+            }
             Coefficient::Load(load) => self.loads.get(load).copied().unwrap_or(J::from(0.0)),
         }
     }
@@ -88,7 +94,10 @@ impl State<'_> {
                 let (sin, cos) = ((self.joints[joint] * factor + offset) * order).sin_cos();
                 Some((joint, order * factor * if sine { cos } else { -sin }))
             }
-            Coefficient::Constant(_) | Coefficient::Approach { .. } | Coefficient::Load(_) => None,
+            Coefficient::Constant(_)
+            | Coefficient::Approach { .. }
+            | Coefficient::Stated { .. }
+            | Coefficient::Load(_) => None,
         }
     }
 }
@@ -157,7 +166,11 @@ impl Element {
             Motion::Shift(axis) => Step::Shift(axis, amount()),
             Motion::Attitude(2) => Step::Place(Pose::from_rotation_vector(self.attitude(p))),
             Motion::Attitude(_) => Step::Nothing,
-            Motion::Fixed(place) => Step::Place(place.constant()),
+            Motion::Fixed(place) if self.terms.is_empty() => Step::Place(place.constant()),
+            Motion::Fixed(place) => {
+                let (longer, place) = (amount(), place.constant::<T>());
+                Step::Place(Pose { translation_mm: place.translation_mm.map(|v| v + v * longer), ..place })
+            }
         }
     }
 
@@ -179,7 +192,8 @@ impl Element {
         let direction = match self.motion {
             Motion::Turn(axis) | Motion::Shift(axis) => before.axis(axis),
             Motion::Attitude(component) => before.rotate(turning_axes(self.attitude(p))[component]),
-            Motion::Fixed(_) => [0.0; 3],
+            Motion::Fixed(_) if self.terms.is_empty() => [0.0; 3],
+            Motion::Fixed(place) => before.rotate(place.translation_mm),
         };
         (direction, before.translation_mm)
     }
@@ -188,8 +202,7 @@ impl Element {
     pub fn velocity(&self, (direction, origin): Axis, point: Vector) -> Vector {
         match self.motion {
             Motion::Turn(_) | Motion::Attitude(_) => cross(direction, minus(point, origin)),
-            Motion::Shift(_) => direction,
-            Motion::Fixed(_) => [0.0; 3],
+            Motion::Shift(_) | Motion::Fixed(_) => direction,
         }
     }
 

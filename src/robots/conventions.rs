@@ -7,14 +7,14 @@
 
 use super::chain::Motion;
 use super::keys::{Description, Reader, Stated};
-use super::serial::{ArmBuilder, Drive, Effects, drawn_link};
+use super::serial::{ArmBuilder, Body, Drive, Effects, drawn_link};
 use super::tables::{AxisLine, NEAR_PARALLEL_RAD};
 use super::{
     At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
     meaning, wrong_targets,
 };
 use etalon_base::phrase;
-use etalon_base::pose::{Pose, Vector, unit};
+use etalon_base::pose::{Pose, Vector, minus, unit};
 use std::cmp::Ordering;
 
 /// Serial arm.
@@ -52,6 +52,12 @@ pub(super) struct EffectKeys {
     pub harmonics: Vec<JointRef>,
     pub backlash: Vec<JointRef>,
     pub payload: Vec<JointRef>,
+    pub torque: Vec<JointRef>,
+    pub drift: Vec<JointRef>,
+    pub expansion: bool,
+    pub reference_c: f64,
+    pub lateral: Vec<JointRef>,
+    pub pedestal: bool,
 }
 
 impl EffectKeys {
@@ -90,6 +96,48 @@ impl EffectKeys {
                 ),
                 Vec::new(),
             ),
+            torque: keys.or(
+                Key::plain(
+                    "torque",
+                    "Joints of an arm that bend in proportion to their torques: their numbers, from 1, or names. Each reading states the torques: `tau1_nm`, or `NAME_nm`.",
+                ),
+                Vec::new(),
+            ),
+            drift: keys.or(
+                Key::plain(
+                    "drift",
+                    "Joints of an arm whose zeros drift with the temperature of the robot: their numbers, from 1, or names. Each reading states it: `temperature_c`.",
+                ),
+                Vec::new(),
+            ),
+            expansion: keys.or(
+                Key::plain(
+                    "expansion",
+                    "All lengths of the arm expand with the temperature of the robot, by a common coefficient. Each reading states it: `temperature_c`.",
+                ),
+                false,
+            ),
+            reference_c: keys.or(
+                Key::plain(
+                    "reference_temperature_c",
+                    "Temperature (°C) to which lengths and zeros refer, for `drift` and `expansion`.",
+                ),
+                20.0,
+            ),
+            lateral: keys.or(
+                Key::plain(
+                    "lateral",
+                    "Revolute joints of an arm that tilt across their axes under the moment of masses (`mass_kg` of `[[joint]]`, or those of the URDF) and payload: their numbers, from 1, or names. Without masses each reading states the payload.",
+                ),
+                Vec::new(),
+            ),
+            pedestal: keys.or(
+                Key::plain(
+                    "pedestal",
+                    "The base of an arm tilts under the moment of masses and payload. Without masses each reading states the payload.",
+                ),
+                false,
+            ),
         }
     }
 
@@ -114,12 +162,18 @@ impl EffectKeys {
             ("harmonics", &self.harmonics, &mut effects.harmonics),
             ("backlash", &self.backlash, &mut effects.backlash),
             ("payload", &self.payload, &mut effects.payload),
+            ("torque", &self.torque, &mut effects.torque),
+            ("drift", &self.drift, &mut effects.drift),
+            ("lateral", &self.lateral, &mut effects.lateral),
         ];
         for (key, stated, list) in lists {
             for (i, joint) in stated.iter().enumerate() {
                 match find(joint) {
                     Err(unknown) => wrong(key, i, unknown),
-                    Ok(j) if ["harmonics", "payload"].contains(&key) && joints[j].quantity == Quantity::Length => {
+                    Ok(j)
+                        if ["harmonics", "payload", "torque", "lateral"].contains(&key)
+                            && joints[j].quantity == Quantity::Length =>
+                    {
                         wrong(key, i, JointFault::Slides(j));
                     }
                     Ok(j) if list.contains(&j) => wrong(key, i, JointFault::Twice(j)),
@@ -137,6 +191,8 @@ impl EffectKeys {
                 (Ok(j), Ok(by)) => effects.coupling.push((j, by)),
             }
         }
+        (effects.expansion, effects.reference_c) = (self.expansion, self.reference_c);
+        effects.pedestal = self.pedestal;
         match unit(self.gravity) {
             Some(direction) => effects.gravity = direction,
             None => faults.add(At::Key("gravity"), FaultKind::GravityWithoutDirection),
@@ -157,6 +213,8 @@ struct JointKeys {
     parallel: Option<bool>,
     limits_rad: Option<[f64; 2]>,
     travel_mm: Option<[f64; 2]>,
+    mass_kg: f64,
+    center_mm: Vector,
 }
 
 impl JointKeys {
@@ -185,6 +243,17 @@ impl JointKeys {
                 "Smallest and largest value of a revolute joint. Without limits, joint values beyond two turns are refused.",
             )),
             travel_mm: keys.optional(Key::length("travel", "Smallest and largest value of a prismatic joint.")),
+            mass_kg: keys.or(
+                Key::plain("mass_kg", "Mass (kg) of the links between this joint and the next, for `lateral` and `pedestal`."),
+                0.0,
+            ),
+            center_mm: keys.or(
+                Key::length(
+                    "center",
+                    "Centre of this mass: in the frame behind the joint (`mdh`, `dh`), or in the base at zero joints (`poe`).",
+                ),
+                [0.0; 3],
+            ),
         }
     }
 
@@ -326,7 +395,12 @@ impl Description for Keys {
         let mut faults = wrong_targets(targets);
         let joints: Vec<Joint> = (1..).zip(&self.joints).map(|(i, keys)| Joint::numbered(i, keys.prismatic)).collect();
         // geometry is checked despite other faults
-        let effects = faults.keep(self.effects.among(&joints)).unwrap_or_default();
+        let mut effects = faults.keep(self.effects.among(&joints)).unwrap_or_default();
+        for (i, _) in self.joints.iter().enumerate().filter(|(_, keys)| keys.mass_kg < 0.0 || keys.mass_kg.is_nan()) {
+            faults.add(At::Item("joint", i), FaultKind::NotPositive("mass_kg"));
+        }
+        effects.bodies =
+            self.joints.iter().map(|keys| Body { mass_kg: keys.mass_kg, center_mm: keys.center_mm }).collect();
         let limits = self.joints.iter().enumerate().map(|(i, keys)| faults.keep(keys.limits(i)).flatten()).collect();
         let arm = faults.keep(match self.convention {
             Convention::Table(convention) => self.table(convention, targets, &effects),
@@ -399,9 +473,7 @@ impl Serial {
             gravity,
             bending: bending.iter().map(|j| j - 1).collect(),
             coupling: coupling.iter().map(|&(j, by)| (j - 1, by - 1)).collect(),
-            harmonics: Vec::new(),
-            backlash: Vec::new(),
-            payload: Vec::new(),
+            ..Effects::default()
         };
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }
@@ -437,6 +509,7 @@ impl Serial {
     ) -> Self {
         let modified = convention == TableConvention::Modified;
         let mut arm = ArmBuilder::new(targets);
+        arm.elastic(effects);
         for (i, j) in joints.iter().enumerate() {
             let n = i + 1;
             let [alpha_means, a_means] = if modified { BEFORE } else { BEHIND };
@@ -470,7 +543,9 @@ impl Serial {
                 arm.drive(drive, false);
                 arm.push(Motion::Shift(2), fixed, offset);
                 arm.frame();
+                arm.tilt();
             }
+            arm.carry(effects.bodies.get(i).copied().unwrap_or_default());
             if !modified {
                 link(&mut arm);
             }
@@ -486,12 +561,15 @@ impl Serial {
     /// rotations and, for a revolute joint, two translations.
     fn of_screws(screws: &[AxisLine], home: &Pose, targets: &[String], effects: &Effects) -> Self {
         let mut arm = ArmBuilder::new(targets);
+        arm.elastic(effects);
         for (i, screw) in screws.iter().enumerate() {
             let at = Pose { translation_mm: screw.point_mm, ..Pose::identity() };
             arm.place(at);
             let errors = arm.screw(screw.direction, Drive::of_number(i + 1, screw.prismatic), false);
             errors.iter().rev().for_each(|error| arm.push_back(error));
             arm.place(at.inverse());
+            let Body { mass_kg, center_mm } = effects.bodies.get(i).copied().unwrap_or_default();
+            arm.carry(Body { mass_kg, center_mm: minus(center_mm, screw.point_mm) });
         }
         arm.place(*home);
         arm.finish(screws.iter().map(|s| s.prismatic), effects)
@@ -510,5 +588,190 @@ impl Drive {
             prismatic,
             mimics: false,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::State;
+    use etalon_base::noise::Noise;
+
+    const TABLE: [(f64, f64, f64); 6] = [
+        (0.0, 0.0, 290.0),
+        (-1.57, 30.0, 0.0),
+        (0.0, 270.0, 0.0),
+        (-1.57, 70.0, 302.0),
+        (1.57, 0.0, 0.0),
+        (-1.57, 0.0, 72.0),
+    ];
+
+    fn all_effects() -> Effects {
+        Effects {
+            gravity: [0.0, 0.0, -1.0],
+            backlash: vec![1],
+            payload: vec![1, 2],
+            torque: vec![0, 1, 4],
+            drift: (0..6).collect(),
+            expansion: true,
+            reference_c: 20.0,
+            lateral: vec![0, 1, 4],
+            pedestal: true,
+            bodies: (0..6).map(|k| Body { mass_kg: 3.0, center_mm: [20.0 * f64::from(k), 10.0, -30.0] }).collect(),
+            ..Effects::default()
+        }
+    }
+
+    /// Arms of each convention with all effects of what a reading states.
+    fn arms(effects: &Effects) -> Vec<Serial> {
+        let joint = |(alpha_rad, a_mm, d_mm): (f64, f64, f64)| SerialJoint {
+            alpha_rad,
+            a_mm,
+            theta_rad: 0.0,
+            d_mm,
+            prismatic: false,
+            parallel: alpha_rad == 0.0 && a_mm > 0.0,
+        };
+        let joints = TABLE.map(joint);
+        let axis = |direction, point_mm| AxisLine { direction, point_mm, prismatic: false };
+        let screws = [
+            axis([0.0, 0.0, 1.0], [0.0; 3]),
+            axis([0.0, 1.0, 0.0], [0.0, 0.0, 290.0]),
+            axis([0.0, 1.0, 0.0], [0.0, 0.0, 560.0]),
+            axis([1.0, 0.0, 0.0], [0.0, 0.0, 630.0]),
+            axis([0.0, 0.6, 0.8], [302.0, 0.0, 630.0]),
+            axis([1.0, 0.0, 0.0], [302.0, 0.0, 630.0]),
+        ];
+        let home = Pose::from_xyz_rpy([374.0, 0.0, 630.0], [0.0, 1.57, 0.0]);
+        let targets = ["T".to_owned()];
+        vec![
+            Serial::of_table(TableConvention::Modified, &joints, &targets, effects),
+            Serial::of_table(TableConvention::Standard, &joints, &targets, effects),
+            Serial::of_screws(&screws, &home, &targets, effects),
+        ]
+    }
+
+    /// Joint values, a direction, a payload, torques and a temperature.
+    fn state(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
+        let mut all: Vec<f64> = (0..robot.joints().len()).map(|_| noise.uniform(1.5)).collect();
+        all.extend(robot.approached().iter().map(|_| 1.0));
+        all.extend(robot.circumstances().iter().map(|stated| match stated {
+            crate::Circumstance::PayloadMass => 3.0,
+            crate::Circumstance::Temperature => 31.0,
+            _ => noise.uniform(60.0),
+        }));
+        all
+    }
+
+    fn positions(robot: &dyn Robot, values: &[f64], state: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; 3];
+        robot.positions(values, state, &mut out);
+        out
+    }
+
+    #[test]
+    fn derivatives_by_what_a_reading_states_are_those_of_differences() {
+        let mut noise = Noise::new(45, 6);
+        for robot in arms(&all_effects()) {
+            let state = state(&robot, &mut noise);
+            let scatter = |p: &Parameter| p.nominal + if p.quantity == Quantity::Length { 0.3 } else { 0.004 };
+            let values: Vec<f64> = robot.parameters().iter().map(scatter).collect();
+            let n = values.len();
+            let mut jacobian = vec![0.0; 3 * n];
+            robot.jacobian(&values, &state, &mut jacobian);
+            for (j, p) in robot.parameters().iter().enumerate() {
+                let h = if p.quantity == Quantity::Length { 1e-3 } else { 1e-6 };
+                let at = |by: f64| {
+                    let mut values = values.clone();
+                    values[j] += by;
+                    positions(&robot, &values, &state)
+                };
+                let (above, below) = (at(h), at(-h));
+                for i in 0..3 {
+                    let numeric = (above[i] - below[i]) / (2.0 * h);
+                    let off = (jacobian[i * n + j] - numeric).abs();
+                    assert!(off < 1e-5 * numeric.abs().max(1.0), "{} {i}: {numeric}, off by {off}", p.name);
+                }
+            }
+            // bound parameters give the same positions
+            let loads = robot.loads().map(|loads| loads(&state)).unwrap_or_default();
+            let mut bound = vec![0.0; 3];
+            robot.parametrised(&values).positions(State { joints: &state, loads: &loads }, &mut bound);
+            let apart = bound.iter().zip(positions(&robot, &values, &state)).map(|(a, b)| (a - b).abs());
+            assert!(apart.fold(0.0, f64::max) < 1e-9);
+        }
+    }
+
+    /// An arm that expands is a larger arm: all lengths by hand, and the same in each convention.
+    #[test]
+    fn an_arm_that_expands_is_larger() {
+        let effects = Effects { expansion: true, reference_c: 20.0, gravity: [0.0, 0.0, -1.0], ..Effects::default() };
+        let mut noise = Noise::new(45, 7);
+        for robot in arms(&effects) {
+            let mut values = robot.nominal();
+            values[robot.index("expansion").unwrap()] = 0.0115;
+            let mut state: Vec<f64> = (0..6).map(|_| noise.uniform(1.5)).collect();
+            let cold = positions(&robot, &values, &state);
+            state.push(30.0);
+            let warm = positions(&robot, &values, &state);
+            for (cold, warm) in cold.iter().zip(warm) {
+                assert!((warm - cold * (1.0 + 11.5e-6 * 10.0)).abs() < 1e-9, "{cold} {warm}");
+            }
+        }
+    }
+
+    /// Δq = c τ / 100 N·m and Δq = c (T − T₀) / 10 K: the same as another value of the joint.
+    #[test]
+    fn torques_and_temperatures_move_joints() {
+        let torque = Effects { torque: vec![1], gravity: [0.0, 0.0, -1.0], ..Effects::default() };
+        let drift = Effects { drift: vec![1], reference_c: 20.0, gravity: [0.0, 0.0, -1.0], ..Effects::default() };
+        for (effects, name, stated, moved_rad) in
+            [(torque, "compliance_2_torque", -40.0, -0.4e-3), (drift, "drift_2", 26.0, 0.6e-3)]
+        {
+            for robot in arms(&effects) {
+                let mut values = robot.nominal();
+                let q = [0.3, -0.4, 0.5, 0.2, 0.9, 0.1];
+                let mut moved = q;
+                moved[1] += moved_rad;
+                let expected = positions(&robot, &values, &moved);
+                values[robot.index(name).unwrap()] = 1e-3;
+                let found = positions(&robot, &values, &[&q[..], &[stated]].concat());
+                assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?} {expected:?}");
+            }
+        }
+    }
+
+    /// The moment of a stretched level arm by hand: 2 kg at 500 mm tilt the base by
+    /// c · 9.80665 N·m / 100 N·m.
+    #[test]
+    fn bases_tilt_by_the_moment_of_the_masses() {
+        let axis = AxisLine { direction: [0.0, 0.0, 1.0], point_mm: [0.0; 3], prismatic: false };
+        let body = Body { mass_kg: 2.0, center_mm: [500.0, 0.0, 0.0] };
+        let effects = Effects {
+            gravity: [0.0, 0.0, -1.0],
+            lateral: vec![0],
+            pedestal: true,
+            bodies: vec![body],
+            ..Effects::default()
+        };
+        let home = Pose { translation_mm: [800.0, 0.0, 0.0], ..Pose::identity() };
+        let robot = Serial::of_screws(&[axis], &home, &["T".to_owned()], &effects);
+        // gravity has no moment about itself
+        assert!(robot.index("pedestal_z").is_none() && robot.circumstances().is_empty());
+        for name in ["pedestal_y", "lateral_1_y"] {
+            let mut values = robot.nominal();
+            values[robot.index(name).unwrap()] = 1e-3;
+            // the arm sinks: a moment about +y
+            let sunk = positions(&robot, &values, &[0.0])[2];
+            assert!((sunk + 800.0 * 0.0980665e-3).abs() < 1e-6, "{name} {sunk}");
+        }
+        let across = |name: &str| {
+            let mut values = robot.nominal();
+            values[robot.index(name).unwrap()] = 1e-3;
+            positions(&robot, &values, &[std::f64::consts::FRAC_PI_2])[2]
+        };
+        // the base bends about its own axes, the joint about those that turn with the arm
+        assert!((across("pedestal_x") + 800.0 * 0.0980665e-3).abs() < 1e-6 && across("pedestal_y").abs() < 1e-9);
+        assert!((across("lateral_1_y") + 800.0 * 0.0980665e-3).abs() < 1e-6 && across("lateral_1_x").abs() < 1e-9);
     }
 }

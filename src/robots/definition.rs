@@ -65,6 +65,47 @@ pub enum Effect {
     Bending,
     /// Bending of joints under a payload that each reading states.
     Payload,
+    /// Bending of joints under their torques, which each reading states.
+    Torque,
+    /// Common expansion of all lengths with the temperature that each reading states.
+    Expansion,
+    /// Drift of the zeros of joints with the temperature that each reading states.
+    Drift,
+    /// Tilt of revolute joints across their axes under the moment of masses and payload.
+    Lateral,
+    /// Tilt and torsion of the base under the moment of masses and payload.
+    Pedestal,
+}
+
+impl Effect {
+    /// `true` for effects that the data have to prove: they are not identified unless this is asked
+    /// for.
+    pub fn needs_proof(self) -> bool {
+        matches!(self, Self::Lateral | Self::Pedestal) || self.follows_readings()
+    }
+
+    /// `true` for effects that follow from what each reading states beside joint values.
+    pub fn follows_readings(self) -> bool {
+        matches!(self, Self::Payload | Self::Torque) || self.is_thermal()
+    }
+
+    /// `true` for effects of the temperature that each reading states.
+    pub fn is_thermal(self) -> bool {
+        matches!(self, Self::Expansion | Self::Drift)
+    }
+}
+
+/// Value that each reading states besides its joint values and directions of approach.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Circumstance {
+    /// Mass of the payload (kg).
+    PayloadMass,
+    /// Coordinate 0, 1 or 2 of the payload's centre of mass in the flange (mm).
+    PayloadCentre(usize),
+    /// Torque of a joint, by its index (N·m).
+    Torque(usize),
+    /// Temperature of the robot (°C).
+    Temperature,
 }
 
 /// One parameter of a model.
@@ -220,6 +261,12 @@ impl Joint {
     /// Name of the column of the direction of approach: +1 from below, −1 from above.
     pub fn direction_column(&self) -> String {
         format!("{}_direction", self.name)
+    }
+
+    /// Name of the column of the torque of the joint: `tau1_nm` of joint q1, otherwise `NAME_nm`.
+    pub fn torque_column(&self) -> String {
+        let number = self.name.strip_prefix('q').filter(|rest| rest.parse::<usize>().is_ok());
+        number.map_or_else(|| format!("{}_nm", self.name), |number| format!("tau{number}_nm"))
     }
 
     /// Factor that converts a column of this joint to mm or rad: `q1_deg`, `q1_rad`, `rho1_mm`,

@@ -189,6 +189,9 @@ pub enum TreeFault {
     BendsInBranches(String),
     /// A joint of a robot with several branches bends under a payload.
     PayloadInBranches(String),
+    /// Joints or the base of a robot with several branches tilt (this key): the moment of one
+    /// branch is not that of all.
+    ElasticInBranches(&'static str),
     /// A joint is coupled to a joint of another branch.
     CoupledAcrossBranches {
         /// Name of the coupled joint.

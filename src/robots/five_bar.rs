@@ -7,7 +7,8 @@
 
 use super::keys::{Description, Reader};
 use super::{
-    Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role,
+    Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, Parametrised, PlanarPose, Quantity,
+    Robot, Role, State,
 };
 use super::{REACH, in_plane, in_space, meaning};
 use etalon_base::catalogue::Phrase;
@@ -15,7 +16,7 @@ use etalon_base::expression::{Formula, Recorded};
 use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_base::pose::Vector;
-use etalon_base::scalar::{Dual, Scalar, constants, duals};
+use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
 use std::f64::consts::PI;
 
@@ -191,15 +192,8 @@ impl FiveBar {
     /// Direct kinematics in the base frame from encoder angles (rad) and assembly mode ξ (+1 or
     /// −1); NaN if the arms do not meet (thesis, eq. 4.1 to 4.7, where θ = encoder angle + δ).
     pub fn direct<T: Scalar>(&self, p: &[T], q: [T; 2], assembly: impl Into<T>) -> Linkage<T> {
-        let [l11, l12, l21, l22, d, l23, gamma, delta1, delta2] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| p[i]);
-        let (sin1, cos1) = (q[0] + delta1).sin_cos();
-        let (sin2, cos2) = (q[1] + delta2).sin_cos();
-        let b1 = [l11 * cos1 - d * 0.5, l11 * sin1]; // eq. 4.4
-        let b2 = [l21 * cos2 + d * 0.5, l21 * sin2]; // eq. 4.2
-        let between = minus(b2, b1); // eq. 4.7
-        let c = plus(b1, meet(between, l12, l22, assembly.into())); // eq. 4.3, 4.5, 4.6
-        let e = plus(b2, turn(minus(c, b2), gamma, l23 / l22)); // eq. 4.1
-        Linkage { b1, b2, c, e }
+        let proximal = [0, 1].map(|arm| direction(q[arm] + p[7 + arm]));
+        closed(p, proximal, direction(p[6]), assembly.into())
     }
 
     /// Inverse kinematics: encoder angles (rad) that bring the tool to `e` (base frame) with branch
@@ -290,11 +284,106 @@ impl FiveBar {
         };
         WORKING_MODES.into_iter().filter_map(configuration).collect()
     }
+}
 
-    fn tool<T: Scalar>(&self, p: &[T], joints: &[f64]) -> [T; 2] {
-        let assembly = joints.get(2).copied().unwrap_or(1.0);
-        self.to_world(p, self.direct(p, [T::from(joints[0]), T::from(joints[1])], assembly).e)
+/// A five-bar with bound parameters.
+struct WithParameters<'a, T = f64> {
+    p: &'a [T],
+    /// Direction of the tool as seen from the distal link.
+    tool: [T; 2],
+    /// Direction of the base in the world.
+    base: [T; 2],
+}
+
+impl<'a, T: Scalar> WithParameters<'a, T> {
+    fn new(p: &'a [T]) -> Self {
+        Self { p, tool: direction(p[6]), base: direction(p[11]) }
     }
+
+    /// Directions of the proximal links, and the points of the mechanism.
+    fn linkage(&self, joints: &[f64]) -> ([[T; 2]; 2], Linkage<T>) {
+        let assembly = joints.get(2).copied().unwrap_or(1.0);
+        let proximal = [0, 1].map(|arm| direction(self.p[7 + arm] + joints[arm]));
+        (proximal, closed(self.p, proximal, self.tool, assembly.into()))
+    }
+
+    /// The tool in the world.
+    fn tool(&self, joints: &[f64]) -> [T; 2] {
+        let (_, at) = self.linkage(joints);
+        plus([self.p[9], self.p[10]], turn_by(self.base, at.e, T::from(1.0)))
+    }
+}
+
+impl WithParameters<'_> {
+    /// Derivatives of the tool in the world with respect to each parameter.
+    ///
+    /// The distal links tie C to both elbows: with u = C − B1 and v = C − B2,
+    /// u·dC = u·dB1 + l12 dl12 and v·dC = v·dB2 + l22 dl22 (differentials of eq. 4.3).
+    fn derivatives(&self, joints: &[f64]) -> [[f64; 2]; PARAMETERS] {
+        let p = self.p;
+        let ([first, second], Linkage { b1, b2, c, e }) = self.linkage(joints);
+        let (u, v, b2_e) = (from(b1, c), from(b2, c), from(b2, e));
+        let area = u[0] * v[1] - u[1] * v[0];
+        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+        let tied = |by_u: f64, by_v: f64| [(by_u * v[1] - by_v * u[1]) / area, (by_v * u[0] - by_u * v[0]) / area];
+        // B2 E turns with B2 C (eq. 4.1)
+        let moved = |db2: [f64; 2], dc: [f64; 2]| plus(db2, turn_by(self.tool, minus(dc, db2), p[5] / p[3]));
+        let across = |length: f64, along: [f64; 2]| left_of(along).map(|x| length * x);
+        let still = [0.0; 2];
+        let in_base = [
+            moved(still, tied(dot(u, first), 0.0)),
+            moved(still, tied(p[1], 0.0)),
+            moved(second, tied(0.0, dot(v, second))),
+            minus(moved(still, tied(0.0, p[3])), b2_e.map(|x| x / p[3])),
+            moved([0.5, 0.0], tied(-0.5 * u[0], 0.5 * v[0])),
+            turn_by(self.tool, v, 1.0 / p[3]),
+            left_of(b2_e),
+            moved(still, tied(dot(u, across(p[0], first)), 0.0)),
+            moved(across(p[2], second), tied(0.0, dot(v, across(p[2], second)))),
+        ];
+        let mut all = [still; PARAMETERS];
+        all.iter_mut().zip(in_base).for_each(|(all, of_tool)| *all = turn_by(self.base, of_tool, 1.0));
+        (all[9], all[10], all[11]) = ([1.0, 0.0], [0.0, 1.0], left_of(turn_by(self.base, e, 1.0)));
+        all
+    }
+}
+
+impl Parametrised for WithParameters<'_> {
+    fn positions(&self, state: State, out: &mut [f64]) {
+        out.copy_from_slice(&self.tool(state.joints));
+    }
+    fn jacobian(&self, state: State, out: &mut [f64]) {
+        let by_parameter = self.derivatives(state.joints);
+        for (axis, row) in out.chunks_exact_mut(PARAMETERS).enumerate() {
+            row.iter_mut().zip(&by_parameter).for_each(|(out, by)| *out = by[axis]);
+        }
+    }
+    fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]) {
+        self.positions(state, positions);
+        // an offset adds to the value of its joint
+        let by_parameter = self.derivatives(state.joints);
+        for (axis, row) in out.chunks_exact_mut(2).enumerate() {
+            row.copy_from_slice(&[by_parameter[7][axis], by_parameter[8][axis]]);
+        }
+    }
+    fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector)) {
+        for &target in targets {
+            let by_parameter = self.derivatives(state.joints).into_iter().enumerate();
+            by_parameter.for_each(|(parameter, [x, y])| write(target, parameter, [x, y, 0.0]));
+        }
+    }
+}
+
+/// Points of the mechanism from the directions of the proximal links, and that of the tool as seen
+/// from the distal link (thesis, eq. 4.1 to 4.7).
+fn closed<T: Scalar>(p: &[T], [along1, along2]: [[T; 2]; 2], tool: [T; 2], assembly: T) -> Linkage<T> {
+    let [l11, l12, l21, l22, d, l23] = [0, 1, 2, 3, 4, 5].map(|i| p[i]);
+    let b1 = [l11 * along1[0] - d * 0.5, l11 * along1[1]]; // eq. 4.4
+    let b2 = [l21 * along2[0] + d * 0.5, l21 * along2[1]]; // eq. 4.2
+    let between = minus(b2, b1); // eq. 4.7
+    let c = plus(b1, meet(between, l12, l22, assembly)); // eq. 4.3, 4.5, 4.6
+    let e = plus(b2, turn_by(tool, minus(c, b2), l23 / l22)); // eq. 4.1
+    Linkage { b1, b2, c, e }
 }
 
 fn plus<T: Scalar>(a: [T; 2], b: [T; 2]) -> [T; 2] {
@@ -305,10 +394,25 @@ fn minus<T: Scalar>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
+/// Unit vector at an angle.
+fn direction<T: Scalar>(angle: T) -> [T; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [cos, sin]
+}
+
 /// Rotates `v` counterclockwise and scales it.
 fn turn<T: Scalar>(v: [T; 2], angle: T, stretch: T) -> [T; 2] {
-    let (sin, cos) = angle.sin_cos();
+    turn_by(direction(angle), v, stretch)
+}
+
+/// Rotates `v` by the angle of a unit vector and scales it.
+fn turn_by<T: Scalar>([cos, sin]: [T; 2], v: [T; 2], stretch: T) -> [T; 2] {
     [stretch * (cos * v[0] - sin * v[1]), stretch * (sin * v[0] + cos * v[1])]
+}
+
+/// Rotates `v` counterclockwise by a right angle.
+fn left_of([x, y]: [f64; 2]) -> [f64; 2] {
+    [-y, x]
 }
 
 /// Vector from the first end of `base` to the meeting point of two links, with lengths `near` from
@@ -445,22 +549,20 @@ impl Robot for FiveBar {
         vec![sketch]
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        out.copy_from_slice(&self.tool(parameters, joints));
+        WithParameters::new(parameters).positions(State { joints, loads: &[] }, out);
     }
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        let tool = self.tool::<Dual<PARAMETERS>>(&duals(parameters), joints);
-        for (row, value) in out.chunks_exact_mut(PARAMETERS).zip(tool) {
-            row.copy_from_slice(&value.gradient);
-        }
+        WithParameters::new(parameters).jacobian(State { joints, loads: &[] }, out);
     }
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        // an offset adds to the value of its joint
-        let offsets = [7, 8].map(|i| Dual::<PARAMETERS>::variable(parameters[i], i - 7));
-        let mut p = constants(parameters);
-        p[7..9].copy_from_slice(&offsets);
-        for (row, value) in out.chunks_exact_mut(2).zip(self.tool(&p, joints)) {
-            row.copy_from_slice(&value.gradient[..2]);
-        }
+        WithParameters::new(parameters).joint_jacobian(State { joints, loads: &[] }, &mut [0.0; 2], out);
+    }
+    fn parametrised<'a>(&'a self, parameters: &'a [f64]) -> Box<dyn Parametrised + 'a> {
+        Box::new(WithParameters::new(parameters))
+    }
+    fn position(&self, parameters: &[f64], joints: &[f64], _target: usize) -> Vector {
+        let [x, y] = WithParameters::new(parameters).tool(joints);
+        [x, y, 0.0]
     }
     fn kinematics(&self) -> Option<&dyn Kinematics> {
         Some(self)
@@ -497,6 +599,7 @@ impl Robot for FiveBar {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::scalar::{Dual, duals};
 
     #[test]
     fn distances_of_segments() {
@@ -504,6 +607,31 @@ mod tests {
         assert_eq!(far, 4.0);
         assert_eq!(segment_distance([0.0, 0.0], [10.0, 0.0], [3.0, -4.0], [3.0, 9.0]), 0.0);
         assert_eq!(segment_distance([0.0, 0.0], [10.0, 0.0], [13.0, 4.0], [20.0, 9.0]), 5.0);
+    }
+
+    /// Derivatives in closed form beside those of dual numbers, in all working and assembly modes.
+    #[test]
+    fn derivatives_are_those_of_dual_numbers() {
+        let robot = FiveBar::default();
+        let mut p = robot.nominal();
+        let off = [0.3, -0.2, 0.1, 0.4, -0.5, 7.0, 0.05, -0.02, 0.03, 1.0, -2.0, 0.2];
+        p.iter_mut().zip(off).for_each(|(p, off)| *p += off);
+        let (mut compared, mut out) = (0, [0.0; 2 * PARAMETERS]);
+        for k in 0..400 {
+            let [q1, q2] = [0.17, 0.37].map(|step| (step * f64::from(k)).wrapped());
+            let joints = [q1, q2, if k % 2 == 0 { 1.0 } else { -1.0 }];
+            let tool = WithParameters::<Dual<PARAMETERS>>::new(&duals(&p)).tool(&joints);
+            robot.jacobian(&p, &joints, &mut out);
+            if !tool[0].value.is_finite() {
+                continue;
+            }
+            for (row, dual) in out.chunks_exact(PARAMETERS).zip(tool) {
+                let largest = dual.gradient.iter().fold(1.0, |most: f64, g| most.max(g.abs()));
+                row.iter().zip(dual.gradient).for_each(|(a, b)| assert!((a - b).abs() < 1e-12 * largest, "{a} {b}"));
+            }
+            compared += 1;
+        }
+        assert!(compared > 100, "{compared}");
     }
 
     #[test]

@@ -24,7 +24,7 @@ mod urdf;
 
 pub use compensation::{Calibrated, Compensated, Correction};
 pub use conventions::SerialJoint;
-pub use definition::{Definition, Effect, Joint, Parameter, Quantity, Role, meaning};
+pub use definition::{Circumstance, Definition, Effect, Joint, Parameter, Quantity, Role, meaning};
 pub use fault::{At, Fault, FaultKind, Faults, JointFault, TreeFault};
 pub use five_bar::{FiveBar, FiveBarLimits, InverseSolution, Linkage, SingularityDistance, WORKING_MODES};
 pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
@@ -157,11 +157,11 @@ pub trait Robot: Send + Sync {
         &[]
     }
 
-    /// `true` if joints bend under a payload that each reading states: its mass (kg) and its centre
-    /// of mass in the flange (x, y, z in mm) follow the joint values and the directions of
-    /// [`Robot::approached`]. Without these values there is no payload.
-    fn carries_payload(&self) -> bool {
-        false
+    /// Values that each reading states besides: they follow the joint values and the directions of
+    /// [`Robot::approached`]. Without these values there is no payload and no torque, and the
+    /// temperature is that of reference.
+    fn circumstances(&self) -> &[Circumstance] {
+        &[]
     }
 
     /// Links that carry the targets of a robot with several branches; empty for a single chain.
@@ -542,14 +542,13 @@ pub trait Platform: Robot {
     /// Estimated minus measured pose (mm, mm, rad).
     fn pose_error(&self, parameters: &[f64], joints: &[f64], targets: [[f64; 2]; 2]) -> [f64; 3];
 
-    /// Derivatives of [`Self::pose_error`] with respect to the parameters (3 rows of all
-    /// parameters) and to the coordinates of the targets (3 rows of 4).
-    fn pose_error_jacobians(
-        &self,
-        parameters: &[f64],
-        joints: &[f64],
-        targets: [[f64; 2]; 2],
-    ) -> (Vec<f64>, [[f64; 4]; 3]);
+    /// Derivatives of [`Self::pose_error`] with respect to the parameters: 3 rows of all
+    /// parameters.
+    fn pose_error_jacobian(&self, parameters: &[f64], joints: &[f64], targets: [[f64; 2]; 2]) -> Vec<f64>;
+
+    /// Derivatives of [`Self::pose_error`] with respect to the coordinates of the targets: 3 rows
+    /// of 4. They do not depend on the joints.
+    fn pose_error_by_targets(&self, parameters: &[f64], targets: [[f64; 2]; 2]) -> [[f64; 4]; 3];
 
     /// Index of the parameter for the distance between the two targets, which poses do not
     /// determine.

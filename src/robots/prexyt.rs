@@ -155,6 +155,45 @@ impl Prexyt {
         PlanarPose { x_mm: x, y_mm: y, theta_rad: theta }
     }
 
+    /// Pose of the platform, and its derivatives with respect to each parameter: those of
+    /// [`Self::direct`] in closed form.
+    fn pose_derivatives(&self, p: &[f64], rho: &[f64]) -> (PlanarPose, [[f64; 3]; PARAMETERS]) {
+        let pose = self.direct(p, rho);
+        let [[_, y2], [run, y3]] = self.revolutes(p, rho);
+        let (sin_beta, cos_beta) = p[0].sin_cos();
+        let (tan_beta, tan_gamma, tan_theta) = (p[0].tan(), p[1].tan(), (y3 - y2) / run);
+        let reach3 = p[12] * rho[2];
+        let by_gamma = 1.0 + tan_gamma * tan_gamma;
+        let none = Change::default();
+        let mut changes = [none; PARAMETERS];
+        changes[0] =
+            Change { run: -reach3 * cos_beta - p[4] * (1.0 + tan_beta * tan_beta), y3: -reach3 * sin_beta, ..none };
+        changes[1] = Change { tan_gamma: by_gamma, ..none };
+        changes[3] = Change { run: 1.0, ..none };
+        changes[4] = Change { run: -tan_beta, y3: 1.0, ..none };
+        changes[5] = Change { along: 1.0, ..none };
+        changes[10] = Change { along: rho[0], ..none };
+        changes[11] = Change { y2: rho[1], ..none };
+        changes[12] = Change { run: -rho[2] * sin_beta, y3: rho[2] * cos_beta, ..none };
+        if self.full {
+            // delta = delta1 (cos alpha - sin alpha tan gamma), d = d1 - h tan gamma
+            let ((sin, cos), travel, h) = (p[14].sin_cos(), p[10] * rho[0], p[15]);
+            changes[1].along = -(travel * sin + h) * by_gamma;
+            changes[10].along = rho[0] * (cos - sin * tan_gamma);
+            changes[14].along = -travel * (sin + cos * tan_gamma);
+            changes[15].along = -tan_gamma;
+        }
+        let derivatives = changes.map(|change| {
+            let by_tan_theta = (change.y3 - change.y2 - tan_theta * change.run) / run;
+            let turned = tan_gamma * by_tan_theta + tan_theta * change.tan_gamma;
+            let along = change.along + tan_gamma * change.y2 + y2 * change.tan_gamma;
+            let x = (along + pose.x_mm * turned) / (1.0 - tan_gamma * tan_theta); // eq. 3.11
+            let y = change.y2 + pose.x_mm * by_tan_theta + tan_theta * x; // eq. 3.10
+            [x, y, by_tan_theta / (1.0 + tan_theta * tan_theta)]
+        });
+        (pose, derivatives)
+    }
+
     /// Axes of revolute joints 2 and 3 in the base frame; theta is the direction from joint 2 to
     /// joint 3 (thesis, eq. 3.8).
     fn revolutes<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
@@ -214,6 +253,18 @@ impl Prexyt {
     }
 }
 
+/// Derivatives by one parameter of the quantities from which the pose follows.
+#[derive(Clone, Copy, Default)]
+struct Change {
+    /// Revolute joint 2 along y, and revolute joint 3 along x and y.
+    y2: f64,
+    run: f64,
+    y3: f64,
+    /// Carriage 1 along x.
+    along: f64,
+    tan_gamma: f64,
+}
+
 impl Robot for Prexyt {
     fn definition(&self) -> &Definition {
         &self.definition
@@ -271,9 +322,26 @@ impl Robot for Prexyt {
         out.copy_from_slice(self.balls(parameters, joints).as_flattened());
     }
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        let balls = self.balls(&duals::<PARAMETERS>(parameters), &constants(joints));
-        for (row, value) in out.chunks_exact_mut(parameters.len()).zip(balls.as_flattened()) {
-            row.copy_from_slice(&value.gradient[..parameters.len()]);
+        let (pose, by_parameter) = self.pose_derivatives(parameters, joints);
+        let (sin, cos) = (pose.theta_rad + parameters[2]).sin_cos();
+        let (x_c, y_c, l_kl) = (parameters[6], parameters[7], parameters[13]);
+        let (k_turned, l_turned) = ([x_c * sin + y_c * cos, y_c * sin - x_c * cos], [-l_kl * sin, l_kl * cos]);
+        let n = parameters.len();
+        for (i, [x, y, theta]) in by_parameter.into_iter().enumerate().take(n) {
+            let turn = if i == 2 { 1.0 } else { theta };
+            let own = match i {
+                6 => [-cos, -sin],
+                7 => [sin, -cos],
+                8 => [1.0, 0.0],
+                9 => [0.0, 1.0],
+                _ => [0.0; 2],
+            };
+            let stretch = if i == 13 { [cos, sin] } else { [0.0; 2] };
+            for axis in 0..2 {
+                let k = [x, y][axis] + own[axis] + k_turned[axis] * turn;
+                out[axis * n + i] = k;
+                out[(2 + axis) * n + i] = k + stretch[axis] + l_turned[axis] * turn;
+            }
         }
     }
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
@@ -356,13 +424,19 @@ impl Platform for Prexyt {
     fn pose_error(&self, p: &[f64], joints: &[f64], [k, l]: [[f64; 2]; 2]) -> [f64; 3] {
         self.pose_residual(p, joints, k, l)
     }
-    fn pose_error_jacobians(&self, p: &[f64], joints: &[f64], [k, l]: [[f64; 2]; 2]) -> (Vec<f64>, [[f64; 4]; 3]) {
-        let by_parameters =
-            self.pose_residual(&duals::<PARAMETERS>(p), &constants(joints), k.map(Dual::from), l.map(Dual::from));
-        let balls = duals::<4>(&[k[0], k[1], l[0], l[1]]);
-        let by_balls =
-            self.pose_residual(&constants(p), &constants(joints), [balls[0], balls[1]], [balls[2], balls[3]]);
-        (by_parameters.iter().flat_map(|r| &r.gradient[..p.len()]).copied().collect(), by_balls.map(|r| r.gradient))
+    fn pose_error_jacobian(&self, p: &[f64], joints: &[f64], [k, l]: [[f64; 2]; 2]) -> Vec<f64> {
+        let (_, mut by_parameter) = self.pose_derivatives(p, joints);
+        // what the balls measure depends on their places, the base and epsilon_theta
+        let length = (l[0] - k[0]).hypot(l[1] - k[1]);
+        let (cos, sin) = ((l[0] - k[0]) / length, (l[1] - k[1]) / length);
+        by_parameter[2] = [0.0, 0.0, 1.0];
+        by_parameter[6..10].copy_from_slice(&[[-cos, -sin, 0.0], [sin, -cos, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        (0..3).flat_map(|row| by_parameter[..p.len()].iter().map(move |by| by[row])).collect()
+    }
+    fn pose_error_by_targets(&self, p: &[f64], [k, l]: [[f64; 2]; 2]) -> [[f64; 4]; 3] {
+        let balls: [Dual<4>; 4] = std::array::from_fn(|i| Dual::variable([k[0], k[1], l[0], l[1]][i], i));
+        let measured = self.measured(&constants(p), [balls[0], balls[1]], [balls[2], balls[3]]);
+        [measured.x_mm, measured.y_mm, measured.theta_rad].map(|measured| (-measured).gradient)
     }
     fn target_distance(&self) -> usize {
         13
@@ -389,6 +463,38 @@ impl RailTable for Prexyt {
             }
             2 => [0.0, p[11]],
             _ => [-p[12] * p[0].sin(), p[12] * p[0].cos()],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Derivatives in closed form beside those of dual numbers.
+    #[test]
+    fn derivatives_are_those_of_dual_numbers() {
+        for full in [false, true] {
+            let robot = Prexyt::new(full);
+            let mut p = robot.nominal();
+            p.iter_mut().enumerate().for_each(|(i, p)| *p += 0.02 * (1.0 + i as f64).sin());
+            let n = p.len();
+            for rho in [[0.0, 10.0, 44.0], [85.0, 150.0, 170.0], [170.0, 300.0, 255.0], [20.0, 40.0, 430.0]] {
+                let near = |found: &[f64], duals: &[Dual<PARAMETERS>]| {
+                    let expected = duals.iter().flat_map(|dual| &dual.gradient[..n]);
+                    found
+                        .iter()
+                        .zip(expected)
+                        .for_each(|(a, b)| assert!((a - b).abs() < 1e-12 * (1.0 + b.abs()), "{a} {b}"));
+                };
+                let mut balls = vec![0.0; 4 * n];
+                robot.jacobian(&p, &rho, &mut balls);
+                near(&balls, robot.balls(&duals(&p), &constants(&rho)).as_flattened());
+                let (k, l) = ([150.0, 130.0], [290.0, 160.0]);
+                let [at_k, at_l] = [k, l].map(|ball| ball.map(Dual::from));
+                let duals = robot.pose_residual(&duals(&p), &constants(&rho), at_k, at_l);
+                near(&robot.pose_error_jacobian(&p, &rho, [k, l]), &duals);
+            }
         }
     }
 }

@@ -6,7 +6,7 @@
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
 use super::{
-    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
+    AXES, ChainJoint, Circumstance, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
     OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning,
     pose_outputs,
 };
@@ -54,6 +54,17 @@ pub(super) struct Effects {
     pub harmonics: Vec<usize>,
     pub backlash: Vec<usize>,
     pub payload: Vec<usize>,
+    pub torque: Vec<usize>,
+    pub drift: Vec<usize>,
+    /// `true` if all lengths expand with the temperature.
+    pub expansion: bool,
+    /// Temperature (°C) to which lengths and zeros refer.
+    pub reference_c: f64,
+    pub lateral: Vec<usize>,
+    /// `true` if the base tilts under the moments of the arm.
+    pub pedestal: bool,
+    /// Stated masses of the links behind the joints; empty if none is stated.
+    pub bodies: Vec<Body>,
 }
 
 /// A moving joint of the chain.
@@ -84,10 +95,23 @@ enum Load {
     Moment { axis: usize, about: Vector, largest_kg_mm: f64 },
     /// Moment of the payload of a reading about an axis, in multiples of 100 N·m.
     Payload { axis: usize },
+    /// Moment of masses beyond an axis and of the payload about direction 0, 1 or 2 of the frame
+    /// that the axis moves, in multiples of 100 N·m; without an axis, that of all masses about a
+    /// direction of the base.
+    Across { axis: Option<usize>, about: usize },
 }
 
 /// Standard gravity (3rd CGPM 1901), in multiples of 100 N·m for a mass of 1 kg on a lever of 1 mm.
 const PAYLOAD: f64 = 9.806_65e-5;
+
+/// Torque in multiples of 100 N·m, per N·m.
+const PER_TORQUE: f64 = 0.01;
+/// Difference of temperature in multiples of 10 K, per kelvin.
+const PER_KELVIN: f64 = 0.1;
+/// Share of gravity along an axis of the base at which no moment acts about the axis.
+const ALONG: f64 = 1.0 - 1e-9;
+/// Ratio of lengths for an expansion of 1 mm per metre and kelvin, per kelvin.
+const EXPANDED: f64 = 1e-3;
 
 const GAIN: &str = meaning("meaning-gain");
 const BENDING: &str = meaning("meaning-bending");
@@ -95,6 +119,11 @@ const COUPLING: &str = meaning("meaning-coupling");
 const HARMONIC: &str = meaning("meaning-harmonic");
 const BACKLASH: &str = meaning("meaning-backlash");
 const BY_PAYLOAD: &str = meaning("meaning-payload");
+const BY_TORQUE: &str = meaning("meaning-torque");
+const EXPANSION: &str = meaning("meaning-expansion");
+const DRIFT: &str = meaning("meaning-drift");
+const LATERAL: &str = meaning("meaning-lateral");
+const PEDESTAL: &str = meaning("meaning-pedestal");
 const TILT: &str = meaning("meaning-axis-rotation");
 const ASIDE: &str = meaning("meaning-axis-displacement");
 
@@ -136,6 +165,9 @@ fn joint_error(name: String, quantity: Quantity, effect: Effect, joint: usize) -
         Effect::Backlash => BACKLASH,
         Effect::Coupling => COUPLING,
         Effect::Payload => BY_PAYLOAD,
+        Effect::Torque => BY_TORQUE,
+        Effect::Drift => DRIFT,
+        Effect::Lateral => LATERAL,
         _ => BENDING,
     };
     let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).of_joint(joint);
@@ -156,8 +188,16 @@ pub(super) struct ArmBuilder {
     moved: Vec<Vec<Term>>,
     /// Joints with direction of approach.
     approached: Vec<usize>,
-    /// Position of the payload behind the joint values; `None` if no joint bends under it.
-    payload: Option<usize>,
+    /// Values that each reading states; they follow the directions of approach.
+    circumstances: Vec<Circumstance>,
+    /// Term of the common expansion of all lengths.
+    expansion: Option<Term>,
+    /// Axes that tilt, by their indices.
+    tilting: Vec<usize>,
+    /// First of the two elements by which each of these axes tilts.
+    tilts: Vec<(usize, usize)>,
+    /// First of the three elements by which the base tilts.
+    pedestal: Option<usize>,
     /// Number of parameters that other branches of the robot have already added.
     shared: usize,
 }
@@ -174,27 +214,34 @@ impl ArmBuilder {
             targets: targets.to_vec(),
             moved: Vec::new(),
             approached: Vec::new(),
-            payload: None,
+            circumstances: Vec::new(),
+            expansion: None,
+            tilting: Vec::new(),
+            tilts: Vec::new(),
+            pedestal: None,
             shared: 0,
         };
         arm.place_base();
         arm
     }
 
-    /// Starts another branch of the same robot. Both branches share the parameters and the
-    /// directions of approach of their common joints.
+    /// Starts another branch of the same robot. Both branches share the parameters, the directions
+    /// of approach of their common joints, and what each reading states.
     pub fn branch(&self) -> Self {
         let mut branch = Self::new(&self.targets);
         branch.parameters = self.parameters.clone();
         branch.approached = self.approached.clone();
+        branch.circumstances = self.circumstances.clone();
         branch.shared = self.parameters.len();
         branch
     }
 
-    /// Takes over the parameters and the directions of approach of the last branch.
+    /// Takes over the parameters, the directions of approach and the values of each reading of the
+    /// last branch.
     pub fn complete(&mut self, last: &Self) {
         self.parameters = last.parameters.clone();
         self.approached = last.approached.clone();
+        self.circumstances = last.circumstances.clone();
     }
 
     /// Adds the motions of the base.
@@ -204,6 +251,58 @@ impl ArmBuilder {
         }
         (0..3).for_each(|axis| self.push(Motion::Attitude(axis), 0.0, &[3 + axis]));
         self.based = self.elements.len();
+    }
+
+    /// Prepares the tilts of axes and base; to be called before the first axis is added.
+    pub fn elastic(&mut self, effects: &Effects) {
+        self.tilting.clone_from(&effects.lateral);
+        if effects.pedestal {
+            self.pedestal = Some(self.elements.len());
+            (0..3).for_each(|axis| self.push(Motion::Turn(axis), 0.0, &[]));
+        }
+    }
+
+    /// Adds the tilts of the last axis at the current frame, whose z axis is that of the joint.
+    pub fn tilt(&mut self) {
+        let axis = self.axes.len() - 1;
+        if self.tilting.contains(&axis) {
+            self.tilts.push((axis, self.elements.len()));
+            (0..2).for_each(|k| self.push(Motion::Turn(k), 0.0, &[]));
+        }
+    }
+
+    /// Adds the parameters of the tilts: angles under 100 N·m about the same direction. The moment
+    /// is that of the known masses and of the payload; without known masses, of the payload alone.
+    pub fn tilts(&mut self, gravity: Vector) {
+        if self.tilts.is_empty() && self.pedestal.is_none() {
+            return;
+        }
+        if self.axes.iter().all(|axis| axis.body.mass_kg == 0.0) {
+            self.stated_payload();
+        }
+        for (axis, first) in self.tilts.clone() {
+            let Drive { label, joint, .. } = self.axes[axis].drive.clone();
+            for k in 0..2 {
+                let name = format!("lateral_{label}_{}", AXES[k]);
+                let own = joint_error(name, Quantity::Angle, Effect::Lateral, joint);
+                self.bend(first + k, own, Load::Across { axis: Some(axis), about: k });
+            }
+        }
+        let Some(first) = self.pedestal else { return };
+        // gravity has no moment about its own direction
+        for k in (0..3).filter(|&k| gravity[k].abs() < ALONG) {
+            let own = Parameter::new(format!("pedestal_{}", AXES[k]), Quantity::Angle, Role::Robot, 0.0);
+            let own = Parameter { effect: Effect::Pedestal, ..own.meaning(PEDESTAL) };
+            self.bend(first + k, own, Load::Across { axis: None, about: k });
+        }
+    }
+
+    /// Lets an element turn by a parameter times a load.
+    fn bend(&mut self, element: usize, own: Parameter, load: Load) {
+        let parameter = self.add(own);
+        self.loads.push(load);
+        let coefficient = Coefficient::Load(self.loads.len() - 1);
+        self.elements[element].terms.push(Term { parameter, coefficient });
     }
 
     /// Adds a parameter, unless another branch has it, and returns its index.
@@ -317,10 +416,26 @@ impl ArmBuilder {
         }
     }
 
-    /// Adds bending of revolute axes of a chain with `joints` joints under the payload of a
-    /// reading; follows [`Self::backlash`].
-    pub fn payload(&mut self, axes: &[usize], joints: usize) {
+    /// Position of a value that each reading states, behind the directions of approach.
+    fn stated(&mut self, value: Circumstance) -> usize {
+        self.circumstances.iter().position(|known| *known == value).unwrap_or_else(|| {
+            self.circumstances.push(value);
+            self.circumstances.len() - 1
+        })
+    }
+
+    /// Declares that each reading states the payload.
+    fn stated_payload(&mut self) {
+        self.stated(Circumstance::PayloadMass);
+        for k in 0..3 {
+            self.stated(Circumstance::PayloadCentre(k));
+        }
+    }
+
+    /// Adds bending of revolute axes under the payload of a reading.
+    pub fn payload(&mut self, axes: &[usize]) {
         for &axis in axes {
+            self.stated_payload();
             let Drive { ref label, joint, .. } = self.axes[axis].drive;
             let name = compliance_name(label, Some("load"));
             let own = joint_error(name, Quantity::Angle, Effect::Payload, joint);
@@ -328,7 +443,74 @@ impl ArmBuilder {
             self.loads.push(Load::Payload { axis });
             let coefficient = Coefficient::Load(self.loads.len() - 1);
             self.moved[axis].push(Term { parameter, coefficient });
-            self.payload = Some(joints + self.approached.len());
+        }
+    }
+
+    /// Adds bending of revolute axes in proportion to the torques of their joints:
+    /// Δq = c · τ / 100 N·m.
+    pub fn torque(&mut self, axes: &[usize]) {
+        for &axis in axes {
+            let Drive { label, joint, factor, .. } = self.axes[axis].drive.clone();
+            let name = compliance_name(&label, Some("torque"));
+            let own = joint_error(name, Quantity::Angle, Effect::Torque, joint);
+            let parameter = self.add(Parameter { by: Some(joint), ..own });
+            let at = self.stated(Circumstance::Torque(joint));
+            let coefficient = Coefficient::Stated { at, from: 0.0, factor: PER_TORQUE * factor.signum() };
+            self.moved[axis].push(Term { parameter, coefficient });
+        }
+    }
+
+    /// Adds the effects of the temperature of a reading.
+    pub fn temperature(&mut self, effects: &Effects) {
+        self.drift(&effects.drift, effects.reference_c);
+        if effects.expansion {
+            self.expansion(effects.reference_c);
+        }
+    }
+
+    /// Adds the drift of zeros of axes with the temperature: Δq = c · (T − reference) / 10 K.
+    pub fn drift(&mut self, axes: &[usize], reference_c: f64) {
+        for &axis in axes {
+            let Drive { label, joint, factor, prismatic, .. } = self.axes[axis].drive.clone();
+            let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
+            let parameter = self.add(joint_error(format!("drift_{label}"), quantity, Effect::Drift, joint));
+            let at = self.stated(Circumstance::Temperature);
+            let coefficient = Coefficient::Stated { at, from: reference_c, factor: PER_KELVIN * factor.signum() };
+            self.moved[axis].push(Term { parameter, coefficient });
+        }
+    }
+
+    /// Adds the common expansion of all lengths of the arm: L = L₀ (1 + α (T − reference)), with α
+    /// in mm per metre and kelvin.
+    pub fn expansion(&mut self, reference_c: f64) {
+        let own = Parameter::new("expansion", Quantity::Ratio, Role::Robot, 0.0).meaning(EXPANSION);
+        let parameter = self.add(Parameter { effect: Effect::Expansion, ..own });
+        let at = self.stated(Circumstance::Temperature);
+        let coefficient = Coefficient::Stated { at, from: reference_c, factor: EXPANDED };
+        self.expansion = Some(Term { parameter, coefficient });
+    }
+
+    /// Lets all lengths expand: displacements by a ratio, lengths of parameters by their nominal
+    /// values.
+    fn expand(&mut self) {
+        let Some(Term { parameter, coefficient: Coefficient::Stated { at, from, factor } }) = self.expansion else {
+            return;
+        };
+        let nominal: Vec<f64> = self.parameters.iter().map(|p| p.nominal).collect();
+        for element in &mut self.elements[self.based..] {
+            let own = |term: &Term| match term.coefficient {
+                Coefficient::Constant(times) => times * nominal[term.parameter],
+                _ => 0.0,
+            };
+            let length = match element.motion {
+                Motion::Shift(_) => element.constant + element.terms.iter().map(own).sum::<f64>(),
+                Motion::Fixed(place) if norm(place.translation_mm) > 0.0 => 1.0,
+                _ => 0.0,
+            };
+            if length != 0.0 {
+                let coefficient = Coefficient::Stated { at, from, factor: factor * length };
+                element.terms.push(Term { parameter, coefficient });
+            }
         }
     }
 
@@ -419,6 +601,7 @@ impl ArmBuilder {
         if let Some(axis) = self.axes.last_mut() {
             axis.aligned = aligned;
         }
+        self.tilt();
         self.place(aligned.inverse());
         errors
     }
@@ -429,7 +612,10 @@ impl ArmBuilder {
         self.gains();
         self.harmonics(&effects.harmonics);
         self.backlash(&effects.backlash, self.axes.len());
-        self.payload(&effects.payload, self.axes.len());
+        self.payload(&effects.payload);
+        self.torque(&effects.torque);
+        self.temperature(effects);
+        self.tilts(effects.gravity);
         self.bending(&effects.bending);
         self.coupling(&effects.coupling);
         let joints = (1..).zip(prismatic).map(|(i, prismatic)| Joint::numbered(i, prismatic));
@@ -444,9 +630,19 @@ impl ArmBuilder {
 
     /// Builds the robot with these joints and this direction of gravity in the base frame.
     pub fn build(mut self, model: &'static str, joints: Vec<Joint>, gravity: Vector) -> Serial {
-        for (axis, moved) in self.axes.iter().zip(self.moved) {
+        let moved = std::mem::take(&mut self.moved);
+        for (axis, moved) in self.axes.iter().zip(moved) {
             self.elements[axis.element].terms.splice(axis.at..axis.at, moved);
         }
+        self.expand();
+        // values of the reading follow the directions of all joints with backlash
+        let first = joints.len() + self.approached.len();
+        for term in self.elements.iter_mut().flat_map(|element| &mut element.terms) {
+            if let Coefficient::Stated { at, .. } = &mut term.coefficient {
+                *at += first;
+            }
+        }
+        let mass = self.circumstances.iter().position(|value| *value == Circumstance::PayloadMass);
         Serial {
             limits: vec![None; joints.len()],
             definition: Definition { model, dimension: 3, parameters: self.parameters, joints, targets: self.targets },
@@ -455,7 +651,8 @@ impl ArmBuilder {
             loads: self.loads,
             based: self.based,
             approached: self.approached,
-            payload: self.payload,
+            payload: mass.map(|at| first + at),
+            circumstances: self.circumstances,
             gravity,
             of_base: Vec::new(),
             link: None,
@@ -566,6 +763,8 @@ pub struct Serial {
     approached: Vec<usize>,
     /// Position of the payload behind the joint values.
     payload: Option<usize>,
+    /// Values that each reading states; they follow the directions of approach.
+    circumstances: Vec<Circumstance>,
     gravity: Vector,
     /// Limits of each joint (rad or mm).
     limits: Vec<Option<[f64; 2]>>,
@@ -652,6 +851,18 @@ impl Serial {
             Load::Payload { axis } => {
                 let lever = minus(flange.apply([x, y, z]), frames[axis].translation_mm);
                 dot(frames[axis].axis(2), cross(lever, gravity)) * mass_kg * PAYLOAD
+            }
+            Load::Across { axis, about } => {
+                let frame = axis.map_or_else(Pose::identity, |axis| frames[axis]);
+                let of = |point: Vector<T>, mass_kg: T| {
+                    dot(frame.axis(about), cross(minus(point, frame.translation_mm), gravity)) * mass_kg * PAYLOAD
+                };
+                let link = |(frame, a): (&Pose<T>, &Axis)| {
+                    let centre = a.aligned.inverse().rotate(a.body.center_mm).map(T::from);
+                    of(frame.apply(centre), T::from(a.body.mass_kg))
+                };
+                let beyond = frames.iter().zip(&self.axes).skip(axis.unwrap_or(0));
+                beyond.map(link).fold(of(flange.apply([x, y, z]), mass_kg), |sum, moment| sum + moment)
             }
         };
         self.loads.iter().map(size).collect()
@@ -830,6 +1041,10 @@ impl Robot for Serial {
             AXES.iter().for_each(|a| add("bending", compliance_name(label, Some(&format!("r{a}"))), &[label]));
             ORDERS.iter().for_each(|(_, part, _)| add("harmonics", harmonic_name(label, part), &[label]));
             add("backlash", backlash_name(label), &[label]);
+            add("payload", compliance_name(label, Some("load")), &[label]);
+            add("torque", compliance_name(label, Some("torque")), &[label]);
+            add("drift", format!("drift_{label}"), &[label]);
+            AXES[..2].iter().for_each(|a| add("lateral", format!("lateral_{label}_{a}"), &[label]));
             for by in labels() {
                 let joints = if by == label { vec![label] } else { vec![label, by] };
                 add("bending", compliance_name(label, Some(by)), &joints);
@@ -881,8 +1096,8 @@ impl Robot for Serial {
     fn approached(&self) -> &[usize] {
         &self.approached
     }
-    fn carries_payload(&self) -> bool {
-        self.payload.is_some()
+    fn circumstances(&self) -> &[Circumstance] {
+        &self.circumstances
     }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<Phrase> {
         limit_violation(self.joints(), &self.limits, joints)

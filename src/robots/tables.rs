@@ -61,6 +61,18 @@ impl JointChain {
         let axes = self.joints.iter().map(axis).collect();
         (axes, pose.then(&self.flange))
     }
+
+    /// Frames of the joints in the base frame, moved to logged joint values (mm or rad).
+    pub fn frames(&self, joints: &[f64]) -> Vec<Pose> {
+        let mut pose = Pose::identity();
+        let moved = |(joint, value): (&super::ChainJoint, &f64)| {
+            let at = pose.then(&joint.origin);
+            let travel = joint.gain * value;
+            pose = if joint.prismatic { at.shift(2, travel) } else { at.turn_z(travel) };
+            pose
+        };
+        self.joints.iter().zip(joints).map(moved).collect()
+    }
 }
 
 /// Denavit-Hartenberg table of a chain, and the motions that the table cannot represent.

@@ -73,6 +73,13 @@ impl<'a> Branch<'a> {
             gravity: effects.gravity,
             bending: places(&effects.bending),
             payload: places(&effects.payload),
+            torque: places(&effects.torque),
+            drift: places(&effects.drift),
+            expansion: effects.expansion,
+            reference_c: effects.reference_c,
+            lateral: places(&effects.lateral),
+            pedestal: effects.pedestal,
+            bodies: Vec::new(),
             coupling: effects.coupling.iter().filter_map(|(k, by)| Some((place(k)?, place(by)?))).collect(),
             harmonics: places(&effects.harmonics),
             backlash: places(&effects.backlash),
@@ -408,8 +415,14 @@ impl Description for Keys {
                 of_base.push(joint);
             }
         }
-        for (key, joints) in [("bending", &self.effects.bending), ("payload", &self.effects.payload)] {
-            if !joints.is_empty() && !of_base.is_empty() {
+        let elastic = &self.effects;
+        for (key, is_stated) in [
+            ("bending", !elastic.bending.is_empty()),
+            ("payload", !elastic.payload.is_empty()),
+            ("lateral", !elastic.lateral.is_empty()),
+            ("pedestal", elastic.pedestal),
+        ] {
+            if is_stated && !of_base.is_empty() {
                 let fault = TreeFault::BendsOnMovingBase(self.base_link.clone());
                 faults.add(At::Key(key), FaultKind::Tree(fault));
             }
@@ -422,8 +435,10 @@ impl Description for Keys {
         let mut arms: Vec<ArmBuilder> = Vec::new();
         for branch in &branches {
             let mut arm = arms.last().map_or_else(|| ArmBuilder::new(targets), ArmBuilder::branch);
+            let own = branch.own(&effects, &axes);
+            arm.elastic(&own);
             let errors = self.assemble(&mut arm, branch, &joints)?;
-            faults.0.extend(add_effects(&mut arm, &errors, &branch.own(&effects, &axes), joints.len()));
+            faults.0.extend(add_effects(&mut arm, &errors, &own, joints.len()));
             arms.push(arm);
         }
         if let Some(name) = arms.last().and_then(ArmBuilder::doubled) {
@@ -565,7 +580,10 @@ fn add_effects(arm: &mut ArmBuilder, errors: &[Vec<SmallError>], effects: &Effec
     arm.gains();
     arm.harmonics(&effects.harmonics);
     arm.backlash(&effects.backlash, joints);
-    arm.payload(&effects.payload, joints);
+    arm.payload(&effects.payload);
+    arm.torque(&effects.torque);
+    arm.temperature(effects);
+    arm.tilts(effects.gravity);
     for &k in &effects.bending {
         if !arm.is_loaded(k) {
             faults.push(Fault::tree(At::Key("bending"), TreeFault::NoMass(arm.name(k).to_owned())));
@@ -589,6 +607,11 @@ fn wrong_effects(effects: &Effects, axes: &[Joint], branches: &[Branch]) -> Vec<
     // each hand would have a payload of its own
     for &k in effects.payload.iter().filter(|_| branches.len() > 1) {
         faults.push(Fault::tree(At::Key("payload"), TreeFault::PayloadInBranches(name(k))));
+    }
+    for (key, is_stated) in [("lateral", !effects.lateral.is_empty()), ("pedestal", effects.pedestal)] {
+        if is_stated && branches.len() > 1 {
+            faults.push(Fault::tree(At::Key(key), TreeFault::ElasticInBranches(key)));
+        }
     }
     for &(k, by) in &effects.coupling {
         if let Some(branch) = branches.iter().find(|branch| has(branch, k) && !has(branch, by)) {

@@ -10,8 +10,8 @@ use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FieldDocument,
-    FramesDocument, GeometricDocument, ImportDocument, ManifestDocument, ParametersDocument, PointError,
+    AccuracyDocument, CampaignSummary, CellDocument, Characteristics, ControllersDocument, FeaturesDocument,
+    FieldDocument, FramesDocument, GeometricDocument, ImportDocument, ManifestDocument, ParametersDocument, PointError,
 };
 use etalon_formats::table;
 use etalon_report::Report;
@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-const PARAMETERS: &str = "parameters.json";
+pub(super) const PARAMETERS: &str = "parameters.json";
 
 /// An output folder and its manifest.
 #[derive(Debug)]
@@ -150,7 +150,9 @@ impl Documents {
         let held = FolderLock::take(&self.folder)?;
         self.unchanged()?;
         let paths = added.iter().map(|(name, _)| self.path(name).display().to_string()).collect();
-        let files = with_manifest(self.manifest.files, added)?;
+        let mut listed = self.manifest.files;
+        listed.extend(added.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
+        let files = with_manifest(listed, added)?;
         held.replace(&files, |name| !holds(&files, name), || Ok(()), Durability::Now)?;
         Ok(paths)
     }
@@ -236,9 +238,8 @@ impl Run {
 /// Files of an output folder, by name.
 type Files = Vec<(String, Vec<u8>)>;
 
-/// These files and the manifest, which lists them in addition to the files in `listed`.
-pub(super) fn with_manifest(mut listed: BTreeMap<String, String>, mut files: Files) -> Result<Files> {
-    listed.extend(files.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
+/// These files and the manifest, with the hash of each file of the folder in `listed`.
+pub(super) fn with_manifest(listed: BTreeMap<String, String>, mut files: Files) -> Result<Files> {
     files.push((ManifestDocument::NAME.to_owned(), to_json(&ManifestDocument::new(listed))?));
     Ok(files)
 }
@@ -266,6 +267,11 @@ pub fn read_parameters_and_run(path: &Path) -> Result<(ParametersDocument, Optio
         _ => files::read(path)?,
     };
     Ok((checked(path, &bytes)?, run))
+}
+
+/// Reads the answer of `etalon cell --json`.
+pub fn read_cell(path: &Path) -> Result<CellDocument> {
+    parse(path, &files::read(path)?, "cell")
 }
 
 /// Reads a `field.json` that belongs to the parameters in the file `parameters`.

@@ -8,7 +8,7 @@ use etalon_campaign::{Campaign, JoinBy};
 use etalon_documents::ResidualKind;
 use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
-use etalon_formats::tables::joints::PAYLOAD;
+use etalon_formats::tables::joints::stated_columns;
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
@@ -146,6 +146,7 @@ pub(super) fn targets_to_state(mut problems: Problems, imported: &Gathered, unre
 
 /// Checks the logs against the joints of the robot.
 pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
+    let stated = stated_columns(robot);
     for (i, log) in campaign.file.logs.iter().enumerate() {
         let named = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         let same = campaign.file.logs.iter().filter(|l| l.name == log.name).count();
@@ -158,7 +159,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
         }
         let known = |key: &str| {
             etalon_formats::is_common_column(key)
-                || (robot.carries_payload() && PAYLOAD.contains(&key))
+                || stated.iter().any(|own| own == key)
                 || robot.joints().iter().any(|j| etalon_formats::is_joint_column(key, j) || key == j.direction_column())
         };
         for key in log.keys().filter(|key| !known(key.get_ref()) && etalon_formats::log_column(key.get_ref()).is_some())

@@ -1,7 +1,7 @@
 //! The output folder of a campaign: documents are collected first and written when all of them are
 //! whole.
 
-use crate::run::documents::{self, Documents};
+use crate::run::documents::{self, Documents, PARAMETERS};
 use crate::stages::evaluate;
 use crate::stages::gather::Gathered;
 use crate::stages::identification::Identified;
@@ -23,22 +23,30 @@ use std::path::PathBuf;
 pub struct Output {
     folder: PathBuf,
     files: Vec<(String, Vec<u8>)>,
+    /// SHA-256 of the files.
+    hashes: BTreeMap<String, String>,
 }
 
 impl Output {
     /// Nothing yet for `folder`.
     pub fn new(folder: PathBuf) -> Self {
-        Self { folder, files: Vec::new() }
+        Self { folder, files: Vec::new(), hashes: BTreeMap::new() }
     }
 
     /// Adds a file.
     pub fn bytes(&mut self, name: &str, bytes: Vec<u8>) {
+        self.hashes.insert(name.to_owned(), files::sha256(&bytes));
         self.files.push((name.to_owned(), bytes));
     }
 
     /// A file that was added.
     pub fn file(&self, name: &str) -> Option<&[u8]> {
         self.files.iter().find(|(added, _)| added == name).map(|(_, bytes)| bytes.as_slice())
+    }
+
+    /// SHA-256 of a file that was added.
+    pub fn sha256(&self, name: &str) -> Option<&str> {
+        self.hashes.get(name).map(String::as_str)
     }
 
     /// Adds a document.
@@ -84,9 +92,9 @@ impl Output {
     /// Adds parameters and errors, if there are any.
     pub fn identified(&mut self, found: Option<&Identified>) -> Result<()> {
         let Some(found) = found else { return Ok(()) };
-        self.json("parameters.json", &found.parameters)?;
+        self.json(PARAMETERS, &found.parameters)?;
         if let Some(field) = &found.field {
-            let parameters_sha256 = self.file("parameters.json").map(files::sha256).unwrap_or_default();
+            let parameters_sha256 = self.sha256(PARAMETERS).unwrap_or_default().to_owned();
             let field = FieldDocument { parameters_sha256, ..field.clone() };
             self.json(FieldDocument::NAME, &field)?;
             for (name, bytes) in etalon_controllers::field_code(&field)? {
@@ -128,7 +136,7 @@ impl Output {
             Some(files) => files.contains(name),
             None => etalon_controllers::file_names().any(|file| file == name),
         };
-        let files = documents::with_manifest(BTreeMap::new(), self.files)?;
+        let files = documents::with_manifest(self.hashes, self.files)?;
         let keeps = |name: &str| !ours(name) && !documents::holds(&files, name);
         held.replace(&files, keeps, || unchanged(campaign, sources), durability)?;
         Ok(names)

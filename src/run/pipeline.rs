@@ -1,6 +1,7 @@
 //! A campaign from its exports to its output folder.
 
 use crate::run::controller_formats::ControllerFormats;
+use crate::run::documents::PARAMETERS;
 use crate::run::output::Output;
 use crate::run::summary::summary;
 use crate::run::walk::{Mode, Walk};
@@ -185,7 +186,12 @@ fn write(
         let targets = |table: &TableFile| kinds::targets(&table.table, &campaign.robot.branches());
         let targets = gathered.observations.as_ref().map(targets).transpose()?;
         let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
-        let given = Given { controllers: controllers.as_ref(), ..given(campaign, robot.as_ref(), found, &summary) };
+        let sha256 = out.sha256(PARAMETERS).map(str::to_owned);
+        let given = Given {
+            controllers: controllers.as_ref(),
+            parameters_sha256: sha256.as_deref(),
+            ..given(campaign, robot.as_ref(), found, &summary)
+        };
         for (name, exporter) in formats.all() {
             // refused files are among the messages
             let Ok(statement) = given.statement(exporter) else { continue };

@@ -50,8 +50,8 @@ fn writable(scene: &Scene, log: &Log) -> Result<()> {
         "period-log"
     } else if log.columns.values().any(|column| column.occurrence.is_some()) {
         "repeated-columns"
-    } else if scene.robot.carries_payload() {
-        "payload"
+    } else if !scene.robot.circumstances().is_empty() {
+        "circumstances"
     } else {
         return Ok(());
     };

@@ -9,11 +9,13 @@ mod repeatability;
 pub mod setup;
 pub mod study;
 mod table;
+mod torques;
 mod truth;
 mod unmodelled;
 
 pub use observed::{KnownRow, Observe};
 pub use repeatability::{PoseScatter, Repeating};
+pub use torques::{Mass, Torques};
 pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_values};
 pub use unmodelled::{Interpolation, Unmodelled};
 

@@ -14,16 +14,18 @@ use etalon_campaign::ObservationsDefinition;
 use etalon_formats::dialect::{ColumnSource, Decimal, Delimiter, Encoding, Header};
 use etalon_formats::log_column;
 use etalon_formats::table::{ASSEMBLY, XYZ};
-use etalon_formats::tables::joints::PAYLOAD;
+use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::Kind;
 use etalon_math::Factor;
-use etalon_robots::Quantity;
+use etalon_robots::{Circumstance, Quantity};
 use std::collections::BTreeMap;
 
 /// Streams of the noise of the table and of the drawn poses at contacts, distinct from the streams
 /// of exports.
 const TABLE: u64 = 1 << 36;
 const TOUCHED: u64 = 1 << 37;
+/// Stream of what friction adds to torques.
+const FRICTION: u64 = 1 << 38;
 /// Maximum number of Newton steps, and their convergence tolerance (mm).
 const STEPS: usize = 60;
 const TOUCHES_MM: f64 = 1e-10;
@@ -199,9 +201,13 @@ impl Table<'_> {
             for (joint, q) in scene.robot.joints().iter().zip(joints) {
                 self.set(&mut row, &joint.column(), joint.quantity.outward(*q));
             }
-            if scene.robot.carries_payload() {
-                let payload = PAYLOAD.into_iter().zip(joints.iter().skip(scene.robot.joints().len()));
-                payload.for_each(|(column, value)| self.set(&mut row, column, *value));
+            // the same for all targets of a measurement
+            let mut friction = Noise::new(scene.truth.seed, FRICTION + turn.number as u64);
+            let stated = scene.robot.circumstances().iter().zip(joints.iter().skip(scene.robot.joints().len()));
+            for ((what, value), column) in stated.zip(stated_columns(scene.robot)) {
+                let is_torque = matches!(what, Circumstance::Torque(_));
+                let added = if is_torque { friction.gaussian(scene.truth.torques.friction_nm) } else { 0.0 };
+                self.set(&mut row, &column, value + added);
             }
             if let (true, Some(mode)) = (scene.robot.has_assembly_modes(), joints.last()) {
                 row.insert(ASSEMBLY.to_owned(), format!("{mode:+.0}"));
@@ -232,7 +238,7 @@ impl Table<'_> {
     fn text(&self) -> String {
         let layout = self.stated.layout();
         let joints = self.scene.robot.joints().iter().map(|joint| joint.column());
-        let joints = joints.chain(PAYLOAD.map(str::to_owned));
+        let joints = joints.chain(stated_columns(self.scene.robot));
         let columns = ["kind", "pose", "cycle", "target"].map(str::to_owned).into_iter().chain(joints);
         let more = [ASSEMBLY].into_iter().chain(kinds::names()).chain(XYZ).chain(kinds::numbers());
         let columns = columns.chain(more.chain(["u_mm", "urot_deg"]).map(str::to_owned));

@@ -8,7 +8,7 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
 use etalon_campaign::parse;
-use etalon_robots::{PlanarPose, Robot};
+use etalon_robots::{Circumstance, PlanarPose, Robot};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -18,6 +18,8 @@ use std::path::Path;
 const DRAWN: u64 = 1 << 40;
 /// Maximum number of draws for joint values that the robot cannot reach.
 const ATTEMPTS: u64 = 1000;
+/// Temperature of the robot (°C) if none is stated.
+const USUAL_C: f64 = 20.0;
 
 /// `truth.toml`: true robot, and its measurements.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -61,6 +63,9 @@ pub struct Truth {
     pub repeatability: Option<super::Repeating>,
     /// Errors that no parameter describes; without them the errors after calibration are too small.
     pub unmodelled: Option<super::Unmodelled>,
+    /// Torques of the joints, for a robot with `torque`.
+    #[serde(default)]
+    pub torques: super::Torques,
     /// Rows of a table of observations at poses.
     #[serde(default)]
     pub observe: Vec<super::Observe>,
@@ -145,12 +150,15 @@ pub struct Poses {
     pub theta_deg: Vec<f64>,
     /// Random joint values.
     pub drawn: Option<Drawn>,
-    /// Payload at these poses, for a robot with `payload`; none by default.
+    /// Payload at these poses, for a robot with `payload` or `torque`; none by default.
     pub load: Option<Payload>,
+    /// Temperature of the robot at the first and the last of these poses, for a robot with `drift`
+    /// or `expansion`; it changes evenly. 20 °C by default.
+    pub temperature_c: Option<[f64; 2]>,
 }
 
 /// Payload of the robot.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Payload {
     /// Mass.
@@ -273,23 +281,32 @@ impl Truth {
         let (from, to) = (stated_joints(robot, &range.from)?, stated_joints(robot, &range.to)?);
         let mut noise = Noise::new(self.seed, DRAWN + ((pose as u64) << 20) + attempt);
         let drawn = from.iter().zip(&to).map(|(a, b)| 0.5 * (a + b) + noise.uniform(0.5 * (b - a))).collect();
-        Ok(self.loaded(robot, pose, drawn))
+        Ok(self.with_circumstances(robot, pose, drawn))
     }
 
-    /// Adds the payload of a pose, numbered from 0, to its joint values.
-    fn loaded(&self, robot: &dyn Robot, mut pose: usize, mut joints: Vec<f64>) -> Vec<f64> {
-        if robot.carries_payload() && robot.approached().is_empty() {
-            let mut load = None;
-            for poses in &self.poses {
-                if pose < poses.count() {
-                    load = poses.load;
-                    break;
-                }
-                pose -= poses.count();
-            }
-            let Payload { kg, xyz_mm: [x, y, z] } = load.unwrap_or(Payload { kg: 0.0, xyz_mm: [0.0; 3] });
-            joints.extend([kg, x, y, z]);
+    /// Adds payload, torques and temperature of a pose, numbered from 0, to its joint values.
+    fn with_circumstances(&self, robot: &dyn Robot, mut pose: usize, mut joints: Vec<f64>) -> Vec<f64> {
+        if robot.circumstances().is_empty() || !robot.approached().is_empty() {
+            return joints;
         }
+        let (mut load, mut temperature_c) = (Payload::default(), USUAL_C);
+        for poses in &self.poses {
+            if pose < poses.count() {
+                load = poses.load.unwrap_or_default();
+                let [first, last] = poses.temperature_c.unwrap_or([USUAL_C; 2]);
+                let steps = poses.count().saturating_sub(1).max(1);
+                temperature_c = first + (last - first) * pose as f64 / steps as f64;
+                break;
+            }
+            pose -= poses.count();
+        }
+        let torques = self.torques.at(robot, &joints, load);
+        joints.extend(robot.circumstances().iter().map(|stated| match *stated {
+            Circumstance::PayloadMass => load.kg,
+            Circumstance::PayloadCentre(axis) => load.xyz_mm[axis],
+            Circumstance::Torque(joint) => torques[joint],
+            Circumstance::Temperature => temperature_c,
+        }));
         joints
     }
 
@@ -305,7 +322,7 @@ impl Truth {
         let mut all = Vec::new();
         for poses in &self.poses {
             for q in &poses.joints {
-                all.push(self.loaded(robot, all.len(), stated_joints(robot, q)?));
+                all.push(self.with_circumstances(robot, all.len(), stated_joints(robot, q)?));
             }
             for circle in &poses.circles {
                 let platform = robot.platform().ok_or_else(|| error!("truth-circles-not-planar"))?;

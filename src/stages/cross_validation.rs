@@ -4,6 +4,7 @@
 //! All errors are sizes of position errors: each pose counts once, by their mean square.
 
 use super::apart::Apart;
+use super::circumstances::temperature;
 use super::evaluate::{self, Sets, summarise};
 use crate::stages::remedies::remedied;
 use etalon_base::error;
@@ -51,6 +52,8 @@ pub(super) struct Study<'a> {
     pub before: Vec<f64>,
     /// Poses that are left out together.
     pub folds: Vec<BTreeSet<PoseName>>,
+    /// Poses of neighbouring temperatures; empty if readings state none.
+    blocks: Vec<BTreeSet<PoseName>>,
     pub poses: usize,
 }
 
@@ -65,6 +68,8 @@ pub(super) struct Tried {
     pub found: Identification,
     /// At left-out poses.
     left_out: Squares,
+    /// At left-out poses of neighbouring temperatures.
+    by_block: Squares,
     /// At all poses, from which the parameters were identified.
     fitted: Squares,
 }
@@ -86,7 +91,8 @@ impl<'a> Study<'a> {
         let before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
         let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
         let (poses, folds) = (names.len(), folds(names, parts));
-        let study = Self { robot, sets, effects, before, folds, poses, settings };
+        let blocks = temperature_blocks(robot, &sets.calibration, &settings.conditions);
+        let study = Self { robot, sets, effects, before, folds, blocks, poses, settings };
         if study.squares_at(&sets.calibration, &study.settings.conditions, &study.before).is_empty() {
             return Err(error!("nothing-to-judge").into());
         }
@@ -144,9 +150,10 @@ impl<'a> Study<'a> {
             Ok(self.squares_at(&sets.validation, &sets.validation_conditions, &values))
         };
         let left_out = mean_of(self.folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
+        let by_block = mean_of(self.blocks.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
         let found = choose(&self.sets.calibration, settings)?;
         let fitted = self.squares_at(&self.sets.calibration, &self.settings.conditions, &found.values);
-        Ok(Tried { found, left_out, fitted })
+        Ok(Tried { found, left_out, by_block, fitted })
     }
 
     fn squares_at(&self, observations: &[Observation], conditions: &[Condition], values: &[f64]) -> Squares {
@@ -171,8 +178,14 @@ impl<'a> Study<'a> {
                 }
                 one_more();
             }
-            tried.sort_by(|a, b| a.1.mean_square().total_cmp(&b.1.mean_square()));
-            let accepted = tried.first().is_some_and(|(_, best)| best.improves(before));
+            // effects of the temperature that other temperatures do not confirm come last
+            let unconfirmed = |(effect, of): &(Effect, Tried)| effect.is_thermal() && !of.holds_by_block(before);
+            let order = |of: &(Effect, Tried)| (unconfirmed(of), of.1.mean_square());
+            tried.sort_by(|a, b| {
+                let (a, b) = (order(a), order(b));
+                a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+            });
+            let accepted = tried.first().is_some_and(|best| !unconfirmed(best) && best.1.improves(before));
             for (i, (effect, found)) in tried.iter().enumerate().filter(|(i, _)| !accepted || *i == 0) {
                 steps.push(found.step(Some(*effect), Some(before), accepted && i == 0));
             }
@@ -212,6 +225,26 @@ fn folds(mut names: Vec<PoseName>, parts: usize) -> Vec<BTreeSet<PoseName>> {
         folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
     }
     folds
+}
+
+/// The poses in parts of neighbouring temperatures, so that a drift in time is judged at
+/// temperatures that are not those of the identification; empty if readings state none.
+fn temperature_blocks(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    conditions: &[Condition],
+) -> Vec<BTreeSet<PoseName>> {
+    let readings = observations.iter().map(|o| (o.pose, &o.joints));
+    let readings = readings.chain(conditions.iter().map(|c| (c.pose, &c.joints)));
+    let mut by_pose: BTreeMap<PoseName, Vec<f64>> = BTreeMap::new();
+    for (pose, joints) in readings {
+        if let Some(temperature_c) = temperature(robot, joints) {
+            by_pose.entry(pose).or_default().push(temperature_c);
+        }
+    }
+    let mut poses: Vec<(f64, PoseName)> = by_pose.into_iter().map(|(pose, all)| (mean(all), pose)).collect();
+    poses.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    poses.chunks(poses.len().div_ceil(FOLDS).max(1)).map(|part| part.iter().map(|(_, pose)| *pose).collect()).collect()
 }
 
 /// Returns the readings for identification (all poses except those of a fold) and the readings for
@@ -264,7 +297,7 @@ fn f_test(before: [f64; 3], after: [f64; 3]) -> [f64; 2] {
 }
 
 /// All effects, the simpler ones first.
-pub(super) const ALL: [Effect; 8] = [
+pub(super) const ALL: [Effect; 13] = [
     Effect::Zeros,
     Effect::Geometry,
     Effect::Gains,
@@ -273,6 +306,11 @@ pub(super) const ALL: [Effect; 8] = [
     Effect::Coupling,
     Effect::Bending,
     Effect::Payload,
+    Effect::Torque,
+    Effect::Expansion,
+    Effect::Drift,
+    Effect::Lateral,
+    Effect::Pedestal,
 ];
 
 impl Tried {
@@ -296,6 +334,12 @@ impl Tried {
     fn improves(&self, before: &Self) -> bool {
         let [gain, u] = gain(&before.left_out, &self.left_out);
         gain > u && self.f_test(before).is_some_and(|[_, p]| p < SIGNIFICANCE)
+    }
+
+    /// `true` if errors decrease at left-out poses of other temperatures too.
+    fn holds_by_block(&self, before: &Self) -> bool {
+        let [gain, u] = gain(&before.by_block, &self.by_block);
+        gain > u
     }
 
     fn step(&self, effect: Option<Effect>, before: Option<&Self>, accepted: bool) -> EffectStep {
@@ -375,13 +419,20 @@ pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
         with_held(&settings, others.map(|&i| robot.parameters()[i].name.clone()).collect())
     };
     let Some((plain, without)) = trial.of(&held(None)) else { return Vec::new() };
+    let blocks = temperature_blocks(robot, &few.calibration, &settings.conditions);
+    let by_block = Trial { folds: &blocks, ..trial };
+    let holds = |effect: Effect| {
+        let errors = |kept| Some(by_block.of(&held(kept))?.1);
+        let gains = || Some(gain(&errors(None)?, &errors(Some(effect))?));
+        !effect.is_thermal() || gains().is_some_and(|[gain, u]| gain > u)
+    };
     let candidates = ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
     let proof = |effect: Effect| {
         let (fit, with) = trial.of(&held(Some(effect)))?;
         let joints = joints_of(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
         would_prove((plain, &without), (fit, &with), (effect, joints))
     };
-    candidates.filter_map(proof).collect()
+    candidates.filter(|effect| holds(*effect)).filter_map(proof).collect()
 }
 
 /// Number of joints whose bending is tried if robot.toml states none: the first that carry a
@@ -467,6 +518,7 @@ fn would_prove(
 }
 
 /// Fits near a solution, without their uncertainties.
+#[derive(Clone, Copy)]
 struct Trial<'a> {
     robot: &'a dyn Robot,
     sets: &'a Sets,

@@ -21,7 +21,7 @@ use etalon_identify::{
     Systematic,
 };
 use etalon_math::statistics::{mean, quantile, rms};
-use etalon_robots::Robot;
+use etalon_robots::{Robot, State};
 use polars::prelude::{Column, DataFrame};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -198,6 +198,52 @@ impl BeforeAfter<'_> {
             own_redundancy: None,
         };
         (0..seen.len()).map(error).collect()
+    }
+}
+
+/// Errors of the measured points without orientations, for many sets of parameters.
+pub(super) struct PointErrors<'a> {
+    robot: &'a dyn Robot,
+    sets: &'a Sets,
+    /// Loads at each observation; empty if bending is not modelled.
+    loads: Vec<Vec<f64>>,
+}
+
+impl<'a> PointErrors<'a> {
+    pub fn new(robot: &'a dyn Robot, sets: &'a Sets) -> Self {
+        let observations = || PoseSet::ALL.into_iter().flat_map(|set| sets.of(set).0);
+        let loads = robot.loads().map_or_else(Vec::new, |at| observations().map(|o| at(&o.joints)).collect());
+        Self { robot, sets, loads }
+    }
+
+    /// Pose and error (mm) of each point with these parameters.
+    pub fn with(&self, values: &[f64]) -> Vec<(PoseName, Vector)> {
+        let (robot, bound) = (self.robot, self.robot.parametrised(values));
+        let d = robot.dimension();
+        let mut predicted = vec![0.0; d * robot.targets().len()];
+        let mut loads = self.loads.iter();
+        let mut all = Vec::new();
+        for set in PoseSet::ALL {
+            let (observations, conditions) = self.sets.of(set);
+            for o in observations {
+                let loads = loads.next().map_or(&[][..], Vec::as_slice);
+                if let Some(platform) = robot.platform() {
+                    if let [Some(k), Some(l)] = o.targets[..] {
+                        let [x, y, _] = platform.pose_error(values, &o.joints, [[k[0], k[1]], [l[0], l[1]]]);
+                        all.push((o.pose, [-x, -y, 0.0]));
+                    }
+                    continue;
+                }
+                bound.positions(State { joints: &o.joints, loads }, &mut predicted);
+                let measured = predicted.chunks_exact(d).zip(&o.targets).filter_map(|(p, at)| Some((p, (*at)?)));
+                all.extend(
+                    measured.map(|(p, at)| (o.pose, minus(at, [0, 1, 2].map(|i| p.get(i).copied().unwrap_or(0.0))))),
+                );
+            }
+            let of_points = conditions.iter().filter(|c| c.kind.error_kind().is_some());
+            all.extend(of_points.map(|c| (c.pose, c.error(robot, values))));
+        }
+        all
     }
 }
 
@@ -503,9 +549,11 @@ fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size:
 /// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum
 /// of sizes.
 pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
-    sizes.sort_by(f64::total_cmp);
-    let (Some(&max), Some(p95)) = (sizes.last(), quantile(&sizes, 0.95)) else { return Statistics::default() };
-    Statistics { mean: mean(sizes.iter().copied()), rms: rms(sizes), p95, max }
+    let (mean, rms) = (mean(sizes.iter().copied()), rms(sizes.iter().copied()));
+    let (Some(p95), Some(max)) = (quantile(&mut sizes, 0.95), sizes.into_iter().max_by(f64::total_cmp)) else {
+        return Statistics::default();
+    };
+    Statistics { mean, rms, p95, max }
 }
 
 /// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns

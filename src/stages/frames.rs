@@ -114,9 +114,17 @@ pub fn make_frames(
     })
 }
 
-/// The world frame from these points alone, without the covariance of a frame defined by features.
-pub fn place(campaign: &Campaign, points: &[Point]) -> Result<WorldFrame> {
-    placed(campaign, points, &elements(campaign, points)?)
+/// The poses of the world frame from these points alone, without the covariance of a frame defined
+/// by features.
+pub fn place(campaign: &Campaign, points: &[Point]) -> Result<Vec<FramePose>> {
+    let features = elements(campaign, points)?;
+    match campaign.file.world() {
+        Some(world) if !world.as_exported && world.targets.is_none() => {
+            let geometry = Geometry::of(campaign, points, &features, world);
+            Ok(vec![for_all_poses(plane_pose(campaign, &geometry, world)?)])
+        }
+        _ => Ok(placed(campaign, points, &features)?.poses),
+    }
 }
 
 /// The points that define the world frame.
@@ -138,7 +146,10 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
         Some(WorldDefinition { targets: Some(targets), each, .. }) => {
             from_targets(campaign, points, targets, each.is_some())?
         }
-        Some(world) => from_plane(campaign, &Geometry::of(campaign, points, features, world), world)?,
+        Some(world) => {
+            let pose = plane_pose(campaign, &Geometry::of(campaign, points, features, world), world)?;
+            fixed(plane_definition(world), pose)
+        }
         None => fixed(phrase!("frame-as-exported"), Pose::identity()),
     })
 }
@@ -149,12 +160,16 @@ fn fixed(definition: Phrase, export_T_world: Pose) -> WorldFrame {
         definition: definition.to_string(),
         definition_phrase: Some(definition),
         planar: false,
-        poses: vec![FramePose { pose: None, cycle: None, export_T_world, covariance: None }],
+        poses: vec![for_all_poses(export_T_world)],
         common_covariance: None,
         rms_mm: None,
         max_mm: None,
         reference_mm: Vec::new(),
     }
+}
+
+fn for_all_poses(export_T_world: Pose) -> FramePose {
+    FramePose { pose: None, cycle: None, export_T_world, covariance: None }
 }
 
 /// Features and labels that define a world frame, by name.
@@ -177,8 +192,9 @@ impl Geometry {
     }
 }
 
-/// xy plane, origin and one axis, each projected into the plane (thesis 3.4.1).
-fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition) -> Result<WorldFrame> {
+/// Pose of a frame by its xy plane, origin and one axis, each projected into the plane (thesis
+/// 3.4.1).
+fn plane_pose(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition) -> Result<Pose> {
     let lacks = || error!("plane-frame-incomplete").at(campaign.world_place());
     let plane_name = world.plane.as_ref().ok_or_else(lacks)?;
     let (on_plane, normal) = *(geometry.features.get(plane_name.get_ref())).ok_or_else(lacks)?;
@@ -211,16 +227,25 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         .filter(|_| norm(off_axis) > OFF_AXIS * norm(side))
         .ok_or_else(|| error!("world-side-undetermined").at(campaign.world_place()))?;
     let (x, y) = if axis_name == "x" { (first, other) } else { (other, first) };
-    let definition = phrase!(
+    Ok(from_axes(origin, x, y))
+}
+
+/// Definition of a frame by a plane, in words.
+fn plane_definition(world: &WorldDefinition) -> Phrase {
+    let (axis, ends) = match (&world.x_axis, &world.y_axis) {
+        (Some(ends), _) => ("x", &ends[..]),
+        (None, ends) => ("y", ends.as_deref().unwrap_or_default()),
+    };
+    let name = |name: Option<&Spanned<String>>| name.map_or_else(String::new, |name| name.get_ref().clone());
+    phrase!(
         "frame-from-plane",
-        plane = plane_name.get_ref(),
-        origin = world.origin.as_ref().map_or("", |o| o.get_ref()),
-        axis = axis_name,
-        from = ends.first().map_or("", |e| e.get_ref()),
-        to = ends.last().map_or("", |e| e.get_ref()),
-        towards = world.towards.as_ref().map_or("", |t| t.get_ref()),
-    );
-    Ok(fixed(definition, from_axes(origin, x, y)))
+        plane = name(world.plane.as_ref()),
+        origin = name(world.origin.as_ref()),
+        axis,
+        from = name(ends.first()),
+        to = name(ends.last()),
+        towards = name(world.towards.as_ref()),
+    )
 }
 
 /// Covariance of a world frame from the uncertainty of each point that defines it: Z = (f(x + u) −
@@ -233,8 +258,8 @@ fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, no
             let (at, u_mm) = (basis.points[i][axis], basis.u_mm[i][axis]);
             let mut moved = |by: f64| {
                 basis.points[i][axis] = at + by;
-                let frame = from_plane(campaign, &basis.geometry()?, world)?;
-                Ok::<_, Problems>(twist(&nominal.inverse().then(&frame.poses[0].export_T_world)))
+                let pose = plane_pose(campaign, &basis.geometry()?, world)?;
+                Ok::<_, Problems>(twist(&nominal.inverse().then(&pose)))
             };
             let (up, down) = (moved(u_mm)?, moved(-u_mm)?);
             basis.points[i][axis] = at;

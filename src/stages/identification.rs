@@ -2,6 +2,7 @@
 
 use crate::stages::apart::Apart;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
+use crate::stages::circumstances::hold_constant;
 use crate::stages::commanded::commanded;
 use crate::stages::controlled::base_elsewhere;
 use crate::stages::cross_validation::{proven, undescribed_bending, unused};
@@ -307,6 +308,7 @@ pub fn select(
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
     messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.place_of(&["identify", "residuals"])))?);
+    messages.extend(hold_constant(robot, &sets, &mut settings));
     let apart = Apart::take(robot, &mut sets, &mut settings);
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
     Ok(Selected { sets, settings, apart, systematic, poses, selections, messages })
@@ -387,7 +389,8 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     // selections that do not read are reported with the statements
     let Ok(selections) = campaign.selections(stated) else { return Ok(Preview { messages, ..Preview::default() }) };
     let sets = evaluate::split(&observed, &observed.poses(), &selections);
-    let settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
+    let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
+    messages.extend(hold_constant(robot, &sets, &mut settings));
     if messages.iter().all(|message| message.severity != Severity::Error) {
         messages.extend(still_joints(robot, &sets.calibration, &settings));
     }

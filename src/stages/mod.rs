@@ -4,6 +4,7 @@ pub mod apart;
 pub mod candidates;
 pub mod cell;
 mod checks;
+pub(crate) mod circumstances;
 mod commanded;
 pub mod controlled;
 pub mod controller_files;

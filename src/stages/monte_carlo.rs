@@ -8,7 +8,7 @@ use crate::stages::identification::Identified;
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::noise::Noise;
-use etalon_base::pose::{Pose, Vector, norm};
+use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
 use etalon_documents::{
@@ -17,7 +17,7 @@ use etalon_documents::{
 use etalon_formats::Point;
 use etalon_identify::{Identification, Observation, Repeated, Settings, UncertaintySource};
 use etalon_math::statistics::{mean, standard_deviation};
-use etalon_robots::{Quantity, Robot};
+use etalon_robots::{Quantity, Robot, State};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -64,6 +64,8 @@ pub struct Trials<'a> {
     height_mm: f64,
     calibration: Vec<Reading>,
     validation: Vec<Reading>,
+    /// Number of readings of targets; one that is common to several targets counts once.
+    reading_count: usize,
     systematic: etalon_identify::Systematic,
     /// Budgets of the figures of the validation errors.
     budget: &'a [FigureBudget],
@@ -99,10 +101,13 @@ impl<'a> Trials<'a> {
         let mut readings = |of: &[Observation]| -> Vec<Reading> {
             of.iter().map(|o| reading(o, settings, robot.dimension(), &mut numbers)).collect()
         };
+        let [calibration, validation] =
+            [&identified.sets.calibration, &identified.sets.validation].map(|of| readings(of));
         Self {
             points: frames::defining(campaign, points),
-            calibration: readings(&identified.sets.calibration),
-            validation: readings(&identified.sets.validation),
+            calibration,
+            validation,
+            reading_count: numbers.len(),
             systematic: campaign.systematic(robot, Vec::new()),
             found: &identified.found,
             frames: by_pose,
@@ -239,7 +244,7 @@ impl<'a> Trials<'a> {
         let moved = self.moved_frames(&mut noise)?;
         let scale = 1.0 + noise.gaussian(self.systematic.scale) + noise.gaussian(self.systematic.expansion);
         let homing: Vec<f64> = self.systematic.homing.iter().map(|u| noise.gaussian(*u)).collect();
-        let mut common: BTreeMap<usize, Vector> = BTreeMap::new();
+        let mut common: Vec<Option<Vector>> = vec![None; self.reading_count];
         let common_mm = self.settings.common_uncertainty_mm;
         let [calibration, validation] = room;
         for (readings, room) in [(&self.calibration, &mut *calibration), (&self.validation, &mut *validation)] {
@@ -250,7 +255,7 @@ impl<'a> Trials<'a> {
                     let [x, y] = noise.gaussian_pair();
                     let off = scatter * Vector3::new(x, y, if self.planar { 0.0 } else { noise.gaussian(1.0) });
                     let mut shared =
-                        |u_mm: f64| *common.entry(r.numbers[k]).or_insert_with(|| [0; 3].map(|_| noise.gaussian(u_mm)));
+                        |u_mm: f64| *common[r.numbers[k]].get_or_insert_with(|| [0; 3].map(|_| noise.gaussian(u_mm)));
                     let shared = common_mm.map_or([0.0; 3], &mut shared);
                     let mut p: Vector = std::array::from_fn(|i| (at[i] + off[i] + shared[i]) * scale);
                     if self.planar {
@@ -284,17 +289,20 @@ impl<'a> Trials<'a> {
             let u = u.unwrap_or_else(|| self.campaign.file.instrument.standard_uncertainties_mm(p.xyz_mm));
             p.xyz_mm = std::array::from_fn(|i| p.xyz_mm[i] + noise.gaussian(u[i]));
         }
-        let world = frames::place(self.campaign, &points).ok()?;
+        let poses = frames::place(self.campaign, &points).ok()?;
         let of = |f: &FramePose| {
             let key = f.pose.zip(f.cycle);
             Some((key, f.export_T_world.inverse().then(self.frames.get(&key)?)))
         };
-        Some(world.poses.iter().filter_map(of).collect())
+        Some(poses.iter().filter_map(of).collect())
     }
 
     /// Mean, root mean square and largest position error of these observations; nothing without
     /// observations.
     fn figures<'o>(&self, values: &[f64], observations: impl Iterator<Item = &'o Observation>) -> Vec<f64> {
+        let (robot, loads) = (self.robot.parametrised(values), self.robot.loads());
+        let d = self.robot.dimension();
+        let mut predicted = vec![0.0; d * self.robot.targets().len()];
         let mut sizes = Vec::new();
         for o in observations {
             match (self.robot.platform(), &o.targets[..]) {
@@ -303,13 +311,16 @@ impl<'a> Trials<'a> {
                     sizes.push(e[0].hypot(e[1]));
                 }
                 (Some(_), _) => {}
-                (None, _) => sizes.extend(
-                    o.misses(self.robot, values).map(
-                        |(_, miss)| {
-                            if self.planar { miss[0].hypot(miss[1]) } else { norm(miss) }
-                        },
-                    ),
-                ),
+                (None, _) => {
+                    let loads = loads.as_ref().map_or_else(Vec::new, |at| at(&o.joints));
+                    robot.positions(State { joints: &o.joints, loads: &loads }, &mut predicted);
+                    let measured = predicted.chunks_exact(d).zip(&o.targets).filter_map(|(p, at)| Some((p, (*at)?)));
+                    sizes.extend(measured.map(|(p, at)| match *p {
+                        [x, y] => (at[0] - x).hypot(at[1] - y),
+                        [x, y, z] => norm(minus(at, [x, y, z])),
+                        _ => f64::NAN,
+                    }));
+                }
             }
         }
         if sizes.is_empty() {

@@ -1,18 +1,21 @@
 //! Plausibility of a result: errors of a result that no real robot can have. Such a result must not
 //! reach a controller.
 
+use crate::stages::circumstances::{exchanged_torques, torque_signs};
 use crate::stages::remedies::{reading, readings_to_check};
 use crate::stages::shown;
 use crate::stages::solved::Solved;
 use crate::stages::undescribed::{CalibrationFit, undescribed};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
+use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
-    Identification, NOISE_DISTANCE, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds,
-    far_from_nominal, moved_between, set_up_error,
+    Identification, LoadSlip, NOISE_DISTANCE, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
+    chi_square_exceeds, far_from_nominal, load_slips, moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -79,6 +82,11 @@ pub fn plausibility(
     messages.extend(common_factor(robot, found));
     messages.extend(negative_compliance(robot, found));
     messages.extend(negative_backlash(robot, found));
+    messages.extend(wrong_loads(robot, observations, settings, found));
+    messages.extend(torque_signs(robot, found));
+    if misfit {
+        messages.extend(exchanged_torques(robot, observations, settings, found));
+    }
     let along = settings.conditions.iter().any(|c| c.kind.rows() == 1);
     messages.extend(validation_outliers(errors, if along { FAR_ALONG } else { FAR }));
     if misfit {
@@ -178,8 +186,10 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
 /// Returns a warning if a joint bends against its own torque: gravity or an axis has the wrong
 /// direction.
 fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
-    let of_one_joint =
-        |p: &Parameter| matches!(p.effect, Effect::Bending | Effect::Payload) && p.by.is_some() && p.by == p.joint;
+    let of_one_joint = |p: &Parameter| {
+        let bends = matches!(p.effect, Effect::Bending | Effect::Payload) && p.by.is_some() && p.by == p.joint;
+        bends || p.effect == Effect::Lateral
+    };
     let negative = |&&i: &&usize| {
         let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
         of_one_joint(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u
@@ -187,6 +197,26 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
     let &i = found.free.iter().find(negative)?;
     let (parameter, value, unit) = outward(&robot.parameters()[i], found.values[i]);
     Some(warning!("compliance-negative", parameter, value, unit).to_decide())
+}
+
+/// Returns a warning if the data reject the stated centres of mass, and a change of their columns
+/// explains the data.
+fn wrong_loads(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) -> Option<Message> {
+    let contradiction = load_slips(robot, observations, settings, found).ok()??;
+    let column = |k: usize| PAYLOAD[k + 1];
+    let change = |slip: &LoadSlip| match *slip {
+        LoadSlip::Exchanged([a, b]) => phrase!("load-change-exchanged", first = column(a), second = column(b)),
+        LoadSlip::Sign(k) => phrase!("load-change-sign", column = column(k)),
+        LoadSlip::Unit(mm) => phrase!("load-change-unit", unit = if mm > 100.0 { "m" } else { "inch" }),
+    };
+    let changes: Vec<Phrase> = contradiction.slips.iter().map(change).collect();
+    let over_u = contradiction.over_u;
+    Some(warning!("load-columns-slip", count = changes.len(), over_u, changes).to_decide())
 }
 
 /// Returns a warning if a joint is ahead of its motor: the directions of approach have the wrong

@@ -269,6 +269,11 @@ fn meaning(
         Effect::Coupling => phrase!("coupling"),
         Effect::Bending => phrase!("bending"),
         Effect::Payload => phrase!("payload-bending"),
+        Effect::Torque => phrase!("torque-bending"),
+        Effect::Expansion => phrase!("expansion-with-temperature"),
+        Effect::Drift => phrase!("drift-with-temperature"),
+        Effect::Lateral => phrase!("lateral-bending"),
+        Effect::Pedestal => phrase!("pedestal-bending"),
     };
     let effects: Vec<Phrase> = chosen.iter().map(word).collect();
     let (load, count) = (parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count(), parameters.len());

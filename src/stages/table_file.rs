@@ -10,7 +10,7 @@ use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
-use etalon_formats::tables::joints::PAYLOAD;
+use etalon_formats::tables::joints::stated_columns;
 use etalon_formats::{Format, TableLayout};
 use etalon_robots::Joint;
 use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
@@ -253,7 +253,7 @@ impl CampaignTables<'_> {
         let of_joint = |name: &str| {
             robot.as_ref().is_none_or(|robot| {
                 let of = |joint: &Joint| joint.factor(name).is_some() || joint.direction_column() == name;
-                robot.joints().iter().any(of) || (robot.carries_payload() && PAYLOAD.contains(&name))
+                robot.joints().iter().any(of) || stated_columns(robot.as_ref()).iter().any(|own| own == name)
             })
         };
         let common = ["line", "pose", "cycle", table::ASSEMBLY];

@@ -4,6 +4,7 @@ mod apart;
 mod blunders;
 mod branches;
 mod budget;
+mod circumstances;
 mod code;
 pub mod controllers;
 pub mod dialects;

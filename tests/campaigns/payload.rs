@@ -101,6 +101,21 @@ fn newtons_for_kilograms() {
     assert!(rms_mm(&some) > 1.5 * rms, "{said}");
 }
 
+/// Slips in the columns of the load; a run ends without an error, and names them. Metres, which are as good as a centre of mass at
+/// the flange, are four standard uncertainties from the data here, and are not.
+#[test]
+fn wrong_columns_of_the_load_are_named() {
+    let sound = stated();
+    let (_, said) = crate::support::scratch::etalon(&sound, "run");
+    assert!(!said.contains("[load-columns-slip]"), "{said}");
+    let exchanged = stated();
+    exchanged.replace("observations.csv", "load_x_mm,load_y_mm,load_z_mm", "load_z_mm,load_y_mm,load_x_mm");
+    ends(&exchanged, "run", 0, &["[load-columns-slip] count=1 changes=`load_x_mm` and `load_z_mm` are exchanged"]);
+    let turned = stated();
+    change(&turned, "load_z_mm", |_, mm| (-mm).to_string());
+    ends(&turned, "run", 0, &["[load-columns-slip] count=1 changes=`load_z_mm` has the other sign"]);
+}
+
 /// Loads in a log, with points of an export.
 #[test]
 fn loads_of_a_log_give_the_same_result() {

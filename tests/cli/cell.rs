@@ -314,3 +314,88 @@ fn data_of_controllers_are_printed() {
         assert!(answer.code == 0 && shown.contains(part), "{maker}: {shown}{}", answer.stderr);
     }
 }
+
+#[test]
+fn a_report_states_frames_residuals_and_lines_in_three_languages() {
+    let poses = touches(8, 0.7, 0.05);
+    let text = table(&[columns("flange_", "quaternion", &poses)]);
+    let folder = tempfile::tempdir().unwrap();
+    let [page, pdf, workbook] =
+        ["cell.html", "cell.pdf", "cell.xlsx"].map(|n| folder.path().join(n).display().to_string());
+    let solve = ["--solve", "tool-point", "--controller", "kuka", "--name", "grip", "--number", "4"];
+    let kinds = [&solve[..], &["--report", &page, "--report", &pdf, "--report", &workbook]].concat();
+    let answer = run(&text, &kinds);
+    let lines = String::from_utf8(answer.stdout).unwrap();
+    assert!(answer.code == 0 && lines.contains("TOOL_DATA[4]={X "), "{}", answer.stderr);
+    let html = std::fs::read_to_string(&page).unwrap();
+    let residual = document(&text, &solve[..2]).residuals[0].length;
+    for part in [
+        "Tool centre point",
+        "tool point in flange",
+        "fixed point in base",
+        "Lines for kuka",
+        "TOOL_NAME[4,]=",
+        &format!("{residual:.4}"),
+        "U = ",
+    ] {
+        assert!(html.contains(part), "{part}");
+    }
+    assert!(std::fs::read(&pdf).unwrap().starts_with(b"%PDF") && std::fs::read(&workbook).unwrap().starts_with(b"PK"));
+    for (language, title, step) in
+        [("fr", "Centre d’outil", "vérifier une lecture"), ("de", "Werkzeugmittelpunkt", "einen Messwert prüfen")]
+    {
+        let answer = run(&text, &[&solve[..], &["--report", &page, "--language", language]].concat());
+        let html = std::fs::read_to_string(&page).unwrap();
+        assert!(answer.code == 0 && html.contains(title) && html.contains(step), "{language}: {}", answer.stderr);
+    }
+    // without redundancy the uncertainty is unknown, and the page says so
+    let three = table(&[
+        ["point", "origin", "x", "xy"].map(str::to_owned).to_vec(),
+        points("", &[[0.0; 3], [9.0, 0.0, 0.0], [1.0, 9.0, 0.0]]),
+    ]);
+    run(&three, &["--solve", "three-points", "--report", &page]);
+    let html = std::fs::read_to_string(&page).unwrap();
+    let unknown = etalon::base::phrase!("cell-verdict-unknown", frame = "Object in points").to_string();
+    assert!(html.contains(&unknown) && html.contains("Measure more readings."), "{html}");
+    // a format that does not exist is refused before anything is computed
+    assert_eq!(run(&three, &["--solve", "three-points", "--report", "cell.doc"]).code, 2);
+}
+
+#[test]
+fn two_axes_are_written_as_the_pivots_of_a_machine() {
+    let values = [-50.0, -20.0, 0.0, 30.0, 55.0];
+    let about = |k: usize, at: Vector, p: Vector, deg: f64| {
+        let turn = match k {
+            0 => Pose::identity().turn_x(f64::to_radians(deg)),
+            _ => Pose::identity().turn_z(f64::to_radians(deg)),
+        };
+        let turned = turn.apply(minus(p, at));
+        [0, 1, 2].map(|i| turned[i] + at[i])
+    };
+    let head = std::iter::once("axis_deg".to_owned());
+    let column: Vec<String> = head.chain(values.iter().map(f64::to_string)).collect();
+    let target = [400.0, 150.0, 60.0];
+    let of = |k: usize, at: Vector| -> Vec<Vector> { values.iter().map(|v| about(k, at, target, *v)).collect() };
+    let (c_at, a_at) = ([310.25, 205.5, 0.0], [0.0, 212.75, -31.5]);
+    let answer = run(&table(&[column.clone(), points("", &of(2, c_at))]), &["--solve", "rotary-axis", "--json"]);
+    let folder = tempfile::tempdir().unwrap();
+    let second = folder.path().join("c.json");
+    std::fs::write(&second, answer.stdout).unwrap();
+    let tilted = table(&[column, points("", &of(0, a_at))]);
+    let with = second.display().to_string();
+    let arguments = ["--solve", "rotary-axis", "--with", &with, "--controller", "xyzac-trt-kins"];
+    let answer = run(&tilted, &arguments);
+    let hal = String::from_utf8(answer.stdout).unwrap();
+    for line in [
+        "setp xyzac-trt-kins.x-rot-point 310.250000\n",
+        "setp xyzac-trt-kins.y-rot-point 205.500000\n",
+        "setp xyzac-trt-kins.z-rot-point -31.500000\n",
+        "setp xyzac-trt-kins.y-offset 7.250000\n",
+    ] {
+        assert!(hal.contains(line), "{line}{hal}{}", answer.stderr);
+    }
+    // another document, and a file that is missing
+    std::fs::write(&second, "{\"schema\": \"etalon/parameters/1\"}").unwrap();
+    let answer = run(&tilted, &arguments);
+    assert!(answer.code == 2 && answer.messages[0].id == "document-schema-other", "{}", answer.stderr);
+}

@@ -28,8 +28,12 @@ fn arm(rest: &str) -> String {
 
 /// Rotation (rows) and translation of the flange in the base by Craig's convention: Rx(alpha) Tx(a) Rz(theta + q) Tz(d).
 fn flange(q_deg: &[f64]) -> ([[f64; 3]; 3], [f64; 3]) {
+    flange_of(&ARM, q_deg)
+}
+
+fn flange_of(rows: &[[f64; 6]], q_deg: &[f64]) -> ([[f64; 3]; 3], [f64; 3]) {
     let (mut r, mut t) = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]);
-    for (row, q) in ARM.iter().zip(q_deg) {
+    for (row, q) in rows.iter().zip(q_deg) {
         let ((sa, ca), (st, ct)) = (row[0].to_radians().sin_cos(), (row[2] + q).to_radians().sin_cos());
         let step = [[ct, -st, 0.0], [st * ca, ct * ca, -sa], [st * sa, ct * sa, ca]];
         let shift = [row[1], -sa * row[3], ca * row[3]];
@@ -303,4 +307,253 @@ fn a_narrow_box_names_the_region_and_a_reversed_axis_its_remedy() {
     assert_eq!(neither.status.code(), Some(2));
     let both = refused(&["--candidates", "c.csv"]);
     assert!(both.contains("--candidates"), "{both}");
+}
+
+/// Poses of the frames after each joint of the arm: rotation (rows) and translation.
+fn frames(q_deg: &[f64]) -> Vec<([[f64; 3]; 3], [f64; 3])> {
+    (1..=6).map(|count| flange_of(&ARM[..count], q_deg)).collect()
+}
+
+/// `true` if a point of the line of sight is nearer to the line between `ends` than `radius`, by points 0.5 mm apart.
+fn crosses(from: [f64; 3], to: [f64; 3], ends: [[f64; 3]; 2], radius: f64) -> bool {
+    let axis = minus(ends[1], ends[0]);
+    let steps = (2.0 * norm(minus(to, from))).ceil();
+    (0..=steps as usize).any(|k| {
+        let p: [f64; 3] = std::array::from_fn(|i| from[i] + (k as f64 / steps) * (to[i] - from[i]));
+        let share = (dot(minus(p, ends[0]), axis) / dot(axis, axis)).clamp(0.0, 1.0);
+        norm(std::array::from_fn(|i| p[i] - ends[0][i] - share * axis[i])) < radius
+    })
+}
+
+#[test]
+fn reflectors_are_hidden_by_stated_bodies_and_by_links_of_the_arm() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), arm("")).unwrap();
+    let view = ["--reflector", "A=30,0,60", "--instrument", "1200,-400,300"];
+    let bodies = [
+        "--obstacle",
+        "column=cylinder:60,700,-200,0,700,-200,3000",
+        "--obstacle",
+        "table=box:600,600,400,900,300,200,30",
+        "--link",
+        "q3=60",
+        // the upper arm by its ends at joint values zero: from (0, 0, 290) to (0, 0, 560)
+        "--link",
+        "q2=110,0,0,290,0,0,560",
+    ];
+    let found = all_of(folder.path(), "200", &[&view[..], &bodies].concat());
+    let eye = [1200.0, -400.0, 300.0];
+    for planned in &found.chosen {
+        let q = joints_of(&planned.configurations[0], &Q);
+        let target = at(&q, [30.0, 0.0, 60.0]);
+        let of = |k: usize, p: [f64; 3]| {
+            let (r, t) = frames(&q)[k];
+            std::array::from_fn(|i| t[i] + dot(r[i], p))
+        };
+        // axis 4 begins at Rx(-90) Tx(70) Tz(302) = (70, 302, 0) of frame 3, axis 3 at (270, 0, 0) of frame 2
+        for (ends, radius) in [
+            ([of(2, [0.0; 3]), of(2, [70.0, 302.0, 0.0])], 60.0),
+            ([of(1, [0.0; 3]), of(1, [270.0, 0.0, 0.0])], 110.0),
+            ([[700.0, -200.0, 0.0], [700.0, -200.0, 3000.0]], 60.0),
+        ] {
+            assert!(!crosses(eye, target, ends, radius - 0.01), "{q:?}");
+        }
+    }
+    let generated = found.generated.unwrap();
+    let hidden: Vec<(&str, bool, usize)> =
+        generated.obstacles.iter().map(|o| (o.name.as_str(), o.is_link, o.hidden)).collect();
+    assert!(matches!(hidden[..], [("column", false, _), ("table", false, _), ("q3", true, _), ("q2", true, _)]));
+    assert!(hidden.iter().all(|(.., count)| *count > 0), "{hidden:?}");
+    let lost: usize = hidden.iter().map(|(.., count)| count).sum();
+    assert_eq!(generated.draws, 200 + generated.beyond_limits + lost);
+    // without the bodies every draw within the limits is a candidate
+    let all = all_of(folder.path(), "60", &view[..2]).generated.unwrap();
+    assert_eq!(all.draws, 60 + all.beyond_limits);
+}
+
+#[test]
+fn an_arm_between_instrument_and_reflector_hides_it() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), arm("")).unwrap();
+    // stretched forwards: shoulder (0, 0, 290), elbow (0, 0, 560), wrist (302, 0, 630), reflector (434, 0, 630)
+    let ranges: Vec<String> = (1..=6).map(|k| format!("q{k}_deg=-3:3")).collect();
+    let mut options = vec!["--reflector", "A=0,0,60", "--link", "q3=60"];
+    ranges.iter().for_each(|range| options.extend(["--range", range.as_str()]));
+    let in_front = all_of(folder.path(), "20", &[&options[..], &["--instrument", "3000,0,630"]].concat());
+    assert_eq!(in_front.generated.unwrap().draws, 20);
+    let fixed = ["plan", "--robot", "robot.toml", "--generate", "20", "--positions", "20"];
+    let behind = etalon(folder.path(), &[&fixed[..], &options, &["--instrument", "-3000,0,630"]].concat());
+    assert_eq!(behind.status.code(), Some(2));
+    let said = text_of(&behind);
+    assert!(
+        said.contains("[no-candidate-generated]") && said.contains("20000 with a reflector hidden by q3"),
+        "{said}"
+    );
+}
+
+/// Joint values (deg) of a FANUC program in the order of its motions: lines by number, positions by name.
+fn fanuc_motions(text: &str) -> Vec<Vec<f64>> {
+    let (head, rest) = text.split_once("/MN\n").unwrap();
+    let (steps, positions) = rest.split_once("/POS\n").unwrap();
+    assert!(head.starts_with("/PROG  M\n/ATTR\n") && positions.ends_with("/END\n"), "{text}");
+    let mut moved = Vec::new();
+    for (number, step) in steps.lines().enumerate() {
+        let (at, step) = step.split_at(5);
+        assert_eq!(at, format!("{:4}:", number + 1));
+        let step = step.trim_end().strip_suffix(';').expect("end of a step").trim();
+        match step.strip_prefix("J P[") {
+            Some(rest) => {
+                let (name, how) = rest.split_once(']').unwrap();
+                assert_eq!(how.trim(), "10% FINE");
+                moved.push(name.parse::<usize>().unwrap());
+            }
+            None => assert!(step.strip_prefix('!').is_none_or(|remark| remark.len() <= 32), "{step}"),
+        }
+    }
+    assert!(head.contains(&format!("LINE_COUNT\t= {};", steps.lines().count())));
+    let of = |name: usize| {
+        let (_, rest) = positions.split_once(&format!("P[{name}]{{\n   GP1:\n\tUF : 0, UT : 1,\t\n")).unwrap();
+        let fields = rest.split_once("\n};").unwrap().0.split(',').enumerate();
+        let value = |(k, field): (usize, &str)| {
+            let field = field.trim().strip_prefix(&format!("J{}=", k + 1)).expect("joint");
+            field.strip_suffix(" deg").expect("unit").trim().parse::<f64>().unwrap()
+        };
+        fields.map(value).collect::<Vec<f64>>()
+    };
+    moved.into_iter().map(of).collect()
+}
+
+/// Joint values of an INFORM job by the pulses of its positions, in the order of its motions.
+fn inform_motions(text: &str, pulses: &[f64]) -> Vec<Vec<f64>> {
+    assert!(text.lines().count() == text.matches("\r\n").count() && text.starts_with("/JOB\r\n//NAME M\r\n//POS\r\n"));
+    let lines: Vec<&str> = text.lines().collect();
+    let position = |line: &&str| line.strip_prefix('C').and_then(|l| l.split_once('=')).is_some();
+    let positions: Vec<&str> = lines.iter().copied().filter(position).collect();
+    assert!(lines.contains(&format!("///NPOS {},0,0,0,0,0", positions.len()).as_str()));
+    let order: Vec<usize> = ["///POSTYPE PULSE", "///PULSE", positions[0], "//INST", "///GROUP1 RB1", "NOP", "END"]
+        .map(|part| lines.iter().position(|line| *line == part).expect(part))
+        .to_vec();
+    assert!(order.is_sorted() && order[6] + 1 == lines.len());
+    let motions = lines.iter().filter_map(|line| line.strip_prefix("MOVJ C"));
+    let of = |motion: &str| {
+        let (name, how) = motion.split_once(' ').unwrap();
+        assert_eq!(how, "VJ=10.00 PL=0");
+        let values = positions.iter().find_map(|line| line.strip_prefix(&format!("C{name}="))).expect("position");
+        let values = values.split(',').zip(pulses).map(|(value, per)| value.parse::<i64>().unwrap() as f64 / per);
+        values.collect()
+    };
+    motions.map(of).collect()
+}
+
+/// Joint values of a G-code program by the letters of its axes.
+fn gcode_motions(text: &str, letters: &str) -> Vec<Vec<f64>> {
+    let words = |line: &str| -> Vec<f64> {
+        let words: Vec<&str> = line.split(' ').collect();
+        assert_eq!(words.len(), letters.len());
+        words
+            .iter()
+            .zip(letters.chars())
+            .map(|(word, letter)| word.strip_prefix(letter).unwrap().parse().unwrap())
+            .collect()
+    };
+    assert!(
+        text.lines()
+            .all(|line| !line.starts_with('(') || (line.ends_with(')') && line.matches(['(', ')']).count() == 2))
+    );
+    text.lines().filter_map(|line| line.strip_prefix("G53 G1 ")).map(words).collect()
+}
+
+#[test]
+fn fanuc_inform_and_gcode_programs_read_back_as_the_poses_of_the_table() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), arm("")).unwrap();
+    let pulses = [1435.6, -1422.2, 1000.0, 800.5, -750.25, 500.0];
+    let stated = pulses.map(|p| p.to_string()).join(",");
+    for (file, more, step, waits) in [
+        (
+            "m.ls",
+            vec!["--trigger", "5"],
+            0.001,
+            ["WAIT   2.25(sec) ;", "DO[5]=ON ;", "WAIT   2.25(sec) ;", "DO[5]=OFF ;"],
+        ),
+        (
+            "m.jbi",
+            vec!["--trigger", "5", "--pulses", &stated],
+            0.002,
+            ["TIMER T=2.25", "DOUT OT#(5) ON", "TIMER T=2.25", "DOUT OT#(5) OFF"],
+        ),
+        ("m.ngc", vec!["--trigger", "5", "--axes", "xyzabc"], 1e-6, ["G4 P2.25", "M64 P5", "G4 P2.25", "M65 P5"]),
+        (
+            "m.mod",
+            vec!["--trigger", "doProbe"],
+            1e-6,
+            ["WaitTime \\InPos,2.25;", "SetDO doProbe,1;", "WaitTime \\InPos,2.25;", "SetDO doProbe,0;"],
+        ),
+        ("m.src", vec!["--trigger", "5"], 1e-6, ["WAIT SEC 2.25", "$OUT[5]=TRUE", "WAIT SEC 2.25", "$OUT[5]=FALSE"]),
+        (
+            "m.script",
+            vec!["--trigger", "5"],
+            1e-6,
+            ["sleep(2.25)", "set_standard_digital_out(5, True)", "sleep(2.25)", "set_standard_digital_out(5, False)"],
+        ),
+    ] {
+        let options = ["--poses", "poses.csv", "--program", file, "--dwell", "4.5"];
+        let found = all_of(folder.path(), "12", &[&SIGHT[..], &options, &more].concat());
+        let program = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        let moved = match file {
+            "m.ls" => fanuc_motions(&program),
+            "m.jbi" => inform_motions(&program, &pulses),
+            "m.ngc" => gcode_motions(&program, "XYZABC"),
+            _ => motions(&program),
+        };
+        // the table has the values that are commanded, not those between the steps of the controller
+        let table = std::fs::read_to_string(folder.path().join("poses.csv")).unwrap();
+        let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|line| line.split(',').collect()).collect();
+        assert_eq!((moved.len(), rows.len()), (12, 12), "{program}");
+        for (joints, row) in moved.iter().zip(&rows) {
+            assert!(joints.iter().zip(&row[1..]).all(|(q, c)| (q - c.parse::<f64>().unwrap()).abs() < 2e-6), "{row:?}");
+        }
+        // and they are the nearest steps to the poses without a program
+        let exact = all_of(folder.path(), "12", &SIGHT);
+        for (with, without) in found.chosen.iter().zip(&exact.chosen) {
+            let apart = Q.map(|q| (with.configurations[0][q] - without.configurations[0][q]).abs());
+            assert!(apart.iter().all(|d| *d <= 0.5 * step + 1e-9), "{file} {apart:?}");
+        }
+        let said: Vec<&str> = program.lines().map(|line| line.split_once(":  ").map_or(line, |p| p.1).trim()).collect();
+        let block = |stop: &[&str]| stop == waits;
+        assert_eq!(said.windows(4).filter(|w| block(w)).count(), 12, "{program}");
+        let stated = found.program.unwrap();
+        assert_eq!((stated.file.as_str(), stated.dwell_s), (file, 4.5));
+    }
+}
+
+#[test]
+fn gcode_moves_the_joints_of_any_machine() {
+    let folder = tempfile::tempdir().unwrap();
+    copy_robot("delta", folder.path());
+    let options = ["--reflector", "A=0,0,-10", "--program", "m.ngc", "--axes", "ABC"];
+    let found = all_of(folder.path(), "8", &options);
+    let moved = gcode_motions(&std::fs::read_to_string(folder.path().join("m.ngc")).unwrap(), "ABC");
+    for (joints, planned) in moved.iter().zip(found.in_order()) {
+        let values = joints_of(&planned.configurations[0], &["theta1_deg", "theta2_deg", "theta3_deg"]);
+        assert!(joints.iter().zip(&values).all(|(a, b)| (a - b).abs() < 1e-6), "{joints:?} {values:?}");
+    }
+    assert_eq!(moved.len(), 8);
+}
+
+#[test]
+fn the_operators_sheet_has_set_up_labels_in_order_and_boxes() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), arm("")).unwrap();
+    let options = ["--report", "r.html", "--program", "m.ls", "--trigger", "7"];
+    let found = all_of(folder.path(), "6", &[&SIGHT[..], &options].concat());
+    let html = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
+    let (_, sheet) = html.split_once("id=\"sheet\"").expect("sheet");
+    // the boxes of five steps and of six poses
+    assert_eq!(sheet.matches("[   ]").count(), 11);
+    for part in ["2500, -400, 600", "30, 0, 60", "m.ls (fanuc)", "output 7"] {
+        assert!(sheet.contains(part), "{part}");
+    }
+    let labels = found.in_order().into_iter().map(|p| sheet.find(&format!("A_{0}_1, B_{0}_1", p.pose)).expect("label"));
+    assert!(labels.collect::<Vec<_>>().is_sorted());
 }

@@ -258,4 +258,54 @@ def axis():
     return ok and spread < 1e-6
 
 
-sys.exit(0 if all([axis(), hexapod(), arm(), five_bar(), prexyt()]) else 1)
+def about(k, deg, at, p):
+    """A point turned about the axis `k` (0 to 2) through `at`."""
+    s, c = math.sin(math.radians(deg)), math.cos(math.radians(deg))
+    i, j = (k + 1) % 3, (k + 2) % 3
+    v = [a - b for a, b in zip(p, at)]
+    v[i], v[j] = c * v[i] - s * v[j], s * v[i] + c * v[j]
+    return [a + b for a, b in zip(v, at)]
+
+
+def solved(name, values, points, *options):
+    """What `etalon cell` prints for a target at these values of a rotary axis."""
+    table = os.path.join(work, name)
+    with open(table, "w") as file:
+        print("axis_deg,x_mm,y_mm,z_mm", *(",".join(map(repr, [v, *p])) for v, p in zip(values, points)), sep="\n", file=file)
+    return run(etalon, "cell", table, "--solve", "rotary-axis", *options)
+
+
+def tilting_table(kins, k):
+    """A rotary table on a table that tilts about the axis `k`: pivots by `etalon cell`, and a point of the part followed."""
+    c_at, tilt_at = [310.25, 205.5, 0.0], [305.125, 212.75, -31.5]
+    target, values = [400.0, 150.0, 60.0], [-50.0, -20.0, 0.0, 30.0, 55.0]
+    answer = solved(f"{kins}-c.csv", values, [about(2, v, c_at, target) for v in values], "--json")
+    with open(os.path.join(work, f"{kins}-c.json"), "w") as file:
+        file.write(answer)
+    tilted = [about(k, v, tilt_at, target) for v in values]
+    hal = solved(f"{kins}-t.csv", values, tilted, "--with", os.path.join(work, f"{kins}-c.json"), "--controller", kins)
+    poses, joints = [], []
+    for x, y, z, t, c, _ in around([0] * 6, 40):
+        part = [350 + x, 180 + y, 95 + z]
+        poses.append([*part, *([t, 0, c] if k == 0 else [0, t, c])])
+        joints.append([*about(k, t, tilt_at, about(2, c, c_at, part)), t, c])
+    kind = [False] * 3 + [True] * 2
+    return moved(f"tilting table, {kins}", kins, hal, poses[1:], joints[1:], kind, (poses[0], joints[0]), 1e-6)
+
+
+def tilting_head():
+    """A head that tilts about y: the pivot length by `etalon cell`, and the end of the tool held."""
+    pivot, length, values = [120.0, -40.0, 600.0], 250.5, [-40.0, -15.0, 0.0, 20.0, 35.0]
+    end = lambda b: about(1, -b, pivot, [pivot[0], pivot[1], pivot[2] - length])
+    hal = solved("head.csv", values, [end(b) for b in values], "--controller", "5axiskins", "--tool-length-mm", "0")
+    poses, joints = [], []
+    for x, y, z, b, c, _ in around([0] * 6, 30):
+        down = about(2, c, [0, 0, 0], about(1, -b, [0, 0, 0], [0, 0, -length]))
+        poses.append([x, y, z, 0, b, c])
+        joints.append([x - down[0], y - down[1], z - down[2] - length, b, c, 0])
+    kind = [False] * 3 + [True] * 2 + [False]
+    return moved("tilting head, 5axiskins", "5axiskins", hal, poses[1:], joints[1:], kind, (poses[0], joints[0]), 1e-6)
+
+
+tables = [lambda: tilting_table("xyzac-trt-kins", 0), lambda: tilting_table("xyzbc-trt-kins", 1), tilting_head]
+sys.exit(0 if all([axis(), hexapod(), arm(), five_bar(), prexyt(), *(table() for table in tables)]) else 1)

@@ -15,6 +15,12 @@ const CELL_COINCIDE: &str =
     "nominal_x_mm,nominal_y_mm,nominal_z_mm,x_mm,y_mm,z_mm\n0,0,0,1,1,1\n0,0,0,2,1,1\n0,0,0,1,3,1\n";
 const CELL_LINE: &str =
     "nominal_x_mm,nominal_y_mm,nominal_z_mm,x_mm,y_mm,z_mm\n0,0,0,1,1,1\n5,0,0,2,1,1\n9,0,0,1,3,1\n";
+/// A target on a table that turns about z, and one on a head that turns about y, upright and leaning (synthetic).
+const CELL_C: &str = "axis_deg,x_mm,y_mm,z_mm\n-40,378.94318,147.15349,60.00012\n-15,396.93215,181.70661,59.99895\n0,399.99923,204.99930,60.00405\n20,394.57238,235.78216,60.00135\n35,383.72772,256.62143,59.99875\n";
+const CELL_B: &str = "axis_deg,x_mm,y_mm,z_mm\n-40,280.70185,-40.00292,408.48815\n-15,184.70610,-39.99543,358.51664\n0,119.99514,-39.99868,349.99896\n20,34.49419,-39.99908,365.07729\n35,-23.39353,-40.00086,395.21457\n";
+const CELL_B_TILTED: &str = "axis_deg,x_mm,y_mm,z_mm\n-40,280.69991,-38.99719,408.49061\n-15,184.70623,-38.73466,358.51977\n0,119.99908,-38.68891,350.00323\n20,34.49431,-38.76953,365.08000\n35,-23.39411,-38.93160,395.21829\n";
+/// A tool of 10, 20, 150 mm at one fixed point (synthetic).
+const CELL_TOUCHES: &str = "flange_x_mm,flange_y_mm,flange_z_mm,flange_rx_deg,flange_ry_deg,flange_rz_deg\n489.99764,79.99770,50.00134,0,0,0\n489.99541,181.09697,72.23307,40,0,0\n409.62477,70.93380,81.73584,0,35,10\n518.52927,6.87807,81.74214,-30,10,50\n586.01765,91.30495,75.39772,10,-40,-20\n438.59241,89.06229,61.76289,25,25,90\n";
 /// Half turns about one place: four tools fit.
 const CELL_AMBIGUOUS: &str = "flange_x_mm,flange_y_mm,flange_z_mm,flange_qw,flange_qx,flange_qy,flange_qz,x_mm,y_mm,z_mm\n\
     0,0,0,1,0,0,0,10,20,30\n0,0,0,0,1,0,0,10,-20,-30\n0,0,0,0,0,1,0,-10,20,-30\n0,0,0,0,0,0,1,-10,-20,30\n";
@@ -97,6 +103,54 @@ const OPTIONS: &[Case] = &[
         "",
         &[("c.csv", "", "axis_mm,x_mm,y_mm,z_mm\n0,0,0,0\n10,10,0,0\n20,20,0,0.01\n")],
         "cell @/c.csv --solve linear-axis --controller kuka",
+    ),
+    (
+        "cell-second-axis-missing maker=grblhal",
+        "",
+        &[("c.csv", "", CELL_C)],
+        "cell @/c.csv --solve rotary-axis --controller grblhal",
+    ),
+    (
+        "cell-axis-direction maker=maxkins axis=y",
+        "",
+        &[("c.csv", "", CELL_C)],
+        "cell @/c.csv --solve rotary-axis --controller maxkins --tool-length-mm 80",
+    ),
+    (
+        "cell-axis-sense maker=5axiskins sense=positive",
+        "",
+        &[("b.csv", "", CELL_B)],
+        "cell @/b.csv --solve rotary-axis --controller 5axiskins --tool-length-mm 80",
+    ),
+    (
+        "cell-tool-length-missing maker=maxkins",
+        "",
+        &[("b.csv", "", CELL_B)],
+        "cell @/b.csv --solve rotary-axis --controller maxkins",
+    ),
+    (
+        "cell-pivot-above",
+        "",
+        &[("b.csv", "", CELL_B)],
+        "cell @/b.csv --solve rotary-axis --controller maxkins --tool-length-mm 900",
+    ),
+    (
+        "cell-machine-number number=1",
+        "",
+        &[("c.csv", "", CELL_C)],
+        "cell @/c.csv --solve rotary-axis --controller kuka --number 1",
+    ),
+    (
+        "cell-loads-replaced number=3",
+        "",
+        &[("c.csv", "", CELL_TOUCHES)],
+        "cell @/c.csv --solve tool-point --controller yaskawa --number 3",
+    ),
+    (
+        "cell-axis-tilted maker=maxkins axis=y",
+        "",
+        &[("b.csv", "", CELL_B_TILTED)],
+        "cell @/b.csv --solve rotary-axis --controller maxkins --tool-length-mm 80",
     ),
     (
         "cell-scale",
@@ -205,6 +259,36 @@ const OPTIONS: &[Case] = &[
         "plan --robot @/robot.toml --generate 9 --positions 4 --reflector A=0,0,0,0,0,1,50",
     ),
     (
+        "obstacle-twice name=post",
+        "delta",
+        &[],
+        "plan --robot @/robot.toml --generate 9 --positions 4 --reflector A=0,0,0 --instrument 3000,0,0 --obstacle post=box:9,9,9,900,0,0 --obstacle post=cylinder:9,800,0,0,800,0,99",
+    ),
+    (
+        "instrument-inside-obstacle name=table",
+        "delta",
+        &[],
+        "plan --robot @/robot.toml --generate 9 --positions 4 --reflector A=0,0,0 --instrument 500,0,0 --obstacle table=box:1000,1000,800,500,0,0",
+    ),
+    (
+        "links-unsuited model=delta",
+        "delta",
+        &[],
+        "plan --robot @/robot.toml --generate 9 --positions 4 --reflector A=0,0,0 --instrument 3000,0,0 --link theta1=60",
+    ),
+    (
+        "link-joint-unknown joint=elbow",
+        "abb-irb120",
+        &[],
+        "plan --robot @/robot.toml --generate 9 --positions 4 --reflector A=0,0,50 --instrument 3000,0,0 --link elbow=60 --range q1_deg=-9:9 --range q2_deg=-9:9 --range q3_deg=-9:9 --range q4_deg=-9:9 --range q5_deg=-9:9 --range q6_deg=-9:9",
+    ),
+    (
+        "reflector-inside-link reflector=A joint=q6",
+        "abb-irb120",
+        &[],
+        "plan --robot @/robot.toml --generate 9 --positions 4 --reflector A=0,0,10 --instrument 3000,0,0 --link q6=60 --range q1_deg=-9:9 --range q2_deg=-9:9 --range q3_deg=-9:9 --range q4_deg=-9:9 --range q5_deg=-9:9 --range q6_deg=-9:9",
+    ),
+    (
         "box-axis-unknown name=z dimension=2",
         "prexyt-cmm",
         &[],
@@ -240,6 +324,24 @@ const OPTIONS: &[Case] = &[
         "draw-wire",
         &[("t.csv", "", POSES), ("robot.toml", "+", "\n[nominal]\ngain_2 = 0.01\n")],
         "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1 --program @/m.mod",
+    ),
+    (
+        "measuring-output-unsuited language=krl output=probe first=1 last=4096",
+        "draw-wire",
+        &[("t.csv", "", POSES)],
+        "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1 --program @/m.src --trigger probe",
+    ),
+    (
+        "measuring-axes-missing language=gcode joints=6",
+        "draw-wire",
+        &[("t.csv", "", POSES)],
+        "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1 --program @/m.ngc --axes XYZ",
+    ),
+    (
+        "measuring-pulses-missing language=inform joints=6",
+        "draw-wire",
+        &[("t.csv", "", POSES)],
+        "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1 --program @/m.jbi",
     ),
     ("document-unreadable", "", &[("p.json", "", "{\"schema\": \"etalon/parameters/2\"}")], "export @/p.json"),
     ("document-unreadable", "", &[("p.json", "", "{\"schema\": ")], "export @/p.json"),

@@ -225,8 +225,28 @@ const IDENTIFIED: &[Case] = &[
     ("place-without-nominal", "column-arm", &[], "validate @ --frames given"),
     ("payload-column-missing column=load_kg", "payload-arm", &[("observations.csv", "load_kg", "mass_kg")], RUN),
     ("payload-column-missing column=load_z_mm", "payload-arm", &[("observations.csv", "load_z_mm", "lz_mm")], RUN),
+    (
+        "load-columns-slip",
+        "payload-arm",
+        &[("observations.csv", "load_x_mm,load_y_mm,load_z_mm", "load_z_mm,load_y_mm,load_x_mm")],
+        RUN,
+    ),
     ("payload-invalid column=load_kg value=-3", "payload-arm", &[("observations.csv", ",3.000000,", ",-3.0,")], RUN),
     ("payload-invalid column=load_kg value=missing", "payload-arm", &[("observations.csv", ",3.000000,", ",,")], RUN),
+    ("torque-column-missing joint=q3", "torque-arm", &[("observations.csv", "tau3_nm", "tau_3")], RUN),
+    ("torque-invalid column=tau1_nm value=missing", "torque-arm", &[("observations.csv", ",-0.033380,", ",,")], RUN),
+    (
+        "temperature-column-missing column=temperature_c",
+        "warming-arm",
+        &[("observations.csv", "temperature_c", "temp")],
+        RUN,
+    ),
+    (
+        "temperature-invalid column=temperature_c value=-999",
+        "warming-arm",
+        &[("observations.csv", ",19.500000,", ",-999,")],
+        RUN,
+    ),
     (
         "base-off-nominal",
         "probe-poses",

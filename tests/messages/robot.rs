@@ -54,6 +54,7 @@ const KEYS: &[Case] = &[
     ("target-on-two-branches target=L1", HANDS, &[(R, "[\"R1\", \"R2\"]", "[\"R1\", \"R2\", \"L1\"]")], CHECK),
     ("target-on-no-branch target=R2", HANDS, &[(R, "\"R1\", \"R2\"", "\"R1\"")], CHECK),
     ("payload-in-branches joint=torso_yaw", HANDS, &[(R, "base_link", "payload = [\"torso_yaw\"]\nbase_link")], CHECK),
+    ("elastic-in-branches key=pedestal", HANDS, &[(R, "base_link", "pedestal = true\nbase_link")], CHECK),
     ("bending-in-branches joint=torso_yaw", HANDS, &[(R, "base_link", "bending = [\"torso_yaw\"]\nbase_link")], CHECK),
     (
         "coupling-across-branches joint=left_1",

@@ -1,7 +1,8 @@
 """Runs a function block of Structured Text, SCL or PLCopen XML: python3 structured_text.py FILE BLOCK < lines of numbers.
 
 A small interpreter that shares nothing with the exporter: assignments, IF, FOR, RETURN, calls, LREAL and INT. A line of input holds the
-inputs of the block one after the other; a line of output its first output, or nothing where `valid` is FALSE.
+inputs of the block one after the other; a line of output its first output, or nothing where `valid` is FALSE. A block without
+`valid` gives all outputs.
 """
 import functools
 import math
@@ -14,7 +15,7 @@ def copied(value):
     return [copied(v) for v in value] if isinstance(value, list) else value
 
 
-FUNCTIONS = {"SIN": math.sin, "COS": math.cos, "ATAN": math.atan, "SQRT": math.sqrt, "ABS": abs, "copied": copied}
+FUNCTIONS = {"SIN": math.sin, "COS": math.cos, "ATAN": math.atan, "SQRT": math.sqrt, "ABS": abs, "MIN": min, "MAX": max, "copied": copied}
 
 
 def expression(text):
@@ -153,8 +154,12 @@ def main():
             given[name], numbers = numbers[:count], numbers[count:]
         assert not numbers
         instance(**given)
-        first = instance.unit.lists["VAR_OUTPUT"][0][0]
-        print(*map(repr, getattr(instance, first))) if instance.valid else print()
+        outputs = [name for name, _ in instance.unit.lists["VAR_OUTPUT"]]
+        if "valid" in outputs:
+            print(*map(repr, getattr(instance, outputs[0]))) if instance.valid else print()
+        else:
+            values = [getattr(instance, name) for name in outputs]
+            print(*(repr(v) for value in values for v in (value if isinstance(value, list) else [value])))
 
 
 main()

@@ -6,11 +6,16 @@ use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, norm};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::RobotFile;
-use etalon_documents::{GeneratedCandidates, PlannedReflector};
+use etalon_documents::{GeneratedCandidates, PlannedObstacle, PlannedReflector};
 use etalon_identify::plan::candidates::Candidates;
 use etalon_identify::plan::generate::{Domain, Generated, Reflector, Sight, generate};
+use etalon_identify::plan::obstacles::Obstacle;
 use etalon_robots::{JointRange, Robot};
 use std::result::Result as Parsed;
+
+mod obstacles;
+
+use obstacles::{StatedLink, StatedObstacle};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -40,6 +45,19 @@ pub(super) struct Generation {
     /// it in every candidate.
     #[arg(long, value_name = "X,Y,Z", value_parser = position, allow_hyphen_values = true, requires = "generate")]
     instrument: Option<Position>,
+    /// Body in the base of the robot (mm) that blocks the view of the instrument; may be repeated.
+    ///
+    /// NAME=cylinder:RADIUS,X,Y,Z,X,Y,Z by the centres of both ends, or
+    /// NAME=box:DX,DY,DZ,X,Y,Z[,DEG] by its edges, its centre and its rotation about z.
+    #[arg(long = "obstacle", value_name = "NAME=SHAPE:NUMBERS", value_parser = obstacles::obstacle, requires = "instrument")]
+    obstacles: Vec<StatedObstacle>,
+    /// Link that a joint moves, as a capsule that blocks the view; may be repeated.
+    ///
+    /// JOINT=RADIUS (mm) from the origin of the joint's frame to that of the next joint (of the
+    /// flange after the last), or JOINT=RADIUS,X,Y,Z,X,Y,Z by both ends in the base of the robot at
+    /// joint values zero.
+    #[arg(long = "link", value_name = "JOINT=RADIUS[,X,Y,Z,X,Y,Z]", value_parser = obstacles::link, requires = "instrument")]
+    links: Vec<StatedLink>,
 }
 
 /// A reflector as stated.
@@ -75,10 +93,10 @@ impl Generation {
         };
         let found = generate(robot_ref, &domain, wanted, seed);
         if found.poses == 0 {
-            return Err(error!("no-candidate-generated", draws = found.draws, counts = counts(&found)).into());
+            return Err(error!("no-candidate-generated", draws = found.draws, counts = counts(&found, &domain)).into());
         }
         let few = || {
-            let (found, draws, counts) = (found.poses, found.draws, counts(&found));
+            let (found, draws, counts) = (found.poses, found.draws, counts(&found, &domain));
             warning!("few-candidates-generated", found, wanted, draws, counts)
         };
         let limit_violations = (found.poses < wanted).then(few);
@@ -179,8 +197,12 @@ impl Generation {
             Some(Reflector { target, axis, acceptance_rad: deg.to_radians() })
         };
         let reflectors: Vec<Reflector> = self.reflectors.iter().enumerate().filter_map(front).collect();
-        match (self.instrument, reflectors.is_empty()) {
-            (Some(Position(instrument_mm)), false) => Ok(Some(Sight { instrument_mm, reflectors })),
+        let is_hidden_by = !(self.obstacles.is_empty() && self.links.is_empty());
+        match (self.instrument, reflectors.is_empty() && !(is_hidden_by && robot.free_base().is_some())) {
+            (Some(Position(instrument_mm)), false) => {
+                let obstacles = self.obstacles(robot, instrument_mm)?;
+                Ok(Some(Sight { instrument_mm, reflectors, obstacles }))
+            }
             (None, true) => Ok(None),
             (Some(_), true) if robot.free_base().is_none() => {
                 Err(error!("reflector-of-own-targets", model = robot.model()).into())
@@ -209,6 +231,7 @@ impl Generation {
             beyond_limits: found.losses.limits,
             outside_box: found.losses.region,
             facing_away: found.losses.sight,
+            obstacles: self.planned_obstacles(found),
             ranges: ranges.map(|(joint, ends)| (joint.column(), ends.map(|end| joint.quantity.outward(end)))).collect(),
             box_mm: region.map(|(axis, ends)| ((*axis).to_owned(), *ends)).collect(),
             instrument_mm: self.instrument.map(|Position(at)| at),
@@ -218,7 +241,7 @@ impl Generation {
 }
 
 /// Numbers of draws lost, by reason.
-fn counts(found: &Generated) -> Vec<Argument> {
+fn counts(found: &Generated, domain: &Domain) -> Vec<Argument> {
     let losses = &found.losses;
     let limits = (losses.limits > 0).then(|| phrase!("draws-beyond-limits", count = losses.limits).argument());
     let region = (losses.region > 0).then(|| {
@@ -227,7 +250,10 @@ fn counts(found: &Generated) -> Vec<Argument> {
     });
     let (count, reversed) = (losses.sight, losses.reversed);
     let sight = (count > 0).then(|| phrase!("draws-facing-away", count, reversed).argument());
-    [limits, region, sight].into_iter().flatten().collect()
+    let names = domain.sight.iter().flat_map(|sight| &sight.obstacles);
+    let hidden = names.zip(&losses.hidden).filter(|(_, count)| **count > 0);
+    let hidden = hidden.map(|(o, count)| phrase!("draws-hidden", count = *count, obstacle = &o.name).argument());
+    [limits, region, sight].into_iter().flatten().chain(hidden).collect()
 }
 
 /// Parses NAME=FROM:TO.

@@ -4,8 +4,8 @@ use super::super::check_positive;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::Result;
-use etalon_controllers::measuring::{MeasuringLanguage, MeasuringProgram, Stop, check, language, names};
-use etalon_documents::PlanDocument;
+use etalon_controllers::measuring::{MeasuringLanguage, MeasuringProgram, Stated, Stop, check, language, names};
+use etalon_documents::{PlanDocument, PlannedProgram};
 use etalon_identify::plan::generate::approach;
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
@@ -15,7 +15,8 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, clap::Args)]
 pub(super) struct Program {
     /// Write a program that moves the joints to the chosen poses in the order of measurement and
-    /// waits: RAPID (.mod), KRL (.src) or URScript (.script).
+    /// waits: RAPID (.mod), KRL (.src), URScript (.script), FANUC TP (.ls), INFORM (.jbi) or G-code
+    /// (.ngc).
     #[arg(long, value_name = "FILE")]
     program: Option<PathBuf>,
     /// Language of the program, if not by its ending.
@@ -24,6 +25,16 @@ pub(super) struct Program {
     /// Waiting time at each pose in seconds.
     #[arg(long, value_name = "SECONDS", default_value_t = 3.0)]
     dwell: f64,
+    /// Digital output that is on during the second half of the waiting time, to trigger the
+    /// instrument: its number, or its signal in RAPID.
+    #[arg(long, value_name = "OUTPUT", requires = "program")]
+    trigger: Option<String>,
+    /// Letters of the controller's axes in the order of the joints, for G-code: of XYZABCUVW.
+    #[arg(long, value_name = "LETTERS", requires = "program", value_parser = letters)]
+    axes: Option<String>,
+    /// Pulses per deg or mm of each joint in their order, with sign, for INFORM.
+    #[arg(long, value_name = "P1,P2,...", requires = "program", value_delimiter = ',', value_parser = pulses, allow_hyphen_values = true)]
+    pulses: Vec<f64>,
 }
 
 impl Program {
@@ -39,7 +50,37 @@ impl Program {
     pub(super) fn check(&self, robot: &dyn Robot) -> Result<()> {
         let Some(path) = &self.program else { return Ok(()) };
         check_positive("--dwell", Some(self.dwell))?;
-        check(self.language_of(path)?, robot.joints(), |k| robot.nominal_gain(k))
+        check(self.language_of(path)?, robot.joints(), |k| robot.nominal_gain(k), &self.stated())
+    }
+
+    fn stated(&self) -> Stated<'_> {
+        let axes = self.axes.as_deref().unwrap_or_default();
+        Stated { trigger: self.trigger.as_deref(), axes, pulses: &self.pulses }
+    }
+
+    /// Changes the joint values of the document to those that the program commands, and states the
+    /// program in it, if one is written.
+    ///
+    /// # Errors
+    /// Reports a file of an unknown language.
+    pub(super) fn complete(&self, robot: &dyn Robot, document: &mut PlanDocument) -> Result<()> {
+        let Some(path) = &self.program else { return Ok(()) };
+        let (name, language) = self.language_of(path)?;
+        for values in document.chosen.iter_mut().flat_map(|pose| &mut pose.configurations) {
+            for (k, joint) in robot.joints().iter().enumerate() {
+                if let Some(value) = values.get_mut(&joint.column()) {
+                    *value = language.attained(*value, self.pulses.get(k).copied().unwrap_or(1.0));
+                }
+            }
+        }
+        let file = path.file_name().map(|file| file.to_string_lossy().into_owned());
+        document.program = Some(PlannedProgram {
+            file: file.unwrap_or_default(),
+            language: name.to_owned(),
+            dwell_s: self.dwell,
+            trigger: self.trigger.clone(),
+        });
+        Ok(())
     }
 
     /// Writes the program, if this is asked for.
@@ -51,10 +92,11 @@ impl Program {
         let joints = robot.joints();
         let program = MeasuringProgram {
             name: path.file_stem().and_then(|stem| stem.to_str()).unwrap_or("etalon"),
-            header: header(robot, name, document),
+            header: header(robot, name, document, self.axes.as_deref()),
             joints,
             stops: stops(robot, document),
             dwell_s: self.dwell,
+            stated: self.stated(),
         };
         let (_, language) = self.language_of(path)?;
         files::write(path, language.text(&program).as_bytes())
@@ -68,7 +110,7 @@ impl Program {
 }
 
 /// Lines of the header.
-fn header(robot: &dyn Robot, name: &str, document: &PlanDocument) -> Vec<String> {
+fn header(robot: &dyn Robot, name: &str, document: &PlanDocument, letters: Option<&str>) -> Vec<String> {
     let (joints, arm) = (robot.joints(), robot.joints().len().saturating_sub(6));
     let list = |part: &[etalon_robots::Joint]| part.iter().map(|j| j.name.as_str()).collect::<Vec<_>>().join(" ");
     let mut lines = vec![
@@ -77,10 +119,30 @@ fn header(robot: &dyn Robot, name: &str, document: &PlanDocument) -> Vec<String>
         "Check for collisions and reach at low speed first.".to_owned(),
         "Joint values are those of the controller: zeros and directions as in".to_owned(),
         "the nominal model are assumed.".to_owned(),
-        format!("Axes 1 to 6: {}", list(&joints[arm..])),
     ];
+    if let Some(letters) = letters {
+        let axes = letters.chars().zip(joints).map(|(letter, joint)| format!("{letter} = {}", joint.name));
+        lines.push(format!("Axes (deg, mm): {}", axes.collect::<Vec<_>>().join(", ")));
+        lines.push("They have to be the joints: trivial or identity kinematics.".to_owned());
+        return lines;
+    }
+    lines.push(format!("Axes 1 to 6: {}", list(&joints[arm..])));
     lines.extend((arm > 0).then(|| format!("External axes (mm): {}", list(&joints[..arm]))));
     lines
+}
+
+/// Parses letters of axes.
+fn letters(text: &str) -> std::result::Result<String, String> {
+    let letters = text.to_ascii_uppercase();
+    let is_new = |(i, letter): (usize, char)| "XYZABCUVW".contains(letter) && letters.find(letter) == Some(i);
+    let suited = !letters.is_empty() && letters.char_indices().all(is_new);
+    if suited { Ok(letters) } else { Err("expected different letters of XYZABCUVW".to_owned()) }
+}
+
+/// Parses pulses per deg or mm.
+fn pulses(text: &str) -> std::result::Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|value: &f64| value.is_normal());
+    number.ok_or_else(|| "expected numbers other than 0".to_owned())
 }
 
 /// Poses in the order of measurement, with their approach points.

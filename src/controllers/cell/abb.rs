@@ -2,7 +2,8 @@
 //! unit quaternion with the scalar first. The work object has the identified frame as user frame,
 //! and an object frame at its origin.
 
-use super::{CellData, CellFormat, CellPart, identifier};
+use super::{CellData, CellFormat, CellPart, CellText, identifier};
+use etalon_base::message::Result;
 
 pub(super) struct Abb;
 
@@ -11,7 +12,11 @@ impl CellFormat for Abb {
         "abb"
     }
 
-    fn text(&self, data: &CellData) -> String {
+    fn parts(&self) -> &'static [CellPart] {
+        &[CellPart::Tool, CellPart::Object]
+    }
+
+    fn text(&self, data: &CellData) -> Result<CellText> {
         let mut text: String = data.header.iter().map(|line| format!("! {line}\n")).collect();
         let name = identifier(&data.name, 32);
         let [x, y, z] = data.pose.translation_mm;
@@ -23,10 +28,10 @@ impl CellFormat for Abb {
                 "  ! load data are not identified: replace the mass (kg) and the centre of gravity (mm) before use\n  \
                  PERS tooldata {name}:=[TRUE,{frame},[-1,[0,0,0],[1,0,0,0],0,0,0]];\n"
             ),
-            CellPart::Object => {
+            _ => {
                 format!("  PERS wobjdata {name}:=[FALSE,TRUE,\"\",{frame},[[0,0,0],[1,0,0,0]]];\n")
             }
         };
-        text + "ENDMODULE\n"
+        Ok((text + "ENDMODULE\n").into())
     }
 }

@@ -1,7 +1,8 @@
 //! TP program (FANUC, ASCII) that sets `UTOOL` or `UFRAME` through a position register, in mm and
 //! deg, with Rz(R) Ry(P) Rx(W) (R-30iB operator's manual).
 
-use super::{CellData, CellFormat, CellPart, identifier, roll_pitch_yaw_deg};
+use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};
+use etalon_base::message::Result;
 use std::fmt::Write;
 
 pub(super) struct Fanuc;
@@ -17,7 +18,11 @@ impl CellFormat for Fanuc {
         "fanuc"
     }
 
-    fn text(&self, data: &CellData) -> String {
+    fn parts(&self) -> &'static [CellPart] {
+        &[CellPart::Tool, CellPart::Object]
+    }
+
+    fn text(&self, data: &CellData) -> Result<CellText> {
         let n = data.number;
         let name = identifier(&data.name, 32).to_uppercase();
         let kind = if data.part == CellPart::Tool { "UTOOL" } else { "UFRAME" };
@@ -37,6 +42,6 @@ impl CellFormat for Fanuc {
         for (number, line) in (1..).zip(lines) {
             let _ = writeln!(text, "{number:4}:  {line} ;");
         }
-        text + "/POS\n/END\n"
+        Ok((text + "/POS\n/END\n").into())
     }
 }

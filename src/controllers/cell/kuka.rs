@@ -1,7 +1,16 @@
 //! Lines of `$config.dat` (KUKA): `TOOL_DATA` and `BASE_DATA` as `FRAME` in mm and deg, with
-//! Rz(A) Ry(B) Rx(C) (KUKA System Software, operating and programming instructions).
+//! Rz(A) Ry(B) Rx(C) (KUKA System Software, operating and programming instructions), and
+//! `MACHINE_DEF` of an external rotary axis.
+//!
+//! The layout of `MACHINE_DEF` is that of public backups (`docs/cell.md` has the addresses); the
+//! first axis of an external kinematic turns about z of `ROOT` where `$ET1_TA1KR` is null.
 
-use super::{CellData, CellFormat, CellPart, identifier, roll_pitch_yaw_deg};
+use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};
+use etalon_base::error;
+use etalon_base::message::Result;
+
+/// Types of external kinematics in the order of `$EX_KIN`; the robot itself is number 1.
+const KINEMATICS: [&str; 6] = ["#EASYS", "#EBSYS", "#ECSYS", "#EDSYS", "#EESYS", "#EFSYS"];
 
 pub(super) struct Kuka;
 
@@ -10,19 +19,36 @@ impl CellFormat for Kuka {
         "kuka"
     }
 
-    fn text(&self, data: &CellData) -> String {
-        let text: String = data.header.iter().map(|line| format!("; {line}\n")).collect();
+    fn parts(&self) -> &'static [CellPart] {
+        &[CellPart::Tool, CellPart::Object, CellPart::Axis]
+    }
+
+    fn text(&self, data: &CellData) -> Result<CellText> {
+        let header: String = data.header.iter().map(|line| format!("; {line}\n")).collect();
         let [x, y, z] = data.pose.translation_mm;
         let [c, b, a] = roll_pitch_yaw_deg(&data.pose);
+        let frame = format!("{{X {x:.6},Y {y:.6},Z {z:.6},A {a:.9},B {b:.9},C {c:.9}}}");
         let (n, name) = (data.number, identifier(&data.name, 24));
-        let kind = if data.part == CellPart::Tool { "TOOL" } else { "BASE" };
-        let load = match data.part {
-            CellPart::Tool => "; load data (LOAD_DATA) are not identified\n",
-            CellPart::Object => "",
+        let text = match data.part {
+            CellPart::Axis => format!("{header}{}", machine(n, &name, &frame)?),
+            CellPart::Tool => format!(
+                "{header}; load data (LOAD_DATA) are not identified\nTOOL_DATA[{n}]={frame}\n\
+                 TOOL_NAME[{n},]=\"{name}\"\n"
+            ),
+            _ => format!("{header}BASE_DATA[{n}]={frame}\nBASE_NAME[{n},]=\"{name}\"\n"),
         };
-        format!(
-            "{text}{load}{kind}_DATA[{n}]={{X {x:.6},Y {y:.6},Z {z:.6},A {a:.9},B {b:.9},C {c:.9}}}\n\
-             {kind}_NAME[{n},]=\"{name}\"\n"
-        )
+        Ok(text.into())
     }
+}
+
+/// Definition of an external kinematic.
+fn machine(number: u32, name: &str, root: &str) -> Result<String> {
+    let kind = (number as usize).checked_sub(2).and_then(|k| KINEMATICS.get(k));
+    let Some(kind) = kind else { return Err(error!("cell-machine-number", number).into()) };
+    Ok(format!(
+        "; in the frame of the measured points, which must be the world frame of the controller\n\
+         ; z of ROOT is the axis: $ET1_TA1KR (or that of the kinematic) must be null\n\
+         MACHINE_DEF[{number}]={{NAME[] \"{name}\",COOP_KRC_INDEX 1,PARENT[] \"WORLD\",ROOT {root},\
+         MECH_TYPE {kind},GEOMETRY[] \" \"}}\n"
+    ))
 }

@@ -1,15 +1,26 @@
-//! Tools and work objects as data of controllers, one maker a file.
+//! Tools, work objects, base frames and rotary axes as data of controllers, one format a file.
 
 mod abb;
+mod abb_moc;
 mod fanuc;
+mod grblhal;
 mod kuka;
+mod linuxcnc_pivot;
+mod linuxcnc_trt;
+mod machine;
 #[cfg(test)]
 mod tests;
 mod universal_robots;
+mod yaskawa;
 
 use crate::comment;
+use etalon_base::error;
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, norm};
-use etalon_documents::CellDocument;
+use etalon_documents::{CellDocument, CellFrameEntry};
+use linuxcnc_pivot::Pivot;
+use linuxcnc_trt::TiltingTable;
+use machine::MachineAxis;
 
 /// Place of the frame in the data of a controller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +29,23 @@ pub enum CellPart {
     Tool,
     /// Work object or base in the base of the robot.
     Object,
+    /// Base of the robot in the frame of the measured points.
+    Base,
+    /// External rotary axis in the frame of the measured points: z along the axis.
+    Axis,
+}
+
+/// Statements of the user beside the answer.
+#[derive(Clone, Debug, Default)]
+pub struct CellOptions {
+    /// Name of the tool, object or mechanical unit.
+    pub name: String,
+    /// Number of the tool, base or machine.
+    pub number: u32,
+    /// Answer of the second rotary axis of the same machine.
+    pub second: Option<CellDocument>,
+    /// Length (mm) of the tool at whose end the first target is.
+    pub tool_length_mm: Option<f64>,
 }
 
 /// Frame with its name and number.
@@ -25,27 +53,77 @@ pub enum CellPart {
 pub struct CellData {
     /// Place in the data.
     pub part: CellPart,
-    /// Pose of tool or object.
+    /// Pose of tool, object, base or axis.
     pub pose: Pose,
     /// Name.
     pub name: String,
-    /// Number of the tool or base.
+    /// Number of the tool, base or machine.
     pub number: u32,
     /// Header: version, source, standard uncertainties.
     pub header: Vec<String>,
+    /// Rotary axes: that of the answer, then the second one.
+    axes: Vec<MachineAxis>,
+    /// Length (mm) of the tool at whose end the first target is.
+    tool_length_mm: Option<f64>,
 }
 
-/// Data of one maker.
+/// Data of a controller, and warnings about them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CellText {
+    /// Text that the controller reads, or that is copied into its data.
+    pub text: String,
+    /// Warnings.
+    pub messages: Vec<Message>,
+}
+
+impl From<String> for CellText {
+    fn from(text: String) -> Self {
+        Self { text, messages: Vec::new() }
+    }
+}
+
+/// Data of one controller.
 pub trait CellFormat: Sync {
     /// Name on the command line.
     fn name(&self) -> &'static str;
 
-    /// Text that the controller reads, or that is copied into its data.
-    fn text(&self, data: &CellData) -> String;
+    /// Parts that the format holds; of an answer with several, the first one is written.
+    fn parts(&self) -> &'static [CellPart];
+
+    /// Data of the controller.
+    ///
+    /// # Errors
+    /// Rejects answers that the controller cannot hold.
+    fn text(&self, data: &CellData) -> Result<CellText>;
 }
 
-/// All makers.
-const FORMATS: [&dyn CellFormat; 4] = [&abb::Abb, &kuka::Kuka, &fanuc::Fanuc, &universal_robots::UniversalRobots];
+/// All formats.
+const FORMATS: [&dyn CellFormat; 11] = [
+    &abb::Abb,
+    &abb_moc::AbbMoc,
+    &kuka::Kuka,
+    &fanuc::Fanuc,
+    &universal_robots::UniversalRobots,
+    &yaskawa::Yaskawa,
+    &TiltingTable::XYZAC,
+    &TiltingTable::XYZBC,
+    &Pivot::MAX,
+    &Pivot::FIVE_AXIS,
+    &grblhal::GrblHal,
+];
+
+/// Writes the data of a controller.
+///
+/// # Errors
+/// Rejects answers that the controller cannot hold.
+pub fn write(format: &dyn CellFormat, document: &CellDocument, options: &CellOptions) -> Result<CellText> {
+    let data = format.parts().iter().find_map(|part| CellData::new(document, *part, options));
+    let maker = format.name();
+    match data {
+        Some(data) => format.text(&data),
+        None => Err(error!("cell-no-controller-data", solve = document.solve, maker).into()),
+    }
+}
 
 /// Names of all makers.
 pub fn names() -> impl Iterator<Item = &'static str> {
@@ -57,39 +135,67 @@ pub fn by_name(name: &str) -> Option<&'static dyn CellFormat> {
     FORMATS.into_iter().find(|format| format.name() == name)
 }
 
-impl CellData {
-    /// Tool or object of a document; `None` for external axes.
-    pub fn new(document: &CellDocument, name: &str, number: u32) -> Option<Self> {
-        let frame = document.frames.first();
-        let point = document.points.first();
-        let part = match document.solve.as_str() {
-            "object" | "three-points" => CellPart::Object,
-            "linear-axis" | "rotary-axis" => return None,
-            _ => CellPart::Tool,
+/// Position, orientation and standard uncertainties of an answer.
+struct Answer {
+    pose: Pose,
+    u_mm: Option<Vector>,
+    /// `None` without an identified orientation.
+    u_deg: Option<Option<Vector>>,
+}
+
+impl Answer {
+    fn of_frame(frame: &CellFrameEntry) -> Self {
+        let pose = Pose { translation_mm: frame.xyz_mm, ..Pose::from_quaternion(frame.quaternion) };
+        Self { pose, u_mm: frame.standard_uncertainty_mm, u_deg: Some(frame.standard_uncertainty_deg) }
+    }
+
+    /// Answer of a document for a part of the data.
+    fn of(document: &CellDocument, part: CellPart) -> Option<Self> {
+        let solve = document.solve.as_str();
+        let of_plane = matches!(solve, "object" | "three-points");
+        let of_axis = matches!(solve, "linear-axis" | "rotary-axis");
+        let frame = match part {
+            CellPart::Tool if matches!(solve, "tool-point" | "tool-reflector") => {
+                let point = document.points.first()?;
+                let pose = Pose { translation_mm: point.xyz_mm, ..Pose::identity() };
+                return Some(Self { pose, u_mm: point.standard_uncertainty_mm, u_deg: None });
+            }
+            CellPart::Tool if !of_plane && !of_axis => document.frames.first(),
+            CellPart::Object if of_plane => document.frames.first(),
+            CellPart::Base if of_plane => document.frames.first(),
+            CellPart::Base => document.frames.iter().find(|f| f.name == "base" && f.reference == "world"),
+            CellPart::Axis if solve == "rotary-axis" => document.frames.first(),
+            _ => None,
         };
+        frame.map(Self::of_frame)
+    }
+}
+
+impl CellData {
+    /// Part of a document; `None` if the document lacks it.
+    fn new(document: &CellDocument, part: CellPart, options: &CellOptions) -> Option<Self> {
+        let answer = Answer::of(document, part)?;
         let mut header = vec![
             format!("Written by etalon {}", document.provenance.version),
             format!("solved: {}, {} readings", document.solve, document.readings),
         ];
-        header.extend(document.provenance.inputs.iter().map(|(file, hash)| format!("table {file}, sha256 {hash}")));
-        let of_point = matches!(document.solve.as_str(), "tool-point" | "tool-reflector");
-        let (pose, u_mm, u_deg) = match (point, frame) {
-            (Some(point), _) if of_point => {
-                header.push("orientation: not identified, that of the flange".to_owned());
-                (Pose { translation_mm: point.xyz_mm, ..Pose::identity() }, point.standard_uncertainty_mm, None)
-            }
-            (_, Some(frame)) => {
-                let pose = Pose { translation_mm: frame.xyz_mm, ..Pose::from_quaternion(frame.quaternion) };
-                (pose, frame.standard_uncertainty_mm, frame.standard_uncertainty_deg)
-            }
-            _ => return None,
-        };
-        header.push(uncertainty("position", u_mm, "mm"));
-        if !of_point {
-            header.push(uncertainty("orientation about x, y, z", u_deg, "deg"));
+        let documents: Vec<&CellDocument> = [document].into_iter().chain(&options.second).collect();
+        let inputs = documents.iter().flat_map(|d| &d.provenance.inputs);
+        header.extend(inputs.map(|(file, hash)| format!("table {file}, sha256 {hash}")));
+        if answer.u_deg.is_none() {
+            header.push("orientation: not identified, that of the flange".to_owned());
         }
-        let header = header.iter().map(|line| comment(line)).collect();
-        Some(Self { part, pose, name: name.to_owned(), number, header })
+        header.push(uncertainty("position", answer.u_mm, "mm"));
+        header.extend(answer.u_deg.map(|u_deg| uncertainty("orientation about x, y, z", u_deg, "deg")));
+        Some(Self {
+            part,
+            pose: answer.pose,
+            name: options.name.clone(),
+            number: options.number,
+            header: header.iter().map(|line| comment(line)).collect(),
+            axes: documents.into_iter().filter_map(MachineAxis::new).collect(),
+            tool_length_mm: options.tool_length_mm,
+        })
     }
 }
 

@@ -1,7 +1,8 @@
 //! URScript (Universal Robots): `set_tcp` and a pose variable, in m with a rotation vector in rad
 //! (The URScript programming language, `set_tcp`).
 
-use super::{CellData, CellFormat, CellPart, identifier};
+use super::{CellData, CellFormat, CellPart, CellText, identifier};
+use etalon_base::message::Result;
 
 pub(super) struct UniversalRobots;
 
@@ -10,14 +11,19 @@ impl CellFormat for UniversalRobots {
         "ur"
     }
 
-    fn text(&self, data: &CellData) -> String {
+    fn parts(&self) -> &'static [CellPart] {
+        &[CellPart::Tool, CellPart::Object]
+    }
+
+    fn text(&self, data: &CellData) -> Result<CellText> {
         let header: String = data.header.iter().map(|line| format!("# {line}\n")).collect();
         let [x, y, z] = data.pose.translation_mm.map(|v| v / 1000.0);
         let [rx, ry, rz] = data.pose.rotation_vector_rad();
         let pose = format!("p[{x:.9}, {y:.9}, {z:.9}, {rx:.12}, {ry:.12}, {rz:.12}]");
-        match data.part {
+        let text = match data.part {
             CellPart::Tool => format!("{header}# payload is not identified (set_payload)\nset_tcp({pose})\n"),
-            CellPart::Object => format!("{header}global {} = {pose}\n", identifier(&data.name, 32)),
-        }
+            _ => format!("{header}global {} = {pose}\n", identifier(&data.name, 32)),
+        };
+        Ok(text.into())
     }
 }

@@ -1,15 +1,19 @@
 //! KRL (KUKA): `PTP {A1 .., A6 .., E1 ..}` in deg and mm, with an exact stop (KUKA System Software,
 //! operating and programming instructions).
 
-use super::{ARM, MeasuringLanguage, MeasuringProgram, decimal, plain};
+use super::{ARM, MeasuringLanguage, MeasuringProgram, Moves, Output, decimal, plain};
 use crate::commands::identifier;
 use std::fmt::Write;
 
 pub(super) struct Krl;
 
 impl MeasuringLanguage for Krl {
-    fn most_external(&self) -> usize {
-        6
+    fn moves(&self) -> Moves {
+        Moves::Arm { external: 6 }
+    }
+
+    fn outputs(&self) -> Output {
+        Output::Number([1, 4096])
     }
 
     fn text(&self, program: &MeasuringProgram) -> String {
@@ -25,7 +29,10 @@ impl MeasuringLanguage for Krl {
                 let external = external.iter().zip(1..).map(|(q, i)| format!("E{i} {}", decimal(*q)));
                 let _ = writeln!(out, "PTP {{{}}}", arm.chain(external).collect::<Vec<_>>().join(","));
             }
-            let _ = writeln!(out, "WAIT SEC {}", decimal(program.dwell_s));
+            let state = |is_on: bool| if is_on { "TRUE" } else { "FALSE" };
+            let set = |output: &str, is_on: bool| format!("$OUT[{output}]={}", state(is_on));
+            let waits = program.waits(|seconds| format!("WAIT SEC {}", decimal(seconds)), set);
+            waits.iter().for_each(|line| out += &format!("{line}\n"));
         }
         out + "END\n"
     }

@@ -1,7 +1,7 @@
 //! RAPID (ABB): `MoveAbsJ` to `[[axes 1 to 6 (deg)], [external axes a to f (mm)]]`, with 9E9 for
-//! axes that do not exist (RAPID reference manual, `MoveAbsJ`, `jointtarget`, `WaitTime`).
+//! axes that do not exist (RAPID reference manual, `MoveAbsJ`, `jointtarget`, `WaitTime`, `SetDO`).
 
-use super::{ARM, MeasuringLanguage, MeasuringProgram, decimal, plain};
+use super::{ARM, MeasuringLanguage, MeasuringProgram, Moves, Output, decimal, plain};
 use std::fmt::Write;
 
 pub(super) struct Rapid;
@@ -10,8 +10,12 @@ pub(super) struct Rapid;
 const EXTERNAL: usize = 6;
 
 impl MeasuringLanguage for Rapid {
-    fn most_external(&self) -> usize {
-        EXTERNAL
+    fn moves(&self) -> Moves {
+        Moves::Arm { external: EXTERNAL }
+    }
+
+    fn outputs(&self) -> Output {
+        Output::Signal
     }
 
     fn text(&self, program: &MeasuringProgram) -> String {
@@ -31,7 +35,9 @@ impl MeasuringLanguage for Rapid {
                     others.join(",")
                 );
             }
-            let _ = writeln!(out, "    WaitTime \\InPos,{};", decimal(program.dwell_s));
+            let set = |output: &str, is_on: bool| format!("    SetDO {output},{};", u8::from(is_on));
+            let waits = program.waits(|seconds| format!("    WaitTime \\InPos,{};", decimal(seconds)), set);
+            waits.iter().for_each(|line| out += &format!("{line}\n"));
         }
         out + "  ENDPROC\nENDMODULE\n"
     }

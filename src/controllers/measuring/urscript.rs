@@ -1,7 +1,8 @@
 //! URScript (Universal Robots): `movej` to a list of six joint values in rad (URScript manual,
-//! `movej`, `sleep`, `textmsg`).
+//! `movej`, `sleep`, `textmsg`,
+//! `set_standard_digital_out`).
 
-use super::{ARM, MeasuringLanguage, MeasuringProgram, plain};
+use super::{ARM, MeasuringLanguage, MeasuringProgram, Output, plain};
 use crate::commands::number_text;
 use std::fmt::Write;
 
@@ -11,8 +12,8 @@ pub(super) struct UrScript;
 const DECIMALS: usize = 8;
 
 impl MeasuringLanguage for UrScript {
-    fn most_external(&self) -> usize {
-        0
+    fn outputs(&self) -> Output {
+        Output::Number([0, 7])
     }
 
     fn text(&self, program: &MeasuringProgram) -> String {
@@ -24,7 +25,10 @@ impl MeasuringLanguage for UrScript {
                 let values = joints.iter().take(ARM).map(|q| number_text(q.to_radians(), DECIMALS));
                 let _ = writeln!(out, "  movej([{}], a=0.5, v=0.2)", values.collect::<Vec<_>>().join(", "));
             }
-            let _ = writeln!(out, "  sleep({})", super::decimal(program.dwell_s));
+            let state = |is_on: bool| if is_on { "True" } else { "False" };
+            let set = |output: &str, is_on: bool| format!("  set_standard_digital_out({output}, {})", state(is_on));
+            let waits = program.waits(|seconds| format!("  sleep({})", super::decimal(seconds)), set);
+            waits.iter().for_each(|line| out += &format!("{line}\n"));
         }
         out + "end\n"
     }

@@ -1,7 +1,7 @@
 //! Joint values of a log, and the meaning of the columns of a log.
 
 use crate::table::{ASSEMBLY, LABEL, frame, pose_column};
-use crate::tables::joints::PAYLOAD;
+use crate::tables::joints::is_stated_column;
 use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_robots::{Joint, Quantity};
@@ -40,7 +40,7 @@ pub fn meaning(key: &str) -> Option<(String, f64)> {
     if let Some((_, seconds)) = TIMES.iter().find(|(name, _)| *name == key) {
         return Some(("time_s".to_owned(), *seconds));
     }
-    if is_common_column(key) || key.ends_with(DIRECTION) || key == PAYLOAD[0] {
+    if is_common_column(key) || key.ends_with(DIRECTION) || is_stated_column(key) {
         return Some((key.to_owned(), 1.0));
     }
     let (name, unit) = key.rsplit_once('_')?;

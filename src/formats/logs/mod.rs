@@ -84,8 +84,9 @@ pub struct Log {
     pub without: BTreeMap<String, Cells>,
     /// Columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point
     /// touched), the joints with their units, and the directions from which joints came
-    /// (`q1_direction`: +1 from below, -1 from above), and the payload (`load_kg`, `load_x_mm`,
-    /// `load_y_mm`, `load_z_mm`).
+    /// (`q1_direction`: +1 from below, -1 from above), the payload (`load_kg`, `load_x_mm`,
+    /// `load_y_mm`, `load_z_mm`), torques of joints (`tau1_nm`), and the temperature of the robot
+    /// (`temperature_c`).
     #[schemars(with = "BTreeMap<String, Column>")]
     pub columns: BTreeMap<Spanned<String>, Column>,
     /// Columns with the same value in all rows, e.g. `q7_mm = 0`; `cycle = "visit"` counts the

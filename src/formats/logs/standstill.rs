@@ -7,6 +7,7 @@
 use super::joint_log::{DIRECTION, JointLog, LogRow};
 use super::{Log, StandstillCriterion};
 use crate::table::{ASSEMBLY, LABEL};
+use crate::tables::joints::is_stated_column;
 use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_documents::{Source, StandingInterval, StandingJoint};
@@ -162,7 +163,7 @@ fn limits(
         return Err(message.at(Place { line, ..Place::file(log.file.get_ref()) }));
     }
     let within = |name: &String| {
-        if name.ends_with(DIRECTION) {
+        if name.ends_with(DIRECTION) || is_stated_column(name) {
             return Ok(f64::INFINITY);
         }
         let (key, within) =

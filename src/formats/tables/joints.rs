@@ -3,18 +3,46 @@
 use crate::table::{self, ASSEMBLY};
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::{error, phrase};
-use etalon_robots::{Joint, Robot};
+use etalon_robots::{Circumstance, Joint, Robot};
 use polars::prelude::DataFrame;
 
 /// Columns of the payload of a reading: mass, and centre of mass in the flange.
 pub const PAYLOAD: [&str; 4] = ["load_kg", "load_x_mm", "load_y_mm", "load_z_mm"];
 
+/// Column of the temperature of the robot.
+const TEMPERATURE: &str = "temperature_c";
+/// Absolute zero (°C).
+const COLDEST_C: f64 = -273.15;
+
+/// Suffix of columns of torques.
+const TORQUE: &str = "_nm";
+
+/// Column of a value that each reading states.
+fn column_of(robot: &dyn Robot, value: Circumstance) -> String {
+    match value {
+        Circumstance::PayloadMass => PAYLOAD[0].to_owned(),
+        Circumstance::PayloadCentre(axis) => PAYLOAD[1 + axis].to_owned(),
+        Circumstance::Torque(joint) => robot.joints()[joint].torque_column(),
+        Circumstance::Temperature => TEMPERATURE.to_owned(),
+    }
+}
+
+/// Columns of the values that each reading states beside joints and directions.
+pub fn stated_columns(robot: &dyn Robot) -> Vec<String> {
+    robot.circumstances().iter().map(|value| column_of(robot, *value)).collect()
+}
+
+/// `true` if a column may hold a value that readings of some robot state.
+pub fn is_stated_column(column: &str) -> bool {
+    PAYLOAD.contains(&column) || column == TEMPERATURE || column.ends_with(TORQUE)
+}
+
 /// Returns the joint values of each row (mm or rad), followed by the directions of joints with
-/// backlash, and by the payload.
+/// backlash, and by the other values that each reading states.
 ///
 /// # Errors
-/// Reports all missing columns of joints and of `needed`, and values that are not directions or
-/// payloads.
+/// Reports all missing columns of joints and of `needed`, and values that are not directions,
+/// payloads, torques or temperatures.
 pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
@@ -40,22 +68,20 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
             row.push(direction);
         }
     }
-    if robot.carries_payload() {
-        add_payloads(table, &mut rows)?;
-    }
+    add_stated(robot, table, &mut rows)?;
     Ok(rows)
 }
 
-/// Adds the payload of each row.
-fn add_payloads(table: &DataFrame, rows: &mut [Vec<f64>]) -> Result<()> {
-    for column in PAYLOAD {
+/// Adds the values that each reading states.
+fn add_stated(robot: &dyn Robot, table: &DataFrame, rows: &mut [Vec<f64>]) -> Result<()> {
+    for (&stated, column) in robot.circumstances().iter().zip(&stated_columns(robot)) {
         if table.column(column).is_err() {
-            return Err(error!("payload-column-missing", column).into());
+            return Err(missing_column(robot, stated).into());
         }
         for (i, (row, value)) in rows.iter_mut().zip(table::numbers(table, column)?).enumerate() {
             // rows of fixed points have no joint values
             let is_pose = row.iter().all(|value| value.is_finite());
-            if let Some(message) = wrong_payload(column, value).filter(|_| is_pose) {
+            if let Some(message) = wrong_value(robot, stated, value).filter(|_| is_pose) {
                 let line = table::integers(table, "line").ok().map(|lines| lines[i] as usize);
                 return Err(message.at(Place { line, ..Place::default() }).into());
             }
@@ -65,11 +91,35 @@ fn add_payloads(table: &DataFrame, rows: &mut [Vec<f64>]) -> Result<()> {
     Ok(())
 }
 
-/// Returns the error that a value is not that of a payload.
-pub fn wrong_payload(column: &str, value: f64) -> Option<Message> {
-    let stated = if value.is_nan() { "missing".to_owned() } else { value.to_string() };
-    let wrong = !value.is_finite() || (column == PAYLOAD[0] && value < 0.0);
-    wrong.then(|| error!("payload-invalid", column, value = stated))
+/// Returns the error that a table lacks the column of a value that each reading states.
+pub fn missing_column(robot: &dyn Robot, stated: Circumstance) -> Message {
+    let column = column_of(robot, stated);
+    match stated {
+        Circumstance::PayloadMass | Circumstance::PayloadCentre(_) => error!("payload-column-missing", column),
+        Circumstance::Torque(joint) => {
+            error!("torque-column-missing", joint = &robot.joints()[joint].name, column)
+        }
+        Circumstance::Temperature => error!("temperature-column-missing", column),
+    }
+}
+
+/// Returns the error that a value is not what the reading has to state.
+pub fn wrong_value(robot: &dyn Robot, stated: Circumstance, value: f64) -> Option<Message> {
+    let least = match stated {
+        Circumstance::PayloadMass => 0.0,
+        Circumstance::Temperature => COLDEST_C,
+        _ => f64::NEG_INFINITY,
+    };
+    let wrong = !value.is_finite() || value < least;
+    wrong.then(|| {
+        let column = column_of(robot, stated);
+        let value = if value.is_nan() { "missing".to_owned() } else { value.to_string() };
+        match stated {
+            Circumstance::PayloadMass | Circumstance::PayloadCentre(_) => error!("payload-invalid", column, value),
+            Circumstance::Torque(_) => error!("torque-invalid", column, value),
+            Circumstance::Temperature => error!("temperature-invalid", column, value),
+        }
+    })
 }
 
 /// Returns the error that a value is not the direction from which a joint came.

@@ -104,7 +104,7 @@ pub(super) struct Propagation {
     u_mm: f64,
     frames: BTreeMap<Key, Matrix6<f64>>,
     /// Pose of each residual, and its derivatives with respect to a shift and rotation of the
-    /// frame.
+    /// frame; empty if no pose has a frame of its own.
     keys: Vec<Option<Key>>,
     by_frame: Vec<f64>,
     common: Vec<(Source, Vec<f64>)>,
@@ -174,20 +174,20 @@ impl JudgedErrors<'_> {
         let (problem, x) = (observed.problem()?, observed.x());
         let mut residuals = vec![0.0; problem.residual_count()];
         problem.residuals(&x, &mut residuals);
-        let jacobian = problem.jacobian_at(&x);
         let u_mm = settings.coordinate_uncertainty_mm();
         let of_pose = |f: &crate::FrameError| Some((f.pose?, Matrix6::from_fn(|i, j| f.covariance[i][j])));
         let common = systematic.errors(&observed)?;
+        let frames: BTreeMap<Key, Matrix6<f64>> = systematic.frames.iter().filter_map(of_pose).collect();
         let fitted = (!self.set_up.is_empty() && self.set_up.len() <= MOST_FITTED).then_some(self.calibration);
-        let judged = matrix(&problem.rows_of(&jacobian).dense(), free.len());
+        let judged = || matrix(&problem.rows_of(&problem.jacobian_at(&x)).dense(), free.len());
         Ok(Propagation {
             readings: self.readings(u_mm),
             platform: problem.target_sensitivities(&x),
             u_mm,
-            frames: systematic.frames.iter().filter_map(of_pose).collect(),
             keys: keys(robot, self.observations, is_platform),
-            by_frame: problem.frame_jacobian(&x, None),
-            set_up: fitted.map(|of| self.set_up(of, settings, systematic, judged)).transpose()?,
+            by_frame: if frames.is_empty() { Vec::new() } else { problem.frame_jacobian(&x, None) },
+            frames,
+            set_up: fitted.map(|of| self.set_up(of, settings, systematic, judged())).transpose()?,
             common,
             residuals,
         })
@@ -247,7 +247,8 @@ impl JudgedErrors<'_> {
         };
         let common = systematic.errors(&observed)?.into_iter().map(response).collect();
         let keys = keys(robot, calibration, false);
-        let by_frame = problem.frame_jacobian(&x, None);
+        let of_poses = systematic.frames.iter().any(|frame| frame.pose.is_some());
+        let by_frame = if of_poses { problem.frame_jacobian(&x, None) } else { Vec::new() };
         Ok(SetUp { judged, inverse, keys, by_frame, common, fitted })
     }
 }

@@ -7,6 +7,7 @@ pub(crate) mod clusters;
 pub(crate) mod diagnosis;
 pub(crate) mod excitation;
 pub(crate) mod figures;
+pub(crate) mod loads;
 pub(crate) mod logs;
 pub(crate) mod predict;
 pub(crate) mod regional;

@@ -8,7 +8,7 @@
 use super::figures::{JudgedErrors, Propagation};
 use crate::{Observation, Result, Settings, Systematic};
 use etalon_base::noise::Noise;
-use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose::{Vector, dot, minus};
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::rms;
 
@@ -85,29 +85,32 @@ impl JudgedErrors<'_> {
         }
         let stated = settings.standard_uncertainty_mm.is_some();
         let propagation = stated.then(|| self.propagation(settings, systematic)).transpose()?;
-        let of = |range_mm: [f64; 2], pairs: &[Pair]| DistanceErrors {
+        let of = |range_mm: [f64; 2], pairs: &[Pair], root: Option<&[f64]>| DistanceErrors {
             range_mm,
             before_mm: pairs.iter().map(|p| p.error_mm[0].abs()).collect(),
             after_mm: pairs.iter().map(|p| p.error_mm[1].abs()).collect(),
             standard_uncertainties_mm: propagation
                 .as_ref()
-                .map(|propagation| uncertainties(propagation, pairs, &readings)),
+                .zip(root)
+                .map(|(propagation, root)| uncertainties(propagation, root, pairs, &readings)),
         };
         let largest = all.iter().map(|p| p.distance_mm).fold(0.0, f64::max);
         let step = step(largest);
-        let mut by_step: Vec<Vec<Pair>> = Vec::new();
-        for pair in &all {
-            let k = (pair.distance_mm / step) as usize;
-            by_step.resize_with(by_step.len().max(k + 1), Vec::new);
-            by_step[k].push(*pair);
-        }
+        let by_step = by_step(&all, step);
         let ends = |k: usize| [k as f64 * step, (k + 1) as f64 * step];
-        let steps = by_step.iter().enumerate().filter(|(_, pairs)| !pairs.is_empty());
-        Ok(Some(RelativeErrors {
-            available,
-            steps: steps.map(|(k, pairs)| of(ends(k), pairs)).collect(),
-            all: of([0.0, ends(by_step.len().saturating_sub(1))[1]], &all),
-        }))
+        // the sum over all pairs is that of the steps
+        let mut root = propagation.as_ref().map(|propagation| vec![0.0; propagation.residual_count()]);
+        let mut steps = Vec::new();
+        for (k, pairs) in by_step.iter().enumerate().filter(|(_, pairs)| !pairs.is_empty()) {
+            let of_step = root.as_mut().map(|root| {
+                let of_step = squares_gradient(pairs, &readings, root.len());
+                root.iter_mut().zip(&of_step).for_each(|(sum, by)| *sum += by);
+                of_step
+            });
+            steps.push(of(ends(k), pairs, of_step.as_deref()));
+        }
+        let all = of([0.0, ends(by_step.len().saturating_sub(1))[1]], &all, root.as_deref());
+        Ok(Some(RelativeErrors { available, steps, all }))
     }
 
     /// Readings of each target, or of the centre of a platform, in the order of the residuals of
@@ -152,7 +155,10 @@ fn measured_targets(o: &Observation) -> impl Iterator<Item = (usize, Vector)> + 
 impl Pair {
     fn of(readings: [usize; 2], all: &[&Reading]) -> Self {
         let [a, b] = readings.map(|i| all[i]);
-        let length = |from: [Vector; 2], to: [Vector; 2], i: usize| norm(minus(to[i], from[i]));
+        let length = |from: [Vector; 2], to: [Vector; 2], i: usize| {
+            let across = minus(to[i], from[i]);
+            dot(across, across).sqrt()
+        };
         let error = |i| length(a.predicted, b.predicted, i) - length(a.measured, b.measured, i);
         Self { readings, distance_mm: length(a.measured, b.measured, 1), error_mm: [error(0), error(1)] }
     }
@@ -161,15 +167,36 @@ impl Pair {
     /// minus measured position).
     fn add(&self, weight: f64, readings: &[&Reading], by: &mut [f64]) {
         let [a, b] = self.readings.map(|i| readings[i]);
-        let across = minus(b.measured[1], a.measured[1]);
-        let length = norm(across);
-        if length > 0.0 {
-            for (reading, sign) in [(a, -1.0), (b, 1.0)] {
-                let (first, rows) = reading.rows;
-                (0..rows).for_each(|i| by[first + i] += sign * weight * across[i] / length);
+        if self.distance_mm > 0.0 {
+            let per_mm = weight / self.distance_mm;
+            let across = minus(b.measured[1], a.measured[1]).map(|v| per_mm * v);
+            let [(to_a, rows), (to_b, _)] = [a.rows, b.rows];
+            for i in 0..rows {
+                by[to_a + i] -= across[i];
+                by[to_b + i] += across[i];
             }
         }
     }
+}
+
+/// Pairs by steps of the measured distance.
+fn by_step(pairs: &[Pair], step: f64) -> Vec<Vec<Pair>> {
+    let of = |pair: &Pair| (pair.distance_mm / step) as usize;
+    let mut counts: Vec<usize> = Vec::new();
+    for k in pairs.iter().map(of) {
+        counts.resize(counts.len().max(k + 1), 0);
+        counts[k] += 1;
+    }
+    let mut steps: Vec<Vec<Pair>> = counts.into_iter().map(Vec::with_capacity).collect();
+    pairs.iter().for_each(|pair| steps[of(pair)].push(*pair));
+    steps
+}
+
+/// Derivatives of half the sum of the squared errors after with respect to `count` residuals.
+fn squares_gradient(pairs: &[Pair], readings: &[&Reading], count: usize) -> Vec<f64> {
+    let mut by = vec![0.0; count];
+    pairs.iter().for_each(|pair| pair.add(pair.error_mm[1], readings, &mut by));
+    by
 }
 
 /// Pairs of readings of one target at different poses, by their index over all groups: all of them,
@@ -178,14 +205,16 @@ fn pairs(groups: &[Vec<Reading>]) -> (Vec<[usize; 2]>, usize) {
     let count: usize = groups.iter().map(|group| pairs_of(group.len())).sum();
     let mut available = count;
     let mut indices = selection(count).into_iter().peekable();
-    let (mut chosen, mut first, mut start) = (Vec::new(), 0, 0);
+    let (mut chosen, mut first, mut start) = (Vec::with_capacity(indices.len()), 0, 0);
     for group in groups {
         let mut poses: Vec<PoseName> = group.iter().map(|r| r.pose).collect();
         poses.sort_unstable();
         available -= poses.chunk_by(|a, b| a == b).map(|same| pairs_of(same.len())).sum::<usize>();
         let end = start + pairs_of(group.len());
+        let mut j = 1;
         while let Some(index) = indices.next_if(|index| *index < end) {
-            let [i, j] = pair_at(index - start);
+            let i;
+            [i, j] = pair_at(index - start, j);
             if group[i].pose != group[j].pose {
                 chosen.push([first + i, first + j]);
             }
@@ -216,13 +245,9 @@ fn selection(count: usize) -> Vec<usize> {
     indices
 }
 
-/// Pair i < j at an index of the list (0, 1), (0, 2), (1, 2), (0, 3) ...
-fn pair_at(index: usize) -> [usize; 2] {
-    let mut j = ((1.0 + (1.0 + 8.0 * index as f64).sqrt()) / 2.0) as usize;
-    // the root is rounded
-    while pairs_of(j) > index {
-        j -= 1;
-    }
+/// Pair i < j at an index of the list (0, 1), (0, 2), (1, 2), (0, 3) ...; `j` is at least `from`.
+fn pair_at(index: usize, from: usize) -> [usize; 2] {
+    let mut j = from;
     while pairs_of(j + 1) <= index {
         j += 1;
     }
@@ -237,31 +262,31 @@ fn step(largest_mm: f64) -> f64 {
 }
 
 /// Standard uncertainties (mm) of root mean square, 95th percentile and maximum of the errors
-/// after.
-fn uncertainties(propagation: &Propagation, pairs: &[Pair], readings: &[&Reading]) -> [f64; 3] {
-    let size = |p: &Pair| p.error_mm[1].abs();
-    let all = rms(pairs.iter().map(size));
-    let mut order: Vec<usize> = (0..pairs.len()).collect();
-    order.sort_by(|a, b| size(&pairs[*a]).total_cmp(&size(&pairs[*b])));
-    let mut root = vec![0.0; propagation.residual_count()];
+/// after. `root` is their [`squares_gradient`].
+fn uncertainties(propagation: &Propagation, root: &[f64], pairs: &[Pair], readings: &[&Reading]) -> [f64; 3] {
+    let mut sizes: Vec<(f64, usize)> = pairs.iter().map(|p| p.error_mm[1].abs()).zip(0..).collect();
+    let all = rms(sizes.iter().map(|(size, _)| *size));
+    let mut by: Vec<f64> = root.to_vec();
     if all > 0.0 {
-        let weight = |p: &Pair| p.error_mm[1] / (all * pairs.len() as f64);
-        pairs.iter().for_each(|p| p.add(weight(p), readings, &mut root));
+        by.iter_mut().for_each(|by| *by /= all * pairs.len() as f64);
     }
     let of = |by: &[f64]| propagation.variances(by).iter().map(|(_, variance)| variance).sum::<f64>().sqrt();
+    let of_root = of(&by);
+    let order = |a: &(f64, usize), b: &(f64, usize)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
     // a quantile lies between two errors in their order
-    let quantile = |share: f64| {
-        let rank = share * order.len().saturating_sub(1) as f64;
-        let (low, part) = (rank.floor() as usize, rank.fract());
-        let mut by = vec![0.0; root.len()];
-        for (k, weight) in [(low, 1.0 - part), (low + 1, part)] {
-            if let Some(pair) = order.get(k).map(|i| &pairs[*i]).filter(|_| weight > 0.0) {
-                pair.add(weight * pair.error_mm[1].signum(), readings, &mut by);
-            }
+    let rank = 0.95 * sizes.len().saturating_sub(1) as f64;
+    let (_, &mut low, above) = sizes.select_nth_unstable_by(rank.floor() as usize, order);
+    let next = above.iter().copied().min_by(order).unwrap_or(low);
+    let last = above.iter().copied().max_by(order).unwrap_or(low);
+    let mut of_errors = |errors: &[((f64, usize), f64)]| {
+        by.fill(0.0);
+        for ((_, k), weight) in errors {
+            pairs[*k].add(weight * pairs[*k].error_mm[1].signum(), readings, &mut by);
         }
         of(&by)
     };
-    [of(&root), quantile(0.95), quantile(1.0)]
+    let part = rank.fract();
+    [of_root, of_errors(&[(low, 1.0 - part), (next, part)]), of_errors(&[(last, 1.0)])]
 }
 
 #[cfg(test)]
@@ -270,12 +295,12 @@ mod tests {
 
     #[test]
     fn the_list_of_pairs_has_each_pair_once_and_the_selection_is_even() {
-        let listed: Vec<[usize; 2]> = (0..pairs_of(5)).map(pair_at).collect();
+        let listed: Vec<[usize; 2]> = (0..pairs_of(5)).map(|index| pair_at(index, 1)).collect();
         let expected: Vec<[usize; 2]> = (0..5).flat_map(|j| (0..j).map(move |i| [i, j])).collect();
         assert_eq!(listed, expected);
         for n in [3_000usize, 100_000, 60_000_000] {
             let last = pairs_of(n) - 1;
-            assert_eq!((pair_at(last), pair_at(last + 1)), ([n - 2, n - 1], [0, n]));
+            assert_eq!((pair_at(last, n - 9), pair_at(last + 1, n - 1)), ([n - 2, n - 1], [0, n]));
         }
         assert_eq!(selection(MOST_PAIRS), (0..MOST_PAIRS).collect::<Vec<_>>());
         let few = selection(7 * MOST_PAIRS + 3);

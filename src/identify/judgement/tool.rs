@@ -109,7 +109,7 @@ impl ToolPoint {
         if let (ToolFrame::Platform, Some(platform)) = (self.frame, robot.platform()) {
             let balls = places(robot, &values, joints);
             let [k, l] = [0, 1].map(|i| [balls[i][0], balls[i][1]]);
-            let rows = platform.pose_error_jacobians(&values, joints, [k, l]).0;
+            let rows = platform.pose_error_jacobian(&values, joints, [k, l]);
             let turn = Pose::identity().turn_z(platform.pose(&values, joints).theta_rad);
             let lever = cross([0.0, 0.0, 1.0], turn.rotate(self.point_mm));
             for (i, column) in columns.iter_mut().enumerate() {
@@ -166,10 +166,9 @@ impl ToolPrediction<'_> {
             point.jacobian(*robot, &found.values, joints)?.into_iter().map(Vector3::from).collect();
         let n = found.free.len();
         let mut by_parameters = Matrix3::zeros();
-        for (i, &a) in found.free.iter().enumerate() {
-            for (k, &b) in found.free.iter().enumerate() {
-                by_parameters += columns[a] * columns[b].transpose() * covariance[i * n + k];
-            }
+        for (&a, row) in found.free.iter().zip(covariance.chunks_exact(n.max(1))) {
+            let by_others: Vector3<f64> = found.free.iter().zip(row).map(|(&b, c)| columns[b] * *c).sum();
+            by_parameters += columns[a] * by_others.transpose();
         }
         let of_held = |held: &Held| {
             let mut by = columns[held.parameter];

@@ -15,8 +15,8 @@ pub enum Effects {
     #[default]
     All,
     /// All effects except the transmission ratios of revolute joints of arms, whose encoders count
-    /// whole turns and therefore have no unknown ratio, and except bending under a payload, which
-    /// the data have to prove.
+    /// whole turns and therefore have no unknown ratio, and except effects that follow from what
+    /// each reading states, which the data have to prove.
     Usual,
     /// These effects.
     These(Vec<Effect>),
@@ -33,7 +33,7 @@ impl Effects {
                 let arm = robot.free_base().is_some();
                 let turning = |joint: usize| robot.joints()[joint].quantity == Quantity::Angle;
                 let ratio = |p: &Parameter| arm && p.effect == Effect::Gains && p.joint.is_some_and(turning);
-                parameters.iter().map(|p| p.role != Role::Robot || !(ratio(p) || p.effect == Effect::Payload)).collect()
+                parameters.iter().map(|p| p.role != Role::Robot || !(ratio(p) || p.effect.needs_proof())).collect()
             }
             Self::These(chosen) => {
                 let is_chosen = |effect: Option<Effect>| effect.is_none_or(|effect| chosen.contains(&effect));

@@ -458,7 +458,7 @@ impl<'a> Residuals<'a> {
     pub fn target_sensitivities(&self, x: &[f64]) -> Option<Vec<[[f64; 4]; 3]>> {
         let platform = self.platform?;
         let all = self.all(x);
-        let of = |o: &Observation| both(o).map(|pair| platform.pose_error_jacobians(&all, &o.joints, pair).1);
+        let of = |o: &Observation| both(o).map(|pair| platform.pose_error_by_targets(&all, pair));
         Some(self.observations.iter().filter_map(of).collect())
     }
 
@@ -612,7 +612,7 @@ impl<'a> Residuals<'a> {
                 if let Some(platform) = self.platform {
                     if let Some(pair) = both(o) {
                         let (here, rest) = out.split_at_mut(3 * free.len());
-                        take(&platform.pose_error_jacobians(&all, &o.joints, pair).0, here);
+                        take(&platform.pose_error_jacobian(&all, &o.joints, pair), here);
                         out = rest;
                     }
                     continue;
@@ -765,10 +765,16 @@ impl Common {
 
     /// Whitens rows of `width` numbers that were divided by u.
     fn whiten(&self, rows: &mut [f64], width: usize) {
+        let length = self.dimension * width;
+        let mut common = vec![0.0; length];
         for (reading, shrink) in &self.readings {
-            for offset in 0..self.dimension * width {
-                let mean = reading.iter().map(|r| rows[r * width + offset]).sum::<f64>() / reading.len() as f64;
-                reading.iter().for_each(|r| rows[r * width + offset] += shrink * mean);
+            common.fill(0.0);
+            for row in reading {
+                common.iter_mut().zip(&rows[row * width..][..length]).for_each(|(sum, v)| *sum += v);
+            }
+            common.iter_mut().for_each(|sum| *sum = shrink * (*sum / reading.len() as f64));
+            for row in reading {
+                rows[row * width..][..length].iter_mut().zip(&common).for_each(|(v, common)| *v += common);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Proof that no choice is better, or a bound on the best choice: candidates may be taken in parts,
 //! the optimum over parts bounds every whole choice, and branch and bound closes the gap.
 
-use super::criterion::{Below, Pool, Tangent, inner};
+use super::criterion::{Below, Pool, Tangent};
 use super::search::{Choice, exchange};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -11,15 +11,25 @@ const BETTER: f64 = 1.0 + 1e-9;
 /// Termination of a relaxation: a number of steps, or a relative distance of the bound from the
 /// value reached.
 #[derive(Clone, Copy)]
-struct End {
-    steps: usize,
+pub(super) struct End {
+    pub(super) steps: usize,
     /// Fraction of the criterion.
     close: f64,
 }
 
 /// End of the relaxation at the root, and at each node below.
-const ROOT: End = End { steps: 3000, close: 1e-7 };
-const BELOW: End = End { steps: 60, close: 1e-6 };
+const ROOT: End = End { steps: 500, close: 1e-7 };
+pub(super) const BELOW: End = End { steps: 20, close: 1e-6 };
+/// Number of the last values of the criterion above whose smallest a step has to end.
+const MEMORY: usize = 8;
+/// Share of the rise by the gradient that a step has to reach.
+const SUFFICIENT: f64 = 1e-4;
+/// Largest number of halvings of a step.
+const HALVINGS: usize = 30;
+/// Number of bisections of the common reduction of shares: their interval falls below rounding.
+const BISECTIONS: usize = 60;
+/// Largest change of the length of a step from one to the next, as a factor.
+const LONGER: f64 = 100.0;
 
 /// The best choice found, and the bound that is proven for it.
 #[derive(Clone, Debug)]
@@ -58,48 +68,48 @@ impl Ord for Node {
     }
 }
 
-/// Examines up to `nodes` nodes, those with the largest bound first, and calls `progress` with
-/// their number; `None` if no bound is known.
+/// Proves a choice by at most `nodes` nodes; `None` if no bound is known. `progress` is called with
+/// the number of nodes.
 pub fn branch_and_bound(pool: &Pool, first: Choice, nodes: usize, progress: impl Fn(usize)) -> Option<Proven> {
-    let count = first.chosen.len();
-    let root = vec![Fixed::Free; pool.candidates.len()];
-    let relaxed = relax(pool, &root, count, None, ROOT)?;
-    let relaxation = relaxed.bound.max(first.value);
-    let mut best = first;
-    let mut looked = 0;
-    let mut open = BinaryHeap::new();
-    open.extend(node(relaxed, root, count, best.value, 0));
-    while let Some(Node { bound, fixed, weights, .. }) = open.pop() {
-        progress(looked);
-        if bound <= best.value * BETTER {
-            open.clear();
-            break;
-        }
-        if looked >= nodes {
-            return Some(Proven { bound: bound.min(relaxation), best, relaxation, nodes: looked });
-        }
-        if let Some(whole) = decided(&fixed, count) {
-            let choice = Choice::of(pool, whole);
-            if choice.value > best.value {
-                best = choice;
+    Root::new(pool, first.chosen.len()).map(|root| root.prove(pool, first, nodes, progress))
+}
+
+/// The relaxation of all choices of a number of candidates.
+pub struct Root {
+    count: usize,
+    relaxed: Relaxed,
+}
+
+impl Root {
+    /// Relaxes the choice of `count` candidates; `None` if no bound is known.
+    pub fn new(pool: &Pool, count: usize) -> Option<Self> {
+        let fixed = vec![Fixed::Free; pool.candidates.len()];
+        relax(pool, &fixed, count, None, ROOT).map(|relaxed| Self { count, relaxed })
+    }
+
+    /// Upper bound of the criterion over all choices.
+    pub fn bound(&self) -> f64 {
+        self.relaxed.bound
+    }
+
+    /// Examines up to `nodes` nodes, those with the largest bound first, and calls `progress` with
+    /// their number.
+    pub fn prove(self, pool: &Pool, first: Choice, nodes: usize, progress: impl Fn(usize)) -> Proven {
+        let Self { count, relaxed } = self;
+        let relaxation = relaxed.bound.max(first.value);
+        let mut best = first;
+        let mut looked = 0;
+        let mut open = BinaryHeap::new();
+        open.extend(node(relaxed, vec![Fixed::Free; pool.candidates.len()], count, best.value, 0));
+        while let Some(Node { bound, fixed, weights, .. }) = open.pop() {
+            progress(looked);
+            if bound <= best.value * BETTER {
+                open.clear();
+                break;
             }
-            continue;
-        }
-        let undecided = |i: &usize| fixed[*i] == Fixed::Free;
-        let half = |i: usize| (weights[i] - 0.5).abs();
-        let Some(split) = (0..fixed.len()).filter(undecided).min_by(|&a, &b| half(a).total_cmp(&half(b))) else {
-            continue;
-        };
-        let child = |way: Fixed| {
-            let mut fixed = fixed.clone();
-            fixed[split] = way;
-            let open = decided(&fixed, count).is_none();
-            let relaxed = open.then(|| relax(pool, &fixed, count, Some(&weights), BELOW)).flatten();
-            (fixed, relaxed)
-        };
-        let (with, without) = rayon::join(|| child(Fixed::In), || child(Fixed::Out));
-        for (fixed, relaxed) in [with, without] {
-            looked += 1;
+            if looked >= nodes {
+                return Proven { bound: bound.min(relaxation), best, relaxation, nodes: looked };
+            }
             if let Some(whole) = decided(&fixed, count) {
                 let choice = Choice::of(pool, whole);
                 if choice.value > best.value {
@@ -107,21 +117,44 @@ pub fn branch_and_bound(pool: &Pool, first: Choice, nodes: usize, progress: impl
                 }
                 continue;
             }
-            let Some(relaxed) = relaxed else { continue };
-            let rounded = ranked(&relaxed.weights, &vec![0.0; fixed.len()], &fixed, 0.0);
-            if looked % 64 == 1 {
-                let taken = fixed.iter().enumerate().filter(|(_, f)| **f == Fixed::In).map(|(i, _)| i);
-                let chosen: Vec<usize> = taken.chain(rounded.into_iter().map(|(_, i)| i)).take(count).collect();
-                let choice = exchange(pool, &Choice::of(pool, chosen));
-                if choice.value > best.value * BETTER {
-                    best = choice;
+            let undecided = |i: &usize| fixed[*i] == Fixed::Free;
+            let half = |i: usize| (weights[i] - 0.5).abs();
+            let Some(split) = (0..fixed.len()).filter(undecided).min_by(|&a, &b| half(a).total_cmp(&half(b))) else {
+                continue;
+            };
+            let child = |way: Fixed| {
+                let mut fixed = fixed.clone();
+                fixed[split] = way;
+                let open = decided(&fixed, count).is_none();
+                let relaxed = open.then(|| relax(pool, &fixed, count, Some(&weights), BELOW)).flatten();
+                (fixed, relaxed)
+            };
+            let (with, without) = rayon::join(|| child(Fixed::In), || child(Fixed::Out));
+            for (fixed, relaxed) in [with, without] {
+                looked += 1;
+                if let Some(whole) = decided(&fixed, count) {
+                    let choice = Choice::of(pool, whole);
+                    if choice.value > best.value {
+                        best = choice;
+                    }
+                    continue;
                 }
+                let Some(relaxed) = relaxed else { continue };
+                let rounded = ranked(&relaxed.weights, &vec![0.0; fixed.len()], &fixed, 0.0);
+                if looked % 64 == 1 {
+                    let taken = fixed.iter().enumerate().filter(|(_, f)| **f == Fixed::In).map(|(i, _)| i);
+                    let chosen: Vec<usize> = taken.chain(rounded.into_iter().map(|(_, i)| i)).take(count).collect();
+                    let choice = exchange(pool, &Choice::of(pool, chosen));
+                    if choice.value > best.value * BETTER {
+                        best = choice;
+                    }
+                }
+                let relaxed = Relaxed { bound: relaxed.bound.min(bound), ..relaxed };
+                open.extend(node(relaxed, fixed, count, best.value, looked));
             }
-            let relaxed = Relaxed { bound: relaxed.bound.min(bound), ..relaxed };
-            open.extend(node(relaxed, fixed, count, best.value, looked));
         }
+        Proven { bound: best.value, best, relaxation, nodes: looked }
     }
-    Some(Proven { bound: best.value, best, relaxation, nodes: looked })
 }
 
 /// The remaining choice if every candidate is decided.
@@ -188,6 +221,13 @@ struct Relaxed {
     below: Vec<f64>,
 }
 
+impl Relaxed {
+    fn of(shares: &Shares) -> Self {
+        let [above, below] = shares.parts.clone();
+        Self { bound: shares.bound, weights: shares.weights.clone(), above, below }
+    }
+}
+
 /// Initial shares: the given ones, adapted to `fixed` and to the sum `count`.
 fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec<f64> {
     let taken = fixed.iter().filter(|f| **f == Fixed::In).count();
@@ -209,9 +249,83 @@ fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec<f64
     (0..fixed.len()).map(share).collect()
 }
 
-/// Moves shares from the worst to the best candidate (vertex exchange: Böhning 1986) until the
-/// bound is within `close` of the value of the shares, or `steps` are used. The bound is valid
-/// after every step.
+/// The criterion at one list of shares, with its gradient and the bound that follows.
+struct Shares {
+    weights: Vec<f64>,
+    /// Criterion of the shares.
+    value: f64,
+    /// Derivative of the logarithm of the criterion by each share.
+    slopes: Vec<f64>,
+    /// Bound over all choices.
+    bound: f64,
+    /// Contributions of each candidate to numerator and denominator of the bound.
+    parts: [Vec<f64>; 2],
+}
+
+/// A relaxation: the choices that it bounds.
+struct Problem<'a> {
+    pool: &'a Pool,
+    fixed: &'a [Fixed],
+    count: usize,
+}
+
+impl Problem<'_> {
+    /// Tangent of the criterion at shares; `None` if they are singular or no bound is known.
+    fn tangent(&self, weights: &[f64]) -> Option<Tangent> {
+        let configurations = weights.iter().zip(&self.pool.candidates).map(|(w, c)| w * c.configurations as f64).sum();
+        self.pool.criterion.tangent(self.pool, &self.pool.weighted(weights), configurations)
+    }
+
+    fn shares(&self, weights: Vec<f64>, tangent: &Tangent) -> Shares {
+        // the ridge's contribution is distributed over the chosen candidates
+        let ridge = self.pool.ridge * tangent.above.trace() / self.count as f64;
+        let mut above = self.pool.contributions.products(&tangent.above);
+        above.iter_mut().for_each(|a| *a += ridge);
+        let below = denominators(self.pool, tangent, self.count);
+        let denominator: f64 = weights.iter().zip(&below).map(|(w, b)| w * b).sum();
+        let falls = if matches!(tangent.below, Below::One) { 0.0 } else { denominator.recip() };
+        let slopes = above.iter().zip(&below).map(|(a, b)| a / tangent.numerator - b * falls).collect();
+        let bound = largest_quotient(&above, &below, self.fixed, self.count, tangent.value);
+        Shares { weights, value: tangent.value, slopes, bound, parts: [above, below] }
+    }
+
+    /// The nearest shares with the right sum, each between 0 and 1: all free ones are reduced by
+    /// the same number, which is bisected.
+    fn project(&self, mut weights: Vec<f64>) -> Vec<f64> {
+        let is_free = |i: &usize| self.fixed[*i] == Fixed::Free;
+        let free: Vec<usize> = (0..weights.len()).filter(is_free).collect();
+        let taken = self.fixed.iter().filter(|f| **f == Fixed::In).count();
+        let rest = self.count.saturating_sub(taken) as f64;
+        let reduced = |by: f64| free.iter().map(|&i| (weights[i] - by).clamp(0.0, 1.0)).sum::<f64>();
+        let values = free.iter().map(|&i| weights[i]);
+        let mut low = values.clone().fold(f64::INFINITY, f64::min) - 1.0;
+        let mut high = values.fold(f64::NEG_INFINITY, f64::max);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if reduced(middle) > rest { low = middle } else { high = middle }
+        }
+        free.iter().for_each(|&i| weights[i] = (weights[i] - high).clamp(0.0, 1.0));
+        weights
+    }
+
+    /// The next shares: the whole way, or the first half of it that does not fall below `least`,
+    /// the smallest of the last logarithms of the criterion (Grippo, Lampariello & Lucidi 1986).
+    fn step(&self, now: &Shares, way: &[f64], rise: f64, least: f64) -> Option<Shares> {
+        let mut share = 1.0;
+        for _ in 0..HALVINGS {
+            let weights: Vec<f64> = now.weights.iter().zip(way).map(|(w, d)| (w + share * d).clamp(0.0, 1.0)).collect();
+            match self.tangent(&weights) {
+                Some(t) if t.value.ln() >= least + SUFFICIENT * share * rise => return Some(self.shares(weights, &t)),
+                _ => share *= 0.5,
+            }
+        }
+        None
+    }
+}
+
+/// Maximises the criterion over shares by the spectral projected gradient (Birgin, Martínez &
+/// Raydan 2000) until the bound is within `close` of the value of the shares, or `steps` are used.
+/// The bound is valid after every step.
 fn relax(
     pool: &Pool,
     fixed: &[Fixed],
@@ -219,114 +333,70 @@ fn relax(
     near: Option<&[f64]>,
     End { steps, close }: End,
 ) -> Option<Relaxed> {
-    let mut weights = start_weights(fixed, count, near);
-    let n = pool.candidates.len();
-    let mut best: Option<Relaxed> = None;
-    for step in 0..=steps {
-        let information = pool.weighted(&weights);
-        let configurations: f64 = weights.iter().zip(&pool.candidates).map(|(w, c)| w * c.configurations as f64).sum();
-        let tangent = pool.criterion.tangent(pool, &information, configurations)?;
-        // what the ridge adds is shared among those chosen
-        let ridge = pool.ridge * tangent.above.trace() / count as f64;
-        let above: Vec<f64> = pool.candidates.iter().map(|c| inner(&tangent.above, &c.information) + ridge).collect();
-        let below = denominators(pool, &tangent, count);
-        let denominator: f64 = weights.iter().zip(&below).map(|(w, b)| w * b).sum();
-        let bound = largest_quotient(&above, &below, fixed, count, tangent.value);
-        let slope = |i: usize| {
-            above[i] / tangent.numerator - if gradient_below(&tangent) { below[i] / denominator } else { 0.0 }
-        };
-        let free = || (0..n).filter(|&i| fixed[i] == Fixed::Free);
-        let to = free().filter(|&i| weights[i] < 1.0).max_by(|&a, &b| slope(a).total_cmp(&slope(b)));
-        let from = free().filter(|&i| weights[i] > 0.0).min_by(|&a, &b| slope(a).total_cmp(&slope(b)));
-        // what all shares together can still gain, as a fraction of the criterion
-        let pair = to.zip(from).filter(|&(to, from)| count as f64 * (slope(to) - slope(from)) > close);
-        let reached = tangent.value;
-        if best.as_ref().is_none_or(|b| bound < b.bound) {
-            best = Some(Relaxed { bound, weights: weights.clone(), above, below });
-        }
-        let Some((to, from)) = pair else { break };
-        if step == steps || bound <= reached * (1.0 + close) {
+    let problem = Problem { pool, fixed, count };
+    let weights = start_weights(fixed, count, near);
+    let mut now = problem.shares(weights.clone(), &problem.tangent(&weights)?);
+    let mut best = Relaxed::of(&now);
+    let mut values = vec![now.value.ln()];
+    let steepest = now.slopes.iter().fold(0.0f64, |most, s| most.max(s.abs()));
+    let mut stride = 1.0 / steepest;
+    for _ in 0..steps {
+        if best.bound <= now.value * (1.0 + close) {
             break;
         }
-        let most = (1.0 - weights[to]).min(weights[from]);
-        let share = line_search(pool, &information, configurations, (to, from), most);
-        if share >= most {
-            // exactly to the end, so that the pair is done with
-            let (full, empty) = (weights[to] + most, weights[from] - most);
-            weights[to] = if 1.0 - full < 1e-12 { 1.0 } else { full };
-            weights[from] = if empty < 1e-12 { 0.0 } else { empty };
-        } else {
-            weights[to] += share;
-            weights[from] -= share;
+        let ahead = problem.project(now.weights.iter().zip(&now.slopes).map(|(w, s)| w + stride * s).collect());
+        let way: Vec<f64> = ahead.iter().zip(&now.weights).map(|(a, w)| a - w).collect();
+        let rise: f64 = way.iter().zip(&now.slopes).map(|(d, s)| d * s).sum();
+        let least = values.iter().rev().take(MEMORY).copied().fold(f64::INFINITY, f64::min);
+        let Some(next) = (rise > 0.0).then(|| problem.step(&now, &way, rise, least)).flatten() else { break };
+        stride = next_stride(&now, &next, stride);
+        values.push(next.value.ln());
+        if next.bound < best.bound {
+            best = Relaxed::of(&next);
         }
+        now = next;
     }
-    best
+    Some(best)
 }
 
-/// The share whose move maximises the criterion: the zero of its derivative in [0, `most`].
-fn line_search(
-    pool: &Pool,
-    information: &nalgebra::DMatrix<f64>,
-    configurations: f64,
-    (to, from): (usize, usize),
-    most: f64,
-) -> f64 {
-    let direction = &pool.candidates[to].information - &pool.candidates[from].information;
-    let more = pool.candidates[to].configurations as f64 - pool.candidates[from].configurations as f64;
-    let slope = |share: f64| {
-        let moved = information + &direction * share;
-        // past where the information is singular nothing rises
-        let Some(t) = pool.criterion.tangent(pool, &moved, configurations + share * more) else { return -1.0 };
-        let below = match &t.below {
-            Below::Configurations => more / (configurations + share * more),
-            Below::One => 0.0,
-            Below::Largest(p) => inner(p, &direction) / inner(p, &moved),
-        };
-        inner(&t.above, &direction) / t.numerator - below
-    };
-    let at_most = slope(most);
-    if at_most > 0.0 {
-        return most;
+/// Length of the next step from the change of the gradient along the last (Barzilai & Borwein
+/// 1988).
+fn next_stride(last: &Shares, now: &Shares, stride: f64) -> f64 {
+    let (mut square, mut curvature) = (0.0, 0.0);
+    for i in 0..now.weights.len() {
+        let moved = now.weights[i] - last.weights[i];
+        square += moved * moved;
+        curvature -= moved * (now.slopes[i] - last.slopes[i]);
     }
-    let (mut low, mut high) = ((0.0, slope(0.0)), (most, at_most));
-    for _ in 0..22 {
-        // the secant between both ends; the weight of an end that stays is halved (Illinois: Dowell
-        // & Jarratt 1971)
-        let secant = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
-        let middle = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
-        let now = slope(middle);
-        if now.abs() <= 1e-6 * low.1.abs().max(high.1.abs()) || high.0 - low.0 <= 1e-7 * most {
-            return middle;
-        }
-        if now > 0.0 {
-            (low, high.1) = ((middle, now), 0.5 * high.1);
-        } else {
-            (high, low.1) = ((middle, now), 0.5 * low.1);
-        }
-    }
-    0.5 * (low.0 + high.0)
-}
-
-fn gradient_below(tangent: &Tangent) -> bool {
-    !matches!(tangent.below, Below::One)
+    let next = if curvature > 0.0 { square / curvature } else { stride * LONGER };
+    next.clamp(stride / LONGER, stride * LONGER)
 }
 
 /// Contribution of each candidate to the denominator; constant ones are distributed over the chosen
 /// candidates.
 fn denominators(pool: &Pool, tangent: &Tangent, count: usize) -> Vec<f64> {
-    let of = |c: &super::criterion::Candidate| match &tangent.below {
-        Below::Configurations => c.configurations as f64,
-        Below::One => 1.0 / count as f64,
-        Below::Largest(p) => inner(p, &c.information),
-    };
-    pool.candidates.iter().map(of).collect()
+    match &tangent.below {
+        Below::Configurations => pool.candidates.iter().map(|c| c.configurations as f64).collect(),
+        Below::One => vec![1.0 / count as f64; pool.candidates.len()],
+        Below::Largest(by) => pool.contributions.products(by),
+    }
 }
 
 /// Order of the free candidates by above − λ below, best first.
 fn ranked(above: &[f64], below: &[f64], fixed: &[Fixed], lambda: f64) -> Vec<(f64, usize)> {
+    foremost(above, below, fixed, (lambda, usize::MAX))
+}
+
+/// The first `most` of [`ranked`].
+fn foremost(above: &[f64], below: &[f64], fixed: &[Fixed], (lambda, most): (f64, usize)) -> Vec<(f64, usize)> {
     let free = (0..fixed.len()).filter(|&i| fixed[i] == Fixed::Free);
     let mut gains: Vec<(f64, usize)> = free.map(|i| (above[i] - lambda * below[i], i)).collect();
-    gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let by = |a: &(f64, usize), b: &(f64, usize)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
+    if most < gains.len() {
+        gains.select_nth_unstable_by(most, by);
+        gains.truncate(most);
+    }
+    gains.sort_by(by);
     gains
 }
 
@@ -336,7 +406,7 @@ fn largest_quotient(above: &[f64], below: &[f64], fixed: &[Fixed], count: usize,
     let mut lambda = start;
     for _ in 0..50 {
         let rest = count.saturating_sub(taken.len());
-        let best = ranked(above, below, fixed, lambda).into_iter().take(rest).map(|(_, i)| i);
+        let best = foremost(above, below, fixed, (lambda, rest)).into_iter().map(|(_, i)| i);
         let (a, b) = taken.iter().copied().chain(best).fold((0.0, 0.0), |(a, b), i| (a + above[i], b + below[i]));
         let quotient = a / b;
         // up to rounding the quotient never falls

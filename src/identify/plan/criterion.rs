@@ -4,6 +4,7 @@
 //! Every criterion is the square of an index, larger is better, as a function of the information
 //! JᵀJ.
 
+use super::packed::Packed;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use nalgebra::{Cholesky, DMatrix, Dyn, SymmetricEigen};
@@ -203,8 +204,8 @@ impl Criterion {
 pub struct Candidate {
     /// Rows of the Jacobian, k × m, with its columns divided by the pool's scale.
     pub rows: DMatrix<f64>,
-    /// Its information JᵀJ, m × m.
-    pub information: DMatrix<f64>,
+    /// Rows as columns, m × k.
+    pub columns: DMatrix<f64>,
     /// Number of configurations in it.
     pub configurations: usize,
 }
@@ -218,6 +219,8 @@ pub struct Pool {
     pub parameters: usize,
     /// The candidates.
     pub candidates: Vec<Candidate>,
+    /// Information JᵀJ of each candidate, m × m.
+    pub contributions: Packed,
     /// Divisors of the columns of the Jacobian.
     pub scale: Vec<f64>,
     /// Mean of JᵀJ over all configurations: the effect of a set of parameters on the positions of
@@ -237,30 +240,30 @@ impl Pool {
             for (mut column, s) in rows.column_iter_mut().zip(&scale) {
                 column /= *s;
             }
-            Candidate { information: rows.tr_mul(&rows), rows, configurations: *configurations }
+            Candidate { columns: rows.transpose(), rows, configurations: *configurations }
         };
         let candidates: Vec<Candidate> = blocks.iter().map(candidate).collect();
-        let mut workspace = DMatrix::zeros(m, m);
-        candidates.iter().for_each(|c| workspace += &c.information);
+        let contributions: Vec<DMatrix<f64>> = candidates.iter().map(|c| c.rows.tr_mul(&c.rows)).collect();
+        let contributions = Packed::new(m, contributions.iter());
+        let mut workspace = contributions.sum((0..candidates.len()).map(|i| (i, 1.0)));
         let ridge = 1e-12 * workspace.trace() / (m * candidates.len()).max(1) as f64;
         workspace /= candidates.iter().map(|c| c.configurations).sum::<usize>().max(1) as f64;
-        Self { criterion, parameters: m, candidates, scale, workspace, ridge }
+        Self { criterion, parameters: m, candidates, contributions, scale, workspace, ridge }
     }
 
     /// JᵀJ of chosen candidates.
     pub fn information(&self, chosen: &[usize]) -> DMatrix<f64> {
-        let mut sum = DMatrix::zeros(self.parameters, self.parameters);
-        chosen.iter().for_each(|&i| sum += &self.candidates[i].information);
-        sum
+        self.contributions.sum(chosen.iter().map(|&i| (i, 1.0)))
     }
 
     /// Σ wᵢ JᵢᵀJᵢ.
     pub fn weighted(&self, weights: &[f64]) -> DMatrix<f64> {
-        let mut sum = DMatrix::zeros(self.parameters, self.parameters);
-        for (w, c) in weights.iter().zip(&self.candidates).filter(|(w, _)| **w > 0.0) {
-            sum.zip_apply(&c.information, |s, v| *s += w * v);
-        }
-        sum
+        self.contributions.sum(weights.iter().copied().enumerate().filter(|(_, w)| *w > 0.0))
+    }
+
+    /// Number of products that value and derivative of the criterion at all candidates take.
+    pub fn products(&self) -> usize {
+        self.candidates.len() * self.contributions.width() + 3 * self.parameters.pow(3)
     }
 
     /// Configurations of chosen candidates.

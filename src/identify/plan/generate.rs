@@ -4,10 +4,11 @@
 //! unreasonable effectiveness of quasirandom sequences"), shifted by a seed: they fill the ranges
 //! more evenly than random numbers.
 
+use super::obstacles::Obstacle;
 use crate::Observation;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, dot, minus, norm};
-use etalon_robots::{Joint, Quantity, Robot, base_pose};
+use etalon_robots::{Joint, JointChain, Quantity, Robot, base_pose};
 
 /// Largest number of draws for each wanted candidate.
 pub const DRAWS_PER_CANDIDATE: usize = 200;
@@ -34,13 +35,15 @@ pub struct Reflector {
     pub acceptance_rad: f64,
 }
 
-/// Position of an instrument, and the reflectors that face it.
+/// Position of an instrument, the reflectors that face it, and the bodies in its way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sight {
     /// Position in the base of the robot.
     pub instrument_mm: Vector,
     /// Reflectors with an axis.
     pub reflectors: Vec<Reflector>,
+    /// Bodies that block the view of any target.
+    pub obstacles: Vec<Obstacle>,
 }
 
 /// Constraints of candidates.
@@ -56,7 +59,7 @@ pub struct Domain {
 }
 
 /// Numbers of draws that are no candidates, by the first constraint that they violate.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Losses {
     /// Beyond limits of joints or links, or without a pose.
     pub limits: usize,
@@ -66,6 +69,8 @@ pub struct Losses {
     pub sight: usize,
     /// Part of `sight`: all reflectors would face the instrument with opposite axes.
     pub reversed: usize,
+    /// A target is hidden, by the first obstacle that hides it.
+    pub hidden: Vec<usize>,
 }
 
 /// Candidates that obey all constraints.
@@ -106,7 +111,9 @@ pub fn generate(robot: &dyn Robot, domain: &Domain, count: usize, seed: u64) -> 
     let ranges = if robot.has_assembly_modes() { judge.plane() } else { domain.ranges.clone() };
     let mut draws = Draws::new(&ranges, seed);
     let most = count.saturating_mul(DRAWS_PER_CANDIDATE).max(FEWEST_DRAWS);
-    let (observations, losses, reached_mm) = (Vec::new(), Losses::default(), [[f64::INFINITY, f64::NEG_INFINITY]; 3]);
+    let obstacles = domain.sight.as_ref().map_or(0, |sight| sight.obstacles.len());
+    let losses = Losses { hidden: vec![0; obstacles], ..Losses::default() };
+    let (observations, reached_mm) = (Vec::new(), [[f64::INFINITY, f64::NEG_INFINITY]; 3]);
     let mut found = Generated { observations, poses: 0, draws: 0, losses, reached_mm };
     while found.poses < count && found.draws < most {
         found.draws += 1;
@@ -130,6 +137,7 @@ pub fn generate(robot: &dyn Robot, domain: &Domain, count: usize, seed: u64) -> 
             }
             Err(Loss::Limits) => found.losses.limits += 1,
             Err(Loss::Region) => found.losses.region += 1,
+            Err(Loss::Hidden { obstacle }) => found.losses.hidden[obstacle] += 1,
             Err(Loss::Sight { reversed }) => {
                 found.losses.sight += 1;
                 found.losses.reversed += usize::from(reversed);
@@ -156,6 +164,10 @@ enum Loss {
     Sight {
         reversed: bool,
     },
+    /// Index of the first obstacle that hides a target.
+    Hidden {
+        obstacle: usize,
+    },
 }
 
 /// Judges draws by the nominal robot.
@@ -166,15 +178,20 @@ struct Judge<'a> {
     gains: Vec<f64>,
     world_t_base: Pose,
     base_t_world: Pose,
+    /// Joints of the robot, if an obstacle moves with one.
+    chain: Option<JointChain>,
 }
 
 impl<'a> Judge<'a> {
     fn new(robot: &'a dyn Robot, domain: &'a Domain) -> Self {
         let world_t_base = base_in_world(robot);
+        let nominal = robot.nominal();
+        let moves = domain.sight.as_ref().is_some_and(|s| s.obstacles.iter().any(|o| o.joint.is_some()));
         Self {
             robot,
             domain,
-            nominal: robot.nominal(),
+            chain: moves.then(|| robot.joint_chain(&nominal)).flatten(),
+            nominal,
             gains: (0..robot.joints().len()).map(|k| robot.nominal_gain(k)).collect(),
             base_t_world: world_t_base.inverse(),
             world_t_base,
@@ -232,7 +249,22 @@ impl<'a> Judge<'a> {
             return Some(Loss::Region);
         }
         let seen = |sign| self.is_seen(joints, &places, sign);
-        (!seen(1.0)).then(|| Loss::Sight { reversed: seen(-1.0) })
+        if !seen(1.0) {
+            return Some(Loss::Sight { reversed: seen(-1.0) });
+        }
+        self.hiding(joints, &places).map(|obstacle| Loss::Hidden { obstacle })
+    }
+
+    /// Index of the first obstacle between the instrument and any of the targets at these positions
+    /// in the base.
+    fn hiding(&self, joints: &[f64], places: &[Vector]) -> Option<usize> {
+        let sight = self.domain.sight.as_ref()?;
+        let frames = self.chain.as_ref().map_or_else(Vec::new, |chain| chain.frames(joints));
+        sight.obstacles.iter().position(|obstacle| {
+            let back = obstacle.joint.and_then(|k| frames.get(k)).map_or_else(Pose::identity, Pose::inverse);
+            let from = back.apply(sight.instrument_mm);
+            places.iter().any(|place| obstacle.shape.blocks(from, back.apply(*place)))
+        })
     }
 
     fn is_within_limits(&self, joints: &[f64]) -> bool {

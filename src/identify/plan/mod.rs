@@ -7,8 +7,11 @@
 pub mod bound;
 pub mod candidates;
 pub mod criterion;
+mod effort;
 pub mod generate;
+pub mod obstacles;
 pub mod order;
+pub mod packed;
 pub mod search;
 mod study;
 
@@ -18,13 +21,13 @@ pub use study::{PlaceError, Setting, SizeStudy, point_of, study};
 
 use crate::Result;
 use crate::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
-use bound::{Proven, branch_and_bound};
+use effort::{Searched, search};
 use etalon_base::error;
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::mean;
 use etalon_robots::Robot;
-use search::{exchange_from_many, greedy};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use rayon::prelude::*;
+use search::greedy;
 
 /// Request for a plan: size and effort.
 #[derive(Clone, Debug)]
@@ -38,12 +41,12 @@ pub struct Request {
     /// Numbers of the poses from which the procedure of the thesis starts; empty: two poses that
     /// are far apart.
     pub start: Vec<PoseName>,
-    /// Random starts of the exchange.
-    pub starts: u64,
+    /// Random starts of the exchange; `None`: as many as the problem deserves.
+    pub starts: Option<u64>,
     /// Seed of the random starts.
     pub seed: u64,
-    /// Maximum number of nodes in branch and bound.
-    pub nodes: usize,
+    /// Maximum number of nodes in branch and bound; `None`: as many as the problem deserves.
+    pub nodes: Option<usize>,
 }
 
 /// One step of the thesis' procedure, for the curve of figure 4.6.
@@ -125,7 +128,7 @@ impl Plan {
 /// });
 /// let names = robot.parameters().iter().map(|p| p.name.clone()).filter(|n| n != "delta2");
 /// let settings = Settings { hold: names.collect(), ..Settings::default() };
-/// let (single, start, starts, seed, nodes) = (false, vec![], 4, 1, 100);
+/// let (single, start, starts, seed, nodes) = (false, vec![], None, 1, None);
 /// let request = Request { positions: 2, criterion, single, start, starts, seed, nodes };
 /// let plan = plan(&robot, &candidates, &settings, &request, &|_, _| {})?;
 /// assert_eq!(plan.chosen, [0, 3]);
@@ -151,41 +154,32 @@ pub fn plan(
     let steps = greedy(&pool, &begin, longest).chosen;
     let thesis = Choice::of(&pool, steps[..request.positions].to_vec());
     let free = greedy(&pool, &[], request.positions);
-    let first = [thesis.clone(), free];
-    let starts = first.len() + request.starts as usize;
-    let steps_in_all = starts + request.nodes;
-    let exchanged = AtomicUsize::new(0);
-    let ended = || progress(exchanged.fetch_add(1, Ordering::Relaxed) + 1, steps_in_all);
-    let found = exchange_from_many(&pool, &first, request.starts, request.seed, ended);
     let take = |chosen: &[usize]| -> Vec<Observation> {
         chosen.iter().flat_map(|&c| members[c].iter().map(|&k| observations[k].clone())).collect()
     };
-    predict(robot, &take(&found.chosen), settings, &known.free)?;
-    let looked = |nodes: usize| progress((starts + nodes).min(steps_in_all - 1), steps_in_all);
-    let proven = branch_and_bound(&pool, found.clone(), request.nodes, looked);
-    progress(steps_in_all, steps_in_all);
-    let (best, bound) = match proven {
-        Some(Proven { best, bound, relaxation, nodes }) => (best, Some((bound, relaxation, nodes))),
-        None => (found, None),
-    };
+    let first = [thesis.clone(), free];
+    let check = |found: &Choice| predict(robot, &take(&found.chosen), settings, &known.free).map(|_| ());
+    let Searched { best, proven } = search(&pool, &first, request, progress, check)?;
     let mut chosen = best.chosen;
     chosen.sort_unstable();
     let prediction = predict(robot, &take(&chosen), settings, &known.free)?;
-    let curve = (begin.len().max(1)..=steps.len()).filter_map(|count| {
+    let step = |count: usize| {
         let now = Choice::of(&pool, steps[..count].to_vec());
         let condition = predict(robot, &take(&steps[..count]), settings, &known.free).ok()?.observability?.condition;
         let configurations = pool.configurations(&now.chosen);
         Some(Step { positions: count, configurations, index: request.criterion.index(&pool, now.value), condition })
-    });
+    };
+    let counts: Vec<usize> = (begin.len().max(1)..=steps.len()).collect();
+    let curve: Vec<Option<Step>> = counts.into_par_iter().map(step).collect();
     let index = |square: f64| request.criterion.index(&pool, square);
     Ok(Plan {
-        curve: curve.collect(),
+        curve: curve.into_iter().flatten().collect(),
         greedy_index: index(thesis.value),
         greedy: thesis.chosen,
         index: index(best.value),
-        bound: bound.map(|b| index(b.0)),
-        relaxation_bound: bound.map(|b| index(b.1)),
-        nodes: bound.map_or(0, |b| b.2),
+        bound: proven.as_ref().map(|p| index(p.bound)),
+        relaxation_bound: proven.as_ref().map(|p| index(p.relaxation)),
+        nodes: proven.as_ref().map_or(0, |p| p.nodes),
         workspace: workspace(&known, &prediction, robot.dimension()),
         chosen,
         prediction,

@@ -2,6 +2,7 @@
 
 pub(super) mod accuracy;
 mod budget;
+pub(super) mod cell;
 pub(super) mod certificate;
 pub(super) mod changes;
 pub(super) mod checklist;
@@ -21,6 +22,7 @@ pub(super) mod given;
 mod import;
 pub(super) mod limits;
 pub(super) mod messages;
+mod operator_sheet;
 pub(super) mod page_one;
 pub(super) mod parameters;
 pub(super) mod plan;

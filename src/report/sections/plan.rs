@@ -50,6 +50,7 @@ pub(crate) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Section> {
     all.extend([pictures, poses(plan, words), parameters].into_iter().filter_map(Section::whole));
     all.extend(plan.study.as_ref().map(|s| study(s, words)));
     all.push(super::provenance::of(&plan.provenance, &[], words));
+    all.push(super::operator_sheet::section(plan, words));
     all
 }
 
@@ -77,7 +78,10 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
     let order = order.filter(|_| plan.order.as_ref().is_some_and(|order| order.motion_as_listed > 0.0));
     let generated = plan.generated.as_ref().map(|g| {
         let (limits, region, sight) = (g.beyond_limits, g.outside_box, g.facing_away);
-        tr!(words, "candidates-drawn", candidates = plan.candidates, draws = g.draws, limits, region, sight)
+        let drawn =
+            tr!(words, "candidates-drawn", candidates = plan.candidates, draws = g.draws, limits, region, sight);
+        let hidden = g.obstacles.iter().map(|o| tr!(words, "candidates-hidden", count = o.hidden, obstacle = &o.name));
+        std::iter::once(drawn).chain(hidden).collect::<Vec<_>>().join(", ")
     });
     vec![
         (tr!(words, "index"), format!("{} = {}", plan.index, significant(plan.value, 6)).into()),

@@ -32,7 +32,7 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     let set = identified.and_then(|i| headline_set(i.accuracy));
     let mut sentences: Vec<String> = identified.and_then(|i| alarm(i.parameters, words)).into_iter().collect();
     sentences.extend(named(&judgement, words));
-    sentences.extend(limits.is_empty().then(|| counted(&limits, words)));
+    sentences.extend((limits.is_empty() && judgement.verdict.is_none()).then(|| counted(&limits, words)));
     sentences.extend(identified.zip(set).into_iter().flat_map(|(i, set)| errors(i.accuracy, set, words)));
     sentences.extend(identified.and_then(|i| unexplained(i, words)));
     sentences.extend(characteristics(tested, words));

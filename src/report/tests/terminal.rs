@@ -58,6 +58,14 @@ fn missing_limits_come_first() {
         shown.contains("\n1. State the tolerance of the application in [limits]. A verdict needs limits.\n"),
         "{shown}"
     );
+    // an implausible result fails without limits, and its cause is the first step
+    let mut cause = documents.parameters.messages[0].clone();
+    (cause.severity, cause.rank) = (etalon_base::message::Severity::Error, etalon_base::message::Rank::Decide);
+    cause.id = "tolerance-exceeded".into();
+    documents.parameters.messages.push(cause);
+    let shown = self::shown(&documents);
+    assert!(!shown.contains("No limits are stated"), "{shown}");
+    assert!(shown.contains("\n2. State the tolerance of the application in [limits]."), "{shown}");
 }
 
 #[test]

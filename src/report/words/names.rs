@@ -48,6 +48,11 @@ pub(crate) fn effect(effect: Effect) -> Phrase {
         Effect::Coupling => phrase!("coupling"),
         Effect::Bending => phrase!("bending"),
         Effect::Payload => phrase!("payload-bending"),
+        Effect::Torque => phrase!("torque-bending"),
+        Effect::Expansion => phrase!("expansion-with-temperature"),
+        Effect::Drift => phrase!("drift-with-temperature"),
+        Effect::Lateral => phrase!("lateral-bending"),
+        Effect::Pedestal => phrase!("pedestal-bending"),
     }
 }
 

@@ -23,7 +23,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, ClockOffset, ClockRate, Join, JoinBy};
 use etalon_documents::{FramesDocument, SourceKind, Unmatched};
-use etalon_formats::tables::joints::{PAYLOAD, wrong_payload};
+use etalon_formats::tables::joints::{missing_column, stated_columns, wrong_value};
 use etalon_formats::{JointLog, LogRow, Point, SharedText};
 use etalon_identify::{Covariance, directions, turned};
 use etalon_robots::{Quantity, Robot};
@@ -134,7 +134,7 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
     let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);
     let mut observations = Vec::new();
     for log in &imported.logs {
-        check_payloads(log, robot)?;
+        check_stated(log, robot)?;
         let log = &*with_directions(log, robot)?;
         let joined = match definition.by {
             JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot).map(|(rows, more)| {
@@ -452,15 +452,14 @@ fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, J
     Ok(log)
 }
 
-/// Checks the payload in each row of a log.
-fn check_payloads(log: &JointLog, robot: &dyn Robot) -> Result<()> {
-    let columns = if robot.carries_payload() { &PAYLOAD[..] } else { &[] };
-    for column in columns {
+/// Checks the payload and other values that each row of a log states.
+fn check_stated(log: &JointLog, robot: &dyn Robot) -> Result<()> {
+    for (&stated, column) in robot.circumstances().iter().zip(&stated_columns(robot)) {
         let found = log.joints.iter().position(|name| name == column);
-        let found = found.ok_or_else(|| error!("payload-column-missing", column))?;
+        let found = found.ok_or_else(|| missing_column(robot, stated))?;
         for (i, row) in log.rows.iter().enumerate() {
             let value = row.joints.get(found).copied().unwrap_or(f64::NAN);
-            if let Some(message) = wrong_payload(column, value) {
+            if let Some(message) = wrong_value(robot, stated, value) {
                 return Err(message.within(phrase!("in-row", row = i + 1)).into());
             }
         }

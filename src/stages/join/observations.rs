@@ -8,7 +8,7 @@ use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_formats::table;
-use etalon_formats::tables::joints::{PAYLOAD, stated_mode, wrong_direction};
+use etalon_formats::tables::joints::{stated_columns, stated_mode, wrong_direction};
 use etalon_formats::{JointLog, SharedText};
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
@@ -135,8 +135,7 @@ impl JoinedLog {
         };
         let mut joints: Vec<String> = robot.joints().iter().map(|j| j.column()).collect();
         joints.extend(robot.approached().iter().map(|&k| robot.joints()[k].direction_column()));
-        let payload = if robot.carries_payload() { &PAYLOAD[..] } else { &[] };
-        joints.extend(payload.iter().map(|column| (*column).to_owned()));
+        joints.extend(stated_columns(robot));
         let columns = joints.iter().map(column).collect::<Result<Vec<usize>>>()?;
         let factors = robot.joints().iter().map(|joint| joint.quantity.inward(1.0));
         let factors: Vec<f64> = factors.chain(joints[robot.joints().len()..].iter().map(|_| 1.0)).collect();

@@ -28,7 +28,7 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_formats::table;
-use etalon_formats::tables::joints::PAYLOAD;
+use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
@@ -145,12 +145,15 @@ fn unread(robot: &dyn Robot, observations: &DataFrame) -> Option<Message> {
     // a column may be in another unit of its quantity
     let quantity = |name: &str| name.rsplit_once('_').map_or(name, |(quantity, _)| quantity).to_owned();
     let with_units = columns().into_iter().chain(table::XYZ).chain(table::UNCERTAINTIES).chain(table::COVARIANCES);
-    let with_units = with_units.chain(orientations::columns()).chain(PAYLOAD).map(quantity).collect::<BTreeSet<_>>();
+    let with_units = with_units.chain(orientations::columns()).map(quantity).collect::<BTreeSet<_>>();
+    let stated = stated_columns(robot);
     let of_joint = |name: &str| {
         robot.joints().iter().any(|joint| joint.factor(name).is_some() || joint.direction_column() == name)
     };
     let without_unit = [&["line"][..], &table::OF_ROWS, &table::TEXTS].concat();
-    let is_own = |name: &str| without_unit.contains(&name) || with_units.contains(&quantity(name));
+    let is_own = |name: &str| {
+        without_unit.contains(&name) || with_units.contains(&quantity(name)) || stated.iter().any(|own| own == name)
+    };
     let names = observations.get_column_names().into_iter().map(|name| name.as_str());
     let unknown = names.filter(|name| !is_own(name) && !of_joint(name));
     let columns: Vec<String> = unknown.map(|name| format!("`{name}`")).collect();

@@ -4,16 +4,19 @@ use crate::support::scratch::{Scratch, copy_sample, ends};
 use etalon::documents::ParametersDocument;
 use etalon::simulate::Truth;
 
-const SAMPLES: [&str; 9] = [
+const SAMPLES: [&str; 12] = [
     "draw-wire",
+    "elastic-arm",
     "linear-delta",
     "payload-arm",
     "probe-poses",
     "second-encoders",
     "surfaces",
+    "torque-arm",
     "turntable",
     "two-arms",
     "two-hands",
+    "warming-arm",
 ];
 
 fn parameters(scratch: &Scratch) -> ParametersDocument {

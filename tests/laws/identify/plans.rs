@@ -25,7 +25,7 @@ pub const ALL: [Criterion; 9] = [
 ];
 
 fn request(positions: usize, criterion: Criterion) -> Request {
-    Request { positions, criterion, single: false, start: Vec::new(), starts: 10, seed: 1, nodes: 5000 }
+    Request { positions, criterion, single: false, start: Vec::new(), starts: Some(10), seed: 1, nodes: Some(5000) }
 }
 
 /// The two outer rings of holes, in all working modes that reach them: candidates of section 4.5.
@@ -175,7 +175,7 @@ fn greedy_by_updates_chooses_what_greedy_by_singular_values_does() {
 }
 
 fn planned(robot: &FiveBar, observations: &[Observation], positions: usize, nodes: usize) -> Plan {
-    let request = Request { nodes, ..request(positions, Criterion::O1) };
+    let request = Request { nodes: Some(nodes), ..request(positions, Criterion::O1) };
     plan(robot, observations, &settings(0.01), &request, &|_, _| {}).expect("plan")
 }
 
@@ -223,7 +223,7 @@ fn the_proven_optimum_of_four_of_sixty_five_is_that_of_enumeration() {
     assert_eq!(n, 65);
     let m = pool.parameters as f64;
     let information: Vec<nalgebra::SMatrix<f64, 12, 12>> =
-        pool.candidates.iter().map(|c| nalgebra::SMatrix::from_column_slice(c.information.as_slice())).collect();
+        (0..n).map(|i| nalgebra::SMatrix::from_column_slice(pool.information(&[i]).as_slice())).collect();
     let mut best = (0.0, [0; 4]);
     for a in 0..n {
         for b in a + 1..n {
@@ -351,7 +351,7 @@ fn seven_planned_positions_give_the_accuracy_of_table_4_2_and_fewer_less_in_the_
     let robot = robot();
     let observations = periphery(&robot);
     for criterion in [Criterion::O1, Criterion::I] {
-        let request = Request { nodes: 0, ..request(7, criterion) };
+        let request = Request { nodes: Some(0), ..request(7, criterion) };
         let found = plan(&robot, &observations, &settings(0.01), &request, &|_, _| {}).expect("plan");
         let pool = pool(&robot, &observations, Criterion::D);
         let mut order: Vec<usize> = Vec::new();

@@ -130,7 +130,8 @@ fn jacobian_of_pose_residuals() {
     let robot = Prexyt::new(true);
     let p = disturbed(&robot);
     let (q, k, l) = ([80.0, 120.0, 170.0], [150.0, 130.0], [290.0, 160.0]);
-    let (by_parameters, by_balls) = robot.pose_error_jacobians(&p, &q, [k, l]);
+    let by_parameters = robot.pose_error_jacobian(&p, &q, [k, l]);
+    let by_balls = robot.pose_error_by_targets(&p, [k, l]);
     let h = 1e-5;
     for j in 0..p.len() {
         let shifted = |s: f64| {

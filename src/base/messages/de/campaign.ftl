@@ -146,6 +146,9 @@ bending-in-branches = `bending` von Gelenk `{ $joint }` wird nicht modelliert: m
 payload-in-branches = `payload` des Gelenks `{ $joint }` wird nicht modelliert: der Roboter hat mehrere Zweige
     .hint = `payload` entfernen, oder den Zweig allein mit `tool_link` beschreiben
 
+elastic-in-branches = `{ $key }` wird nicht modelliert: der Roboter hat mehrere Zweige
+    .hint = `{ $key }` entfernen, oder den Zweig mit `tool_link` allein beschreiben
+
 coupling-across-branches = Gelenk `{ $by }` bewegt den Zweig `{ $link }` nicht, in dem `{ $joint }` mit ihm gekoppelt ist
     .hint = das Paar aus `coupling` entfernen: beide Gelenke müssen auf dem Weg zu jedem Glied liegen
 

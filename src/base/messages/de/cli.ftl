@@ -274,7 +274,7 @@ test-point-unreached = Punkt { $point } der Liste `{ $list }` wird nicht erreich
     .hint = den Arbeitsraum verschieben oder verkleinern (--workspace-mm) oder eine andere Orientierung angeben (--orientation-deg)
 
 no-candidate-generated = keine von { $draws } Ziehungen ist ein Kandidat: { $counts }
-    .hint = erweitern, was die meisten ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector` und `--instrument`
+    .hint = erweitern, was die meisten ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector`, `--instrument`, `--obstacle` und `--link`
 
 few-candidates-generated = { $found } von { $wanted } Kandidaten in { $draws } Ziehungen gefunden: { $counts }
     .hint = erweitern, was die meisten ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector` und `--instrument`
@@ -310,6 +310,22 @@ sight-incomplete = { $missing ->
         [axis] die Achse im Flansch und den halben Öffnungswinkel angeben: `--reflector A=X,Y,Z,I,J,K,WINKEL`
        *[other] seine Position in der Basis angeben: `--instrument X,Y,Z`
     }
+
+obstacle-twice = Hindernis { $name } ist zweimal angegeben
+    .hint = jedem Hindernis einen eigenen Namen geben
+
+instrument-inside-obstacle = das Messgerät liegt im Hindernis { $name }
+    .hint = beide prüfen (mm, Basis des Roboters)
+
+reflector-inside-link = Reflektor { $reflector } liegt im Glied von Gelenk { $joint }, das ihn trägt
+    .hint = einen kleineren Radius oder die Enden des Glieds angeben: `--link { $joint }=RADIUS,X,Y,Z,X,Y,Z`
+
+link-joint-unknown = der Roboter hat kein Gelenk { $joint }
+
+links-unsuited = ein Roboter des Modells `{ $model }` ist keine einfache Kette von Gelenken: Glieder können nicht angegeben werden
+    .hint = `--link` weglassen; feste Körper als `--obstacle` angeben
+
+draws-hidden = { $count } mit einem Reflektor, den { $obstacle } verdeckt
 
 box-axis-unknown = `--box`: Zielmarken dieses Roboters haben keine Achse `{ $name }`
     .expected = { $dimension ->

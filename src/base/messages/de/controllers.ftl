@@ -188,7 +188,7 @@ controller-template-failed = die Vorlage lässt sich nicht füllen: { $reason }
     .hint = diese Zeile korrigieren
 
 measuring-language-unknown = die Sprache von { $file } ist unbekannt
-    .expected = .mod (RAPID), .src (KRL) oder .script (URScript), oder `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .jbi (INFORM) oder .ngc (G-code), oder `--language`
 
 measuring-joints-unsuited = ein Programm in { $language } bewegt sechs Drehachsen{ $external ->
         [0] { "" }
@@ -198,4 +198,16 @@ measuring-joints-unsuited = ein Programm in { $language } bewegt sechs Drehachse
 
 measuring-motor-values = die Werte von Gelenk { $joint } sind die seines Motors (Faktor { $gain }), den ein Programm nicht anfährt
     .hint = die Posen mit `--poses DATEI` schreiben und in Gelenkwerte umrechnen
+
+measuring-output-unsuited = `{ $output }` ist kein digitaler Ausgang von { $language }
+    .expected = { $language ->
+        [rapid] der Name eines Signals
+       *[other] eine Zahl von { $first } bis { $last }
+    }
+
+measuring-axes-missing = ein Programm in { $language } braucht den Buchstaben jeder von { $joints } Achsen
+    .hint = sie in der Reihenfolge der Gelenke angeben: `--axes BUCHSTABEN` (aus XYZABCUVW)
+
+measuring-pulses-missing = ein Programm in { $language } braucht die Impulse je deg oder mm von { $joints } Gelenken
+    .hint = sie in der Reihenfolge der Gelenke angeben: `--pulses P1,P2,...`
 

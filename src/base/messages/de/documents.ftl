@@ -63,7 +63,7 @@ zone-proved-locally = es ist nur unter benachbarten Elementen ({ $element }) bew
 zone-unproved = es wurde nicht bewiesen, dass kein anderes Element { $element } eine engere Zone hat
     .hint = einen größeren Teil der Fläche messen: so stark streuende Punkte bestimmen das Element kaum
 
-hold-another = um einen anderen Parameter einer solchen Gruppe festzuhalten, ihn unter `hold` in [identify] nennen; ohne Angabe ist es der letzte des Modells
+hold-another = um einen anderen Parameter der Gruppe festzuhalten, ihn unter `hold` in [identify] nennen; ohne Angabe ist es der, dessen Toleranz die Ziele am wenigsten bewegt
 
 set-up-origin = { $origin ->
         [unit] `unit` des Exports

@@ -70,6 +70,8 @@ sheet-too-large = Blatt `{ $sheet }` hat eine Zelle in Spalte { $column }, Zeile
     .expected = höchstens { $columns } Spalten und { $rows } Zeilen
     .hint = die Zelle löschen oder die Tabelle in ein eigenes Blatt kopieren
 
+state-column-or-pose = `columns = {"{"} pose = "{ $heading }" {"}"}` mit ihrer Überschrift angeben (Option --column), oder `pose = "row"`, wenn die Nummer der Zeile die der Pose ist (Option --pose)
+state-column-or-target = `columns = {"{"} target = "{ $heading }" {"}"}` mit ihrer Überschrift angeben (Option --column), oder `target = "NAME"`, wenn alle Zeilen von einem Ziel sind (Option --target)
 workbook-too-large = die entpackte Arbeitsmappe ist größer als { $most_mib } MiB
     .hint = das Blatt allein oder als Text speichern
 

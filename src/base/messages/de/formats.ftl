@@ -96,7 +96,7 @@ expression-malformed = der Ausdruck `{ $expression }` kann nicht gelesen werden:
     }
     .expected = Überschriften, `$3` für die dritte Spalte und Zahlen, dazwischen + - * / und Klammern
 
-column-unknown = unbekannte Spalte `{ $column }`
+column-unknown = es gibt keine Spalte `{ $column }`
 
 table-failed = die Tabelle kann nicht gebildet werden: { $reason }
 
@@ -501,3 +501,24 @@ payload-invalid = `{ $column }` { $value ->
     }
     .expected = eine Masse in kg von mindestens 0, oder eine Länge in mm
     .hint = 0 angeben, wo der Roboter nichts trägt
+
+torque-column-missing = `torque` der Roboterdatei nennt das Gelenk `{ $joint }`, und die Spalte `{ $column }` fehlt
+    .hint = die Spalte ergänzen, oder das Gelenk aus `torque` der Roboterdatei entfernen
+
+torque-invalid = `{ $column }` { $value ->
+        [missing] fehlt
+       *[other] ist { $value }
+    }
+    .expected = ein Drehmoment in N·m
+    .hint = die Zelle korrigieren, oder die Zeile ausschließen
+
+temperature-column-missing = `drift` oder `expansion` der Roboterdatei braucht die Spalte `{ $column }`
+    .expected = die Temperatur des Roboters in °C
+    .hint = die Spalte ergänzen, oder `drift` und `expansion` aus der Roboterdatei entfernen
+
+temperature-invalid = `{ $column }` { $value ->
+        [missing] fehlt
+       *[other] ist { $value }
+    }
+    .expected = eine Temperatur in °C über dem absoluten Nullpunkt
+    .hint = die Zelle korrigieren, oder die Zeile ausschließen

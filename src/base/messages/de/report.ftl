@@ -51,6 +51,7 @@ at-tool-point = Am Werkzeugpunkt: { $count ->
     }
 attached-accuracy = Abweichungen vorher und nachher
 attached-campaign = Angaben der Kampagne
+attached-cell = Koordinatensysteme der Zelle
 attached-certificate = Digitaler Kalibrierschein (DCC), Entwurf
 attached-changes = Änderungen zwischen Kampagnen
 attached-characteristics = Kenngrößen nach ISO 9283
@@ -138,7 +139,52 @@ candidates-and-chosen-positions = Kandidaten und gewählte Positionen
 candidates-and-configurations = { $candidates }, { $configurations } Konfigurationen
 candidates-chosen = { $chosen } von { $candidates } Kandidaten sind gewählt. Die Größe einer Marke zeigt, wie viele Konfigurationen sie erreichen.
 candidates-drawn = { $candidates } von { $draws } Ziehungen; ausgelassen: { $limits } außerhalb der Grenzen, { $region } außerhalb des Quaders, { $sight } abgewandt
+candidates-hidden = { $count } verdeckt durch { $obstacle }
 cause-column = Ursache
+cell-controller-lines = Zeilen für { $maker }
+cell-controller-written = Ausgabe von `--controller { $maker }`; dieselben Zahlen wie in den Tabellen.
+cell-frames = Koordinatensysteme und Punkte
+cell-frames-note = U: erweiterte Messunsicherheit (k = 2) jeder Koordinate und einer kleinen Drehung um x, y und z des Bezugssystems.
+cell-head-frame = Koordinatensystem
+cell-head-length = Länge
+cell-head-measure = Größe
+cell-measure-orientation = Orientierung
+cell-measure-position = Position
+cell-motion-by-value = Bewegung je Achswert
+cell-residuals-note = Gemessen minus berechnet; Orientierungen als Drehvektor. p: Wahrscheinlichkeit eines mindestens so großen Residuums durch Rauschen.
+cell-residuals-title = Residuen der Messwerte
+cell-step-choose = Die Zeilen für die Steuerung ausgeben: den Befehl mit `--controller NAME` wiederholen.
+cell-step-choose-reason = `etalon cell --help` nennt die Steuerungen; jede hat eigene Einheiten und eine eigene Reihenfolge der Winkel.
+cell-step-load = Die Zeilen für { $maker } laden.
+cell-step-load-reason = Vor der Produktion einen Messwert prüfen, der nicht in der Tabelle steht.
+cell-step-measure = Mehr Messwerte aufnehmen.
+cell-step-measure-reason = Die Messwerte haben keine Redundanz: nichts prüft das Ergebnis.
+cell-step-messages = Zuerst die Warnungen klären.
+cell-step-messages-reason = Jede Warnung sagt, worauf sie sich auswirkt.
+cell-subtitle = Roboterzelle, { $readings ->
+        [one] ein Messwert
+       *[other] { $readings } Messwerte
+    }
+cell-title = { $solve ->
+        [tool-point] Werkzeugmittelpunkt
+        [tool-reflector] Reflektor am Werkzeug
+        [tool-axes] Werkzeug-Koordinatensystem
+        [hand-eye] Hand und Auge
+        [object] Werkstück-Koordinatensystem
+        [three-points] Werkstück-Koordinatensystem aus drei Punkten
+        [linear-axis] Linearachse
+       *[rotary-axis] Drehachse
+    }
+cell-verdict-axis = Maßstab { $scale } ± { $u } (k = 2)
+cell-verdict-known = { $frame }: U = { $um } µm für jede Koordinate{ $turned ->
+        [no] {""}
+       *[yes] {" "}und { $deg } deg um jede Achse
+    } (k = 2)
+cell-verdict-unknown = { $frame }: die Messunsicherheit ist unbekannt
+cell-verdict-warnings = { $count ->
+        [one] eine Warnung schränkt das Ergebnis ein
+       *[other] { $count } Warnungen schränken das Ergebnis ein
+    }
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
 change = Änderung
 change-by-u = Änderung / u
@@ -365,6 +411,7 @@ draws-without-model-both = Die Ziehungen erfassen nur die angegebenen Unsicherhe
 draws-without-model-report = Die Ziehungen erfassen nur die angegebenen Unsicherheiten. Die Standardunsicherheiten des Berichts erfassen auch den Modellfehler.
 drift = Drift
 drift-title = Drift der Pose-Genauigkeit und der Pose-Wiederholgenauigkeit
+drift-with-temperature = Drift der Nullpunkte mit der Temperatur
 effect = Effekt
 effect-at-worst-pose = Verschiebung an der empfindlichsten Pose ({ $unit })
 effect-tooltip = { $name }: { $value } ± { $half } { $unit } an Pose { $pose }
@@ -437,6 +484,7 @@ example-label = Beispiel:
 exchangeability = Austauschbarkeit
 exchangeability-between-robots = Austauschbarkeit E = { $distance } µm: größter Abstand zwischen den mittleren Positionen zweier Roboter an derselben Pose (ISO 9283:1998, 7.7).
 expanded-of = U ({ $figure })
+expansion-with-temperature = Ausdehnung mit der Temperatur
 expected = erwartet
 expected-from-the-points = aus den Punkten erwartet
 expected-label = erwartet:
@@ -599,6 +647,7 @@ largest-mean-deviation-from-linear = größte mittlere Linearitätsabweichung
 largest-of-all-modes = größte aller Arbeitsmodi
 largest-residual-of-a-coordinate = größtes Residuum einer Koordinate
 last-cycle = letzter Zyklus
+lateral-bending = Kippung der Gelenke quer zu ihren Achsen
 leads = Spindelsteigungen
 left = verbleibend
 left-out-rms = ausgelassene Posen, RMS
@@ -787,6 +836,10 @@ off-the-line = Abstand von der Geraden
 one-after-the-other = nacheinander
 one-scale = gemeinsame Skala
 operator = Prüfer
+operator-sheet = Blatt für die Messung
+operator-sheet-before = Vor der ersten Pose
+operator-sheet-note = Gelenkwerte sind die der Steuerung (deg, mm). Jede Pose abhaken, sobald ihre Punkte unter ihrer Bezeichnung gespeichert sind.
+operator-sheet-poses = Posen in der Reihenfolge der Messung
 order-of-poses = { $poses } ({ $percent } % der Gelenkbewegung in der Reihenfolge ihrer Namen)
 order-of-the-measurement = Reihenfolge der Messung
 orientation = Orientierung
@@ -840,6 +893,7 @@ path-repeatability-rt = Bahnwiederholgenauigkeit RT
 path-repeatability-title = Bahnwiederholgenauigkeit RT
 path-velocity = Bahngeschwindigkeit
 payload-bending = Biegung unter der Nutzlast
+pedestal-bending = Kippung der Basis unter dem Arm
 percent-of-rated = { $percent } % der Nenngeschwindigkeit
 permissible = Fehlergrenze
 permissible-over-certificate = Fehlergrenze / Unsicherheit des Kalibrierscheins
@@ -1099,14 +1153,20 @@ share-of-set = Anteil der Gruppe (%)
 shared-risk = Annahme mit geteiltem Risiko (JCGM 106:2012, 8.2.1)
 shared-risk-explained = bestanden, wenn der Wert den Grenzwert einhält; unentschieden, wenn U ein Viertel des Grenzwerts übersteigt
 sheet-all-together = Alle zusammen
+sheet-approach = Anfahrt von
+sheet-approach-above = { $joint } von oben
+sheet-approach-below = { $joint } von unten
 sheet-between-series = Zwischen Reihen
 sheet-budget-of-errors = Abweichungsbudget
+sheet-cell-frames = Koordinatensysteme
+sheet-cell-residuals = Residuen der Zelle
 sheet-controller-values = Steuerungswerte
 sheet-corners = Ecken
 sheet-correlation = Korrelation
 sheet-covariance = Kovarianz
 sheet-distributions = Verteilungen
 sheet-distributions-of-errors = Verteilungen der Abweichungen
+sheet-done = erledigt
 sheet-errors = Abweichungen
 sheet-frames = Koordinatensysteme
 sheet-geometry-balls = Geometrie, Kugeln
@@ -1119,6 +1179,7 @@ sheet-geometry-scale-bars = Geometrie, Maßstäbe
 sheet-geometry-workspace = Geometrie, Arbeitsraum
 sheet-influence-of-poses = Einfluss der Posen
 sheet-inputs = Eingaben
+sheet-instrument-at = Messgerät bei (mm, Basis des Roboters)
 sheet-iso9283-approaches = ISO 9283 Anfahrten
 sheet-iso9283-compliance = ISO 9283 Nachgiebigkeit
 sheet-iso9283-distances = ISO 9283 Abstände
@@ -1128,17 +1189,24 @@ sheet-iso9283-reference-targets = ISO 9283 Referenzziele
 sheet-iso9283-robot = ISO 9283 Roboter
 sheet-iso9283-variation = ISO 9283 Streuung
 sheet-iso9283-visits = ISO 9283 Besuche
+sheet-label = Bezeichnung
 sheet-messages = Meldungen
 sheet-moved-values = Veränderte Werte
 sheet-not-a-number = keine Zahl
 sheet-not-controlled = Nicht kontrolliert
+sheet-number = Nr.
+sheet-operator-date = Datum, Bediener
 sheet-packages = Pakete
 sheet-parameter-effects = Wirkung der Parameter
 sheet-path = Bahn
 sheet-posing = Posieren
 sheet-predicted-errors = Vorhergesagte Abweichungen
+sheet-program = Programm
+sheet-program-value = { $file } ({ $language })
 sheet-proven-effects = Nachgewiesene Effekte
 sheet-reference-data = Referenzdaten
+sheet-reflector-at = Reflektor { $name } bei (mm, Flansch)
+sheet-reflector-axis = { $at }; Achse { $axis }, höchstens { $angle }° vom Messgerät
 sheet-refused-rows = Abgelehnte Zeilen
 sheet-relative-accuracy = Relative Genauigkeit
 sheet-requirements = Anforderungen
@@ -1151,14 +1219,24 @@ sheet-singular-values = Singulärwerte
 sheet-slips = Absichtliche Fehler
 sheet-stabilisation = Stabilisierung
 sheet-standstills = Stillstände
+sheet-step = Schritt
+sheet-step-frame = Punkte des Weltkoordinatensystems und der Referenzmarken gemessen; sie werden nach der letzten Pose wieder gemessen.
+sheet-step-instrument = Messgerät warm, nivelliert und nach Vorgabe des Herstellers geprüft; seine Position stimmt mit der obigen überein.
+sheet-step-reflectors = Reflektoren an ihren Plätzen, fest und sauber.
+sheet-step-slow = Alle Posen einmal langsam angefahren: keine Kollision, Kabel und Sichtlinie frei.
+sheet-step-zero = Gelenkwerte der ersten Pose in der Anzeige der Steuerung stimmen mit diesem Blatt überein.
 sheet-streams = Datenströme
 sheet-study-parameters = Studie, Parameter
 sheet-study-positions = Studie, Positionen
 sheet-summary = Zusammenfassung
+sheet-temperature = Lufttemperatur zu Beginn und am Ende (°C)
 sheet-tests = Prüfungen
 sheet-tool-point = Werkzeugpunkt
 sheet-trends-of-residuals = Trends der Residuen
 sheet-values = Werte
+sheet-wait = Wartezeit an jeder Pose
+sheet-wait-seconds = { $seconds } s
+sheet-wait-trigger = { $seconds } s; Ausgang { $output } ist in der zweiten Hälfte eingeschaltet
 sheet-without-partner = Ohne Partner
 should-know = Zur Kenntnis
 show = Anzeigen
@@ -1275,6 +1353,7 @@ tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
 tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
 tool-point-headline = Werkzeugpunkt, RMS: nominal → erwartet
+torque-bending = Biegung unter den Drehmomenten der Gelenke
 traceability = Rückführbarkeit
 trend = Trend
 trend-description = Eine Marke je Kampagne mit ihrem 95-%-Intervall; Rauten: signifikante Änderung.

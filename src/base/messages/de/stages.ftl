@@ -905,8 +905,34 @@ common-scale = { $parameters } sind alle etwa das { FIXED($factor, 5) }-Fache de
 compliance-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk biegt sich entgegen der Schwerkraft
     .hint = `gravity` und die Richtung der Gelenkachse in robot.toml prüfen
 
+load-columns-slip = die angegebenen Massenmittelpunkte widersprechen den Messungen ({ FIXED($over_u, 1) } Standardunsicherheiten); { $count ->
+        [one] eine Änderung erklärt sie: { $changes }
+       *[other] jede dieser Änderungen erklärt sie: { $changes }
+    }
+    .hint = die Spalten der Last mit ihrem Datenblatt vergleichen: Achsen des Flansches, Vorzeichen, Einheit
+
+load-change-exchanged = `{ $first }` und `{ $second }` sind vertauscht
+
+load-change-sign = `{ $column }` hat das andere Vorzeichen
+
+load-change-unit = der Massenmittelpunkt ist in { $unit }
+
 backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk eilt seinem Antrieb voraus, was kein Umkehrspiel erklärt
     .hint = das Vorzeichen der Anfahrrichtungen prüfen (+1 bei steigendem Gelenkwert, -1 bei fallendem), und ob die Zeiten des Protokolls zu derselben Bewegung gehören
+
+torque-constant = das Drehmoment des Gelenks `{ $joint }` ist in allen Kalibriermesswerten { FIXED($value, 3) } N·m (`{ $column }`): es ist vom Nullpunkt des Gelenks nicht zu unterscheiden, und die Nachgiebigkeit dieses Gelenks wird festgehalten
+
+torque-signs-differ = unter ihren Drehmomenten sind { $positive } positiv und { $negative } negativ: einige Gelenke geben im Drehsinn des angegebenen Drehmoments nach, andere entgegen
+    .hint = Vorzeichen und Reihenfolge der Spalten der Drehmomente prüfen
+
+torques-exchanged = die Messwerte sind mit vertauschten Spalten `{ $first }` und `{ $second }` erklärt, und nicht wie angegeben
+    .hint = prüfen, zu welchem Gelenk jede Spalte der Drehmomente gehört
+
+temperature-constant = die Temperatur ist in allen Kalibriermesswerten { FIXED($value, 1) } °C: Ausdehnung und Drift sind nicht bestimmbar und werden festgehalten; Längen und Nullpunkte gelten bei dieser Temperatur
+
+temperature-questioned = die Temperaturen der Kalibriermesswerte sind { FIXED($low, 1) } bis { FIXED($high, 1) } °C, außerhalb von { $least } bis { $most } °C
+
+temperature-units = die Einheit prüfen: als °F gelesen sind es { FIXED($from_fahrenheit, 1) } bis { FIXED($to_fahrenheit, 1) } °C, als K gelesen { FIXED($from_kelvin, 1) } bis { FIXED($to_kelvin, 1) } °C
 
 ball-names-exchanged = `{ $parameter }`, der Abstand von K und L, ist { FIXED($value, 3) } { $unit }: K und L sind vertauscht
     .hint = die Namen der beiden Zielmarken in den Bezeichnungen des Exports vertauschen
@@ -1137,8 +1163,37 @@ cell-roles-mixed = Punkte zweier Regeln sind gemischt
 cell-axis-missing = der Tabelle fehlen die Werte der Achse
     .hint = die Spalte nennen: `--column { $column }=KOPF`
 
-cell-no-controller-data = aus `{ $solve }` folgt weder Werkzeug noch Werkstück-Koordinatensystem
-    .hint = die Zahlen dem Text oder `--json` entnehmen
+cell-no-controller-data = `{ $maker }` hat keine Daten für das Ergebnis von `{ $solve }`
+    .hint = die Zahlen dem Text oder `--json` entnehmen, oder ein anderes Format wählen
+
+cell-second-axis-missing = `{ $maker }` braucht zwei Drehachsen: eine längs { $axis } der Maschine, eine längs z
+    .hint = das Ergebnis der anderen Achse mit `--with DATEI` angeben (JSON von `etalon cell --solve rotary-axis`)
+
+cell-axis-direction = eine Drehachse liegt { FIXED($angle_deg, 2) } deg neben der Achse { $axis } der Maschine, um die `{ $maker }` dreht
+    .hint = in den Koordinaten der Maschine messen, oder die Kinematik der Maschine wählen
+
+cell-axis-sense = { $sense ->
+        [opposite] die Achse längs { $axis } und die Achse längs z drehen in entgegengesetztem Sinn; `{ $maker }` hat einen Sinn für beide
+        [positive] die Achse dreht um positives { $axis }; `{ $maker }` dreht um negatives { $axis }
+       *[negative] die Achsen drehen um negatives { $axis } und z; `{ $maker }` dreht um positive
+    }
+    .hint = das Vorzeichen der Achse in ihrer Konfiguration umkehren und erneut messen
+
+cell-tool-length-missing = `{ $maker }` braucht die Länge des Werkzeugs, an dessen Ende die erste Zielmarke ist
+    .hint = `--tool-length-mm` angeben, 0 für eine Zielmarke an der Bezugsebene der Spindel
+
+cell-pivot-above = die erste Zielmarke liegt bei null { FIXED($along_mm, 3) } mm unter der Achse, das Werkzeug ist { FIXED($tool_mm, 3) } mm lang
+    .hint = die Länge des Werkzeugs prüfen, und dass z der Maschine die Spindel hinauf zeigt
+
+cell-machine-number = `MACHINE_DEF[{ $number }]` ist keine externe Kinematik
+    .expected = 2 bis 7
+    .hint = `--number` angeben
+
+cell-loads-replaced = der Eintrag von Werkzeug { $number } hat Masse und Schwerpunkt null: Lastdaten sind nicht identifiziert
+    .hint = die Zeile des Koordinatensystems in die eigene Datei kopieren, oder die Zeilen der Last ergänzen
+
+cell-axis-tilted = die Achse längs { $axis } ist um { FIXED($angle_deg, 4) } deg geneigt, und `{ $maker }` kennt keine Neigung: { FIXED($left_um, 1) } um in 100 mm Abstand von der Achse
+    .hint = die Achse ausrichten, oder diese Abweichung hinnehmen
 
 cell-slip = die Messwerte widersprechen sich um { FIXED($stated_mm, 3) } mm (Standardabweichung); { $count ->
         [one] eine Änderung lässt { FIXED($left_mm, 4) } mm: { $changes }

@@ -331,6 +331,13 @@ bending-in-branches = `bending` of joint `{ $joint }` is not modelled: several b
 payload-in-branches = `payload` of joint `{ $joint }` is not modelled: the robot has several branches
     .hint = remove `payload`, or describe the branch alone with `tool_link`
 
+# Means: `lateral` or `pedestal` is stated for a robot with several branches.
+# Matters: The masses of all branches bend the common joints and the base, and a row states one payload.
+# Do: Remove the key, or describe the branch alone with `tool_link`.
+# Example: `pedestal = true` of a robot with two hands
+elastic-in-branches = `{ $key }` is not modelled: the robot has several branches
+    .hint = remove `{ $key }`, or describe the branch alone with `tool_link`
+
 # Means: `coupling` names a joint that moves a joint of another branch.
 # Matters: A coupling is modelled along one chain.
 # Do: Remove the pair.

@@ -582,7 +582,7 @@ test-point-unreached = point { $point } of the list `{ $list }` is not reached: 
 # Do: Widen the constraint that excludes most draws; check its unit (mm, deg), its frame (base of the robot) and its signs.
 # Example: `--box z=0.2:0.5` in metres
 no-candidate-generated = none of { $draws } draws is a candidate: { $counts }
-    .hint = widen what excludes most: limits and `--range` (deg, mm), `--box` (mm, base of the robot), `--reflector` and `--instrument`
+    .hint = widen what excludes most: limits and `--range` (deg, mm), `--box` (mm, base of the robot), `--reflector`, `--instrument`, `--obstacle` and `--link`
 
 # Means: Hardly any draw obeys limits, box and line of sight: the search ended before the number of candidates was reached.
 # Matters: The plan chooses among fewer candidates.
@@ -650,6 +650,42 @@ sight-incomplete = { $missing ->
         [axis] state the axis in the flange and the acceptance half-angle: `--reflector A=X,Y,Z,I,J,K,ANGLE`
        *[other] state its position in the base: `--instrument X,Y,Z`
     }
+
+# Means: Two options state the same obstacle.
+# Matters: Hidden candidates could not be attributed to one of them.
+# Do: Give each obstacle its own name.
+# Example: two options `--obstacle column=...`
+obstacle-twice = obstacle { $name } is stated twice
+    .hint = give each obstacle its own name
+
+# Means: The instrument is inside a body that blocks its view.
+# Matters: No reflector could be seen.
+# Do: Check position and size of the body, and the position of the instrument (mm, base of the robot).
+# Example: `--instrument 500,0,0 --obstacle table=box:1000,1000,800,500,0,0`
+instrument-inside-obstacle = the instrument is inside obstacle { $name }
+    .hint = check both (mm, base of the robot)
+
+# Means: A reflector is inside the capsule of the link that carries it.
+# Matters: The link would hide it at every pose.
+# Do: State a smaller radius, or the ends of the link, or check the position of the reflector.
+# Example: `--link q6=60 --reflector A=0,0,10`
+reflector-inside-link = reflector { $reflector } is inside the link of joint { $joint }, which carries it
+    .hint = state a smaller radius or the ends of the link: `--link { $joint }=RADIUS,X,Y,Z,X,Y,Z`
+
+# Means: A link is stated by a joint that the robot does not have.
+# Matters: The link would block no view.
+# Do: Name the joint that moves the link.
+# Example: `--link elbow=60`
+link-joint-unknown = the robot has no joint { $joint }
+
+# Means: Links are stated for a robot that is no single chain of joints.
+# Matters: The links would block no view.
+# Do: Omit `--link`; state bodies that do not move as `--obstacle`.
+# Example: `--link q1=60` for a delta
+links-unsuited = a robot of model `{ $model }` is not a single chain of joints: links cannot be stated
+    .hint = omit `--link`; state bodies that do not move as `--obstacle`
+
+draws-hidden = { $count } with a reflector hidden by { $obstacle }
 
 # Means: `--box` names an axis that the positions of the robot lack.
 # Matters: The box would be ignored.

@@ -384,7 +384,7 @@ controller-template-failed = the template cannot be filled: { $reason }
 # Do: Use an ending of the language, or state it.
 # Example: `--program measure.txt`
 measuring-language-unknown = the language of { $file } is unknown
-    .expected = .mod (RAPID), .src (KRL) or .script (URScript), or `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .jbi (INFORM) or .ngc (G-code), or `--language`
 
 # Means: The language moves arms with six revolute axes, perhaps on prismatic external axes; this robot has other joints.
 # Matters: It is unknown which axis of the controller a joint is.
@@ -402,4 +402,28 @@ measuring-joints-unsuited = a program in { $language } moves six revolute axes{ 
 # Example: a joint with gain 0.01
 measuring-motor-values = the values of joint { $joint } are those of its motor (gain { $gain }), which a program does not command
     .hint = write the poses with `--poses FILE`, and convert them to joint values
+
+# Means: The output of the trigger is none of the language.
+# Matters: The program would not load, or would set another output.
+# Do: State the signal (RAPID) or the number of the output as the controller has it.
+# Example: `--program measure.src --trigger probe`
+measuring-output-unsuited = `{ $output }` is not a digital output of { $language }
+    .expected = { $language ->
+        [rapid] the name of a signal
+       *[other] a number from { $first } to { $last }
+    }
+
+# Means: The language moves axes by letters, and an option has to state which letters.
+# Matters: The letter of a joint is a setting of the controller, which is never guessed.
+# Do: State one letter for each joint, in the order of the robot file.
+# Example: `--program measure.ngc` without `--axes`
+measuring-axes-missing = a program in { $language } needs the letter of each of { $joints } axes
+    .hint = state them in the order of the joints: `--axes LETTERS` (of XYZABCUVW)
+
+# Means: The language commands pulses of the motors.
+# Matters: Pulses per degree are parameters of the controller, with a sign of their own, and are never guessed.
+# Do: State one number for each joint, in the order of the robot file.
+# Example: `--program measure.jbi` without `--pulses`
+measuring-pulses-missing = a job in { $language } needs the pulses per deg or mm of each of { $joints } joints
+    .hint = state them in the order of the joints: `--pulses P1,P2,...`
 

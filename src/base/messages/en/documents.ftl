@@ -122,7 +122,7 @@ zone-proved-locally = the minimum zone is proved to be the narrowest only among 
 zone-unproved = it was not proved that no other { $element } has a narrower zone
     .hint = measure more of the surface: the element is hardly visible in the scatter of the points
 
-hold-another = to hold another parameter of such a group, name it under `hold` in [identify]; by default the last of the group in the model is held
+hold-another = to hold another parameter of the group, name it under `hold` in [identify]; by default the parameter whose tolerance moves the targets least is held
 
 set-up-origin = { $origin ->
         [unit] `unit` of the export

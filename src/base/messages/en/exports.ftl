@@ -114,6 +114,8 @@ sheet-too-large = sheet `{ $sheet }` has a cell in column { $column }, row { $ro
     .expected = at most { $columns } columns and { $rows } rows
     .hint = delete the cell, or copy the table to a sheet of its own
 
+state-column-or-pose = state `columns = {"{"} pose = "{ $heading }" {"}"}` with its heading (option --column), or `pose = "row"` if the number of the row is the number of the pose (option --pose)
+state-column-or-target = state `columns = {"{"} target = "{ $heading }" {"}"}` with its heading (option --column), or `target = "NAME"` if all rows are of one target (option --target)
 # Means: The unpacked workbook exceeds the maximum size.
 # Matters: It would exhaust the memory; a table of measurements is smaller.
 # Do: Save the sheet alone, or as text.

@@ -179,7 +179,7 @@ expression-malformed = cannot read the expression `{ $expression }`: { $fault ->
 # Matters: The values of the column are needed.
 # Do: Write the name as in the header of the file.
 # Example: `columns = { rho3_mm = "RP33" }` for a header with RP1, RP2 and RP3
-column-unknown = unknown column `{ $column }`
+column-unknown = there is no column `{ $column }`
 
 # Means: A table could not be built or written.
 # Matters: The command cannot continue.
@@ -939,3 +939,42 @@ payload-invalid = `{ $column }` is { $value ->
     }
     .expected = a mass in kg of at least 0, or a length in mm
     .hint = state 0 where the robot carries nothing
+
+# Means: `torque` in robot.toml names a joint that bends in proportion to its torque, and the
+# table lacks the column of this torque.
+# Matters: Without the torque the deflection of the joint is unknown.
+# Do: Add the column, or remove the joint from `torque`.
+# Example: `torque = [2, 3]` and a table without `tau3_nm`
+torque-column-missing = `torque` of the robot file names joint `{ $joint }`, and the column `{ $column }` is missing
+    .hint = add the column, or remove the joint from `torque` in the robot file
+
+# Means: A cell of a torque is empty or infinite.
+# Matters: The deflection of the joint in this row is unknown.
+# Do: Correct the cell, or exclude the row.
+# Example: an empty cell in the column `tau2_nm`
+torque-invalid = `{ $column }` is { $value ->
+        [missing] missing
+       *[other] { $value }
+    }
+    .expected = a torque in N·m
+    .hint = correct the cell, or exclude the row
+
+# Means: `drift` or `expansion` in robot.toml follows from the temperature of the robot, and the
+# table lacks its column.
+# Matters: Without the temperature the change of zeros and lengths is unknown.
+# Do: Add the column, or remove the two keys.
+# Example: `expansion = true` and a table without `temperature_c`
+temperature-column-missing = `drift` or `expansion` of the robot file needs the column `{ $column }`
+    .expected = the temperature of the robot in °C
+    .hint = add the column, or remove `drift` and `expansion` from the robot file
+
+# Means: A cell of the temperature is empty, infinite, or below absolute zero.
+# Matters: The change of zeros and lengths in this row is unknown.
+# Do: Correct the cell, or exclude the row.
+# Example: -999 in the column `temperature_c`
+temperature-invalid = `{ $column }` is { $value ->
+        [missing] missing
+       *[other] { $value }
+    }
+    .expected = a temperature in °C, above absolute zero
+    .hint = correct the cell, or exclude the row

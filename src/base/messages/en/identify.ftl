@@ -239,7 +239,7 @@ residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the inst
 # Predicted positions are unaffected.
 # Do: Nothing. To hold another parameter of a group, name it under `hold`.
 # Example: the zero of the first joint and the rotation of the base
-parameters-fixed-by-frames = { $count } parameters are not separately identifiable from base and targets, and are held at their nominal values: { $parameters }
+parameters-fixed-by-frames = the data cannot separate { $count } parameters from base and targets; they are held at their nominal values: { $parameters }
 
 # Means: No observation depends on a parameter.
 # Matters: It is held at its nominal value.

@@ -45,6 +45,7 @@ at-rt-diamonds = Diamonds: largest AT and largest RT, with their intervals. The 
 at-tool-point = At the tool point: { $count } poses
 attached-accuracy = Errors before and after
 attached-campaign = Statements of the campaign
+attached-cell = Frames of the cell
 attached-certificate = Digital calibration certificate (DCC), draft
 attached-changes = Changes between campaigns
 attached-characteristics = Characteristics of ISO 9283
@@ -129,7 +130,52 @@ candidates-and-chosen-positions = Candidates and chosen positions
 candidates-and-configurations = { $candidates }, { $configurations } configurations
 candidates-chosen = { $chosen } of { $candidates } candidates are chosen. The size of a mark shows the number of configurations that reach it.
 candidates-drawn = { $candidates } of { $draws } draws; left out: { $limits } beyond limits, { $region } outside the box, { $sight } facing away
+candidates-hidden = { $count } hidden by { $obstacle }
 cause-column = Cause
+cell-controller-lines = Lines for { $maker }
+cell-controller-written = Printed by `--controller { $maker }`; the same numbers as in the tables.
+cell-frames = Frames and points
+cell-frames-note = U: expanded uncertainty (k = 2) of each coordinate, and of a small rotation about x, y and z of the reference frame.
+cell-head-frame = frame
+cell-head-length = length
+cell-head-measure = quantity
+cell-measure-orientation = orientation
+cell-measure-position = position
+cell-motion-by-value = motion by axis value
+cell-residuals-note = Measured minus predicted; orientations as rotation vector. p: probability of a residual at least as large by noise.
+cell-residuals-title = Residuals of the readings
+cell-step-choose = Print the lines for the controller: repeat the command with `--controller NAME`.
+cell-step-choose-reason = `etalon cell --help` lists the controllers; each has its own units and order of angles.
+cell-step-load = Load the lines for { $maker }.
+cell-step-load-reason = Before production, check a reading that is not in the table.
+cell-step-measure = Measure more readings.
+cell-step-measure-reason = Readings have no redundancy: nothing checks the answer.
+cell-step-messages = Clear the warnings first.
+cell-step-messages-reason = Each warning says what it affects.
+cell-subtitle = Robot cell, { $readings ->
+        [one] one reading
+       *[other] { $readings } readings
+    }
+cell-title = { $solve ->
+        [tool-point] Tool centre point
+        [tool-reflector] Reflector on the tool
+        [tool-axes] Tool frame
+        [hand-eye] Hand and eye
+        [object] Work object
+        [three-points] Work object by three points
+        [linear-axis] Linear axis
+       *[rotary-axis] Rotary axis
+    }
+cell-verdict-axis = scale { $scale } ± { $u } (k = 2)
+cell-verdict-known = { $frame }: U = { $um } µm for each coordinate{ $turned ->
+        [no] {""}
+       *[yes] {" "}and { $deg } deg about each axis
+    } (k = 2)
+cell-verdict-unknown = { $frame }: the uncertainty is unknown
+cell-verdict-warnings = { $count ->
+        [one] one warning limits the answer
+       *[other] { $count } warnings limit the answer
+    }
 certificate-reproduction = This document shall be reproduced only in full.
 change = change
 change-by-u = change/u
@@ -344,6 +390,7 @@ draws-without-model-both = The draws cover the stated uncertainties only. The re
 draws-without-model-report = The draws cover the stated uncertainties only. The report's standard uncertainties also cover the model error.
 drift = Drift
 drift-title = Drift of accuracy and repeatability
+drift-with-temperature = drift of the zeros with the temperature
 effect = effect
 effect-at-worst-pose = displacement at the worst pose ({ $unit })
 effect-tooltip = { $name }: { $value } ± { $half } { $unit } at pose { $pose }
@@ -410,6 +457,7 @@ example-label = example:
 exchangeability = Exchangeability
 exchangeability-between-robots = Exchangeability E = { $distance } µm: largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).
 expanded-of = U of { $figure }
+expansion-with-temperature = expansion with the temperature
 expected = expected
 expected-from-the-points = expected from the points
 expected-label = expected:
@@ -569,6 +617,7 @@ largest-mean-deviation-from-linear = largest mean deviation from linearity
 largest-of-all-modes = largest of all working modes
 largest-residual-of-a-coordinate = largest residual of a coordinate
 last-cycle = last cycle
+lateral-bending = tilt of the joints across their axes
 leads = Leads
 left = remaining
 left-out-rms = left out, RMS
@@ -751,6 +800,10 @@ off-the-line = distance from the line
 one-after-the-other = one after the other
 one-scale = common scale
 operator = operator
+operator-sheet = Operator’s sheet
+operator-sheet-before = Before the first pose
+operator-sheet-note = Joint values are those of the controller (deg, mm). Tick each pose once its points are stored under its label.
+operator-sheet-poses = Poses in the order of measurement
 order-of-poses = { $poses } ({ $percent } % of the joint motion in the order of their names)
 order-of-the-measurement = order of measurement
 orientation = orientation
@@ -798,6 +851,7 @@ path-repeatability-rt = path repeatability RT
 path-repeatability-title = Path repeatability RT
 path-velocity = path velocity
 payload-bending = bending under the payload
+pedestal-bending = tilt of the base under the arm
 percent-of-rated = { $percent } % of the rated velocity
 permissible = permissible
 permissible-over-certificate = permissible / certificate uncertainty
@@ -1033,14 +1087,20 @@ share-of-set = share of the set (%)
 shared-risk = shared risk (JCGM 106:2012, 8.2.1)
 shared-risk-explained = pass if the value is within the limit; undecided if U exceeds a quarter of the limit
 sheet-all-together = All together
+sheet-approach = approach from
+sheet-approach-above = { $joint } above
+sheet-approach-below = { $joint } below
 sheet-between-series = Between series
 sheet-budget-of-errors = Budget of errors
+sheet-cell-frames = Frames
+sheet-cell-residuals = Cell residuals
 sheet-controller-values = Controller values
 sheet-corners = Corners
 sheet-correlation = Correlation
 sheet-covariance = Covariance
 sheet-distributions = Distributions
 sheet-distributions-of-errors = Distributions of errors
+sheet-done = done
 sheet-errors = Errors
 sheet-frames = Frames
 sheet-geometry-balls = Geometry, balls
@@ -1053,6 +1113,7 @@ sheet-geometry-scale-bars = Geometry, scale bars
 sheet-geometry-workspace = Geometry, workspace
 sheet-influence-of-poses = Influence of poses
 sheet-inputs = Inputs
+sheet-instrument-at = instrument at (mm, base of the robot)
 sheet-iso9283-approaches = ISO 9283 approaches
 sheet-iso9283-compliance = ISO 9283 compliance
 sheet-iso9283-distances = ISO 9283 distances
@@ -1062,17 +1123,24 @@ sheet-iso9283-reference-targets = ISO 9283 reference targets
 sheet-iso9283-robot = ISO 9283 robot
 sheet-iso9283-variation = ISO 9283 variation
 sheet-iso9283-visits = ISO 9283 visits
+sheet-label = label
 sheet-messages = Messages
 sheet-moved-values = Moved values
 sheet-not-a-number = not a number
 sheet-not-controlled = Not controlled
+sheet-number = no.
+sheet-operator-date = date, operator
 sheet-packages = Packages
 sheet-parameter-effects = Parameter effects
 sheet-path = Path
 sheet-posing = Posing
 sheet-predicted-errors = Predicted errors
+sheet-program = program
+sheet-program-value = { $file } ({ $language })
 sheet-proven-effects = Proven effects
 sheet-reference-data = Reference data
+sheet-reflector-at = reflector { $name } at (mm, flange)
+sheet-reflector-axis = { $at }; axis { $axis }, within { $angle }° of the instrument
 sheet-refused-rows = Refused rows
 sheet-relative-accuracy = Relative accuracy
 sheet-requirements = Requirements
@@ -1085,14 +1153,24 @@ sheet-singular-values = Singular values
 sheet-slips = Slips
 sheet-stabilisation = Stabilisation
 sheet-standstills = Standstills
+sheet-step = step
+sheet-step-frame = Points of the world frame and of the reference targets measured; they are measured again after the last pose.
+sheet-step-instrument = Instrument warmed up, levelled and checked as its maker demands; its position agrees with the one above.
+sheet-step-reflectors = Reflectors at their places, tight, and clean.
+sheet-step-slow = All poses once at low speed: collisions, cables and line of sight are free.
+sheet-step-zero = Joint values of the first pose on the display of the controller agree with this sheet.
 sheet-streams = Streams
 sheet-study-parameters = Study, parameters
 sheet-study-positions = Study, positions
 sheet-summary = Summary
+sheet-temperature = air temperature at start and end (°C)
 sheet-tests = Tests
 sheet-tool-point = Tool point
 sheet-trends-of-residuals = Trends of residuals
 sheet-values = Values
+sheet-wait = waiting time at each pose
+sheet-wait-seconds = { $seconds } s
+sheet-wait-trigger = { $seconds } s; output { $output } is on during the second half
 sheet-without-partner = Without partner
 should-know = Should know
 show = Show
@@ -1209,6 +1287,7 @@ tolerance = tolerance
 tool-error-definition = { $error }; nominal minus identified: difference between the positions predicted by the two parameter sets; expected: magnitude (k = 1) from the covariance of the parameters, the tolerance of parameters that the data cannot determine, the model error beyond the instrument's uncertainty, and the position of the point on the tool; the target errors exclude parameters that shift targets and tool alike
 tool-point-expected = Expected error, RMS (k = 1): parameters { $parameters } µm; parameters that the data cannot determine (tolerance) { $undetermined } µm; model error { $model } µm; position of the point on the tool { $point } µm. Largest expanded uncertainty of a pose (k = 2): { $largest } µm.
 tool-point-headline = tool point, RMS: nominal → expected
+torque-bending = bending under the torques of the joints
 traceability = traceability
 trend = trend
 trend-description = One mark per campaign with its 95 % interval; diamonds: significant change.

@@ -1833,6 +1833,22 @@ common-scale = { $parameters } are all about { FIXED($factor, 5) } times nominal
 compliance-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit }): the joint bends against gravity
     .hint = check `gravity` and the direction of the joint’s axis in robot.toml
 
+# Means: The bending under the stated loads contradicts the measurements, and one change of the stated centre of mass explains them.
+# Matters: The compliance is wrong, and errors under load remain.
+# Do: Compare the columns of the load with the data sheet of the load: axes of the flange, signs, unit.
+# Example: `load_x_mm` and `load_z_mm` exchanged
+load-columns-slip = the stated centres of mass contradict the measurements ({ FIXED($over_u, 1) } standard uncertainties); { $count ->
+        [one] one change explains them: { $changes }
+       *[other] each of these changes explains them: { $changes }
+    }
+    .hint = compare the columns of the load with its data sheet: axes of the flange, signs, unit
+
+load-change-exchanged = `{ $first }` and `{ $second }` are exchanged
+
+load-change-sign = `{ $column }` has the other sign
+
+load-change-unit = the centre of mass is in { $unit }
+
 # Means: The identified backlash of a joint is negative, by more than three standard uncertainties.
 # Matters: A joint cannot be ahead of its drive: the directions of approach have the wrong sign, or
 # belong to another motion.
@@ -1840,6 +1856,47 @@ compliance-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit
 # Example: direction -1 stated where the joint value increased
 backlash-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit }): the joint is ahead of its drive, which no backlash explains
     .hint = check the sign of the directions of approach (+1 if the joint value increased, -1 if it decreased), and that the times of the log belong to the same motion
+
+# Means: The stated torque of a joint has the same value in all calibration readings.
+# Matters: A constant torque deflects the joint by a constant angle, which is a part of its zero; the
+# compliance of the joint cannot be determined and is held.
+# Do: Nothing, if the joint carries no load, such as the vertical first axis of a standing robot.
+# Otherwise measure other poses or other loads, or check the column.
+# Example: `torque = [1, 2, 3]` of a standing robot, whose first axis carries no torque
+torque-constant = the torque of joint `{ $joint }` is { FIXED($value, 3) } N·m in all calibration readings (`{ $column }`): it cannot be told from the zero of the joint, and the compliance of this joint is held
+
+# Means: The compliances of joints under their torques have different signs, each by more than three
+# standard uncertainties.
+# Matters: All joints yield in the same manner: against the torques of the drives, or with those of
+# the load. Different signs show that torques have different signs, or belong to other joints.
+# Do: Check the sign and the order of the columns of torques.
+# Example: `tau3_nm` of the drive beside `tau2_nm` of the load
+torque-signs-differ = under their torques, { $positive } are positive and { $negative } negative: some joints yield with the stated torque, others against it
+    .hint = check the sign and the order of the columns of torques
+
+# Means: With the torques of two joints exchanged, the residuals agree with the uncertainty of the
+# instrument; as stated, they do not.
+# Matters: Torques of another joint do not describe the deflection.
+# Do: Check which joint each column belongs to.
+# Example: the columns `tau2_nm` and `tau3_nm` exchanged
+torques-exchanged = the readings are explained with `{ $first }` and `{ $second }` exchanged, and not as stated
+    .hint = check which joint each column of torques belongs to
+
+# Means: All calibration readings state the same temperature of the robot.
+# Matters: The change of lengths and zeros with the temperature cannot be determined; the parameters
+# hold at the stated temperature alone.
+# Do: Measure the cold and the warm robot, or remove `drift` and `expansion` from robot.toml.
+# Example: 20.0 in each cell of `temperature_c`
+temperature-constant = the temperature is { FIXED($value, 1) } °C in all calibration readings: expansion and drift cannot be determined and are held; lengths and zeros are those at this temperature
+
+# Means: The stated temperatures of the robot are not those of a workshop.
+# Matters: In another unit, expansion and drift are those of another difference, and lengths and zeros
+# refer to another temperature than the stated one. The values are used as they are.
+# Do: Check the unit of the column `temperature_c`. A robot in a cold store is no reason to act.
+# Example: 68 to 86, which are degrees Fahrenheit
+temperature-questioned = the temperatures of the calibration readings are { FIXED($low, 1) } to { FIXED($high, 1) } °C, outside { $least } to { $most } °C
+
+temperature-units = check the unit: read as °F they are { FIXED($from_fahrenheit, 1) } to { FIXED($to_fahrenheit, 1) } °C, read as K { FIXED($from_kelvin, 1) } to { FIXED($to_kelvin, 1) } °C
 
 # Means: The identified distance of the balls K and L has the opposite sign of its nominal value.
 # Matters: Each ball was measured under the name of the other.
@@ -2280,12 +2337,73 @@ cell-roles-mixed = points of two rules are mixed
 cell-axis-missing = the table lacks the values of the axis
     .hint = name the column: `--column { $column }=HEADING`
 
-# Means: Controllers have no data of this form for the answer.
+# Means: The data of this controller have no place for the answer.
 # Matters: Nothing is written.
-# Do: Take the numbers from the text or `--json`.
+# Do: Take the numbers from the text or `--json`, or choose another format: docs/cell.md lists what each one holds.
 # Example: `--solve linear-axis --controller kuka`
-cell-no-controller-data = no tool or work object follows from `{ $solve }`
-    .hint = take the numbers from the text or `--json`
+cell-no-controller-data = `{ $maker }` has no data for the answer of `{ $solve }`
+    .hint = take the numbers from the text or `--json`, or choose another format
+
+# Means: The kinematics need two rotary axes of one machine, and the answer has one.
+# Matters: One axis does not determine the place of the other.
+# Do: Measure the other axis, write its answer with `--json` to a file, and state the file.
+# Example: `--controller xyzac-trt-kins` with the axis A alone
+cell-second-axis-missing = `{ $maker }` needs two rotary axes: one along { $axis } of the machine, one along z
+    .hint = state the answer of the other axis with `--with FILE` (JSON of `etalon cell --solve rotary-axis`)
+
+# Means: A rotary axis is not along the axis of the machine about which the kinematics turn.
+# Matters: The machine has other kinematics, or the points are in another frame.
+# Do: Measure in the coordinates of the machine, and choose the kinematics of the machine.
+# Example: an axis B for `xyzac-trt-kins`
+cell-axis-direction = a rotary axis is { FIXED($angle_deg, 2) } deg from the axis { $axis } of the machine, about which `{ $maker }` turns
+    .hint = measure in the coordinates of the machine, or choose the kinematics of the machine
+
+# Means: The rotary axes turn in a sense that the kinematics do not have.
+# Matters: Tool and part would move apart.
+# Do: Reverse the sign of the axis in its configuration, and measure again.
+# Example: an axis A of positive and an axis C of negative sense for `xyzac-trt-kins`
+cell-axis-sense = { $sense ->
+        [opposite] the axis along { $axis } and the axis along z turn in opposite senses; `{ $maker }` has one sense for both
+        [positive] the axis turns about positive { $axis }; `{ $maker }` turns about negative { $axis }
+       *[negative] the axes turn about negative { $axis } and z; `{ $maker }` turns about positive ones
+    }
+    .hint = reverse the sign of the axis in its configuration, and measure again
+
+# Means: The pivot length reaches from the tilting axis to the gauge line, and the measured target is at the end of a tool.
+# Matters: The length of this tool is part of the measured distance.
+# Do: State the length of the tool, 0 for a target at the gauge line.
+# Example: `--controller maxkins` without `--tool-length-mm`
+cell-tool-length-missing = `{ $maker }` needs the length of the tool at whose end the first target is
+    .hint = state `--tool-length-mm`, 0 for a target at the gauge line
+
+# Means: The tool is longer than the distance from the pivot to its end.
+# Matters: The pivot would be below the gauge line of the spindle.
+# Do: Check the length of the tool, and that the first target is below the pivot at B = 0.
+# Example: `--tool-length-mm 900` with a target 250 mm below the axis
+cell-pivot-above = the first target is { FIXED($along_mm, 3) } mm below the axis at zero, the tool is { FIXED($tool_mm, 3) } mm long
+    .hint = check the length of the tool, and that z of the machine points up the spindle
+
+# Means: Number 1 is the robot itself, and external kinematics are numbers 2 to 7.
+# Matters: The definition of the robot would be overwritten.
+# Do: State the number of the external kinematic.
+# Example: `--solve rotary-axis --controller kuka --number 1`
+cell-machine-number = `MACHINE_DEF[{ $number }]` is no external kinematic
+    .expected = 2 to 7
+    .hint = state `--number`
+
+# Means: The entry of the tool file has lines for load data, and load data are not identified.
+# Matters: Loading the file as it is replaces mass and centre of gravity by zero.
+# Do: Copy the line of the frame into your own file, or complete the lines of the load.
+# Example: `--controller yaskawa`
+cell-loads-replaced = the entry of tool { $number } has zero mass and centre of gravity: load data are not identified
+    .hint = copy the line of the frame into your own file, or complete the lines of the load
+
+# Means: A rotary axis is tilted against the axis of the machine, and the kinematics have no tilt.
+# Matters: The error of a point grows with its distance from the axis.
+# Do: Align the axis, or accept the stated error.
+# Example: an axis C that leans by 0.05 deg
+cell-axis-tilted = the axis along { $axis } is tilted by { FIXED($angle_deg, 4) } deg, and `{ $maker }` has no tilt: { FIXED($left_um, 1) } um at 100 mm from the axis
+    .hint = align the axis, or accept this error
 
 # Means: Readings that contradict each other agree after a change of the input.
 # Matters: The frame would be wrong.

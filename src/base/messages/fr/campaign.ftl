@@ -146,6 +146,9 @@ bending-in-branches = `bending` de l’articulation `{ $joint }` n’est pas mod
 payload-in-branches = `payload` de l’articulation `{ $joint }` n’est pas modélisé : le robot a plusieurs branches
     .hint = supprimer `payload`, ou décrire la branche seule par `tool_link`
 
+elastic-in-branches = `{ $key }` n’est pas modélisé : le robot a plusieurs branches
+    .hint = supprimer `{ $key }`, ou décrire la branche seule avec `tool_link`
+
 coupling-across-branches = l’articulation `{ $by }` ne déplace pas la branche `{ $link }`, dans laquelle `{ $joint }` lui est couplée
     .hint = supprimer la paire de `coupling` : les deux articulations doivent se trouver sur le chemin vers chaque membre
 

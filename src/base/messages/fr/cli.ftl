@@ -274,7 +274,7 @@ test-point-unreached = le point { $point } de la liste `{ $list }` n’est pas a
     .hint = déplacer ou réduire l’espace de travail (--workspace-mm), ou indiquer une autre orientation (--orientation-deg)
 
 no-candidate-generated = aucun des { $draws } tirages n’est une candidate : { $counts }
-    .hint = élargir ce qui exclut le plus : limites et `--range` (deg, mm), `--box` (mm, base du robot), `--reflector` et `--instrument`
+    .hint = élargir ce qui exclut le plus : limites et `--range` (deg, mm), `--box` (mm, base du robot), `--reflector`, `--instrument`, `--obstacle` et `--link`
 
 few-candidates-generated = { $found } candidates sur { $wanted } en { $draws } tirages : { $counts }
     .hint = élargir ce qui exclut le plus : limites et `--range` (deg, mm), `--box` (mm, base du robot), `--reflector` et `--instrument`
@@ -310,6 +310,22 @@ sight-incomplete = { $missing ->
         [axis] indiquer l’axe dans la bride et le demi-angle d’acceptation : `--reflector A=X,Y,Z,I,J,K,ANGLE`
        *[other] indiquer sa position dans la base : `--instrument X,Y,Z`
     }
+
+obstacle-twice = l’obstacle { $name } est indiqué deux fois
+    .hint = donner à chaque obstacle son propre nom
+
+instrument-inside-obstacle = l’instrument est à l’intérieur de l’obstacle { $name }
+    .hint = vérifier les deux (mm, base du robot)
+
+reflector-inside-link = le réflecteur { $reflector } est à l’intérieur du corps de l’articulation { $joint }, qui le porte
+    .hint = indiquer un rayon plus petit ou les extrémités du corps : `--link { $joint }=RAYON,X,Y,Z,X,Y,Z`
+
+link-joint-unknown = le robot n’a pas d’articulation { $joint }
+
+links-unsuited = un robot du modèle `{ $model }` n’est pas une chaîne simple d’articulations : ses corps ne peuvent pas être indiqués
+    .hint = omettre `--link` ; indiquer les corps fixes par `--obstacle`
+
+draws-hidden = { $count } avec un réflecteur caché par { $obstacle }
 
 box-axis-unknown = `--box` : les cibles de ce robot n’ont pas d’axe `{ $name }`
     .expected = { $dimension ->

@@ -188,7 +188,7 @@ controller-template-failed = le gabarit ne peut pas être rempli : { $reason }
     .hint = corriger cette ligne
 
 measuring-language-unknown = le langage de { $file } est inconnu
-    .expected = .mod (RAPID), .src (KRL) ou .script (URScript), ou `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .jbi (INFORM) ou .ngc (G-code), ou `--language`
 
 measuring-joints-unsuited = un programme en { $language } déplace six axes rotoïdes{ $external ->
         [0] { "" }
@@ -198,4 +198,16 @@ measuring-joints-unsuited = un programme en { $language } déplace six axes roto
 
 measuring-motor-values = les valeurs de l’articulation { $joint } sont celles de son moteur (gain { $gain }), qu’un programme ne commande pas
     .hint = écrire les poses par `--poses FICHIER`, et les convertir en valeurs articulaires
+
+measuring-output-unsuited = `{ $output }` n’est pas une sortie numérique de { $language }
+    .expected = { $language ->
+        [rapid] le nom d’un signal
+       *[other] un nombre de { $first } à { $last }
+    }
+
+measuring-axes-missing = un programme en { $language } demande la lettre de chacun des { $joints } axes
+    .hint = les indiquer dans l’ordre des articulations : `--axes LETTRES` (parmi XYZABCUVW)
+
+measuring-pulses-missing = un programme en { $language } demande les impulsions par deg ou mm de chacune des { $joints } articulations
+    .hint = les indiquer dans l’ordre des articulations : `--pulses P1,P2,...`
 

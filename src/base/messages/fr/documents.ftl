@@ -63,7 +63,7 @@ zone-proved-locally = il est prouvé seulement que la zone minimale est la plus 
 zone-unproved = il n’est pas prouvé qu’aucun autre élément { $element } n’ait une zone plus étroite
     .hint = mesurer une plus grande partie de la surface : des points aussi dispersés caractérisent mal l’élément
 
-hold-another = pour fixer un autre paramètre d’un tel groupe, l’indiquer sous `hold` dans [identify] ; par défaut, c’est le dernier du modèle
+hold-another = pour fixer un autre paramètre du groupe, l’indiquer sous `hold` dans [identify] ; par défaut, c’est celui dont la tolérance déplace le moins les cibles
 
 set-up-origin = { $origin ->
         [unit] `unit` de l’export

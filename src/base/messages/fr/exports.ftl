@@ -70,6 +70,8 @@ sheet-too-large = la feuille `{ $sheet }` a une cellule en colonne { $column }, 
     .expected = au plus { $columns } colonnes et { $rows } lignes
     .hint = supprimer la cellule ou copier le tableau dans une feuille à part
 
+state-column-or-pose = indiquer `columns = {"{"} pose = "{ $heading }" {"}"}` avec son en-tête (option --column), ou `pose = "row"` si le numéro de la ligne est celui de la pose (option --pose)
+state-column-or-target = indiquer `columns = {"{"} target = "{ $heading }" {"}"}` avec son en-tête (option --column), ou `target = "NAME"` si toutes les lignes sont d’une seule cible (option --target)
 workbook-too-large = le classeur décompressé dépasse { $most_mib } Mio
     .hint = enregistrer la feuille seule, ou l’enregistrer en texte
 

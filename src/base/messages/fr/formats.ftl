@@ -96,7 +96,7 @@ expression-malformed = impossible de lire l’expression `{ $expression }` : { 
     }
     .expected = des en-têtes, `$3` pour la troisième colonne et des nombres, avec + - * / et des parenthèses
 
-column-unknown = colonne inconnue `{ $column }`
+column-unknown = il n’y a pas de colonne `{ $column }`
 
 table-failed = impossible de construire le tableau : { $reason }
 
@@ -501,3 +501,24 @@ payload-invalid = `{ $column }` { $value ->
     }
     .expected = une masse en kg d’au moins 0, ou une longueur en mm
     .hint = indiquer 0 lorsque le robot ne porte rien
+
+torque-column-missing = `torque` du fichier du robot nomme l’articulation `{ $joint }`, et la colonne `{ $column }` manque
+    .hint = ajouter la colonne, ou retirer l’articulation de `torque` dans le fichier du robot
+
+torque-invalid = `{ $column }` { $value ->
+        [missing] manque
+       *[other] vaut { $value }
+    }
+    .expected = un couple en N·m
+    .hint = corriger la cellule, ou exclure la ligne
+
+temperature-column-missing = `drift` ou `expansion` du fichier du robot exige la colonne `{ $column }`
+    .expected = la température du robot en °C
+    .hint = ajouter la colonne, ou retirer `drift` et `expansion` du fichier du robot
+
+temperature-invalid = `{ $column }` { $value ->
+        [missing] manque
+       *[other] vaut { $value }
+    }
+    .expected = une température en °C, au-dessus du zéro absolu
+    .hint = corriger la cellule, ou exclure la ligne

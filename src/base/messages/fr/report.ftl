@@ -54,6 +54,7 @@ at-tool-point = Au point de l’outil : { $count ->
     }
 attached-accuracy = Erreurs avant et après
 attached-campaign = Indications de la campagne
+attached-cell = Référentiels de la cellule
 attached-certificate = Certificat d’étalonnage numérique (DCC), projet
 attached-changes = Changements entre les campagnes
 attached-characteristics = Caractéristiques de l’ISO 9283
@@ -141,7 +142,52 @@ candidates-and-chosen-positions = Candidates et positions choisies
 candidates-and-configurations = { $candidates }, { $configurations } configurations
 candidates-chosen = { $chosen } candidates sur { $candidates } sont choisies. La taille d’une marque indique le nombre de configurations qui l’atteignent.
 candidates-drawn = { $candidates } sur { $draws } tirages ; écartées : { $limits } au-delà des limites, { $region } hors de la boîte, { $sight } tournées à l’opposé
+candidates-hidden = { $count } cachées par { $obstacle }
 cause-column = Cause
+cell-controller-lines = Lignes pour { $maker }
+cell-controller-written = Sortie de `--controller { $maker }` ; les mêmes nombres que dans les tableaux.
+cell-frames = Référentiels et points
+cell-frames-note = U : incertitude élargie (k = 2) de chaque coordonnée, et d’une petite rotation autour de x, y et z du référentiel de base.
+cell-head-frame = référentiel
+cell-head-length = longueur
+cell-head-measure = grandeur
+cell-measure-orientation = orientation
+cell-measure-position = position
+cell-motion-by-value = mouvement par valeur de l’axe
+cell-residuals-note = Mesuré moins prédit ; orientations en vecteur de rotation. p : probabilité d’un résidu au moins aussi grand dû au bruit.
+cell-residuals-title = Résidus des lectures
+cell-step-choose = Afficher les lignes pour la commande du robot : répéter la commande avec `--controller NAME`.
+cell-step-choose-reason = `etalon cell --help` énumère les commandes de robots ; chacune a ses unités et son ordre des angles.
+cell-step-load = Charger les lignes pour { $maker }.
+cell-step-load-reason = Avant la production, vérifier une lecture qui n’est pas dans le tableau.
+cell-step-measure = Mesurer davantage de lectures.
+cell-step-measure-reason = Les lectures n’ont pas de redondance : rien ne vérifie le résultat.
+cell-step-messages = Traiter d’abord les avertissements.
+cell-step-messages-reason = Chaque avertissement dit ce qu’il affecte.
+cell-subtitle = Cellule de robot, { $readings ->
+        [one] une lecture
+       *[other] { $readings } lectures
+    }
+cell-title = { $solve ->
+        [tool-point] Centre d’outil
+        [tool-reflector] Réflecteur sur l’outil
+        [tool-axes] Référentiel d’outil
+        [hand-eye] Main et œil
+        [object] Objet de travail
+        [three-points] Objet de travail par trois points
+        [linear-axis] Axe linéaire
+       *[rotary-axis] Axe rotatif
+    }
+cell-verdict-axis = échelle { $scale } ± { $u } (k = 2)
+cell-verdict-known = { $frame } : U = { $um } µm pour chaque coordonnée{ $turned ->
+        [no] {""}
+       *[yes] {" "}et { $deg } deg autour de chaque axe
+    } (k = 2)
+cell-verdict-unknown = { $frame } : l’incertitude est inconnue
+cell-verdict-warnings = { $count ->
+        [one] un avertissement limite le résultat
+       *[other] { $count } avertissements limitent le résultat
+    }
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
 change = écart
 change-by-u = écart / u
@@ -368,6 +414,7 @@ draws-without-model-both = Les tirages ne couvrent que les incertitudes indiqué
 draws-without-model-report = Les tirages ne couvrent que les incertitudes indiquées. Les incertitudes-types du rapport couvrent aussi l’erreur du modèle.
 drift = Dérive
 drift-title = Dérive de l’exactitude et de la répétabilité de pose
+drift-with-temperature = dérive des zéros avec la température
 effect = effet
 effect-at-worst-pose = déplacement à la pose la plus sensible ({ $unit })
 effect-tooltip = { $name } : { $value } ± { $half } { $unit } à la pose { $pose }
@@ -440,6 +487,7 @@ example-label = exemple :
 exchangeability = Interchangeabilité
 exchangeability-between-robots = Interchangeabilité E = { $distance } µm : plus grande distance entre les positions moyennes de deux robots à une même pose (ISO 9283:1998, 7.7).
 expanded-of = U ({ $figure })
+expansion-with-temperature = dilatation avec la température
 expected = attendu
 expected-from-the-points = attendu d’après les points
 expected-label = attendu :
@@ -602,6 +650,7 @@ largest-mean-deviation-from-linear = plus grand écart moyen de linéarité
 largest-of-all-modes = la plus grande de tous les modes de travail
 largest-residual-of-a-coordinate = plus grand résidu d’une coordonnée
 last-cycle = dernier cycle
+lateral-bending = basculement des articulations en travers de leurs axes
 leads = Pas de vis
 left = restant
 left-out-rms = poses omises, RMS
@@ -790,6 +839,10 @@ off-the-line = écart à la droite
 one-after-the-other = l’une après l’autre
 one-scale = même échelle
 operator = opérateur
+operator-sheet = Fiche de l’opérateur
+operator-sheet-before = Avant la première pose
+operator-sheet-note = Les valeurs articulaires sont celles de la commande (deg, mm). Cocher chaque pose quand ses points sont enregistrés sous son étiquette.
+operator-sheet-poses = Poses dans l’ordre de mesure
 order-of-poses = { $poses } ({ $percent } % du mouvement des articulations dans l’ordre de leurs noms)
 order-of-the-measurement = ordre de mesure
 orientation = orientation
@@ -846,6 +899,7 @@ path-repeatability-rt = répétabilité de trajectoire RT
 path-repeatability-title = Répétabilité de trajectoire RT
 path-velocity = vitesse de trajectoire
 payload-bending = flexion sous la charge
+pedestal-bending = basculement de la base sous le bras
 percent-of-rated = { $percent } % de la vitesse assignée
 permissible = erreur maximale tolérée
 permissible-over-certificate = erreur maximale tolérée / incertitude du certificat
@@ -1105,14 +1159,20 @@ share-of-set = part de l’ensemble (%)
 shared-risk = acceptation à risque partagé (JCGM 106:2012, 8.2.1)
 shared-risk-explained = conforme si la valeur respecte la limite ; indécidé si U dépasse un quart de la limite
 sheet-all-together = Ensemble
+sheet-approach = approche depuis
+sheet-approach-above = { $joint } par le haut
+sheet-approach-below = { $joint } par le bas
 sheet-between-series = Entre séries
 sheet-budget-of-errors = Bilan des erreurs
+sheet-cell-frames = Référentiels
+sheet-cell-residuals = Résidus de la cellule
 sheet-controller-values = Valeurs de la commande
 sheet-corners = Angles
 sheet-correlation = Corrélation
 sheet-covariance = Covariance
 sheet-distributions = Distributions
 sheet-distributions-of-errors = Distributions des erreurs
+sheet-done = fait
 sheet-errors = Erreurs
 sheet-frames = Repères
 sheet-geometry-balls = Géométrie, billes
@@ -1125,6 +1185,7 @@ sheet-geometry-scale-bars = Géométrie, règles étalons
 sheet-geometry-workspace = Géométrie, espace de travail
 sheet-influence-of-poses = Influence des poses
 sheet-inputs = Entrées
+sheet-instrument-at = instrument en (mm, base du robot)
 sheet-iso9283-approaches = ISO 9283 approches
 sheet-iso9283-compliance = ISO 9283 souplesse
 sheet-iso9283-distances = ISO 9283 distances
@@ -1134,17 +1195,24 @@ sheet-iso9283-reference-targets = ISO 9283 cibles de référence
 sheet-iso9283-robot = ISO 9283 robot
 sheet-iso9283-variation = ISO 9283 variation
 sheet-iso9283-visits = ISO 9283 visites
+sheet-label = étiquette
 sheet-messages = Messages
 sheet-moved-values = Valeurs déplacées
 sheet-not-a-number = pas un nombre
 sheet-not-controlled = Non contrôlé
+sheet-number = n°
+sheet-operator-date = date, opérateur
 sheet-packages = Paquets
 sheet-parameter-effects = Effets des paramètres
 sheet-path = Trajectoire
 sheet-posing = Mise en pose
 sheet-predicted-errors = Erreurs prédites
+sheet-program = programme
+sheet-program-value = { $file } ({ $language })
 sheet-proven-effects = Effets prouvés
 sheet-reference-data = Données de référence
+sheet-reflector-at = réflecteur { $name } en (mm, bride)
+sheet-reflector-axis = { $at } ; axe { $axis }, à moins de { $angle }° de l’instrument
 sheet-refused-rows = Lignes rejetées
 sheet-relative-accuracy = Exactitude relative
 sheet-requirements = Exigences
@@ -1157,14 +1225,24 @@ sheet-singular-values = Valeurs singulières
 sheet-slips = Erreurs délibérées
 sheet-stabilisation = Stabilisation
 sheet-standstills = Arrêts
+sheet-step = étape
+sheet-step-frame = Points du référentiel atelier et des cibles de référence mesurés ; ils sont mesurés de nouveau après la dernière pose.
+sheet-step-instrument = Instrument en température, de niveau et vérifié selon son fabricant ; sa position est celle indiquée ci-dessus.
+sheet-step-reflectors = Réflecteurs en place, serrés et propres.
+sheet-step-slow = Toutes les poses une fois à petite vitesse : ni collision, ni câble tendu, ni visée coupée.
+sheet-step-zero = Les valeurs articulaires de la première pose affichées par la commande sont celles de cette fiche.
 sheet-streams = Flux
 sheet-study-parameters = Étude, paramètres
 sheet-study-positions = Étude, positions
 sheet-summary = Résumé
+sheet-temperature = température de l’air au début et à la fin (°C)
 sheet-tests = Essais
 sheet-tool-point = Point d’outil
 sheet-trends-of-residuals = Tendances des résidus
 sheet-values = Valeurs
+sheet-wait = attente à chaque pose
+sheet-wait-seconds = { $seconds } s
+sheet-wait-trigger = { $seconds } s ; la sortie { $output } est active pendant la seconde moitié
 sheet-without-partner = Sans correspondance
 should-know = À savoir
 show = Afficher
@@ -1281,6 +1359,7 @@ tolerance = tolérance
 tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d’après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l’erreur du modèle au-delà de l’incertitude de l’instrument et la position du point sur l’outil ; les erreurs des cibles excluent les paramètres qui déplacent cibles et outil de la même façon
 tool-point-expected = Erreur attendue, RMS (k = 1) : paramètres { $parameters } µm ; paramètres que les données ne peuvent pas déterminer (tolérance) { $undetermined } µm ; erreur du modèle { $model } µm ; position du point sur l’outil { $point } µm. Plus grande incertitude élargie d’une pose (k = 2) : { $largest } µm.
 tool-point-headline = point de l’outil, RMS : nominal → attendue
+torque-bending = flexion sous les couples des articulations
 traceability = traçabilité
 trend = tendance
 trend-description = Une marque par campagne avec son intervalle à 95 % ; losanges : changement significatif.

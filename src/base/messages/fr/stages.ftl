@@ -908,8 +908,34 @@ common-scale = { $parameters } valent tous environ { FIXED($factor, 5) } fois le
 compliance-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation fléchit en sens inverse de la pesanteur
     .hint = vérifier `gravity` et la direction de l’axe de l’articulation dans robot.toml
 
+load-columns-slip = les centres de masse indiqués contredisent les mesures ({ FIXED($over_u, 1) } incertitudes-types) ; { $count ->
+        [one] une modification les explique : { $changes }
+       *[other] chacune de ces modifications les explique : { $changes }
+    }
+    .hint = comparer les colonnes de la charge avec sa fiche technique : axes de la bride, signes, unité
+
+load-change-exchanged = `{ $first }` et `{ $second }` sont échangés
+
+load-change-sign = `{ $column }` a l’autre signe
+
+load-change-unit = le centre de masse est en { $unit }
+
 backlash-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation devance son entraînement, ce qu’aucun jeu n’explique
     .hint = vérifier le signe des sens d’approche (+1 par valeurs croissantes, -1 par valeurs décroissantes), et si les instants du journal sont ceux du même mouvement
+
+torque-constant = le couple de l’articulation `{ $joint }` vaut { FIXED($value, 3) } N·m dans toutes les lectures d’étalonnage (`{ $column }`) : il se confond avec le zéro de l’articulation, et la complaisance de cette articulation est fixée
+
+torque-signs-differ = sous leurs couples, { $positive } sont positifs et { $negative } négatifs : certaines articulations cèdent dans le sens du couple indiqué, d’autres en sens inverse
+    .hint = vérifier le signe et l’ordre des colonnes de couples
+
+torques-exchanged = les lectures s’expliquent avec `{ $first }` et `{ $second }` échangés, et non comme indiqué
+    .hint = vérifier à quelle articulation appartient chaque colonne de couples
+
+temperature-constant = la température vaut { FIXED($value, 1) } °C dans toutes les lectures d’étalonnage : dilatation et dérive sont indéterminables et fixées ; longueurs et zéros sont ceux de cette température
+
+temperature-questioned = les températures des lectures d’étalonnage vont de { FIXED($low, 1) } à { FIXED($high, 1) } °C, hors de { $least } à { $most } °C
+
+temperature-units = vérifier l’unité : lues en °F, elles vont de { FIXED($from_fahrenheit, 1) } à { FIXED($to_fahrenheit, 1) } °C, lues en K de { FIXED($from_kelvin, 1) } à { FIXED($to_kelvin, 1) } °C
 
 ball-names-exchanged = `{ $parameter }`, distance de K à L, vaut { FIXED($value, 3) } { $unit } : K et L sont interverties
     .hint = intervertir les noms des deux cibles dans les étiquettes de l’export
@@ -1139,8 +1165,37 @@ cell-roles-mixed = des points de deux règles sont mélangés
 cell-axis-missing = les valeurs de l’axe manquent dans la table
     .hint = nommer la colonne : `--column { $column }=TITRE`
 
-cell-no-controller-data = aucun outil ni objet de travail ne résulte de `{ $solve }`
-    .hint = prendre les nombres dans le texte ou dans `--json`
+cell-no-controller-data = `{ $maker }` n’a pas de données pour le résultat de `{ $solve }`
+    .hint = prendre les nombres dans le texte ou dans `--json`, ou choisir un autre format
+
+cell-second-axis-missing = `{ $maker }` a besoin de deux axes rotatifs : un le long de { $axis } de la machine, un le long de z
+    .hint = indiquer le résultat de l’autre axe par `--with FICHIER` (JSON de `etalon cell --solve rotary-axis`)
+
+cell-axis-direction = un axe rotatif est à { FIXED($angle_deg, 2) } deg de l’axe { $axis } de la machine, autour duquel tourne `{ $maker }`
+    .hint = mesurer dans les coordonnées de la machine, ou choisir la cinématique de la machine
+
+cell-axis-sense = { $sense ->
+        [opposite] l’axe le long de { $axis } et l’axe le long de z tournent en sens opposés ; `{ $maker }` a un seul sens pour les deux
+        [positive] l’axe tourne autour de { $axis } positif ; `{ $maker }` tourne autour de { $axis } négatif
+       *[negative] les axes tournent autour de { $axis } et z négatifs ; `{ $maker }` tourne autour des axes positifs
+    }
+    .hint = inverser le signe de l’axe dans sa configuration, et mesurer à nouveau
+
+cell-tool-length-missing = `{ $maker }` a besoin de la longueur de l’outil au bout duquel se trouve la première cible
+    .hint = indiquer `--tool-length-mm`, 0 pour une cible au plan de jauge
+
+cell-pivot-above = à zéro, la première cible est { FIXED($along_mm, 3) } mm sous l’axe, l’outil est long de { FIXED($tool_mm, 3) } mm
+    .hint = vérifier la longueur de l’outil, et que z de la machine monte le long de la broche
+
+cell-machine-number = `MACHINE_DEF[{ $number }]` n’est pas une cinématique externe
+    .expected = 2 à 7
+    .hint = indiquer `--number`
+
+cell-loads-replaced = l’entrée de l’outil { $number } a une masse et un centre de gravité nuls : les charges ne sont pas identifiées
+    .hint = copier la ligne du référentiel dans son propre fichier, ou compléter les lignes de la charge
+
+cell-axis-tilted = l’axe le long de { $axis } est incliné de { FIXED($angle_deg, 4) } deg, et `{ $maker }` ne connaît pas d’inclinaison : { FIXED($left_um, 1) } um à 100 mm de l’axe
+    .hint = aligner l’axe, ou accepter cette erreur
 
 cell-slip = les lectures se contredisent de { FIXED($stated_mm, 3) } mm (écart-type) ; { $count ->
         [one] un changement laisse { FIXED($left_mm, 4) } mm : { $changes }

@@ -1,0 +1,34 @@
+//! Tool file `TOOL.CND` (Yaskawa): name, X Y Z Rx Ry Rz in mm and deg with Rz(Rz) Ry(Ry) Rx(Rx),
+//! then centre of gravity, mass, moments of inertia, and a line of unknown meaning.
+//!
+//! The layout is that of backups of an SDA20D and of a GP88 (`docs/cell.md` has the addresses). The
+//! lines behind the frame are those of tools without load data there. The file has no comments.
+
+use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};
+use etalon_base::message::Result;
+use etalon_base::warning;
+
+/// Lines of a tool without load data.
+const WITHOUT_LOAD: &str = "0.000,0.000,0.000\n0.000\n0.000,0.000,0.000\n0.000,0,1\n";
+/// Maximum length of a name.
+const NAME: usize = 16;
+
+pub(super) struct Yaskawa;
+
+impl CellFormat for Yaskawa {
+    fn name(&self) -> &'static str {
+        "yaskawa"
+    }
+
+    fn parts(&self) -> &'static [CellPart] {
+        &[CellPart::Tool]
+    }
+
+    fn text(&self, data: &CellData) -> Result<CellText> {
+        let [x, y, z] = data.pose.translation_mm;
+        let [rx, ry, rz] = roll_pitch_yaw_deg(&data.pose);
+        let (n, name) = (data.number, identifier(&data.name, NAME));
+        let text = format!("//TOOL {n}\n///NAME {name}\n{x:.3},{y:.3},{z:.3},{rx:.4},{ry:.4},{rz:.4}\n{WITHOUT_LOAD}");
+        Ok(CellText { text, messages: vec![warning!("cell-loads-replaced", number = n)] })
+    }
+}

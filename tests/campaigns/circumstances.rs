@@ -1,0 +1,231 @@
+//! What each reading states: torques of joints, the temperature of the robot and loads as causes of its errors, accepted on poses left
+//! out of the identification (synthetic).
+
+use crate::support::samples::Ran;
+use crate::support::scratch::{Scratch, copy_sample, ends, etalon};
+use serde_json::Value;
+
+const TORQUE: &str = "torque-arm";
+const WARMING: &str = "warming-arm";
+const COMPLIANCES: [(&str, f64); 4] = [
+    ("compliance_2_torque", -0.12),
+    ("compliance_3_torque", -0.15),
+    ("compliance_4_torque", -0.4),
+    ("compliance_5_torque", -0.5),
+];
+const THERMAL: [(&str, f64); 7] = [
+    ("expansion", 0.0115),
+    ("drift_1", 0.006),
+    ("drift_2", -0.018),
+    ("drift_3", 0.012),
+    ("drift_4", 0.008),
+    ("drift_5", -0.01),
+    ("drift_6", 0.015),
+];
+
+const ELASTIC: &str = "elastic-arm";
+const TILTS: [(&str, f64); 6] = [
+    ("lateral_2_x", 0.1),
+    ("lateral_2_y", 0.08),
+    ("lateral_3_x", 0.09),
+    ("lateral_3_y", 0.11),
+    ("pedestal_x", 0.09),
+    ("pedestal_y", 0.13),
+];
+
+fn document(scratch: &Scratch, name: &str) -> Value {
+    Ran { name: String::new(), folder: scratch.path() }.document(name)
+}
+
+fn parameter(scratch: &Scratch, name: &str) -> Value {
+    let all = document(scratch, "parameters.json");
+    let found = all["parameters"].as_array().unwrap().iter().find(|p| p["name"] == name).cloned();
+    found.unwrap_or_else(|| panic!("{name}"))
+}
+
+fn value(scratch: &Scratch, name: &str) -> f64 {
+    parameter(scratch, name)["value"].as_f64().unwrap()
+}
+
+/// RMS position error of the validation poses after calibration, mm.
+fn rms_mm(scratch: &Scratch) -> f64 {
+    let accuracy = document(scratch, "accuracy.json");
+    accuracy["sets"].as_array().unwrap().last().unwrap()["errors"][0]["after"]["rms"].as_f64().unwrap()
+}
+
+/// `true` if an effect that is, or is not, identified is proven.
+fn is_proven(scratch: &Scratch, effect: &str, is_identified: bool) -> bool {
+    let accuracy = document(scratch, "accuracy.json");
+    let effects = accuracy["effects"].as_array().cloned().unwrap_or_default();
+    effects.iter().any(|e| e["effect"] == effect && e["is_identified"] == is_identified)
+}
+
+/// A sample with effects that are stated, which needs no cross-validation.
+fn stated(sample: &str, effects: &str) -> Scratch {
+    let scratch = copy_sample(sample);
+    let list = format!("effects = [\"zeros\", \"geometry\", {effects}]");
+    scratch.replace("campaign.toml", "effects = \"proven\"", &list);
+    scratch
+}
+
+/// Numbers of a column of the observations, changed.
+fn change(scratch: &Scratch, column: &str, of: impl Fn(f64) -> f64) {
+    let path = scratch.path().join("observations.csv");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let k = text.lines().next().unwrap().split(',').position(|name| name == column).unwrap();
+    let line = |(i, line): (usize, &str)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if i > 0 {
+            cells[k] = format!("{:.6}", of(cells[k].parse().unwrap()));
+        }
+        cells.join(",")
+    };
+    std::fs::write(&path, text.lines().enumerate().map(line).collect::<Vec<_>>().join("\n") + "\n").unwrap();
+}
+
+/// Effects that are identified by default.
+const USUAL: &str = "effects = \"usual\"";
+
+/// A sample made again with another seed and these identified effects, without the effects whose true values are `gone`.
+fn again(sample: &str, seed: u64, effects: &str, gone: &[(&str, f64)]) -> Scratch {
+    let scratch = copy_sample(sample);
+    scratch.replace("campaign.toml", "effects = \"proven\"", effects);
+    let made = match sample {
+        TORQUE => "seed = 451",
+        WARMING => "seed = 452",
+        _ => "seed = 453",
+    };
+    scratch.replace("truth.toml", made, &format!("seed = {seed}"));
+    for (name, value) in gone {
+        scratch.replace("truth.toml", &format!("{name} = {value}"), &format!("{name} = 0.0"));
+    }
+    ends(&scratch, "simulate", 0, &[]);
+    etalon(&scratch, "run");
+    scratch
+}
+
+/// Outside answers: the true values, which come back within three standard uncertainties, and what the noise leaves.
+fn comes_back(sample: &str, effects: &[&str], truth: &[(&str, f64)]) {
+    let scratch = copy_sample(sample);
+    ends(&scratch, "run", 0, &[]);
+    for effect in effects {
+        assert!(is_proven(&scratch, effect, true), "{effect}");
+    }
+    for (name, truth) in truth {
+        let found = parameter(&scratch, name);
+        let (value, u) = (found["value"].as_f64().unwrap(), found["standard_uncertainty"].as_f64().unwrap());
+        assert!((value - truth).abs() < 3.0 * u, "{name} {value} {u}");
+    }
+    // 20 µm a coordinate, and the parameters of 60 poses
+    assert!(rms_mm(&scratch) < 0.055, "{}", rms_mm(&scratch));
+}
+
+#[test]
+fn torques_by_reading_are_identified_where_left_out_poses_prove_them() {
+    comes_back(TORQUE, &["torque"], &COMPLIANCES);
+}
+
+#[test]
+fn drift_and_expansion_are_identified_where_left_out_poses_prove_them() {
+    comes_back(WARMING, &["expansion", "drift"], &THERMAL);
+}
+
+#[test]
+fn tilts_across_axes_and_of_the_base_are_identified_where_left_out_poses_prove_them() {
+    comes_back(ELASTIC, &["lateral", "pedestal"], &TILTS);
+}
+
+#[test]
+fn tilts_are_proven_where_the_robot_yields_and_nowhere_else() {
+    // each beside the other, which is identified
+    for (effect, beside) in [("lateral", "pedestal"), ("pedestal", "lateral")] {
+        let effects = format!("effects = [\"zeros\", \"geometry\", \"payload\", \"{beside}\"]");
+        for seed in 1..=3 {
+            assert!(is_proven(&again(ELASTIC, seed, &effects, &[]), effect, false), "{effect}, seed {seed}");
+            let stiff = again(ELASTIC, seed, &effects, &TILTS);
+            assert!(!is_proven(&stiff, effect, false), "{effect}, seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn torques_are_proven_where_joints_bend_and_nowhere_else() {
+    for seed in 1..=4 {
+        assert!(is_proven(&again(TORQUE, seed, USUAL, &[]), "torque", false), "seed {seed}");
+        assert!(!is_proven(&again(TORQUE, seed, USUAL, &COMPLIANCES), "torque", false), "seed {seed}");
+    }
+}
+
+#[test]
+fn temperatures_are_proven_where_the_robot_moves_with_them_and_nowhere_else() {
+    for seed in 1..=4 {
+        let warm = again(WARMING, seed, USUAL, &[]);
+        assert!(is_proven(&warm, "drift", false), "seed {seed}");
+        let constant = again(WARMING, seed, USUAL, &THERMAL);
+        assert!(!is_proven(&constant, "drift", false) && !is_proven(&constant, "expansion", false), "seed {seed}");
+    }
+}
+
+/// The data decide the product of torque and compliance alone: signs and units of all torques change the compliances, not the errors.
+#[test]
+fn signs_and_units_of_all_torques_change_the_compliances_alone() {
+    let scratch = stated(TORQUE, "\"torque\"");
+    ends(&scratch, "run", 0, &[]);
+    let (rms, compliance) = (rms_mm(&scratch), value(&scratch, "compliance_2_torque"));
+    for factor in [-1.0, 1000.0] {
+        let other = stated(TORQUE, "\"torque\"");
+        (1..=6).for_each(|j| change(&other, &format!("tau{j}_nm"), |v| factor * v));
+        etalon(&other, "run");
+        let found = value(&other, "compliance_2_torque") * factor;
+        assert!((found / compliance - 1.0).abs() < 0.1, "{factor}: {found} {compliance}");
+        assert!((rms_mm(&other) / rms - 1.0).abs() < 0.1, "{factor}");
+    }
+    // one joint alone yields the other way
+    change(&scratch, "tau3_nm", |v| -v);
+    ends(&scratch, "run", 0, &["torque-signs-differ"]);
+    assert!((rms_mm(&scratch) / rms - 1.0).abs() < 0.01);
+}
+
+#[test]
+fn exchanged_columns_of_torques_are_named() {
+    let scratch = stated(TORQUE, "\"torque\"");
+    scratch.replace("observations.csv", "tau2_nm,tau3_nm", "tau3_nm,tau2_nm");
+    let (_, said) = etalon(&scratch, "run");
+    assert!(said.contains("torques-exchanged") && said.contains("tau2_nm") && said.contains("tau3_nm"), "{said}");
+}
+
+/// A standing robot has no torque on its first axis, nor on the last under a load on its axis: that is no fault of the data.
+#[test]
+fn torques_that_do_not_vary_are_held_by_name() {
+    let scratch = stated(TORQUE, "\"torque\"");
+    scratch.replace("truth.toml", "friction_nm = 0.05", "friction_nm = 0.0");
+    ends(&scratch, "simulate", 0, &[]);
+    ends(&scratch, "run", 0, &["torque-constant"]);
+    for name in ["compliance_1_torque", "compliance_6_torque"] {
+        assert_eq!(parameter(&scratch, name)["status"], "fixed", "{name}");
+    }
+    let rms = rms_mm(&scratch);
+    // a constant torque is a part of the zero
+    change(&scratch, "tau1_nm", |_| 12.5);
+    ends(&scratch, "run", 0, &["torque-constant"]);
+    assert!((rms_mm(&scratch) / rms - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn temperatures_in_other_units_are_questioned_and_constant_ones_held() {
+    let scratch = stated(WARMING, "\"drift\", \"expansion\"");
+    ends(&scratch, "run", 0, &[]);
+    let drift = value(&scratch, "drift_2");
+    for (factor, offset) in [(1.8, 32.0), (1.0, 273.15)] {
+        let other = stated(WARMING, "\"drift\", \"expansion\"");
+        change(&other, "temperature_c", |t| factor * t + offset);
+        let (_, said) = etalon(&other, "run");
+        assert!(said.contains("temperature-questioned"), "{said}");
+        // the values are used as they are
+        assert!((value(&other, "drift_2") * factor / drift - 1.0).abs() < 0.15);
+    }
+    change(&scratch, "temperature_c", |_| 20.0);
+    let (_, said) = etalon(&scratch, "run");
+    assert!(said.contains("temperature-constant"), "{said}");
+    assert_eq!(parameter(&scratch, "drift_2")["status"], "fixed");
+}
