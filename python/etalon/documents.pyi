@@ -107,14 +107,14 @@ class AxesRobot(Record):
     convention: str
     """Convention of the robot file: `poe`, `dh` or `mdh`."""
     covariance: list[list[float]]
-    """Covariance of the parameters that the axes determine, in their order and units; empty in `poe`."""
+    """Covariance of the parameters that the axes determine, in their order and units."""
     flange_quaternion: list[float]
     """Orientation of the flange at joint values zero in the base: unit quaternion w, x, y, z."""
     flange_xyz_mm: list[float]
     """Position of the flange at joint values zero in the base."""
     parameters: list[AxesParameter]
-    """Parameters that the axes determine, then those that a convention fixes (base on the first axis, flange on the
-    last), in `dh` and `mdh`; empty in `poe`.
+    """Parameters that the axes determine, then those that a convention fixes: base on the first axes, flange of `dh`
+    and `mdh` on the last.
     """
     robot_toml: str
     """Text of robot.toml."""
@@ -1097,6 +1097,8 @@ class GeneratedCandidates(Record):
     """Draws with a reflector that faces away from the instrument."""
     instrument_mm: list[float] | None
     """Position of the instrument in the base of the robot."""
+    obstacles: list[PlannedObstacle]
+    """Bodies in the way of the instrument, with the draws that each hides first."""
     outside_box: int
     """Draws with a target outside the box."""
     ranges: Record
@@ -1973,6 +1975,17 @@ class PlacedApart(Record):
     target, r = 1 − 1/n.
     """
 
+class PlannedObstacle(Record):
+    """A body in the way of the instrument."""
+    hidden: int
+    """Draws in which the body hides a reflector, and no earlier one in the list does."""
+    is_link: bool
+    """`true` if the body is a link of the arm, which moves with the joint of this name."""
+    name: str
+    """Name; that of its joint for a link."""
+    stated: str
+    """Shape and size (mm), as stated."""
+
 class PlannedParameter(Record):
     """One parameter and its predicted uncertainty."""
     confounded_with: list[str]
@@ -1992,6 +2005,17 @@ class PlannedPose(Record):
     """Joint values of each configuration, by column."""
     pose: int | str
     """Number of the pose in the candidates."""
+
+class PlannedProgram(Record):
+    """A program that drives to the chosen poses."""
+    dwell_s: float
+    """Waiting time at each pose."""
+    file: str
+    """Name of the file."""
+    language: str
+    """Language."""
+    trigger: str | None
+    """Digital output that is on during the second half of the waiting time, if stated."""
 
 class PlannedReflector(Record):
     """A reflector on the flange."""
@@ -3383,6 +3407,8 @@ class PlanDocument(Document):
     """Parameters, with their predicted uncertainties from the chosen poses."""
     places: list[CandidatePlace]
     """Positions of the candidates (thesis, fig. 4.7)."""
+    program: PlannedProgram | None
+    """Measuring program, if one is written. Joint values of `chosen` are those that it commands."""
     proven_optimal: bool
     """`true` if the choice is proved to be optimal."""
     provenance: "Provenance"

@@ -7,6 +7,7 @@ import pytest
 from conftest import IRB120, dh
 
 import etalon
+from etalon._errors import warn_if_implausible
 
 
 def test_known_errors_of_an_arm_are_found(arm):
@@ -70,12 +71,19 @@ def test_what_is_wrong_with_a_table_is_raised_with_its_place(arm):
 
 def test_implausible_parameters_warn(arm):
     robot, table, _ = arm
-    reversed_q6 = dict(table, q6_deg=-np.asarray(table["q6_deg"]))
-    with pytest.warns(etalon.ImplausibleWarning, match="tolerance"):
-        etalon.identify(robot, reversed_q6, standard_uncertainty_um=10)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        etalon.identify(robot, table, standard_uncertainty_um=10)
+        found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    beyond = {"severity": "error", "id": "tolerance-exceeded", "what": "1 parameter is beyond the tolerance", "hint": "check signs"}
+    with pytest.warns(etalon.ImplausibleWarning, match="tolerance-exceeded.*\nhint: check signs"):
+        warn_if_implausible(type(found)(found.to_dict() | {"messages": [beyond]}))
+
+
+def test_a_reversed_joint_is_named(arm):
+    robot, table, _ = arm
+    with pytest.raises(etalon.Error) as raised:
+        etalon.identify(robot, dict(table, q6_deg=-np.asarray(table["q6_deg"])), standard_uncertainty_um=10)
+    assert "`q6` reversed" in raised.value.hint
 
 
 def test_names_and_headings_the_wrong_way_round_are_named(arm):

@@ -95,7 +95,7 @@ pub struct PlanCommand {
     /// 1 % of the bound.
     #[arg(long, value_name = "N", value_parser = option_at_most::<100_000>)]
     starts: Option<usize>,
-    /// Maximum number of nodes of branch and bound; by default 2000, fewer for a large problem, and
+    /// Maximum number of nodes of branch and bound; by default 4000, fewer for a large problem, and
     /// none as soon as it is within 1 % of the bound.
     #[arg(long, value_name = "N", value_parser = option_at_most::<10_000_000>)]
     nodes: Option<usize>,

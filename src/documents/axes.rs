@@ -125,12 +125,11 @@ pub struct AxesRobot {
     pub targets: Vec<AxesTarget>,
     /// Convention of the robot file: `poe`, `dh` or `mdh`.
     pub convention: String,
-    /// Parameters that the axes determine, then those that a convention fixes (base on the first
-    /// axis, flange on the last), in `dh` and `mdh`; empty in `poe`.
+    /// Parameters that the axes determine, then those that a convention fixes: base on the first
+    /// axes, flange of `dh` and `mdh` on the last.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<AxesParameter>,
-    /// Covariance of the parameters that the axes determine, in their order and units; empty in
-    /// `poe`.
+    /// Covariance of the parameters that the axes determine, in their order and units.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub covariance: Vec<Vec<f64>>,
     /// Text of robot.toml.

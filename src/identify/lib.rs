@@ -258,9 +258,10 @@ impl Identification {
         let nominal = robot.parameters()[index].nominal;
         match self.prior.uncertainty(robot, index) {
             None => Some((value, u)),
-            // weights add: 1/u² = 1/u_data² + 1/s²
+            // weights add: 1/u² = 1/u_data² + 1/s², with u as the solution weighted the readings;
+            // misfit enlarges u afterwards
             Some(s) => {
-                let share = 1.0 - (u / s).powi(2);
+                let share = 1.0 - (u / self.inflation_factor.max(1.0) / s).powi(2);
                 (share > LEAST_SHARE).then(|| (nominal + (value - nominal) / share, u / share.sqrt()))
             }
         }

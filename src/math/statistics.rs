@@ -46,7 +46,7 @@ pub fn middle_pair(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     if values.is_empty() {
         return None;
     }
-    let (middle, is_even) = (values.len() / 2, values.len() % 2 == 0);
+    let (middle, is_even) = (values.len() / 2, values.len().is_multiple_of(2));
     let (below, &mut upper, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
     let lower = below.iter().copied().max_by(f64::total_cmp).filter(|_| is_even);
     Some([lower.unwrap_or(upper), upper])

@@ -198,10 +198,11 @@ impl Parameter {
         (self.tolerance, self.tolerance_is_stated) = (self.quantity.inward(value), true);
     }
 
-    /// `true` if the default tolerance of a robot part applies, which is no statement about the
-    /// quality of this part.
+    /// `true` if the default tolerance of a robot part applies, which says nothing about the
+    /// quality of the part: it is scaled to the spread of all parts. Coefficients of loads and
+    /// temperatures have sizes of their own.
     pub fn scales(&self) -> bool {
-        self.role == Role::Robot && !self.tolerance_is_stated
+        self.role == Role::Robot && !self.tolerance_is_stated && !self.effect.needs_proof()
     }
 
     /// Initial uncertainty before identification (mm, rad or 1): the default tolerance, whatever

@@ -5,6 +5,7 @@
 //! bending are common to all conventions.
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
+use super::tables::error_axes;
 use super::{
     AXES, ChainJoint, Circumstance, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
     OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning,
@@ -282,8 +283,8 @@ impl ArmBuilder {
         }
         for (axis, first) in self.tilts.clone() {
             let Drive { label, joint, .. } = self.axes[axis].drive.clone();
-            for k in 0..2 {
-                let name = format!("lateral_{label}_{}", AXES[k]);
+            for (k, about) in AXES.iter().enumerate().take(2) {
+                let name = format!("lateral_{label}_{about}");
                 let own = joint_error(name, Quantity::Angle, Effect::Lateral, joint);
                 self.bend(first + k, own, Load::Across { axis: Some(axis), about: k });
             }
@@ -580,12 +581,9 @@ impl ArmBuilder {
     ///
     /// An axis that slides along the preceding axis with the same joint has no errors of its own.
     pub fn screw(&mut self, direction: Vector, drive: Drive, follows: bool) -> Vec<SmallError> {
-        let size = |k: usize| direction[k].abs();
-        let along = (0..3).fold(2, |best, k| if size(k) > size(best) { k } else { best });
-        let across: Vec<usize> = (0..3).filter(|&k| k != along).collect();
         let mut errors = Vec::new();
         for (turn, quantity) in [(false, Quantity::Length), (true, Quantity::Angle)] {
-            for &k in across.iter().filter(|_| turn || !drive.prismatic) {
+            for k in error_axes(direction).into_iter().filter(|_| turn || !drive.prismatic) {
                 let name = format!("{}_{}{}", drive.name, if turn { "r" } else { "" }, AXES[k]);
                 let error = Parameter::new(name, quantity, Role::Robot, 0.0).of_joint(drive.joint);
                 let parameter = (!follows).then(|| self.add(error.meaning(if turn { TILT } else { ASIDE })));

@@ -10,8 +10,8 @@ use etalon_documents::{
 };
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::axes::{
-    Agreement, AxesModel, AxesSettings, BaseRule, Change, JointAxis, Slip, Sweep, SweepFault, SweepReading, axis_slip,
-    compared, joint_axis, joint_slip, smooth, start_gap,
+    Agreement, AxesModel, AxesSettings, BaseRule, Change, DerivedParameters, JointAxis, Slip, Sweep, SweepFault,
+    SweepReading, axis_slip, compared, joint_axis, joint_slip, smooth, start_gap,
 };
 use etalon_robots::{AxisTable, Joint, Parameter, Quantity, Role, modified_table, standard_table};
 use std::collections::BTreeMap;
@@ -435,10 +435,11 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
             table_text(head, stated.convention == TableConvention::Mdh, rows)
         }
     };
-    let (parameters, covariance) = match stated.convention {
-        TableConvention::Poe => (Vec::new(), Vec::new()),
-        convention => parameters(model, convention == TableConvention::Mdh),
+    let derived = match stated.convention {
+        TableConvention::Poe => Some(model.screw_parameters()),
+        convention => model.table_parameters(convention == TableConvention::Mdh),
     };
+    let (parameters, covariance) = derived.map(parameters).unwrap_or_default();
     let robot_toml = robot_toml + &tolerances(&parameters);
     let zero = model.axes.iter().zip(&model.uncertainties).zip(&table.joints).map(|((axis, u), joint)| ZeroAxis {
         joint: joint.clone(),
@@ -473,9 +474,8 @@ const LEAST_PRIOR: f64 = 2.5;
 /// separate, a run holds those with the smallest tolerances.
 const FIXED: f64 = 1e-6;
 
-/// Parameters of a table, and their covariance.
-fn parameters(model: &AxesModel, modified: bool) -> (Vec<AxesParameter>, Vec<Vec<f64>>) {
-    let Some(found) = model.table_parameters(modified) else { return Default::default() };
+/// Parameters of the robot, and their covariance.
+fn parameters(found: DerivedParameters) -> (Vec<AxesParameter>, Vec<Vec<f64>>) {
     let factor: Vec<f64> = found.quantities.iter().map(|quantity| quantity.outward(1.0)).collect();
     let of = |(k, s): (usize, f64)| {
         let u = found.covariance[(k, k)].sqrt();

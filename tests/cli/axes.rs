@@ -5,7 +5,7 @@ use crate::support::said::Says;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::documents::AxesDocument;
+use etalon::documents::{AxesDocument, AxesRobot};
 use etalon::robots::AxisLine;
 use std::fmt::Write;
 use std::path::Path;
@@ -104,17 +104,15 @@ fn sweeps_give_a_robot_that_reaches_where_the_truth_does() {
     assert!(miss > 0.1 && miss < 2.0, "{miss}");
 }
 
-/// The robot file of a table states as tolerances what the sweeps determine, and `run` reads them as prior information; a tilt that
-/// the table loses is within the tolerance of Hayati's angle.
-#[test]
-fn the_robot_file_of_a_table_states_what_the_sweeps_determine() {
-    let found = document(&table(&rows(), true), &["--convention", "mdh"]).robot.unwrap();
+/// The robot file states as tolerances what the sweeps determine, and `run` reads them as prior information.
+fn states_what_the_sweeps_determine(arguments: &[&str]) -> AxesRobot {
+    let found = document(&table(&rows(), true), arguments).robot.unwrap();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("robot.toml");
     std::fs::write(&path, &found.robot_toml).unwrap();
     let built = read_robot(Path::new(&path)).unwrap().build(&["tool".to_owned()]).unwrap();
     let n = found.covariance.len();
-    assert!(n > 8 && found.parameters.len() > n && found.covariance.iter().all(|row| row.len() == n));
+    assert!(n > 7 && found.parameters.len() > n && found.covariance.iter().all(|row| row.len() == n));
     for (k, p) in found.parameters[..n].iter().enumerate() {
         let built = &built.parameters()[built.index(&p.name).unwrap_or_else(|| panic!("{}", p.name))];
         assert!((built.quantity.outward(built.nominal) - p.value).abs() < 1e-6, "{}: {}", p.name, p.value);
@@ -125,12 +123,26 @@ fn the_robot_file_of_a_table_states_what_the_sweeps_determine() {
         let stated = built.quantity.outward(built.tolerance);
         assert!(stated >= tolerance * (1.0 - 1e-9) && stated < 1.11 * tolerance, "{}: {stated} {tolerance}", p.name);
     }
-    let stated = |name: &str| found.parameters.iter().find(|p| p.name == name).and_then(|p| p.tolerance);
-    assert!(stated("beta_3").is_some_and(|t| t > 0.057 && t < 1.0), "{:?}", found.parameters);
-    // what a convention fixes has the smallest tolerance: the base stands on axis 1
-    assert!(["alpha_1", "theta_1", "d_1"].iter().all(|name| stated(name) == Some(1e-6)), "{:?}", found.parameters);
-    let screws = document(&table(&rows(), true), &[]).robot.unwrap();
-    assert!(screws.parameters.is_empty() && !screws.robot_toml.contains("[tolerance]"));
+    found
+}
+
+/// A tilt that a table loses is within the tolerance of Hayati's angle. What a convention fixes has the smallest tolerance: the base
+/// stands on axis 1.
+#[test]
+fn the_robot_file_states_what_the_sweeps_determine() {
+    let stated =
+        |found: &AxesRobot, name: &str| found.parameters.iter().find(|p| p.name == name).and_then(|p| p.tolerance);
+    let found = states_what_the_sweeps_determine(&["--convention", "mdh"]);
+    assert!(stated(&found, "beta_3").is_some_and(|t| t > 0.057 && t < 1.0), "{:?}", found.parameters);
+    for name in ["alpha_1", "theta_1", "d_1"] {
+        assert_eq!(stated(&found, name), Some(1e-6), "{name}");
+    }
+    let found = states_what_the_sweeps_determine(&[]);
+    for name in ["q1_x", "q1_y", "q1_rx", "q1_ry"] {
+        assert_eq!(stated(&found, name), Some(1e-6), "{name}");
+    }
+    // four numbers of a turning axis, two of a sliding one; six place the base
+    assert_eq!((found.parameters.len(), found.covariance.len()), (14, 8), "{:?}", found.parameters);
 }
 
 #[test]

@@ -463,8 +463,7 @@ fn behind_common_beginning(labels: &[String]) -> Option<(String, Vec<String>)> {
     let (first, others) = labels.split_first()?;
     let common = |other: &String| first.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count();
     let length = others.iter().map(common).min()?;
-    let end = first.char_indices().filter(|(at, c)| *at < length && !c.is_alphanumeric()).last();
-    let (at, separator) = end?;
+    let (at, separator) = first.char_indices().rfind(|(at, c)| *at < length && !c.is_alphanumeric())?;
     let beginning = &first[..at + separator.len_utf8()];
     let rest = labels.iter().map(|label| label.strip_prefix(beginning).map(str::to_owned)).collect::<Option<_>>()?;
     Some((format!("{beginning}{{pose}}"), rest))

@@ -18,7 +18,7 @@ pub use checks::{Agreement, Change, CheckedPose, Slip, Smooth, axis_slip, compar
 pub use derived::{AxesModel, BaseRule, Predicted};
 pub use motion::{ErrorMotion, Travel};
 pub use sweep::{Path, SweepFault, SweepFit, fit_sweep};
-pub use table::TableParameters;
+pub use table::DerivedParameters;
 
 use etalon_base::pose::Vector;
 use nalgebra::DMatrix;

@@ -1,14 +1,14 @@
-//! Denavit-Hartenberg parameters of a robot from sweeps, with their covariance, as prior
-//! information of an identification.
+//! Parameters of a robot from sweeps, with their covariance, as prior information of an
+//! identification: Denavit-Hartenberg parameters, or small errors of screw axes.
 
 use super::AxesModel;
-use etalon_robots::{AxisTable, Effect, Quantity, Robot, Role, Serial, modified_table, standard_table};
+use etalon_robots::{AxisTable, Effect, Parameter, Quantity, Robot, Role, Serial, modified_table, standard_table};
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// Parameters of the table that the axes determine, and those that a convention fixes: base
-/// against the first axis, flange against the last.
+/// Parameters of a robot that the axes determine, and those that a convention fixes: base against
+/// the first axes, flange of a table against the last.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TableParameters {
+pub struct DerivedParameters {
     /// Names as in the robot's model.
     pub names: Vec<String>,
     /// Quantity of each parameter.
@@ -26,16 +26,14 @@ const FIXED: [f64; 2] = [1e-6, 1e-8];
 
 impl AxesModel {
     /// Parameters of the table in modified or standard convention; `None` without joints.
-    pub fn table_parameters(&self, modified: bool) -> Option<TableParameters> {
+    pub fn table_parameters(&self, modified: bool) -> Option<DerivedParameters> {
         let table = table(modified, self);
         if table.joints.is_empty() {
             return None;
         }
         let robot = Serial::of_axis_table(modified, &table.joints, &["target".to_owned()]);
-        let of_table = |p: &etalon_robots::Parameter| {
-            p.role == Role::Robot && matches!(p.effect, Effect::Zeros | Effect::Geometry)
-        };
-        let listed: Vec<usize> = (0..robot.parameters().len()).filter(|&i| of_table(&robot.parameters()[i])).collect();
+        let listed: Vec<usize> =
+            (0..robot.parameters().len()).filter(|&i| is_of_axes(&robot.parameters()[i])).collect();
         let values: Vec<f64> = listed.iter().map(|&i| robot.parameters()[i].nominal).collect();
         let mut all = self.covariance_of_table(modified, &table, (&listed, &values));
         for tilt in &table.tilts {
@@ -47,18 +45,21 @@ impl AxesModel {
                 all[(k, k)] = u + tilt.angle_rad.powi(2);
             }
         }
-        let parameter = |k: &usize| &robot.parameters()[listed[*k]];
-        let least = |k: &usize| FIXED[usize::from(parameter(k).quantity == Quantity::Angle)];
-        let (known, fixed): (Vec<usize>, Vec<usize>) =
-            (0..listed.len()).partition(|k| all[(*k, *k)] > least(k).powi(2));
-        let fixed = fixed.iter().map(|k| (parameter(k).name.clone(), parameter(k).quantity, values[*k]));
-        Some(TableParameters {
-            fixed: fixed.collect(),
-            names: known.iter().map(|k| parameter(k).name.clone()).collect(),
-            quantities: known.iter().map(|k| parameter(k).quantity).collect(),
-            values: known.iter().map(|&k| values[k]).collect(),
-            covariance: DMatrix::from_fn(known.len(), known.len(), |i, j| all[(known[i], known[j])]),
-        })
+        let listed: Vec<&Parameter> = listed.iter().map(|&i| &robot.parameters()[i]).collect();
+        Some(DerivedParameters::new(&listed, &values, &all))
+    }
+
+    /// Small errors of the screw axes, which are zero in the robot of the sweeps. Axes 1 and 2 are
+    /// in the base as its rule places them: their other errors are fixed.
+    pub fn screw_parameters(&self) -> DerivedParameters {
+        let robot = Serial::of_axes(&self.axes, &self.flange, &["target".to_owned()]);
+        let of_joint = |p: &&Parameter| is_of_axes(p);
+        // in the order of the joints, as the errors of each axis are
+        let listed: Vec<&Parameter> = robot.parameters().iter().filter(of_joint).collect();
+        let all = self.covariance_of_axes(&|axes, _| {
+            self.axes.iter().zip(axes).flat_map(|(axis, changed)| axis.errors_to(changed)).collect()
+        });
+        DerivedParameters::new(&listed, &vec![0.0; listed.len()], &all)
     }
 
     /// Covariance of the parameters `listed` about their values.
@@ -84,6 +85,11 @@ impl AxesModel {
     }
 }
 
+/// `true` for zeros and geometry of the arm.
+fn is_of_axes(p: &Parameter) -> bool {
+    p.role == Role::Robot && matches!(p.effect, Effect::Zeros | Effect::Geometry)
+}
+
 fn table(modified: bool, model: &AxesModel) -> AxisTable {
     match modified {
         true => modified_table(&model.axes, &model.flange),
@@ -91,7 +97,23 @@ fn table(modified: bool, model: &AxesModel) -> AxisTable {
     }
 }
 
-impl TableParameters {
+impl DerivedParameters {
+    /// Parameters with their values and covariance, divided into those that the axes determine and
+    /// those that a convention fixes.
+    fn new(listed: &[&Parameter], values: &[f64], all: &DMatrix<f64>) -> Self {
+        let least = |k: &usize| FIXED[usize::from(listed[*k].quantity == Quantity::Angle)];
+        let (known, fixed): (Vec<usize>, Vec<usize>) =
+            (0..listed.len()).partition(|k| all[(*k, *k)] > least(k).powi(2));
+        let fixed = fixed.iter().map(|&k| (listed[k].name.clone(), listed[k].quantity, values[k]));
+        Self {
+            fixed: fixed.collect(),
+            names: known.iter().map(|&k| listed[k].name.clone()).collect(),
+            quantities: known.iter().map(|&k| listed[k].quantity).collect(),
+            values: known.iter().map(|&k| values[k]).collect(),
+            covariance: DMatrix::from_fn(known.len(), known.len(), |i, j| all[(known[i], known[j])]),
+        }
+    }
+
     /// Standard uncertainties (mm, rad) as which the parameters may be stated without their
     /// correlations: independent parameters with these are nowhere better known than by the
     /// covariance. Each is that of the parameter, times the root of the largest eigenvalue of the

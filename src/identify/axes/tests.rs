@@ -1,7 +1,7 @@
 use super::*;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, dot, minus, norm, unit};
-use etalon_robots::AxisLine;
+use etalon_robots::{AxisLine, Effect, Robot, Serial};
 
 const NOISE_MM: f64 = 0.02;
 
@@ -308,4 +308,39 @@ fn turning_and_sliding_are_told_by_the_path() {
             assert!(dot(axis.fit.axis().direction, arm.axis(&[0.0; 4], joint).direction) > 0.99);
         }
     }
+}
+
+/// Small errors of screw axes between two measurements of one arm are within their uncertainty; six
+/// of them place the base.
+#[test]
+fn errors_of_screw_axes_have_their_covariance() {
+    let (mut inside, mut count) = (0.0, 0.0);
+    for trial in 0..25 {
+        let mut noise = Noise::new(454, trial);
+        let arm = Arm::drawn(&mut noise, 6, 2, trial % 4 == 0);
+        let rest: Vec<f64> = (0..6).map(|_| noise.uniform(0.8)).collect();
+        let mut measured = || {
+            let span = |joint: usize| if arm.axes[joint].prismatic { 500.0 } else { 2.0 };
+            let sweeps: Vec<Sweep> =
+                (0..6).map(|joint| arm.sweep(&mut noise, &rest, joint, (span(joint), 30))).collect();
+            model_of(&arm, &sweeps)
+        };
+        let [first, second] = [measured(), measured()];
+        let [a, b] = [&first, &second].map(AxesModel::screw_parameters);
+        assert_eq!((a.fixed.len(), &a.names), (6, &b.names), "{:?}", a.fixed);
+        let robot = Serial::of_axes(&first.axes, &first.flange, &["T".to_owned()]);
+        let errors = first.axes.iter().zip(&second.axes).flat_map(|(axis, near)| axis.errors_to(near));
+        let named = robot.parameters().iter().filter(|p| p.joint.is_some() && p.effect == Effect::Geometry);
+        for (p, error) in named.zip(errors) {
+            let Some(k) = a.names.iter().position(|name| *name == p.name) else {
+                assert!(error.abs() < 1e-6, "{}: {error:e}", p.name);
+                continue;
+            };
+            let u = (a.covariance[(k, k)] + b.covariance[(k, k)]).sqrt();
+            inside += f64::from(u8::from(error.abs() < 1.96 * u));
+            count += 1.0;
+        }
+    }
+    let share: f64 = inside / count;
+    assert!(count > 400.0 && (share - 0.95).abs() < 0.035, "{share} of {count}");
 }

@@ -25,6 +25,8 @@ const EXPLAINED: f64 = 2.5;
 const WORSE: f64 = 9.0;
 /// Smallest influence of a change, in standard deviations of a reading, that can reject anything.
 const LEAST: f64 = 3.0;
+/// Largest residual that a change may leave, in standard deviations of the residuals.
+const OUTLIER: f64 = 5.0;
 /// Factors from other units to millimetres.
 const UNITS: [f64; 2] = [1000.0, 25.4];
 /// Steps of the fit of a changed model.
@@ -171,6 +173,10 @@ impl Fit<'_> {
         let is_stated = self.settings.standard_uncertainty_mm.is_some();
         let variance = if is_stated { estimated.max(1.0) } else { estimated };
         if is_stated && exceeds(left, self.found.degrees_of_freedom) {
+            return None;
+        }
+        // a wrong reading can look like a change
+        if after.iter().any(|r| r.powi(2) > OUTLIER.powi(2) * left / dof) {
             return None;
         }
         let u = (variance / size).sqrt();

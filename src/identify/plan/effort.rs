@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Number of random starts, unless stated.
 const STARTS: u64 = 10;
 /// Largest number of nodes of branch and bound, unless stated.
-const NODES: usize = 2000;
+const NODES: usize = 4000;
 /// Share of the index below the bound that is enough for a large problem.
 const ENOUGH: f64 = 0.01;
 /// Number of products in a step of the relaxation of the largest problem that is not large: a

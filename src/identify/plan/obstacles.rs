@@ -231,12 +231,10 @@ mod tests {
                 off(p, along(p)) < radius + by && (along(p) - 0.5).abs() * length < 0.5 * length + by
             };
             let in_capsule = |p: Vector, by: f64| off(p, along(p).clamp(0.0, 1.0)) < radius + by;
-            let shapes: [(Shape, &dyn Fn(Vector, f64) -> bool); 3] = [
-                (Shape::Box { centre, half }, &in_box),
-                (Shape::Cylinder { ends, radius }, &in_cylinder),
-                (Shape::Capsule { ends, radius }, &in_capsule),
-            ];
-            for (shape, is_inside) in shapes {
+            let shapes =
+                [Shape::Box { centre, half }, Shape::Cylinder { ends, radius }, Shape::Capsule { ends, radius }];
+            let is_in: [&dyn Fn(Vector, f64) -> bool; 3] = [&in_box, &in_cylinder, &in_capsule];
+            for (shape, is_inside) in shapes.into_iter().zip(is_in) {
                 // points are up to 0.024 mm apart: a body smaller, or larger, by 0.02 mm decides
                 let surely = by_points(from, to, |p| is_inside(p, -0.02));
                 if surely || !by_points(from, to, |p| is_inside(p, 0.02)) {

@@ -74,6 +74,10 @@ fn largest_error(name: &str, change: Change) -> (f64, String) {
     let stated = decimals.lines().find(|line| line.starts_with("decimals")).unwrap();
     scratch.replace("campaign.toml", "[identify]", "[identify]\nprior = \"none\"");
     scratch.replace("truth.toml", stated, "decimals = 13\nnoise_um = 0");
+    // friction is the noise of torques
+    if let Some(friction) = decimals.lines().find(|line| line.starts_with("friction_nm")) {
+        scratch.replace("truth.toml", friction, "friction_nm = 0");
+    }
     ends(&scratch, "simulate", 0, &[]);
     ends(&scratch, "run", 0, &[]);
     let truth = Truth::read(&scratch.path().join("truth.toml")).unwrap().parameters;

@@ -3,9 +3,12 @@
 use super::drawn::number;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm, unit};
-use etalon::identify::axes::{AxesModel, AxesSettings, JointAxis, Sweep, SweepReading, axis_slip, joint_axis, smooth};
+use etalon::identify::axes::{
+    AxesModel, AxesSettings, DerivedParameters, JointAxis, Sweep, SweepReading, axis_slip, joint_axis, smooth,
+};
 use etalon::identify::{Identification, Observation, Prior, Settings, identify};
 use etalon::robots::{AxisLine, Quantity, Robot, Serial, modified_table, standard_table};
+use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 const NOISE_MM: f64 = 0.02;
@@ -153,16 +156,40 @@ fn the_robot_of_the_axes_agrees_with_truth_and_identification() {
     assert!(share[..2].iter().all(|s| (s - 0.95).abs() < 0.03) && share[2] > 0.9);
 }
 
-/// The table of the axes with what is known before any pose: by the sweeps, or by a drawing.
-fn known_before(model: &AxesModel, targets: usize, modified: bool, drawing: Option<&mut Noise>) -> Serial {
-    let known = model.table_parameters(modified).unwrap();
+/// Convention of the robot that the axes become.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Convention {
+    Modified,
+    Standard,
+    Screws,
+}
+
+impl Convention {
+    const ALL: [Self; 3] = [Self::Modified, Self::Standard, Self::Screws];
+
+    fn parameters(self, model: &AxesModel) -> DerivedParameters {
+        match self {
+            Self::Screws => model.screw_parameters(),
+            table => model.table_parameters(table == Self::Modified).unwrap(),
+        }
+    }
+
+    fn robot(self, model: &AxesModel, targets: usize) -> Serial {
+        let names: Vec<String> = (0..targets).map(|t| format!("T{t}")).collect();
+        let (axes, flange) = (&model.axes, &model.flange);
+        match self {
+            Self::Modified => Serial::of_axis_table(true, &modified_table(axes, flange).joints, &names),
+            Self::Standard => Serial::of_axis_table(false, &standard_table(axes, flange).joints, &names),
+            Self::Screws => Serial::of_axes(axes, flange, &names),
+        }
+    }
+}
+
+/// The robot of the axes with what is known before any pose: by the sweeps, or by a drawing.
+fn known_before(model: &AxesModel, targets: usize, convention: Convention, drawing: Option<&mut Noise>) -> Serial {
+    let known = convention.parameters(model);
     let priors = known.independent_uncertainties();
-    let table = match modified {
-        true => modified_table(&model.axes, &model.flange),
-        false => standard_table(&model.axes, &model.flange),
-    };
-    let names: Vec<String> = (0..targets).map(|t| format!("T{t}")).collect();
-    let mut robot = Serial::of_axis_table(modified, &table.joints, &names);
+    let mut robot = convention.robot(model, targets);
     let mut drawing = drawing;
     for (name, by_sweeps) in known.names.iter().zip(priors) {
         let p = robot.definition_mut().parameters.iter_mut().find(|p| p.name == *name).expect("of the table");
@@ -208,49 +235,76 @@ fn uncertainty_mm(robot: &Serial, found: &Identification, joints: &[f64]) -> Vec
 /// the poses with the tolerances of a drawing; and they are within their uncertainty.
 #[test]
 fn axes_and_few_poses_predict_better_than_either() {
-    let (mut squares, mut inside, mut count, mut held) = ([0.0; 3], 0.0, 0.0, 0);
-    for trial in 0..number("ETALON_TRIALS", 120) {
-        let mut noise = Noise::new(453, trial);
-        let arm = Arm::drawn(&mut noise, trial);
-        let rest: Vec<f64> = (0..6).map(|_| noise.uniform(0.8)).collect();
-        let model = AxesModel::new(arm.measured(&arm.sweeps(&mut noise, &rest, false)), arm.targets.len()).unwrap();
-        let (modified, targets) = (trial % 2 == 0, arm.targets.len());
-        let pose = |noise: &mut Noise| -> Vec<f64> { (0..6).map(|_| noise.uniform(2.0)).collect() };
-        let poses: Vec<Vec<f64>> = (0..14).map(|_| pose(&mut noise)).collect();
-        let mut observed = |i: usize| Observation {
-            pose: (i as i64).into(),
-            joints: poses[i].clone(),
-            targets: (0..targets).map(|t| Some(arm.reading(&mut noise, 0, t, &poses[i]).position_mm)).collect(),
-            ..Observation::default()
-        };
-        let measured: Vec<Observation> = (0..poses.len()).map(&mut observed).collect();
-        let settings =
-            Settings { standard_uncertainty_mm: Some(NOISE_MM), prior: Prior::TOLERANCES, ..Settings::default() };
-        let robots =
-            [known_before(&model, targets, modified, None), known_before(&model, targets, modified, Some(&mut noise))];
-        let found =
-            [0, 1].map(|k| identify(&robots[k], &measured, &settings).unwrap_or_else(|e| panic!("{trial} {e:?}")));
-        // what a convention fixes is held; what the axes determine is not
-        let determined = model.table_parameters(modified).unwrap().names;
-        held += determined.iter().filter(|n| !found[0].free.contains(&robots[0].index(n).unwrap())).count();
-        for _ in 0..10 {
-            let joints = pose(&mut noise);
-            let truth = arm.pose(&joints).apply(arm.targets[0]);
-            let of = |k: usize| robots[k].position(&found[k].values, &joints, 0);
-            let at = [model.position(&joints, 0), of(1), of(0)];
-            at.iter().zip(&mut squares).for_each(|(at, sum)| *sum += norm(minus(*at, truth)).powi(2));
-            let u = uncertainty_mm(&robots[0], &found[0], &joints);
-            for axis in 0..3 {
-                inside += f64::from(u8::from((at[2][axis] - truth[axis]).abs() < 1.96 * u[axis]));
-                count += 1.0;
-            }
+    let trials = number("ETALON_TRIALS", 120);
+    let all: Vec<Few> = (0..trials).into_par_iter().map(few_poses).collect();
+    for (k, convention) in Convention::ALL.into_iter().enumerate() {
+        let of = all.iter().enumerate().filter(|(trial, _)| trial / 3 % 3 == k).map(|(_, few)| few);
+        let sum = of.fold(Few::default(), |sum, few| Few {
+            squares: [0, 1, 2].map(|i| sum.squares[i] + few.squares[i]),
+            inside: sum.inside + few.inside,
+            count: sum.count + few.count,
+            held: sum.held + few.held,
+        });
+        let ([axes, poses, both], share) = (sum.squares.map(|s| (s / sum.count * 3.0).sqrt()), sum.inside / sum.count);
+        println!(
+            "{convention:?}: rms by axes {axes:.4}, poses {poses:.4}, both {both:.4} mm; within 95 %: {share:.4}, held {}",
+            sum.held
+        );
+        assert_eq!(sum.held, 0, "{convention:?}");
+        assert!(both < 0.9 * axes && both < 0.9 * poses, "{convention:?}: {axes} {poses} {both}");
+        assert!(share > 0.94, "{convention:?}: {share}");
+    }
+}
+
+/// Errors at new poses.
+#[derive(Default)]
+struct Few {
+    /// Sums of squares (mm²) by the axes, by poses with a drawing, and by both axes and poses.
+    squares: [f64; 3],
+    /// Coordinates within 1.96 standard uncertainties, and all of them.
+    inside: f64,
+    count: f64,
+    /// Parameters that the axes determine, but the identification holds.
+    held: usize,
+}
+
+fn few_poses(trial: u64) -> Few {
+    let mut noise = Noise::new(453, trial);
+    let arm = Arm::drawn(&mut noise, trial);
+    let rest: Vec<f64> = (0..6).map(|_| noise.uniform(0.8)).collect();
+    let model = AxesModel::new(arm.measured(&arm.sweeps(&mut noise, &rest, false)), arm.targets.len()).unwrap();
+    let (convention, targets) = (Convention::ALL[trial as usize / 3 % 3], arm.targets.len());
+    let pose = |noise: &mut Noise| -> Vec<f64> { (0..6).map(|_| noise.uniform(2.0)).collect() };
+    let poses: Vec<Vec<f64>> = (0..14).map(|_| pose(&mut noise)).collect();
+    let mut observed = |i: usize| Observation {
+        pose: (i as i64).into(),
+        joints: poses[i].clone(),
+        targets: (0..targets).map(|t| Some(arm.reading(&mut noise, 0, t, &poses[i]).position_mm)).collect(),
+        ..Observation::default()
+    };
+    let measured: Vec<Observation> = (0..poses.len()).map(&mut observed).collect();
+    let settings =
+        Settings { standard_uncertainty_mm: Some(NOISE_MM), prior: Prior::TOLERANCES, ..Settings::default() };
+    let robots =
+        [known_before(&model, targets, convention, None), known_before(&model, targets, convention, Some(&mut noise))];
+    let found = [0, 1].map(|k| identify(&robots[k], &measured, &settings).unwrap_or_else(|e| panic!("{trial} {e:?}")));
+    // what a convention fixes is held; what the axes determine is not
+    let determined = convention.parameters(&model).names;
+    let is_held = |name: &&String| !found[0].free.contains(&robots[0].index(name).unwrap());
+    let mut few = Few { held: determined.iter().filter(is_held).count(), ..Few::default() };
+    for _ in 0..10 {
+        let joints = pose(&mut noise);
+        let truth = arm.pose(&joints).apply(arm.targets[0]);
+        let of = |k: usize| robots[k].position(&found[k].values, &joints, 0);
+        let at = [model.position(&joints, 0), of(1), of(0)];
+        at.iter().zip(&mut few.squares).for_each(|(at, sum)| *sum += norm(minus(*at, truth)).powi(2));
+        let u = uncertainty_mm(&robots[0], &found[0], &joints);
+        for axis in 0..3 {
+            few.inside += f64::from(u8::from((at[2][axis] - truth[axis]).abs() < 1.96 * u[axis]));
+            few.count += 1.0;
         }
     }
-    let ([axes, poses, both], share) = (squares.map(|s| (s / count * 3.0).sqrt()), inside / count);
-    println!("rms: axes {axes:.4}, poses {poses:.4}, both {both:.4} mm; within 95 %: {share:.4}, held {held}");
-    assert_eq!(held, 0);
-    assert!(both < 0.9 * axes && both < 0.9 * poses, "{axes} {poses} {both}");
-    assert!(share > 0.94, "{share}");
+    few
 }
 
 /// Identification of all readings from the true robot as nominal one.

@@ -28,4 +28,5 @@ pub(super) mod slips;
 pub(super) mod stability;
 pub(super) mod thresholds;
 pub(super) mod tool;
+pub(super) mod two_hands;
 pub(super) mod verification;

@@ -200,7 +200,7 @@ fn seven_of_the_periphery_come_with_a_bound() {
 fn five_and_seven_of_the_periphery_are_proven_to_be_the_best() {
     let robot = robot();
     let observations = periphery(&robot);
-    for (positions, nodes) in [(5, 2000), (7, 2000)] {
+    for (positions, nodes) in [(5, 4000), (7, 4000)] {
         let found = planned(&robot, &observations, positions, nodes);
         println!(
             "{positions}: O1 {:.6}, {} nodes, {:?} % below at most",
