@@ -678,7 +678,7 @@ reflector-inside-link = reflector { $reflector } is inside the link of joint { $
 # Example: `--link elbow=60`
 link-joint-unknown = the robot has no joint { $joint }
 
-# Means: Links are stated for a robot that is no single chain of joints.
+# Means: Links are stated for a robot whose joints do not form a single chain.
 # Matters: The links would block no view.
 # Do: Omit `--link`; state bodies that do not move as `--obstacle`.
 # Example: `--link q1=60` for a delta

@@ -403,7 +403,7 @@ measuring-joints-unsuited = a program in { $language } moves six revolute axes{ 
 measuring-motor-values = the values of joint { $joint } are those of its motor (gain { $gain }), which a program does not command
     .hint = write the poses with `--poses FILE`, and convert them to joint values
 
-# Means: The output of the trigger is none of the language.
+# Means: The language has no output of the stated form for the trigger.
 # Matters: The program would not load, or would set another output.
 # Do: State the signal (RAPID) or the number of the output as the controller has it.
 # Example: `--program measure.src --trigger probe`

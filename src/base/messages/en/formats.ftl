@@ -179,7 +179,7 @@ expression-malformed = cannot read the expression `{ $expression }`: { $fault ->
 # Matters: The values of the column are needed.
 # Do: Write the name as in the header of the file.
 # Example: `columns = { rho3_mm = "RP33" }` for a header with RP1, RP2 and RP3
-column-unknown = there is no column `{ $column }`
+column-unknown = column `{ $column }` is missing
 
 # Means: A table could not be built or written.
 # Matters: The command cannot continue.

@@ -1892,7 +1892,7 @@ temperature-constant = the temperature is { FIXED($value, 1) } °C in all calibr
 # Means: The stated temperatures of the robot are not those of a workshop.
 # Matters: In another unit, expansion and drift are those of another difference, and lengths and zeros
 # refer to another temperature than the stated one. The values are used as they are.
-# Do: Check the unit of the column `temperature_c`. A robot in a cold store is no reason to act.
+# Do: Check the unit of the column `temperature_c`. In a cold store the values are right: keep them.
 # Example: 68 to 86, which are degrees Fahrenheit
 temperature-questioned = the temperatures of the calibration readings are { FIXED($low, 1) } to { FIXED($high, 1) } °C, outside { $least } to { $most } °C
 
@@ -2387,7 +2387,7 @@ cell-pivot-above = the first target is { FIXED($along_mm, 3) } mm below the axis
 # Matters: The definition of the robot would be overwritten.
 # Do: State the number of the external kinematic.
 # Example: `--solve rotary-axis --controller kuka --number 1`
-cell-machine-number = `MACHINE_DEF[{ $number }]` is no external kinematic
+cell-machine-number = `MACHINE_DEF[{ $number }]` does not define an external kinematic
     .expected = 2 to 7
     .hint = state `--number`
 
