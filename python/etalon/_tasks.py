@@ -373,8 +373,9 @@ def _texts(*tables: Any) -> list[str | None]:
 
 
 def _headings(columns: dict[str, str] | None) -> list[str]:
-    names = re.compile(r"[xyz]_mm|pose|cycle|target|.*_(deg|rad|mm)")
-    swapped = {heading: name for name, heading in (columns or {}).items() if names.fullmatch(heading) and not names.fullmatch(name)}
+    # words such as "pose" may be headings; names with a unit are etalon's
+    unit = re.compile(r".*_(deg|rad|mm)")
+    swapped = {heading: name for name, heading in (columns or {}).items() if unit.fullmatch(heading) and "_" not in name}
     if swapped:
         raise Error(f"`columns` has etalon's names as values: write columns={swapped}, from etalon's name to the heading of the table")
     return [f"{name}={heading}" for name, heading in (columns or {}).items()]

@@ -91,6 +91,10 @@ def test_names_and_headings_the_wrong_way_round_are_named(arm):
     renamed = {{"q1_deg": "A1"}.get(name, name): column for name, column in table.items()}
     with pytest.raises(etalon.Error, match="columns={'q1_deg': 'A1'}"):
         etalon.identify(robot, renamed, columns={"A1": "q1_deg"})
+    # etalon's `target` under the heading `pose`
+    renamed = {{"pose": "no", "target": "pose"}.get(name, name): column for name, column in table.items()}
+    found = etalon.identify(robot, renamed, columns={"pose": "no", "target": "pose"}, standard_uncertainty_um=10)
+    assert any(parameter.name.startswith("SMR") for parameter in found.parameters)
 
 
 def test_parameters_are_verified(arm):
