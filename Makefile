@@ -21,7 +21,7 @@
 # make python  build the wheel with the Python module and the program, and test it in a virtual environment beside the build
 # make book    make a book of docs/ with mdBook: target/book/index.html
 # make dist    write an archive, a Debian package, a list of components and checksums of the program: target/dist;
-#              TARGETS="x86_64-unknown-linux-musl ..." adds archives for other systems; BUILD="cargo auditable build" embeds the list
+#              TARGETS="x86_64-unknown-linux-musl ..." adds archives for other systems
 # make samples make the synthetic samples again from their truth
 # make help    this text
 SHELL := /bin/bash
@@ -36,7 +36,6 @@ CARGO_TARGET_DIR ?= target
 PROFILE ?= release
 ETALON := $(CARGO_TARGET_DIR)/$(PROFILE:dev=debug)/etalon
 SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
-BUILD ?= cargo build
 TARGETS ?=
 T ?=
 CRATE ?=
@@ -59,7 +58,7 @@ all: $(ETALON)
 	@$(ETALON) batch --newer-than $(ETALON) --to $(RESULTS) -- $(if $(NAMED),$(NAMED),$(wildcard samples campaigns))
 
 $(ETALON): $(SOURCES)
-	$(BUILD) --profile $(PROFILE) --locked
+	cargo build --profile $(PROFILE) --locked
 
 report: $(ETALON)
 	@for c in $(EACH); do [ ! -f "$$c/out/manifest.json" ] || $(ETALON) report -- "$$c/out" || exit; done
@@ -110,7 +109,7 @@ attack:
 
 bench:
 	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv
-	$(SHARED)/venv/bin/pip install --quiet numpy scipy || echo "NumPy and SciPy could not be installed: left out"
+	$(SHARED)/venv/bin/pip install --quiet numpy scipy pandas || echo "NumPy, SciPy and pandas could not be installed: left out"
 	$(SHARED)/venv/bin/pip install --quiet pin || echo "Pinocchio could not be installed: left out"
 	PYTHON=$(SHARED)/venv/bin/python benches/page.sh
 
@@ -178,8 +177,10 @@ book:
 	[ -x $(MDBOOK) ] || cargo install --quiet --locked --root $(TOOLS) mdbook
 	$(MDBOOK) build docs --dest-dir $(abspath $(CARGO_TARGET_DIR))/book
 
-dist: $(ETALON)
-	[ -x $(TOOLS)/bin/cargo-cyclonedx ] || cargo install --quiet --locked --root $(TOOLS) cargo-cyclonedx
+# the program of a package names its own components (`.dep-v0`, cargo-auditable)
+dist:
+	for tool in cargo-cyclonedx cargo-auditable; do [ -x $(TOOLS)/bin/$$tool ] || cargo install --quiet --locked --root $(TOOLS) $$tool; done
+	PATH="$(TOOLS)/bin:$$PATH" cargo auditable build --profile $(PROFILE) --locked --bin etalon
 	PATH="$(TOOLS)/bin:$$PATH" .ci/dist $(ETALON) $(CARGO_TARGET_DIR)/dist $(TARGETS)
 
 clean:

@@ -13,6 +13,12 @@ from . import _etalon
 from ._errors import Error
 
 
+def named(table: Any, name: str) -> tuple[str, str]:
+    """Return the name of a table for messages, which is that of its file if it has one, and its CSV text."""
+    is_file = isinstance(table, (str, os.PathLike))
+    return (os.fspath(table) if is_file else name, text_of(table))
+
+
 def text_of(table: Any) -> str:
     """Return a table as CSV text; numbers keep every digit."""
     if isinstance(table, (str, os.PathLike)):

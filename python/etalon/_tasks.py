@@ -11,7 +11,7 @@ from . import _etalon, documents
 from ._errors import Error, warn_if_implausible
 from ._options import joined, options_of
 from ._robot import Robot, robot_of
-from ._tables import text_of
+from ._tables import named
 from .documents import load
 from .kinematics import json_of
 
@@ -79,7 +79,7 @@ def identify(
         pose=pose,
         column=_headings(columns),
     )
-    found = load(_etalon.identify(robot_of(robot), text_of(observations), options))
+    found = load(_etalon.identify(robot_of(robot), named(observations, "observations"), options))
     return warn_if_implausible(found)  # type: ignore[no-any-return]
 
 
@@ -139,7 +139,7 @@ def plan(
         effects=joined(effects),
         prior=prior,
     )
-    return load(_etalon.plan(robot_of(robot), text_of(candidates), options))  # type: ignore[return-value]
+    return load(_etalon.plan(robot_of(robot), named(candidates, "candidates"), options))  # type: ignore[return-value]
 
 
 def verify(
@@ -170,7 +170,8 @@ def verify(
         Error: The table or the parameters do not belong to the robot.
     """
     options = options_of(standard_uncertainty_um=standard_uncertainty_um, target=target, pose=pose, column=_headings(columns))
-    return load(_etalon.verify(robot_of(robot), json_of(parameters), text_of(observations), options))  # type: ignore[return-value]
+    table = named(observations, "observations")
+    return load(_etalon.verify(robot_of(robot), json_of(parameters), table, options))  # type: ignore[return-value]
 
 
 def axes(
@@ -209,7 +210,7 @@ def axes(
         convention=convention,
         column=_headings(columns),
     )
-    return load(_etalon.axes(text_of(sweeps), options))  # type: ignore[return-value]
+    return load(_etalon.axes(named(sweeps, "sweeps"), options))  # type: ignore[return-value]
 
 
 def cell(
@@ -251,7 +252,7 @@ def cell(
         rotation_uncertainty_deg=rotation_uncertainty_deg,
         column=_headings(columns),
     )
-    return load(_etalon.cell(text_of(readings), options))  # type: ignore[return-value]
+    return load(_etalon.cell(named(readings, "readings"), options))  # type: ignore[return-value]
 
 
 def iso9283(
@@ -298,7 +299,7 @@ def iso9283(
         seed=seed,
         all=True,
     )
-    return load(_etalon.iso9283(_texts(attained, commanded, reference), options))  # type: ignore[return-value]
+    return load(_etalon.iso9283(_tables(attained=attained, commanded=commanded, reference=reference), options))  # type: ignore[return-value]
 
 
 def iso9283_path(
@@ -349,7 +350,7 @@ def iso9283_path(
         central_percent=central_percent,
         seed=seed,
     )
-    return load(_etalon.iso9283_path(_texts(recording, commanded, path), options))  # type: ignore[return-value]
+    return load(_etalon.iso9283_path(_tables(recording=recording, commanded=commanded, path=path), options))  # type: ignore[return-value]
 
 
 def iso230(positions: Any) -> documents.AxisDocument:
@@ -365,11 +366,11 @@ def iso230(positions: Any) -> documents.AxisDocument:
     Raises:
         Error: A position has too few runs.
     """
-    return load(_etalon.iso230(text_of(positions)))  # type: ignore[return-value]
+    return load(_etalon.iso230(named(positions, "table")))  # type: ignore[return-value]
 
 
-def _texts(*tables: Any) -> list[str | None]:
-    return [None if table is None else text_of(table) for table in tables]
+def _tables(**tables: Any) -> list[tuple[str, str] | None]:
+    return [None if table is None else named(table, name) for name, table in tables.items()]
 
 
 def _headings(columns: dict[str, str] | None) -> list[str]:

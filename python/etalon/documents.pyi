@@ -2240,6 +2240,10 @@ class ResidualSummary(Record):
     """Residuals of targets or of the pose."""
     max: float
     """Largest absolute residual."""
+    position_rms_before_mm: float | None
+    """Root mean square of the position residuals before identification (mm): nominal parameters, with only base and
+    targets fitted. Absent like `position_rms_mm`.
+    """
     position_rms_mm: float | None
     """Root mean square of the position residuals (mm); absent if not all residuals are positions of targets."""
     repeats: Replicates | None

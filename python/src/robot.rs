@@ -32,8 +32,8 @@ impl Robot {
     }
 
     /// The robot and a table that a command is given.
-    pub fn given<'a>(&'a self, name: &'a str, text: &'a str) -> Given<'a> {
-        Given { robot: &self.file, stated: Table { name: &self.name, text: &self.text }, table: Table { name, text } }
+    pub fn given<'a>(&'a self, table: Table<'a>) -> Given<'a> {
+        Given { robot: &self.file, stated: Table { name: &self.name, text: &self.text }, table }
     }
 }
 

@@ -6,17 +6,20 @@ use etalon::cli::in_memory::{self, Table};
 use etalon::run::documents::parse_parameters;
 use pyo3::prelude::*;
 
+/// Name and CSV text of a table.
+type Named = (String, String);
+
 /// `parameters.json` identified from a table of observations.
 #[pyfunction]
-pub fn identify(py: Python<'_>, robot: &Robot, observations: &str, options: Vec<String>) -> PyResult<String> {
-    let given = robot.given("observations", observations);
+pub fn identify(py: Python<'_>, robot: &Robot, observations: Named, options: Vec<String>) -> PyResult<String> {
+    let given = robot.given(table(&observations));
     json(&py.detach(|| in_memory::identify(&given, &options)).map_err(failed)?)
 }
 
 /// The poses to measure among candidates.
 #[pyfunction]
-pub fn plan(py: Python<'_>, robot: &Robot, candidates: &str, options: Vec<String>) -> PyResult<String> {
-    let given = robot.given("candidates", candidates);
+pub fn plan(py: Python<'_>, robot: &Robot, candidates: Named, options: Vec<String>) -> PyResult<String> {
+    let given = robot.given(table(&candidates));
     json(&py.detach(|| in_memory::plan(&given, &options)).map_err(failed)?)
 }
 
@@ -26,10 +29,10 @@ pub fn verify(
     py: Python<'_>,
     robot: &Robot,
     parameters: &str,
-    observations: &str,
+    observations: Named,
     options: Vec<String>,
 ) -> PyResult<String> {
-    let given = robot.given("observations", observations);
+    let given = robot.given(table(&observations));
     let verified = py.detach(|| {
         let parameters = parse_parameters("parameters", parameters)?;
         in_memory::verify(&given, &parameters, &options)
@@ -39,15 +42,15 @@ pub fn verify(
 
 /// Axes of joints from sweeps of one joint at a time.
 #[pyfunction]
-pub fn axes(py: Python<'_>, table: &str, options: Vec<String>) -> PyResult<String> {
-    let table = Table { name: "sweeps", text: table };
+pub fn axes(py: Python<'_>, table: Named, options: Vec<String>) -> PyResult<String> {
+    let table = self::table(&table);
     json(&py.detach(|| in_memory::axes(&table, &options)).map_err(failed)?)
 }
 
 /// Tool, object, hand and eye, or an external axis.
 #[pyfunction]
-pub fn cell(py: Python<'_>, table: &str, options: Vec<String>) -> PyResult<String> {
-    let table = Table { name: "readings", text: table };
+pub fn cell(py: Python<'_>, table: Named, options: Vec<String>) -> PyResult<String> {
+    let table = self::table(&table);
     json(&py.detach(|| in_memory::cell(&table, &options)).map_err(failed)?)
 }
 
@@ -68,27 +71,26 @@ pub fn command(py: Python<'_>, words: Vec<String>) -> PyResult<(u8, String, Stri
 
 /// Characteristics of poses by ISO 9283, from attained poses, commanded ones and reference targets.
 #[pyfunction]
-pub fn iso9283(py: Python<'_>, tables: [Option<String>; 3], options: Vec<String>) -> PyResult<String> {
-    let [attained, commanded, reference] = named(&tables, ["attained", "commanded", "reference"]);
+pub fn iso9283(py: Python<'_>, tables: [Option<Named>; 3], options: Vec<String>) -> PyResult<String> {
+    let [attained, commanded, reference] = tables.each_ref().map(|given| given.as_ref().map(table));
     let tables = [attained.as_ref(), commanded.as_ref(), reference.as_ref()];
     json(&py.detach(|| in_memory::iso9283(tables, &options)).map_err(failed)?)
 }
 
 /// Characteristics of a motion by ISO 9283, from a recording, commanded poses and a commanded path.
 #[pyfunction]
-pub fn iso9283_path(py: Python<'_>, tables: [Option<String>; 3], options: Vec<String>) -> PyResult<String> {
-    let [recording, commanded, path] = named(&tables, ["recording", "commanded", "path"]);
+pub fn iso9283_path(py: Python<'_>, tables: [Option<Named>; 3], options: Vec<String>) -> PyResult<String> {
+    let [recording, commanded, path] = tables.each_ref().map(|given| given.as_ref().map(table));
     let tables = [recording.as_ref(), commanded.as_ref(), path.as_ref()];
     json(&py.detach(|| in_memory::iso9283_path(tables, &options)).map_err(failed)?)
 }
 
 /// Positioning of a linear axis by ISO 230-2.
 #[pyfunction]
-pub fn iso230(py: Python<'_>, table: &str) -> PyResult<String> {
-    let table = Table { name: "table", text: table };
-    json(&py.detach(|| in_memory::iso230(&table)).map_err(failed)?)
+pub fn iso230(py: Python<'_>, table: Named) -> PyResult<String> {
+    json(&py.detach(|| in_memory::iso230(&self::table(&table))).map_err(failed)?)
 }
 
-fn named<'a>(texts: &'a [Option<String>; 3], names: [&'static str; 3]) -> [Option<Table<'a>>; 3] {
-    [0, 1, 2].map(|i| texts[i].as_deref().map(|text| Table { name: names[i], text }))
+fn table((name, text): &Named) -> Table<'_> {
+    Table { name, text }
 }

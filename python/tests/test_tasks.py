@@ -44,6 +44,34 @@ def test_a_csv_file_gives_the_same_numbers(arm, tmp_path):
     assert values[0] == values[1]
 
 
+def test_messages_and_inputs_have_the_name_of_the_file(arm, tmp_path):
+    robot, table, _ = arm
+    path = tmp_path / "measured.csv"
+    rows = list(zip(*(list(column) for column in table.values())))
+    text = ",".join(table) + "\n" + "\n".join(",".join(map(str, row)) for row in rows) + "\n"
+    path.write_text(text)
+    assert str(path) in etalon.identify(robot, path).provenance.inputs
+    path.write_text(text.replace(str(rows[4][0]), "?", 1).replace("x_mm", "x_foot", 1))
+    with pytest.raises(etalon.Error) as raised:
+        etalon.identify(robot, path)
+    files = {message.place["file"] for message in raised.value.messages if message.place}
+    assert files == {str(path)}, str(raised.value)
+    # a table without a file has the name of the argument
+    with pytest.raises(etalon.Error) as raised:
+        etalon.identify(robot, dict(table, x_mm=np.full(60, np.nan)))
+    assert {message.place["file"] for message in raised.value.messages if message.place} == {"observations"}
+
+
+def test_the_error_before_identification_is_beside_the_one_after(arm):
+    robot, table, _ = arm
+    residuals = etalon.identify(robot, table, standard_uncertainty_um=10).residuals
+    assert residuals.position_rms_before_mm > 5 * residuals.position_rms_mm
+    # a robot whose parameters all keep their nominal values has one error
+    held = etalon.identify(robot, table, hold=["a_*", "alpha_*", "d_*", "theta_*"]).residuals
+    assert held.position_rms_before_mm == pytest.approx(held.position_rms_mm, rel=1e-6)
+    assert held.position_rms_before_mm == pytest.approx(residuals.position_rms_before_mm, rel=1e-6)
+
+
 def test_options_reach_the_identification(arm):
     robot, table, _ = arm
     renamed = {{"q1_deg": "J1"}.get(name, name): column for name, column in table.items() if name != "target"}

@@ -246,10 +246,16 @@ impl Pose {
         [x, y, z].map(|v| factor * v)
     }
 
-    /// Angles (rx, ry, rz) (rad) of `Rz(rz) Ry(ry) Rx(rx)`.
+    /// Roll, pitch and yaw (rad) of `Rz(yaw) Ry(pitch) Rx(roll)`. At a pitch of a right angle only
+    /// the sum or difference of roll and yaw is determined: yaw is then arbitrary, and the other
+    /// angles match it.
     pub fn rpy_rad(&self) -> Vector {
         let r = &self.rotation;
-        [r[2][1].atan2(r[2][2]), (-r[2][0]).atan2(r[0][0].hypot(r[1][0])), r[1][0].atan2(r[0][0])]
+        let yaw = r[1][0].atan2(r[0][0]);
+        let (sin, cos) = yaw.sin_cos();
+        let pitch = (-r[2][0]).atan2(cos * r[0][0] + sin * r[1][0]);
+        let roll = (sin * r[0][2] - cos * r[1][2]).atan2(cos * r[1][1] - sin * r[0][1]);
+        [roll, pitch, yaw]
     }
 }
 
@@ -327,6 +333,21 @@ mod tests {
         let rpy = a.rpy_rad();
         assert!(norm(minus(rpy, [0.1, -0.7, 2.5])) < 1e-14);
         assert!((Pose::<f64>::identity().turn_x(1e-9).angle_rad() - 1e-9).abs() < 1e-20);
+    }
+
+    /// At a right angle of pitch, where roll and yaw have one effect, the angles still give the
+    /// rotation back.
+    #[test]
+    fn roll_pitch_yaw_give_the_rotation_back_at_every_pitch() {
+        use std::f64::consts::FRAC_PI_2;
+        for pitch in [0.0, 1.2, FRAC_PI_2 - 1e-9, FRAC_PI_2, -FRAC_PI_2, -FRAC_PI_2 + 1e-12, 3.0] {
+            for [roll, yaw] in [[0.0, 0.0], [0.4, 0.0], [-2.1, 0.7], [3.0, -2.9]] {
+                // products of elementary rotations have rounding errors where the pitch is exact
+                let pose = Pose::identity().turn_z(yaw).turn_y(pitch).turn_x(roll);
+                let back = Pose::from_xyz_rpy([0.0; 3], pose.rpy_rad());
+                assert!(pose.inverse().then(&back).angle_rad() < 1e-14, "{roll} {pitch} {yaw}");
+            }
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! `[repeatability]`, `[poses]`, `[compliance]` and `[[stream]]`: tests of ISO 9283.
 
-use super::table::{meaningless_beside_sheet, one_row};
+use super::table::{form, meaningless_beside_sheet, one_row};
 use super::{Campaign, TableDefinition};
 use etalon_base::error;
 use etalon_base::message::Problems;
@@ -113,17 +113,7 @@ impl PosesDefinition {
     /// Layout of a table that states none of its own; filters and constants are those of the
     /// attained poses.
     pub fn layout(&self, attained: bool) -> TableLayout {
-        let all = TableLayout {
-            delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
-            decimal: self.decimal.unwrap_or_default(),
-            thousands: self.thousands,
-            header: self.header.clone(),
-            comment: self.comment.clone(),
-            missing: self.missing.clone(),
-            columns: self.columns.clone(),
-            lenient: true,
-            ..TableLayout::of_any_columns()
-        };
+        let all = TableLayout { lenient: true, ..form!(self, TableLayout::of_any_columns()) };
         match attained {
             true => TableLayout {
                 constants: self.constants.clone(),

@@ -374,6 +374,31 @@ impl RobotFile {
         file.build(targets).ok()
     }
 
+    /// Builds the robot with the tilt of its base and without that of its first joint across the
+    /// axis, or the other way round, and these targets; `None` if the model has no such keys.
+    pub fn build_first_tilt(&self, (first, of_base): (&str, bool), targets: &[String]) -> Option<Box<dyn Robot>> {
+        const KEYS: [&str; 2] = ["lateral", "pedestal"];
+        let (model, _) = self.description.as_ref()?;
+        if !KEYS.iter().all(|key| model.keys().iter().any(|known| known.name == *key)) {
+            return None;
+        }
+        let mut file = self.clone();
+        let values = &mut file.description.as_mut()?.1;
+        let mut joints = match values.remove(KEYS[0]) {
+            Some(Value::Joints(joints)) => joints,
+            _ => Vec::new(),
+        };
+        joints.retain(|joint| *joint != JointRef::Number(1) && *joint != JointRef::Name(first.to_owned()));
+        if !of_base {
+            joints.insert(0, JointRef::Number(1));
+        }
+        if !joints.is_empty() {
+            values.insert(KEYS[0], Value::Joints(joints));
+        }
+        values.insert(KEYS[1], Value::Flag(of_base));
+        file.build(targets).ok()
+    }
+
     /// Robot by its description alone.
     fn built(&self, model: &Model, mut values: Values, targets: &[String]) -> Result<Box<dyn Robot>> {
         let mut urdf = None;

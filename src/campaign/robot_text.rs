@@ -15,17 +15,6 @@ fn number(value: f64, decimals: usize) -> String {
     if short == "-0" { "0".to_owned() } else { short.to_owned() }
 }
 
-/// Roll, pitch and yaw (rad) of Rz(yaw) Ry(pitch) Rx(roll); at a pitch of a right angle, yaw is
-/// arbitrary and roll matches it.
-fn roll_pitch_yaw(pose: &Pose) -> [f64; 3] {
-    let r = &pose.rotation;
-    let yaw = r[1][0].atan2(r[0][0]);
-    let (sin, cos) = yaw.sin_cos();
-    let pitch = (-r[2][0]).atan2(cos * r[0][0] + sin * r[1][0]);
-    let roll = (sin * r[0][2] - cos * r[1][2]).atan2(cos * r[1][1] - sin * r[0][1]);
-    [roll, pitch, yaw]
-}
-
 fn list(values: [f64; 3], decimals: usize) -> String {
     values.map(|v| number(v, decimals)).join(", ")
 }
@@ -67,7 +56,7 @@ pub struct RobotHead<'a> {
 pub fn screws_text(about: RobotHead, axes: &[AxisLine], flange: &Pose) -> String {
     let [lengths, angles] = DECIMALS;
     let mut text = head(about.name, about.comments, "poe");
-    let degrees = roll_pitch_yaw(flange).map(f64::to_degrees);
+    let degrees = flange.rpy_rad().map(f64::to_degrees);
     let _ = writeln!(text, "flange_xyz_mm = [{}]", list(flange.translation_mm, lengths));
     let _ = writeln!(text, "flange_rpy_deg = [{}]\njoint = [", list(degrees, angles));
     for (i, axis) in axes.iter().enumerate() {
@@ -123,7 +112,7 @@ fn attribute(text: &str) -> String {
 /// Origin of a frame in a URDF (m, rad).
 fn origin(pose: &Pose) -> String {
     let xyz = pose.translation_mm.map(|mm| number(mm / 1000.0, 12)).join(" ");
-    let rpy = roll_pitch_yaw(pose).map(|v| number(v, 15)).join(" ");
+    let rpy = pose.rpy_rad().map(|v| number(v, 15)).join(" ");
     format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
 }
 

@@ -13,6 +13,24 @@ use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
 
+/// Layout of a table by the keys of its form, which all definitions of tables have; `$others` are
+/// the other members.
+macro_rules! form {
+    ($keys:expr, $others:expr) => {
+        etalon_formats::TableLayout {
+            delimiter: $keys.delimiter.unwrap_or(etalon_formats::dialect::Delimiter::Comma),
+            decimal: $keys.decimal.unwrap_or_default(),
+            thousands: $keys.thousands,
+            header: $keys.header.clone(),
+            comment: $keys.comment.clone(),
+            missing: $keys.missing.clone(),
+            columns: $keys.columns.clone(),
+            ..$others
+        }
+    };
+}
+pub(super) use form;
+
 /// A table with the form of its text; all tables state it by these keys.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -158,18 +176,11 @@ impl TableKeys {
     /// Layout of the table, whose columns may have any name.
     pub fn layout(&self) -> TableLayout {
         TableLayout {
-            delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
-            decimal: self.decimal.unwrap_or_default(),
-            thousands: self.thousands,
-            header: self.header.clone(),
-            comment: self.comment.clone(),
-            missing: self.missing.clone(),
-            columns: self.columns.clone(),
             constants: self.constants.clone(),
             only: self.only.clone(),
             without: self.without.clone(),
             pose: self.pose,
-            ..TableLayout::of_any_columns()
+            ..form!(self, TableLayout::of_any_columns())
         }
     }
 

@@ -1,6 +1,6 @@
 //! Keys of `campaign.toml`.
 
-use super::table::{meaningless_beside_sheet, one_row};
+use super::table::{form, meaningless_beside_sheet, one_row};
 use super::{Join, JoinBy, StatedPoses, TableDefinition};
 use etalon_base::country::Country;
 use etalon_base::date::{date, date_text, months_after};
@@ -305,20 +305,13 @@ impl ObservationsDefinition {
     pub fn layout(&self) -> TableLayout {
         let kind = self.kind.clone().map(|kind| ("kind".to_owned(), Constant::Text(kind)));
         TableLayout {
-            delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
-            decimal: self.decimal.unwrap_or_default(),
-            thousands: self.thousands,
-            header: self.header.clone(),
-            comment: self.comment.clone(),
-            missing: self.missing.clone(),
-            columns: self.columns.clone(),
             constants: self.constants.clone().into_iter().chain(kind).collect(),
             only: self.only.clone(),
             without: self.without.clone(),
             coverage_factor: self.coverage_factor,
             target: self.target.clone(),
             pose: self.pose,
-            ..TableLayout::default()
+            ..form!(self, TableLayout::default())
         }
     }
 }

@@ -93,7 +93,7 @@ impl ExportCommand {
             let Statement { left_out, errors, .. } = statement;
             let format = e.name().to_owned();
             let mut written = WrittenController { format, left_out, errors, messages: Vec::new() };
-            written.messages = not_measured(&written).into_iter().chain(near).collect();
+            written.messages = e.concern(&given).into_iter().chain(not_measured(&written)).chain(near).collect();
             Ok((file, written))
         };
         let written = exporters.iter().map(of_format).collect::<Result<Vec<_>, Problems>>()?;

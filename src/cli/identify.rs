@@ -7,7 +7,7 @@ use super::{Verdict, answer, remark};
 use crate::stages::circumstances::hold_constant;
 use crate::stages::evaluate::Sets;
 use crate::stages::exclusions::{Exclusion, excluded_rows};
-use crate::stages::identification::Input;
+use crate::stages::identification::{Input, state_before};
 use crate::stages::join::Observations;
 use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::remedies::remedied;
@@ -152,7 +152,9 @@ impl IdentifyCommand {
         messages.extend(hold_constant(robot.as_ref(), &sets, &mut settings));
         let mut solved = Solved::new(robot.as_ref(), &sets, &settings, &Systematic::default())?;
         solved.judge(robot.as_ref(), &sets, &settings, messages);
-        Ok(parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, inputs))
+        let mut document = parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, inputs);
+        state_before(&mut document, robot.as_ref(), &sets.calibration, &solved.before);
+        Ok(document)
     }
 
     /// Rules of `--exclude`.

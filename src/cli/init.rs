@@ -1,5 +1,6 @@
 //! Command `etalon init`.
 
+mod branches;
 mod from;
 mod own;
 mod tool_link;
@@ -130,11 +131,12 @@ impl Init {
     /// The robot of a campaign from files.
     fn robot_files(&self) -> anyhow::Result<from::RobotFiles> {
         if let Some(path) = &self.urdf {
-            let Described { name, robot, text, joints } = tool_link::described(path, &self.argument, &self.from)?;
+            let described = tool_link::described(path, &self.argument, &self.from)?;
+            let Described { name, robot, text, joints, targets } = described;
             let files = vec![("robot.toml".to_owned(), robot), (name, text)];
             let controllers = "[\"json\", \"urdf\"]";
             let path = path.with_file_name("robot.toml");
-            return Ok(from::RobotFiles { files, path, joints, targets: Vec::new(), controllers, own: None });
+            return Ok(from::RobotFiles { files, path, joints, targets, controllers, own: None });
         }
         let Some(name) = &self.robot else {
             return Err(Problems::from(error!("from-needs-robot")).into());
@@ -153,7 +155,7 @@ impl Init {
 
     /// A campaign of the robot of a URDF file.
     fn describe(&self, path: &Path) -> anyhow::Result<Verdict> {
-        let Described { name, robot, text, joints } = described(path, &self.argument)?;
+        let Described { name, robot, text, joints, .. } = described(path, &self.argument)?;
         let quoted = |text: &str| toml::Value::from(text).to_string();
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
@@ -208,6 +210,8 @@ struct Described {
     text: Vec<u8>,
     /// Keys of its joints, with their units.
     joints: Vec<String>,
+    /// Targets of its branches.
+    targets: Vec<String>,
 }
 
 /// Names of the robots of the table.
@@ -248,7 +252,8 @@ fn described(path: &Path, arguments: &[String]) -> anyhow::Result<Described> {
     }
     let text = expanded.text;
     let robot = urdf_text(&name, &chain);
-    Ok(Described { name, robot: robot.into_bytes(), text: text.into_bytes(), joints: joint_keys(&chain) })
+    let (robot, text) = (robot.into_bytes(), text.into_bytes());
+    Ok(Described { name, robot, text, joints: joint_keys(&chain), targets: Vec::new() })
 }
 
 /// Keys of the joints of a chain, with the units of a URDF.

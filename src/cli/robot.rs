@@ -7,7 +7,7 @@ use crate::stages::sweeps::not_held;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{RobotHead, UrdfJoint, gains_text, read_robot, screws_text, table_text, urdf_text};
-use etalon_robots::{Effect, JointChain, JointRange, Robot, Role, modified_table, standard_table};
+use etalon_robots::{JointChain, JointRange, Robot, Role, modified_table, standard_table};
 use std::path::PathBuf;
 
 /// Convert the description of a robot.
@@ -111,7 +111,7 @@ fn range(robot: &dyn Robot, joint: usize) -> Option<[f64; 2]> {
 /// Warning of effects that no description of axes holds.
 fn left_out(robot: &dyn Robot) -> Vec<Message> {
     let own = robot.parameters().iter().filter(|p| p.role == Role::Robot);
-    let other = own.filter(|p| !matches!(p.effect, Effect::Zeros | Effect::Geometry | Effect::Gains));
+    let other = own.filter(|p| !p.effect.is_rigid());
     let names: Vec<&str> = other.map(|p| p.name.as_str()).collect();
     let message = || warning!("convert-left-out", count = names.len(), names = names.join(", "));
     (!names.is_empty()).then(message).into_iter().collect()

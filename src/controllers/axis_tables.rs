@@ -2,6 +2,7 @@
 //! direction) or computed. Positions and deviations are in mm for a linear axis, in deg for a
 //! rotary axis.
 
+use crate::decimals::fixed;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::Result;
@@ -132,10 +133,10 @@ pub fn sinumerik(positions: &[Deviation], axis: &str, header: &[String]) -> Resu
     let [first, step, last] = even(positions)?;
     let mut out = format!("%_N_AX_EEC_INI\n{}CHANDATA(1)\n", commented(";", header));
     for (i, p) in positions.iter().enumerate() {
-        let _ = writeln!(out, "$AA_ENC_COMP[0,{i},{axis}]={:.6}", p.mean());
+        let _ = writeln!(out, "$AA_ENC_COMP[0,{i},{axis}]={}", fixed(p.mean(), 6));
     }
     for (name, value) in [("STEP", step), ("MIN", first), ("MAX", last)] {
-        let _ = writeln!(out, "$AA_ENC_COMP_{name}[0,{axis}]={value:.6}");
+        let _ = writeln!(out, "$AA_ENC_COMP_{name}[0,{axis}]={}", fixed(value, 6));
     }
     Ok(out + &format!("$AA_ENC_COMP_IS_MODULO[0,{axis}]=0\nM17\n"))
 }
@@ -167,11 +168,11 @@ pub fn sinumerik_cec(
     let MachineAxes { base: [base, _], corrected } = axes;
     let mut out = format!("%_N_NC_CEC_INI\n{}; {}\nCHANDATA(1)\n", commented(";", header), sign.remark());
     for (i, p) in positions.iter().enumerate() {
-        let _ = writeln!(out, "$AN_CEC[{index},{i}]={:.6}", sign.value(p.mean()));
+        let _ = writeln!(out, "$AN_CEC[{index},{i}]={}", fixed(sign.value(p.mean()), 6));
     }
     let _ = writeln!(out, "$AN_CEC_INPUT_AXIS[{index}]=(AX{base})\n$AN_CEC_OUTPUT_AXIS[{index}]=(AX{corrected})");
     for (name, value) in [("STEP", step), ("MIN", first), ("MAX", last)] {
-        let _ = writeln!(out, "$AN_CEC_{name}[{index}]={value:.6}");
+        let _ = writeln!(out, "$AN_CEC_{name}[{index}]={}", fixed(value, 6));
     }
     for name in ["DIRECTION", "MULT_BY_TABLE", "IS_MODULO"] {
         let _ = writeln!(out, "$AN_CEC_{name}[{index}]=0");

@@ -5,6 +5,7 @@
 //! Any three vertical towers are on a circle; the frame of the controller is at its centre, rotated
 //! to match the towers.
 
+use super::decimals::all_fixed;
 use super::template::render;
 use super::{Exporter, Given, value};
 use etalon_base::message::{Message, Result};
@@ -94,11 +95,9 @@ impl Towers {
 
     /// Header lines of a file.
     fn header(&self, given: &Given) -> Result<Vec<String>> {
-        let ([x, y], turned) = (self.centre_mm, self.turned_deg);
+        let [x, y, turned] = all_fixed([self.centre_mm[0], self.centre_mm[1], self.turned_deg], 6);
         let mut lines = given.header("mm, deg")?;
-        lines.push(format!(
-            "frame of this file in the base: x {x:.6} mm, y {y:.6} mm, turned by {turned:.6} deg about z"
-        ));
+        lines.push(format!("frame of this file in the base: x {x} mm, y {y} mm, turned by {turned} deg about z"));
         if !self.lost.is_empty() {
             lines.push(format!("not in this format, whose towers are vertical: {}", self.lost.join(", ")));
         }

@@ -6,6 +6,7 @@
 //! lengths multiplied by a thousand or a million: a tangent in steps of 1/65536 would have an error
 //! of 3 µm at a lever of 400 mm.
 
+use super::decimals::fixed;
 use super::{Exporter, Given, value};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
@@ -115,7 +116,7 @@ fn prexyt(given: &Given) -> Result<String> {
     for (name, value, most) in constants {
         // NaN is rejected too
         if value.abs() <= most {
-            let _ = writeln!(out, "{name}={value:.6}");
+            let _ = writeln!(out, "{name}={}", fixed(value, 6));
         } else {
             return Err(error!("galil-constant-too-large", name, value, most).into());
         }

@@ -13,6 +13,7 @@ mod code;
 pub mod commands;
 mod csv;
 mod dcc;
+mod decimals;
 mod delta;
 mod field;
 mod galil;
@@ -47,7 +48,6 @@ pub use field::{field_code, field_files};
 use etalon_base::catalogue::Phrase;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
-use etalon_base::pose::{Pose, Vector};
 use etalon_base::{error, phrase};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, ControllersDocument, ParameterEntry, ParameterStatus, ParametersDocument,
@@ -89,6 +89,12 @@ pub trait Exporter {
         None
     }
 
+    /// Warning about a file that is written for a robot unlike those of the format; `None` if the
+    /// robot is like them or unknown.
+    fn concern(&self, _given: &Given) -> Option<Message> {
+        None
+    }
+
     /// `true` if the format holds this parameter of the robot.
     fn holds(&self, _parameter: &Parameter, _given: &Given) -> bool {
         true
@@ -97,11 +103,8 @@ pub trait Exporter {
     /// Values (mm, rad or 1) of the robot that the file describes. Effects that the format does not
     /// hold are zero; some formats tie parameters to each other.
     fn written(&self, given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
-        let own = |(p, &value): (&Parameter, &f64)| match p.effect {
-            Effect::Zeros | Effect::Geometry | Effect::Gains => value,
-            _ if self.holds(p, given) => value,
-            _ => 0.0,
-        };
+        let own =
+            |(p, &value): (&Parameter, &f64)| if p.effect.is_rigid() || self.holds(p, given) { value } else { 0.0 };
         robot.parameters().iter().zip(values).map(own).collect()
     }
 
@@ -318,29 +321,20 @@ impl<'a> Given<'a> {
     /// Like [`Self::header`], for formats with joints and links only: lists the effects that they
     /// cannot hold.
     fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
-        let effects = [
-            Effect::Bending,
-            Effect::Payload,
-            Effect::Torque,
-            Effect::Expansion,
-            Effect::Drift,
-            Effect::Lateral,
-            Effect::Pedestal,
-            Effect::Coupling,
-            Effect::Harmonics,
-            Effect::Backlash,
-        ];
+        let effects: Vec<Effect> = Effect::ALL.into_iter().filter(|effect| !effect.is_rigid()).collect();
         self.header_without(&effects, "not in this format", units)
     }
 
     /// Like [`Self::header`], for code that computes from joint values only: lists backlash, which
     /// it cannot follow, and effects of what a reading states beside joint values.
     fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
-        let mut effects = vec![Effect::Backlash, Effect::Payload, Effect::Torque, Effect::Expansion, Effect::Drift];
         // without known masses, the payload alone tilts joints and base
-        if self.robot.is_some_and(|robot| robot.circumstances().contains(&Circumstance::PayloadMass)) {
-            effects.extend([Effect::Lateral, Effect::Pedestal]);
-        }
+        let tilts = self.robot.is_some_and(|robot| robot.circumstances().contains(&Circumstance::PayloadMass));
+        let left_out = |effect: &Effect| match effect {
+            Effect::Lateral | Effect::Pedestal => tilts,
+            effect => !is_effect_in_code(*effect),
+        };
+        let effects: Vec<Effect> = Effect::ALL.into_iter().filter(left_out).collect();
         let why = "joints are taken in the middle of their backlash and without payload and torques, at the reference temperature, not in this code";
         self.header_without(&effects, why, units)
     }
@@ -448,7 +442,12 @@ fn is_geometry(parameter: &Parameter) -> bool {
 
 /// `true` if code that computes from joint values only holds the parameter.
 fn is_in_code(parameter: &Parameter) -> bool {
-    parameter.effect != Effect::Backlash && !parameter.effect.follows_readings()
+    is_effect_in_code(parameter.effect)
+}
+
+/// `true` for effects that code can compute from joint values only.
+fn is_effect_in_code(effect: Effect) -> bool {
+    effect != Effect::Backlash && !effect.follows_readings()
 }
 
 /// File names of all formats.
@@ -508,16 +507,4 @@ fn status_word(parameter: &ParameterEntry) -> &'static str {
         ParameterStatus::NotIdentifiable => "not_identifiable",
         ParameterStatus::PlacedByValidation => "placed_by_validation",
     }
-}
-
-/// Roll, pitch and yaw (rad) of Rz(yaw) Ry(pitch) Rx(roll). At a pitch of a right angle only the
-/// sum or difference of roll and yaw is determined: yaw is then arbitrary, and the other angles
-/// match it.
-fn roll_pitch_yaw(pose: &Pose) -> Vector {
-    let r = &pose.rotation;
-    let yaw = r[1][0].atan2(r[0][0]);
-    let (sin, cos) = yaw.sin_cos();
-    let pitch = (-r[2][0]).atan2(cos * r[0][0] + sin * r[1][0]);
-    let roll = (sin * r[0][2] - cos * r[1][2]).atan2(cos * r[1][1] - sin * r[0][1]);
-    [roll, pitch, yaw]
 }

@@ -6,7 +6,7 @@
 //! normal. Links before the first joint and after the last are separate frames.
 
 use super::template::render;
-use super::{Exporter, Given, is_geometry, roll_pitch_yaw, six_axes};
+use super::{Exporter, Given, is_geometry, six_axes};
 use etalon_base::error;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
@@ -55,7 +55,7 @@ impl Exporter for LinuxCnc {
         let (robot, values) = given.robot()?;
         let chain = six_axes(self.name(), robot, &values)?;
         let (base, rows) = table(&chain).ok_or_else(|| error!("axes-coincide"))?;
-        let frame = |name, pose: &Pose| (name, pose.translation_mm, roll_pitch_yaw(pose).map(f64::to_degrees));
+        let frame = |name, pose: &Pose| (name, pose.translation_mm, pose.rpy_rad().map(f64::to_degrees));
         let frames = [frame("first frame in the base", &base), frame("flange in the last frame", &chain.flange)];
         let header = given.header_of_geometry("mm, rad; offsets of joints in deg")?;
         let values = context! { header, frames => Serde(frames), rows => Serde(rows) };

@@ -1,6 +1,7 @@
 //! Text formats as templates (minijinja) in `templates/`, with their notation of names and numbers:
 //! digits that read back bit for bit.
 
+use super::decimals::fixed;
 use etalon_base::error;
 use etalon_base::message::Result;
 use minijinja::syntax::SyntaxConfig;
@@ -32,7 +33,7 @@ pub(super) fn environment<'a>() -> std::result::Result<Environment<'a>, Error> {
     environment.add_filter("quoted", |text: String| quoted(&text));
     environment.add_filter("literal", literal);
     environment.add_filter("iec", real_literal);
-    environment.add_filter("fixed", |value: f64, decimals: usize| format!("{value:.decimals$}"));
+    environment.add_filter("fixed", fixed);
     environment.add_filter("radians", f64::to_radians);
     environment.add_filter("degrees", f64::to_degrees);
     environment.add_filter("numbers", |values: Vec<f64>, between: String| {

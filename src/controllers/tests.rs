@@ -48,6 +48,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         budget: vec![],
         residuals: ResidualSummary {
             position_rms_mm: None,
+            position_rms_before_mm: None,
             kind: ResidualKind::Targets,
             count: 0,
             rms: 0.0,

@@ -1,7 +1,7 @@
 //! URDF from which the robot was read, with calibrated origins; everything else is preserved,
 //! including comments.
 
-use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
+use super::{Exporter, Given, is_geometry};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
@@ -219,7 +219,7 @@ fn origin(xyz: &Option<String>, rpy: &Option<String>, errors: &[(usize, bool, f6
             (true, _) => pose.turn_z(value),
         };
     }
-    let ([x, y, z], [roll, pitch, yaw]) = (pose.translation_mm.map(|mm| mm / 1000.0), roll_pitch_yaw(&pose));
+    let ([x, y, z], [roll, pitch, yaw]) = (pose.translation_mm.map(|mm| mm / 1000.0), pose.rpy_rad());
     let mut tag = String::new();
     let _ = write!(
         tag,

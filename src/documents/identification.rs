@@ -84,6 +84,7 @@ pub fn parameters_document(
             position_rms_mm: (settings.kind == etalon_identify::ResidualKind::Targets
                 && settings.conditions.is_empty())
             .then(|| (robot.dimension() as f64).sqrt() * found.rms),
+            position_rms_before_mm: None,
             max: found.max,
             degrees_of_freedom: found.degrees_of_freedom,
             stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,

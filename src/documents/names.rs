@@ -1,8 +1,29 @@
 //! Names of what documents enumerate, as texts of the catalogue.
 
-use crate::{LimitQuantity, UncertaintySource};
+use crate::{Effect, LimitQuantity, UncertaintySource};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
+
+impl Effect {
+    /// Name of the effect.
+    pub fn phrase(self) -> Phrase {
+        match self {
+            Self::Zeros => phrase!("zeros-of-the-joints"),
+            Self::Geometry => phrase!("geometry"),
+            Self::Gains => phrase!("gains"),
+            Self::Harmonics => phrase!("harmonics-of-the-transmissions"),
+            Self::Backlash => phrase!("backlash"),
+            Self::Coupling => phrase!("coupling"),
+            Self::Bending => phrase!("bending"),
+            Self::Payload => phrase!("payload-bending"),
+            Self::Torque => phrase!("torque-bending"),
+            Self::Expansion => phrase!("expansion-with-temperature"),
+            Self::Drift => phrase!("drift-with-temperature"),
+            Self::Lateral => phrase!("lateral-bending"),
+            Self::Pedestal => phrase!("pedestal-bending"),
+        }
+    }
+}
 
 impl LimitQuantity {
     /// Name of the limited quantity.

@@ -237,6 +237,10 @@ pub struct ResidualSummary {
     /// of targets.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_rms_mm: Option<f64>,
+    /// Root mean square of the position residuals before identification (mm): nominal parameters,
+    /// with only base and targets fitted. Absent like `position_rms_mm`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position_rms_before_mm: Option<f64>,
     /// Largest absolute residual.
     pub max: f64,
     /// Number of residuals minus number of identified parameters.

@@ -35,7 +35,10 @@ pub use input::{bytes_of, into_text, read_text, text_of};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Line, Names, Point, SharedText, Stated, table, to_parquet};
-pub use propose::{FilesProposal, JOINTS_REMARK, label_form, propose, propose_file, propose_file_for, propose_files};
+pub use propose::{
+    FilesProposal, JOINTS_REMARK, TargetFit, fit_targets, heading_without_unit, label_form, propose, propose_file,
+    propose_file_for, propose_files,
+};
 pub use tables::observations::{TableLayout, observations, observations_with};
 
 use crate::dialect::{Encoding, Unit};

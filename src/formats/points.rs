@@ -1,5 +1,6 @@
 //! Points of exports.
 
+use crate::dialect::Unit;
 use crate::table::{RowGroups, frame, pose_column_as};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Place, Result};
@@ -80,6 +81,11 @@ impl Stated {
 }
 
 impl Point {
+    /// Point of a line (from 1) with a label; `xyz` is in `unit`.
+    pub(crate) fn of_line((line, text): (usize, Line), label: SharedText, xyz: Vector, unit: Unit) -> Self {
+        Self { line: line as u32, text, label, xyz_mm: xyz.map(|v| v * unit.in_mm()), ..Self::default() }
+    }
+
     /// The line in the export.
     pub fn place(&self) -> Place {
         self.place_in(&*self.export)

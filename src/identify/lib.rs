@@ -54,6 +54,7 @@ pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
 pub use solution::apart::{Placement, place_apart};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
+pub use solution::related::condition_slip;
 pub use solution::set_up::{allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
 pub use solution::start::NOISE_DISTANCE;
 pub use warning::{Origin, SetUpError, Subject, Warning};
@@ -311,15 +312,42 @@ impl Identification {
 /// # Ok::<(), etalon_identify::Error>(())
 /// ```
 pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
-    let start = match settings.conditions[..] {
-        [] => {
-            solution::start::start(robot, observations, settings, &wanted_parameters(robot, observations, settings)?)?
-        }
+    identify_from(robot, observations, settings, &start(robot, observations, settings)?)
+}
+
+/// Starting values of all parameters.
+fn start(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
+    match settings.conditions[..] {
+        [] => solution::start::start(robot, observations, settings, &wanted_parameters(robot, observations, settings)?),
         // what conditions refer to is found in closed form one by one: together it comes near
         // enough
-        _ => fit_frames(robot, observations, settings)?,
-    };
-    identify_from(robot, observations, settings, &start)
+        _ => fit_frames(robot, observations, settings),
+    }
+}
+
+/// Parameters of an identification without their uncertainty.
+#[derive(Clone, Debug)]
+pub struct Fitted {
+    /// All parameters of the robot (mm, rad, 1).
+    pub values: Vec<f64>,
+    /// Root mean square of the residuals that are lengths (mm).
+    pub rms: f64,
+}
+
+impl Fitted {
+    /// The solution of [`identify`], whose uncertainty takes half of its time.
+    ///
+    /// # Errors
+    /// Fails if settings and observations do not match, or if the solver fails.
+    pub fn new(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Self> {
+        let start = start(robot, observations, settings)?;
+        let wanted = wanted_parameters(robot, observations, settings)?;
+        let found = solve_identifiable(robot, observations, settings, &wanted, &start)?;
+        let settings = Settings { prior: found.prior, ..settings.with_weight(found.weight) };
+        let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values)?;
+        let rms = judgement::uncertainty::rms_mm(&problem, &found.solution);
+        Ok(Self { values: found.values, rms })
+    }
 }
 
 /// [`identify`] with starting values of all parameters, for instance those of [`fit_frames`].

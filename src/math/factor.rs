@@ -5,7 +5,7 @@
 //! (tall-skinny QR: Demmel et al. 2012).
 
 use super::blocks::{Head, OWN, Rows, with_heads};
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 /// Number of rows per task; constant, so that the result does not depend on the number of threads.
@@ -44,7 +44,6 @@ impl Factor {
             let mut columns = Vec::new();
             for (rows, b) in rows.chunks(BLOCK_ROWS * n.max(1)).zip(b.chunks(BLOCK_ROWS)) {
                 let m = b.len();
-                columns.clear();
                 columns.resize(m * (n + 1), 0.0);
                 for (i, row) in rows.chunks_exact(n).enumerate() {
                     for j in 0..n {
@@ -112,10 +111,7 @@ impl Factor {
 
     /// Adds `m` rows, stored column by column with the right-hand side last.
     fn absorb(&mut self, columns: &mut [f64], m: usize) {
-        Arch::new().dispatch(
-            #[inline(always)]
-            || self.reflect(columns, m),
-        );
+        Arch::new().dispatch(Absorbing { factor: self, columns, m });
     }
 
     /// Householder reflections of [R; rows], where each column has a single element above the rows.
@@ -407,6 +403,25 @@ impl Factor {
             }
         }
         Some(product)
+    }
+}
+
+/// Rows on their way into a factor.
+///
+/// A type of its own, because a closure that borrows what it changes is called through a function
+/// that the compiler does not inline: it would be compiled without the instructions of the machine.
+struct Absorbing<'a> {
+    factor: &'a mut Factor,
+    columns: &'a mut [f64],
+    m: usize,
+}
+
+impl WithSimd for Absorbing<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.factor.reflect(self.columns, self.m);
     }
 }
 

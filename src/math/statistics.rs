@@ -52,6 +52,32 @@ pub fn middle_pair(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     Some([lower.unwrap_or(upper), upper])
 }
 
+/// Spearman's rank correlation; ties have the mean of their ranks. Zero if all values of a list are
+/// equal.
+pub fn rank_correlation(a: &[f64], b: &[f64]) -> f64 {
+    let centred = |values: &[f64]| -> Vec<f64> {
+        let ranks = ranks(values);
+        let middle = mean(ranks.iter().copied());
+        ranks.into_iter().map(|r| r - middle).collect()
+    };
+    let (a, b) = (centred(a), centred(b));
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let size = (dot(&a, &a) * dot(&b, &b)).sqrt();
+    if size > 0.0 { dot(&a, &b) / size } else { 0.0 }
+}
+
+/// Ranks from 0; equal values have the mean of their ranks.
+fn ranks(values: &[f64]) -> Vec<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let rank = |v: &f64| {
+        let below = sorted.partition_point(|other| other.total_cmp(v).is_lt());
+        let up_to = sorted.partition_point(|other| other.total_cmp(v).is_le());
+        0.5 * (below + up_to) as f64 - 0.5
+    };
+    values.iter().map(rank).collect()
+}
+
 /// Median as one of the values: the larger one of the middle pair for an even number; `None`
 /// without values.
 pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
@@ -67,6 +93,18 @@ mod tests {
         assert_eq!((middle_pair([]), median([])), (None, None));
         assert_eq!((middle_pair([3.0]), median([3.0, 1.0, 2.0])), (Some([3.0, 3.0]), Some(2.0)));
         assert_eq!((middle_pair([4.0, 1.0, 3.0, 2.0]), median([4.0, 1.0, 3.0, 2.0])), (Some([2.0, 3.0]), Some(3.0)));
+    }
+
+    #[test]
+    fn rank_correlations_of_a_published_example_and_by_hand() {
+        // intelligence quotient and hours of television: -29/165 (Wikipedia, Spearman correlation)
+        let quotients = [106.0, 100.0, 86.0, 101.0, 99.0, 103.0, 97.0, 113.0, 112.0, 110.0];
+        let hours = [7.0, 27.0, 2.0, 50.0, 28.0, 29.0, 20.0, 12.0, 6.0, 17.0];
+        assert!((rank_correlation(&quotients, &hours) + 29.0 / 165.0).abs() < 1e-15);
+        // ties: 4.5 / sqrt(4.5 * 5)
+        let tied = rank_correlation(&[1.0, 2.0, 2.0, 3.0], &[1.0, 2.0, 3.0, 4.0]);
+        assert!((tied - 0.9f64.sqrt()).abs() < 1e-15);
+        assert_eq!(rank_correlation(&[1.0, 1.0], &[1.0, 2.0]), 0.0);
     }
 
     #[test]

@@ -69,8 +69,8 @@ fn filled(
     environment.add_global("script_sha256", STANDARD.encode(Sha256::digest(script)));
     let fail = |e: minijinja::Error| Problems::from(failure(&e, presentation));
     let page = environment.get_template(template).map_err(fail)?.render(contents).map_err(fail)?;
-    let page: String =
-        page.chars().map(|c| if c.is_control() && !matches!(c, '\n' | '\t') { '\u{fffd}' } else { c }).collect();
+    let is_forbidden = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    let page = if page.contains(is_forbidden) { page.replace(is_forbidden, "\u{fffd}") } else { page };
     Ok(if page.len() > LARGE { marks_by_number(&page) } else { page })
 }
 

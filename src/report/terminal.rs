@@ -96,6 +96,13 @@ impl<'a> Page<'a> {
         let kept: Vec<usize> = (0..laid.header.len()).filter(|i| rows.iter().any(|row| !row[*i].is_empty())).collect();
         let wide = |i: &usize| rows.iter().map(|row| letters(&row[*i])).chain([letters(laid.header[*i])]).max();
         let mut widths: Vec<usize> = kept.iter().filter_map(wide).collect();
+        let words = |i: &usize| rows.iter().flat_map(|row| row[*i].split(' ')).map(letters).max().unwrap_or(0);
+        let least = |(i, width): (&usize, &usize)| match laid.numeric[*i] {
+            true => *width,
+            false => words(i).max(letters(laid.header[*i])).max(NARROWEST).min(*width),
+        };
+        let least: Vec<usize> = kept.iter().zip(&widths).map(least).collect();
+        narrow(&mut widths, &least);
         // a title above several columns starts with the first of them
         let title = |i: usize| groups.get(kept[i]).copied().unwrap_or_default();
         let first = |i: usize| i == 0 || title(i - 1) != title(i);
@@ -123,11 +130,51 @@ impl<'a> Page<'a> {
             cells.into_iter().enumerate().map(set).collect::<Vec<_>>().join("  ")
         };
         self.line(&line(kept.iter().map(|i| laid.header[*i]).collect()));
-        rows.iter().for_each(|row| self.line(&line(kept.iter().map(|i| row[*i].as_str()).collect())));
+        for row in &rows {
+            let cells: Vec<Vec<&str>> = kept.iter().zip(&widths).map(|(i, width)| wrapped(&row[*i], *width)).collect();
+            let lines = cells.iter().map(Vec::len).max().unwrap_or(0);
+            for k in 0..lines {
+                self.line(&line(cells.iter().map(|cell| cell.get(k).copied().unwrap_or_default()).collect()));
+            }
+        }
         if laid.left_out > 0 {
             self.line(&tr!(self.words, "rows-in-workbook", count = laid.left_out));
         }
     }
+}
+
+/// Maximum width of a table; longer texts are wrapped.
+const WIDTH: usize = 100;
+/// Minimum width of a column whose texts are wrapped.
+const NARROWEST: usize = 20;
+
+/// Narrows the widest columns, down to `least`, until the table is not wider than [`WIDTH`]. A
+/// table that cannot be this narrow is left as it is.
+fn narrow(widths: &mut [usize], least: &[usize]) {
+    let table = |widths: &[usize]| widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1);
+    if table(least) > WIDTH {
+        return;
+    }
+    while table(widths) > WIDTH {
+        let widest = (0..widths.len()).filter(|i| widths[*i] > least[*i]).max_by_key(|i| widths[*i]);
+        let Some(widest) = widest else { return };
+        widths[widest] -= 1;
+    }
+}
+
+/// Lines of a text, broken between words; a longer word has a line of its own.
+fn wrapped(text: &str, width: usize) -> Vec<&str> {
+    let (mut lines, mut from, mut end, mut start) = (Vec::new(), 0, 0, 0);
+    for word in text.split(' ') {
+        if end > from && letters(&text[from..start + word.len()]) > width {
+            lines.push(&text[from..end]);
+            from = start;
+        }
+        end = start + word.len();
+        start = end + 1;
+    }
+    lines.push(&text[from..end]);
+    lines
 }
 
 /// Text of a cell, in capitals instead of bold letters.

@@ -44,6 +44,9 @@ impl Words {
 
     /// Text of the catalogue. Numbers in texts get the decimal mark of the language.
     pub fn tr(&self, phrase: &Phrase) -> String {
+        if self.language == Language::En {
+            return phrase.text(self.code());
+        }
         let mut phrase = phrase.clone();
         phrase.arguments.values_mut().for_each(|value| self.mark(value));
         phrase.text(self.code())

@@ -156,24 +156,20 @@ fn fill(page: &mut Worksheet, sheet: &Sheet, words: &Words) -> std::result::Resu
     let name = name(sheet, words);
     page.set_name(&name)?;
     let last = sheet.columns.len().saturating_sub(1) as u16;
-    let mut numbers = Vec::new();
     for (i, [title, _, unit]) in (0u16..).zip(&sheet.columns) {
         page.write_string_with_format(0, i, printable(title), &head)?;
         page.set_column_width(i, width(sheet, usize::from(i)) as f64)?;
         let format = number_format(sheet.rows.iter().map(|row| row[usize::from(i)]), unit);
-        numbers.push(Format::new().set_num_format(format).set_align(FormatAlign::Top));
+        // numbers have the format of their column
+        page.set_column_format(i, &Format::new().set_num_format(format).set_align(FormatAlign::Top))?;
     }
     for (i, row) in (1u32..).zip(sheet.rows.iter().take(ROWS)) {
-        for ((j, cell), number) in (0u16..).zip(row).zip(&numbers) {
+        for (j, cell) in (0u16..).zip(row) {
             match cell {
                 Cell::Missing => continue,
-                Cell::Number { value, .. } if value.is_finite() => {
-                    page.write_number_with_format(i, j, *value, number)?
-                }
+                Cell::Number { value, .. } if value.is_finite() => page.write_number(i, j, *value)?,
                 Cell::Number { .. } => page.write_string_with_format(i, j, tr!(words, "sheet-not-a-number"), &text)?,
-                Cell::Count(count) if count.unsigned_abs() <= WHOLE => {
-                    page.write_number_with_format(i, j, *count as f64, number)?
-                }
+                Cell::Count(count) if count.unsigned_abs() <= WHOLE => page.write_number(i, j, *count as f64)?,
                 Cell::Term { english, shown, .. } => {
                     let colour = VERDICTS.iter().find(|(verdict, _)| verdict == english).map(|v| Color::RGB(v.1));
                     let format = text.clone();

@@ -78,6 +78,28 @@ pub enum Effect {
 }
 
 impl Effect {
+    /// All effects, the simpler ones first.
+    pub const ALL: [Self; 13] = [
+        Self::Zeros,
+        Self::Geometry,
+        Self::Gains,
+        Self::Harmonics,
+        Self::Backlash,
+        Self::Coupling,
+        Self::Bending,
+        Self::Payload,
+        Self::Torque,
+        Self::Expansion,
+        Self::Drift,
+        Self::Lateral,
+        Self::Pedestal,
+    ];
+
+    /// `true` for zeros, geometry and gains: the effects of rigid joints and links.
+    pub fn is_rigid(self) -> bool {
+        matches!(self, Self::Zeros | Self::Geometry | Self::Gains)
+    }
+
     /// `true` for effects that the data have to prove: they are not identified unless this is asked
     /// for.
     pub fn needs_proof(self) -> bool {
@@ -94,6 +116,16 @@ impl Effect {
         matches!(self, Self::Expansion | Self::Drift)
     }
 }
+
+// `Effect::ALL` has every effect once: the last one closes the list
+const _: () = {
+    let mut i = 0;
+    while i < Effect::ALL.len() {
+        assert!(Effect::ALL[i] as usize == i);
+        i += 1;
+    }
+    assert!(Effect::Pedestal as usize + 1 == Effect::ALL.len());
+};
 
 /// Value that each reading states besides its joint values and directions of approach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -15,6 +15,7 @@ use super::{limit_violation, nearest, normal_equations, square};
 use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded, derivatives};
 use etalon_base::noise::Noise;
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
@@ -1026,6 +1027,12 @@ impl Robot for Serial {
         let mut all = vec![self.drawn()];
         all.extend(self.link.clone());
         all
+    }
+    fn remedy(&self, parameters: &[usize]) -> Option<Phrase> {
+        let all = || parameters.iter().map(|&i| &self.parameters()[i]);
+        let first = all().find(|p| p.effect == Effect::Lateral && p.joint == Some(0));
+        let joint = first.and_then(|_| self.axes.first()).map(|axis| axis.drive.label.clone())?;
+        all().any(|p| p.effect == Effect::Pedestal).then(|| phrase!("pedestal-or-first-joint", joint))
     }
     fn optional_parameters(&self) -> Vec<OptionalParameter> {
         let labels = || self.axes.iter().map(|axis| axis.drive.label.as_str());

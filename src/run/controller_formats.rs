@@ -2,7 +2,7 @@
 
 use crate::run::documents::is_file_of_run;
 use etalon_base::files::Stamp;
-use etalon_base::message::{Place, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_controllers::{Exporter, OwnFormat};
@@ -10,7 +10,12 @@ use etalon_documents::{Source, SourceKind};
 use toml::Spanned;
 
 /// The formats that a campaign names, or the usual ones.
-pub struct ControllerFormats(Vec<Format>);
+#[derive(Default)]
+pub struct ControllerFormats {
+    formats: Vec<Format>,
+    /// Files of the templates.
+    pub sources: Vec<Source>,
+}
 
 enum Format {
     Known(&'static dyn Exporter),
@@ -18,38 +23,36 @@ enum Format {
 }
 
 /// `true` if an entry of `controllers` is the file of a template.
-pub fn is_template(name: &str) -> bool {
+fn is_template(name: &str) -> bool {
     name.ends_with(".j2")
 }
 
 impl ControllerFormats {
-    /// Reads the templates of a campaign, and adds them to its sources.
-    ///
-    /// # Errors
-    ///
-    /// Reports a template that cannot be used.
-    pub fn read(campaign: &Campaign, sources: &mut Vec<Source>) -> Result<Self> {
+    /// Finds the formats of a campaign, and reads its templates; reports unknown formats and
+    /// templates that cannot be used.
+    pub fn read(campaign: &Campaign, problems: &mut Problems) -> Self {
         let known = |name: &str| etalon_controllers::by_name(name).map(Format::Known);
         let Some(stated) = &campaign.file.controllers else {
-            return Ok(Self(etalon_controllers::usual().filter_map(known).collect()));
+            return Self { formats: etalon_controllers::usual().filter_map(known).collect(), sources: Vec::new() };
         };
-        let mut formats = Vec::new();
+        let mut found = Self::default();
         for name in stated {
-            match is_template(name.get_ref()) {
-                true => {
-                    let (format, source) = template(campaign, name)?;
-                    sources.push(source);
-                    formats.push(Format::Own(format));
-                }
-                false => formats.extend(known(name.get_ref())),
+            if is_template(name.get_ref()) {
+                let Some((format, source)) = problems.keep(template(campaign, name)) else { continue };
+                found.sources.push(source);
+                found.formats.push(Format::Own(format));
+            } else if let Some(format) = known(name.get_ref()) {
+                found.formats.push(format);
+            } else {
+                problems.0.push(etalon_controllers::unknown(name.get_ref()).at(campaign.place(name)));
             }
         }
-        Ok(Self(formats))
+        found
     }
 
     /// The formats with their names.
     pub fn all(&self) -> Vec<(&str, &dyn Exporter)> {
-        self.0.iter().map(Format::named).collect()
+        self.formats.iter().map(Format::named).collect()
     }
 }
 
@@ -80,7 +83,7 @@ pub fn own_format(path: &str, text: String, place: Place) -> Result<OwnFormat> {
 /// # Errors
 ///
 /// Reports a template that cannot be read, or whose file replaces a document of the run.
-pub fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(OwnFormat, Source)> {
+fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(OwnFormat, Source)> {
     let path = campaign.resolve(name)?;
     let (text, bytes) = etalon_formats::read_text(&path, None, &campaign.place(name))?;
     let format = own_format(name.get_ref(), text, campaign.place(name))?;

@@ -39,6 +39,12 @@ impl Output {
         self.files.push((name.to_owned(), bytes));
     }
 
+    /// Adds a file whose name no template of a campaign may use.
+    fn own(&mut self, name: &str, bytes: Vec<u8>) {
+        debug_assert!(documents::is_file_of_run(name), "{name} is missing in the files of a run");
+        self.bytes(name, bytes);
+    }
+
     /// A file that was added.
     pub fn file(&self, name: &str) -> Option<&[u8]> {
         self.files.iter().find(|(added, _)| added == name).map(|(_, bytes)| bytes.as_slice())
@@ -52,7 +58,7 @@ impl Output {
     /// Adds a document.
     pub fn json<T: Serialize>(&mut self, name: &str, document: &T) -> Result<()> {
         let bytes = to_json(document)?;
-        self.bytes(name, bytes);
+        self.own(name, bytes);
         Ok(())
     }
 
@@ -64,13 +70,13 @@ impl Output {
     /// Adds a table as Parquet.
     pub fn table(&mut self, stem: &str, table: &mut DataFrame) -> Result<()> {
         let bytes = table::to_parquet(table)?;
-        self.bytes(&format!("{stem}.parquet"), bytes);
+        self.own(&format!("{stem}.parquet"), bytes);
         Ok(())
     }
 
     /// Adds the tables of points and joint values; the points are given up.
     pub fn gathered(&mut self, campaign: &Campaign, gathered: &mut Gathered) -> Result<()> {
-        self.bytes("points.parquet", etalon_formats::to_parquet(std::mem::take(&mut gathered.points))?);
+        self.own("points.parquet", etalon_formats::to_parquet(std::mem::take(&mut gathered.points))?);
         for log in &gathered.logs {
             self.table(&Self::numbered("joints", &log.name, campaign), &mut log.table()?)?;
         }
@@ -84,7 +90,7 @@ impl Output {
             let mut table = observations.into_table()?;
             self.table(&stem, &mut table)?;
             let bytes = table::to_csv(&table)?;
-            self.bytes(&format!("{stem}.csv"), bytes);
+            self.own(&format!("{stem}.csv"), bytes);
         }
         Ok(())
     }
@@ -98,7 +104,7 @@ impl Output {
             let field = FieldDocument { parameters_sha256, ..field.clone() };
             self.json(FieldDocument::NAME, &field)?;
             for (name, bytes) in etalon_controllers::field_code(&field)? {
-                self.bytes(name, bytes);
+                self.own(name, bytes);
             }
         }
         self.table("residuals", &mut evaluate::to_table(&found.errors, &found.accuracy.joints)?)?;
@@ -107,7 +113,7 @@ impl Output {
 
     /// Adds the files of a report.
     pub fn reports(&mut self, files: Vec<etalon_report::File>) {
-        files.into_iter().for_each(|(name, bytes)| self.bytes(name, bytes));
+        files.into_iter().for_each(|(name, bytes)| self.own(name, bytes));
     }
 
     /// `stem`, or `stem-name` if the campaign has several logs and this is not the first.

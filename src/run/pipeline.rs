@@ -94,8 +94,8 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     else {
         return Err(walk.problems);
     };
-    let Walk { mut gathered, joined, geometric, identified, tested, .. } = walk;
-    let formats = ControllerFormats::read(campaign, &mut gathered.document.sources)?;
+    let Walk { mut gathered, mut formats, joined, geometric, identified, tested, .. } = walk;
+    gathered.document.sources.append(&mut formats.sources);
     // formats that leave parameters out hold what is identified without them
     let temperature_range_c = gather::temperature_range(&gathered.points);
     let mut summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };

@@ -1,6 +1,5 @@
 //! Statements of a campaign that contradict each other or have no effect, independent of its files.
 
-use crate::run::controller_formats::{is_template, template};
 use etalon_base::date::{date, date_text};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
@@ -26,13 +25,6 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     let unread = &campaign.unread;
     if let Some(identify) = file.identify.as_ref().filter(|_| !unread.affects(&["identify"])) {
         problems.0.extend(campaign.selections(identify).err().unwrap_or_default().0);
-    }
-    for name in file.controllers.iter().flatten() {
-        if is_template(name.get_ref()) {
-            problems.0.extend(template(campaign, name).err().unwrap_or_default().0);
-        } else if etalon_controllers::by_name(name.get_ref()).is_none() {
-            problems.0.push(etalon_controllers::unknown(name.get_ref()).at(campaign.place(name)));
-        }
     }
     let instrument = &file.instrument;
     let mut stated = vec![

@@ -1,6 +1,7 @@
 //! The walk of a campaign through the stages, each of which computes its result from those of the
 //! previous stages.
 
+use super::controller_formats::ControllerFormats;
 use super::{names, statements};
 use crate::stages::controlled;
 use crate::stages::frames;
@@ -51,6 +52,8 @@ pub(super) struct Walk {
     tests: TestData,
     /// Measurements of the geometric calibration, if the campaign has one.
     measured: Option<geometric::Gathered>,
+    /// Formats of files for controllers.
+    pub formats: ControllerFormats,
     /// Language, logo and templates of the report.
     pub presentation: Option<Presentation>,
     /// State after reading: all files are read, and the robot has the parameters that they need.
@@ -129,6 +132,7 @@ impl Walk {
     fn gather(campaign: &Campaign, mode: Mode) -> Self {
         let mut walk = Self { mode, ..Self::default() };
         let problems = &mut walk.problems;
+        walk.formats = ControllerFormats::read(campaign, problems);
         statements::check(campaign, problems);
         statements::values(campaign, problems);
         statements::conditions(campaign, problems);

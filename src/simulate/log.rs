@@ -7,6 +7,7 @@ use etalon_base::noise::Noise;
 use etalon_base::{error, phrase};
 use etalon_campaign::JoinBy;
 use etalon_formats::table::ASSEMBLY;
+use etalon_formats::tables::joints::stated_columns;
 use etalon_formats::{JointLog, Log, LogRow};
 
 /// Stream of the noise of the contact, distinct from the streams of files.
@@ -16,21 +17,23 @@ const CONTACT: u64 = 1 << 33;
 pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
     writable(scene, log)?;
     let robot = scene.robot;
-    let mut values =
-        JointLog { joints: robot.joints().iter().map(|joint| joint.column()).collect(), ..JointLog::default() };
+    let joints = robot.joints().iter().map(|joint| joint.column());
+    let mut values = JointLog { joints: joints.chain(stated_columns(robot)).collect(), ..JointLog::default() };
     values.columns.extend(robot.has_assembly_modes().then(|| ASSEMBLY.to_owned()));
     // a join by pose alone needs one row for all rounds
     let once = scene.campaign.file.join_by() == Some(JoinBy::Pose);
     let mut contact = Noise::new(scene.truth.seed, CONTACT);
     for turn in scene.turns(if once { 1 } else { scene.truth.cycles }) {
         let joints = scene.encoders(turn, &mut contact)?;
+        let encoders = robot.joints().iter().zip(&joints).map(|(joint, q)| joint.quantity.outward(*q));
+        let stated = scene.stated(turn, &scene.joints[turn.pose as usize - 1]);
         values.rows.push(LogRow {
             pose: Some(turn.pose.into()),
             cycle: Some(turn.cycle),
             time_s: Some(turn.time_s()),
             label: scene.truth.label_of(turn.pose).map(str::to_owned),
             assembly: joints.last().copied(),
-            joints: robot.joints().iter().zip(&joints).map(|(joint, q)| joint.quantity.outward(*q)).collect(),
+            joints: encoders.chain(stated).collect(),
             ..LogRow::default()
         });
     }
@@ -50,7 +53,7 @@ fn writable(scene: &Scene, log: &Log) -> Result<()> {
         "period-log"
     } else if log.columns.values().any(|column| column.occurrence.is_some()) {
         "repeated-columns"
-    } else if !scene.robot.circumstances().is_empty() {
+    } else if !(scene.robot.circumstances().is_empty() || scene.robot.approached().is_empty()) {
         "circumstances"
     } else {
         return Ok(());

@@ -17,15 +17,13 @@ use etalon_formats::table::{ASSEMBLY, XYZ};
 use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::Kind;
 use etalon_math::Factor;
-use etalon_robots::{Circumstance, Quantity};
+use etalon_robots::Quantity;
 use std::collections::BTreeMap;
 
 /// Streams of the noise of the table and of the drawn poses at contacts, distinct from the streams
 /// of exports.
 const TABLE: u64 = 1 << 36;
 const TOUCHED: u64 = 1 << 37;
-/// Stream of what friction adds to torques.
-const FRICTION: u64 = 1 << 38;
 /// Maximum number of Newton steps, and their convergence tolerance (mm).
 const STEPS: usize = 60;
 const TOUCHES_MM: f64 = 1e-10;
@@ -201,13 +199,8 @@ impl Table<'_> {
             for (joint, q) in scene.robot.joints().iter().zip(joints) {
                 self.set(&mut row, &joint.column(), joint.quantity.outward(*q));
             }
-            // the same for all targets of a measurement
-            let mut friction = Noise::new(scene.truth.seed, FRICTION + turn.number as u64);
-            let stated = scene.robot.circumstances().iter().zip(joints.iter().skip(scene.robot.joints().len()));
-            for ((what, value), column) in stated.zip(stated_columns(scene.robot)) {
-                let is_torque = matches!(what, Circumstance::Torque(_));
-                let added = if is_torque { friction.gaussian(scene.truth.torques.friction_nm) } else { 0.0 };
-                self.set(&mut row, &column, value + added);
+            for (value, column) in scene.stated(turn, joints).into_iter().zip(stated_columns(scene.robot)) {
+                self.set(&mut row, &column, value);
             }
             if let (true, Some(mode)) = (scene.robot.has_assembly_modes(), joints.last()) {
                 row.insert(ASSEMBLY.to_owned(), format!("{mode:+.0}"));

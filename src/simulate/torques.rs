@@ -1,12 +1,16 @@
 //! Torques of joints that hold links and payload against gravity.
 
 use super::truth::Payload;
+use super::{Scene, Turn};
 use etalon_base::bounds::{MOST, at_most};
+use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus};
-use etalon_robots::Robot;
+use etalon_robots::{Circumstance, Robot};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+/// Stream of what friction adds to torques.
+const FRICTION: u64 = 1 << 38;
 /// Standard gravity (3rd CGPM 1901), in N·m for a mass of 1 kg on a lever of 1 mm.
 const GRAVITY: f64 = 9.806_65e-3;
 /// Direction of gravity in the base.
@@ -23,6 +27,20 @@ pub struct Torques {
     /// Standard deviation of what friction adds to a logged torque.
     #[serde(default)]
     pub friction_nm: f64,
+}
+
+impl Scene<'_> {
+    /// Payload, torques with friction, and temperature that stand behind the joint values of a
+    /// measurement; the same for all its targets.
+    pub(super) fn stated(&self, turn: Turn, joints: &[f64]) -> Vec<f64> {
+        let mut friction = Noise::new(self.truth.seed, FRICTION + turn.number as u64);
+        let stated = self.robot.circumstances().iter().zip(joints.iter().skip(self.robot.joints().len()));
+        let value = |(what, value): (&Circumstance, &f64)| match what {
+            Circumstance::Torque(_) => value + friction.gaussian(self.truth.torques.friction_nm),
+            _ => *value,
+        };
+        stated.map(value).collect()
+    }
 }
 
 /// Mass of a link.

@@ -37,22 +37,27 @@ pub fn identify_again(
     ControllersDocument::new(files, messages)
 }
 
-/// Refusals of files that are worse than nominal, and warnings about files that are hardly better;
-/// files with the same errors share a warning.
+/// Refusals of files that are worse than nominal, and warnings about files for other robots and
+/// about files that are hardly better; files with the same errors share a warning.
 fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     let (mut refused, mut near) = (Vec::new(), Vec::<(Statement, Vec<&str>)>::new());
+    let mut concerns = Vec::new();
     for &(name, exporter) in formats {
         match given.statement(exporter) {
             Ok(statement) => match statement.refusal(name) {
                 Some(refusal) => refused.push(refusal),
-                None => match near.iter_mut().find(|(same, _)| same.errors == statement.errors) {
-                    Some((_, names)) => names.push(name),
-                    None => near.push((statement, vec![name])),
-                },
+                None => {
+                    concerns.extend(exporter.concern(given));
+                    match near.iter_mut().find(|(same, _)| same.errors == statement.errors) {
+                        Some((_, names)) => names.push(name),
+                        None => near.push((statement, vec![name])),
+                    }
+                }
             },
             Err(problems) => refused.extend(problems.0),
         }
     }
+    refused.extend(concerns);
     refused.extend(near.iter().filter_map(|(statement, names)| statement.warning(names)));
     refused
 }

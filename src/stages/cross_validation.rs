@@ -168,8 +168,9 @@ impl<'a> Study<'a> {
         let mut last: Option<Tried> = None;
         loop {
             let before = last.as_ref().unwrap_or(none);
-            let left =
-                ALL.into_iter().filter(|effect| !chosen.contains(effect) && self.effects.contains(&Some(*effect)));
+            let left = Effect::ALL
+                .into_iter()
+                .filter(|effect| !chosen.contains(effect) && self.effects.contains(&Some(*effect)));
             let mut tried = Vec::new();
             for effect in left {
                 // an effect that these poses do not suffice to identify is not tried
@@ -296,23 +297,6 @@ fn f_test(before: [f64; 3], after: [f64; 3]) -> [f64; 2] {
     [f, Variance::Estimated(degrees).exceedance(more * f, more as usize)]
 }
 
-/// All effects, the simpler ones first.
-pub(super) const ALL: [Effect; 13] = [
-    Effect::Zeros,
-    Effect::Geometry,
-    Effect::Gains,
-    Effect::Harmonics,
-    Effect::Backlash,
-    Effect::Coupling,
-    Effect::Bending,
-    Effect::Payload,
-    Effect::Torque,
-    Effect::Expansion,
-    Effect::Drift,
-    Effect::Lateral,
-    Effect::Pedestal,
-];
-
 impl Tried {
     fn mean_square(&self) -> f64 {
         mean(self.left_out.values().copied())
@@ -426,7 +410,7 @@ pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
         let gains = || Some(gain(&errors(None)?, &errors(Some(effect))?));
         !effect.is_thermal() || gains().is_some_and(|[gain, u]| gain > u)
     };
-    let candidates = ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
+    let candidates = Effect::ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
     let proof = |effect: Effect| {
         let (fit, with) = trial.of(&held(Some(effect)))?;
         let joints = joints_of(robot, |i| unused.contains(&i) && effects[i] == Some(effect));

@@ -69,6 +69,16 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
     BeforeAfter { robot, before, after }.errors(sets)
 }
 
+/// Root mean square (mm) of the position errors of all targets; `None` without any.
+pub fn position_rms_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
+    let of = |o: &Observation| -> Vec<f64> {
+        let measured = o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?)));
+        measured.map(|(k, at)| norm(minus(at, robot.position(values, &o.joints, k)))).collect()
+    };
+    let errors: Vec<f64> = observations.iter().flat_map(of).collect();
+    (!errors.is_empty()).then(|| rms(errors))
+}
+
 /// Replaces the errors after calibration by those of a robot with a residual field.
 pub fn correct(errors: &mut [PointError], corrected: &dyn Robot, sets: &Sets, after: &[f64]) {
     let others = self::errors(corrected, sets, after, after);
@@ -349,15 +359,15 @@ impl ErrorUncertainty {
     }
 }
 
-/// Errors of the distances between the deciding poses, with the parameters `before` and with the
-/// judged ones; `None` without two poses of one target.
+/// Errors of the distances between the deciding poses, with robot and parameters `before` and with
+/// the judged ones; `None` without two poses of one target.
 ///
 /// # Errors
 /// Fails if residuals cannot be evaluated.
 pub fn relative(
     campaign: &Campaign,
     judged: Judged,
-    before: &[f64],
+    before: (&dyn Robot, &[f64]),
     systematic: &Systematic,
 ) -> Result<Option<RelativeAccuracy>> {
     let Judged { robot, values, set_up, sets, settings } = judged;

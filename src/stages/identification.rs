@@ -11,6 +11,7 @@ use crate::stages::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::field;
+use crate::stages::first_tilt;
 use crate::stages::influence::influences;
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
@@ -34,7 +35,8 @@ use etalon_documents::{
 };
 use etalon_formats::table;
 use etalon_identify::{
-    Effects, FrameError, Identification, Observation, RobustFit, Settings, Systematic, ToolPoint, ToolPrediction,
+    Effects, Fitted, FrameError, Identification, Observation, RobustFit, Settings, Systematic, ToolPoint,
+    ToolPrediction,
 };
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
@@ -127,9 +129,10 @@ pub fn identify(
         let mut theirs = Observed { observations, settings: campaign.settings(stated) };
         exclude(&Exclusion::of_campaign(campaign, stated), robot, &mut theirs)?;
         let others = evaluate::split(&theirs, &poses, &selections);
-        let theirs = etalon_identify::identify(robot, &others.calibration, &settings).map_err(remedied)?;
-        let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &solved.found };
-        let other = LogFit { name, sets: &others, found: &theirs };
+        let Fitted { values, rms } = Fitted::new(robot, &others.calibration, &settings).map_err(remedied)?;
+        let found = &solved.found;
+        let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, values: &found.values, rms_mm: found.rms };
+        let other = LogFit { name, sets: &others, values: &values, rms_mm: rms };
         let warnings =
             [compare_logs(robot, &first, &other, first.name), compare_logs(robot, &other, &first, first.name)];
         solved.found.warnings.extend(warnings.into_iter().flatten().map(Into::into));
@@ -151,11 +154,13 @@ pub fn identify(
     accuracy.placed_apart = placed.documents(robot);
     // targets that are located by these poses would have too small errors
     let located = Judged { sets: &sets, ..judged };
-    accuracy.relative = evaluate::relative(campaign, located, &before, &systematic)?;
+    accuracy.relative = evaluate::relative(campaign, located, (robot, &before), &systematic)?;
     accuracy.effects = proofs.unwrap_or_else(|| unused(robot, &sets, &settings, &found));
     accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, &sets, &settings, &found));
     found.warnings.extend(accuracy.effects.iter().filter_map(would_prove).map(Into::into));
     found.warnings.extend(base_elsewhere(campaign, robot, &found.values).map(Into::into));
+    let ambiguity = first_tilt::ambiguity(&campaign.robot, robot, &sets, &settings, &found);
+    found.warnings.extend(ambiguity.map(Into::into));
     accuracy.validation_distance = validation_distance(robot, &all);
     if evaluate::with_times(&mut errors, &joined.observations[0].1.times()?) {
         accuracy.joints.push(table::TIME.to_owned());
@@ -176,6 +181,7 @@ pub fn identify(
     found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)).map(Into::into));
     let field = field.map(|field| FieldDocument::new(robot, &found.values, &field, String::new()));
     let mut parameters = parameters_document(robot, &settings, &before, &found, &BTreeMap::new());
+    state_before(&mut parameters, robot, &sets.calibration, &before);
     parameters.valid_until = campaign.file.valid_until();
     placed.mark(robot, &found, &mut parameters);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
@@ -190,6 +196,14 @@ pub fn identify(
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
     let again = Again { systematic, before, apart };
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, field, again })
+}
+
+/// States the position residuals before identification beside those after it.
+pub fn state_before(document: &mut ParametersDocument, robot: &dyn Robot, observed: &[Observation], before: &[f64]) {
+    let residuals = &mut document.residuals;
+    if residuals.position_rms_mm.is_some() {
+        residuals.position_rms_before_mm = evaluate::position_rms_mm(robot, observed, before);
+    }
 }
 
 /// Warning about a limit whose quantity the poses that decide do not show.
@@ -441,18 +455,19 @@ fn leave_outliers_out(
     Ok(Some(outliers_excluded(&robust, robot)))
 }
 
-/// A log, its observations and their identification.
+/// A log, its observations, and the parameters that they give.
 struct LogFit<'a> {
     name: &'a str,
     sets: &'a Sets,
-    found: &'a Identification,
+    values: &'a [f64],
+    /// Root mean square of the residuals (mm).
+    rms_mm: f64,
 }
 
 /// Returns a warning if the residuals with one log correlate with its difference from another log;
 /// `used` is the campaign's choice.
 fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> Option<Message> {
-    let compared =
-        etalon_identify::compare_logs(robot, &this.found.values, &this.sets.calibration, &that.sets.calibration)?;
+    let compared = etalon_identify::compare_logs(robot, this.values, &this.sets.calibration, &that.sets.calibration)?;
     if compared.correlation <= 0.3 {
         return None;
     }
@@ -462,9 +477,9 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
             "log-correlates",
             log = this.name,
             correlation = compared.correlation,
-            rms_mm = of_position * this.found.rms,
+            rms_mm = of_position * this.rms_mm,
             other = that.name,
-            other_rms_mm = of_position * that.found.rms
+            other_rms_mm = of_position * that.rms_mm
         )
         .hint(phrase!("use-log", log = log.name, hint))
     };

@@ -15,6 +15,7 @@ pub mod evaluate;
 mod excitation;
 pub mod exclusions;
 mod field;
+mod first_tilt;
 pub mod frames;
 pub mod gather;
 pub mod geometric;

@@ -7,7 +7,7 @@ use crate::stages::shown;
 use crate::stages::solved::Solved;
 use crate::stages::undescribed::{CalibrationFit, undescribed};
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::Message;
+use etalon_base::message::{Message, Severity};
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
@@ -15,14 +15,14 @@ use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
     Identification, LoadSlip, NOISE_DISTANCE, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
-    chi_square_exceeds, far_from_nominal, load_slips, moved_between, set_up_error,
+    chi_square_exceeds, condition_slip, far_from_nominal, load_slips, moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
-use statrs::distribution::{ContinuousCDF, StudentsT};
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use std::collections::BTreeSet;
 
-/// Coverage factor of values that contradict a tolerance.
+/// Coverage factor of a value that contradicts a tolerance, where a single parameter is judged.
 const EXPANDED: f64 = 2.0;
 /// Maximum number of parameters beyond their tolerance in a message.
 const NAMED: usize = 5;
@@ -75,6 +75,11 @@ pub fn plausibility(
                 first.hint = Some(set_up_hint(&found));
             }
         }
+    }
+    if let Some(first) = messages.first_mut().filter(|m| observations.is_empty() && m.severity == Severity::Error)
+        && let Some(found) = condition_slip(robot, settings, found)
+    {
+        first.hint = Some(set_up_hint(&found));
     }
     if let Some(turned) = orientations_turned(settings, errors) {
         messages.insert(0, turned);
@@ -301,11 +306,15 @@ fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message
         None => Some((found.values[i], 0.0)),
     };
     let of = |(i, p)| Some((p, found.values[i], by_data(i).filter(|_| found.values[i].is_finite())));
+    let all: Vec<_> = robot.parameters().iter().enumerate().filter_map(of).collect();
+    let is_judged =
+        |(p, _, by_data): &&(&Parameter, f64, Option<(f64, f64)>)| p.tolerance.is_finite() && by_data.is_some();
+    let k = coverage_factor(all.iter().filter(is_judged).count());
     let beyond = |(p, value, by_data): &(&Parameter, f64, Option<(f64, f64)>)| {
-        let contradicts = |(value, u): (f64, f64)| (value - p.nominal).abs() > p.tolerance + EXPANDED * u;
+        let contradicts = |(value, u): (f64, f64)| (value - p.nominal).abs() > p.tolerance + k * u;
         value.is_nan() || by_data.is_some_and(contradicts)
     };
-    let wrong: Vec<_> = robot.parameters().iter().enumerate().filter_map(of).filter(beyond).collect();
+    let wrong: Vec<_> = all.into_iter().filter(beyond).collect();
     let text = |(p, value, by_data): &(&Parameter, f64, Option<(f64, f64)>)| {
         let round = |v: f64| (1e6 * p.quantity.outward(v)).round() / 1e6;
         let (parameter, value, unit) = outward(p, by_data.map_or(*value, |by_data| by_data.0));
@@ -314,6 +323,14 @@ fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message
     };
     (!wrong.is_empty())
         .then(|| error!("tolerance-exceeded", count = wrong.len(), parameters = shown(wrong.iter().map(text), NAMED)))
+}
+
+/// Coverage factor at which one of `count` sound values lies beyond its tolerance as seldom as a
+/// single value does at [`EXPANDED`] (Bonferroni): values that the data hardly determine are beyond
+/// it by chance, one in twenty.
+fn coverage_factor(count: usize) -> f64 {
+    let normal = Normal::standard();
+    -normal.inverse_cdf(normal.cdf(-EXPANDED) / count.max(1) as f64)
 }
 
 /// The distance of K and L if it is negative: each ball was measured under the name of the other.
@@ -330,6 +347,13 @@ mod tests {
     use etalon_base::noise::Noise;
     use etalon_identify::identify;
     use etalon_robots::Prexyt;
+
+    #[test]
+    fn many_parameters_contradict_their_tolerances_by_chance_as_seldom_as_one() {
+        assert!((coverage_factor(1) - 2.0).abs() < 1e-9 && coverage_factor(0) == coverage_factor(1));
+        // normal quantile of 1 − 0.02275/30 (NIST/SEMATECH e-Handbook 1.3.6.7.1: 0.99924 at 3.17)
+        assert!((coverage_factor(30) - 3.17).abs() < 5e-3);
+    }
 
     /// Returns a message about a common factor if all measured points are scaled by `factor`, and
     /// the robot's parameters deviate from nominal by up to `off_mm`.

@@ -5,8 +5,8 @@
 //! for the choice has not seen the poses that it is of (Hastie, Tibshirani & Friedman, 7.10.2).
 //! What is not stable is found once, by all poses, and held in every fold.
 
-use super::cross_validation::{ALL, SIGNIFICANCE, Study, Tried};
-use super::identification::{Selected, check_set_up};
+use super::cross_validation::{SIGNIFICANCE, Study, Tried};
+use super::identification::{Selected, check_set_up, state_before};
 use crate::stages::remedies::remedied;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
@@ -61,7 +61,7 @@ impl Recommendation<'_> {
         report: &mut dyn FnMut(usize, usize),
     ) -> Result<RecommendationDocument> {
         let study = self.study;
-        let effects = ALL.into_iter().filter(|effect| study.effects.contains(&Some(*effect))).count();
+        let effects = Effect::ALL.into_iter().filter(|effect| study.effects.contains(&Some(*effect))).count();
         // none, all, the recommended, and every sequence of effects
         let (mut ended, most) = (0, 3 + effects * (effects + 1) / 2);
         let mut one_more = || {
@@ -71,13 +71,13 @@ impl Recommendation<'_> {
         let none = study.tried(&study.of_effects(&[]), None)?;
         one_more();
         let (steps, mut chosen) = study.steps(&none, &mut one_more)?;
-        let all = study.tried(&study.of_effects(&ALL), None)?;
+        let all = study.tried(&study.of_effects(&Effect::ALL), None)?;
         one_more();
         // one effect may explain little without the others
         let left_mm = steps.iter().rfind(|step| step.accepted).map(|step| step.held_out_rms_mm);
         let together = left_mm.is_some_and(|left_mm| left_mm > COSTS * all.statistics().rms);
         if together {
-            chosen = ALL.into_iter().filter(|effect| study.effects.contains(&Some(*effect))).collect();
+            chosen = Effect::ALL.into_iter().filter(|effect| study.effects.contains(&Some(*effect))).collect();
         }
         let model = study.of_effects(&chosen);
         let full = study.identify(&model)?;
@@ -101,7 +101,8 @@ impl Recommendation<'_> {
         let parameters = self.verdicts([&all.found, &full], &stability, choice)?;
         messages.extend(self.unstable(&stability));
         let settings = study.holding(choose(choice, &full));
-        let document = parameters_document(study.robot, &settings, &study.before, &recommended.found, inputs);
+        let mut document = parameters_document(study.robot, &settings, &study.before, &recommended.found, inputs);
+        state_before(&mut document, study.robot, &study.sets.calibration, &study.before);
         messages
             .extend(document.messages.iter().filter(|m| m.severity == etalon_base::message::Severity::Error).cloned());
         let meaning = meaning((&chosen, together), choice, &parameters, &held_out);
@@ -260,22 +261,8 @@ fn meaning(
     parameters: &[ParameterVerdict],
     errors: &HeldOutErrors,
 ) -> Vec<Phrase> {
-    let word = |effect: &Effect| match effect {
-        Effect::Zeros => phrase!("zeros-of-the-joints"),
-        Effect::Geometry => phrase!("geometry"),
-        Effect::Gains => phrase!("gains"),
-        Effect::Harmonics => phrase!("harmonics-of-the-transmissions"),
-        Effect::Backlash => phrase!("backlash"),
-        Effect::Coupling => phrase!("coupling"),
-        Effect::Bending => phrase!("bending"),
-        Effect::Payload => phrase!("payload-bending"),
-        Effect::Torque => phrase!("torque-bending"),
-        Effect::Expansion => phrase!("expansion-with-temperature"),
-        Effect::Drift => phrase!("drift-with-temperature"),
-        Effect::Lateral => phrase!("lateral-bending"),
-        Effect::Pedestal => phrase!("pedestal-bending"),
-    };
-    let effects: Vec<Phrase> = chosen.iter().map(word).collect();
+    let name = |effect: &Effect| etalon_documents::Effect::from(*effect).phrase();
+    let effects: Vec<Phrase> = chosen.iter().map(name).collect();
     let (load, count) = (parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count(), parameters.len());
     let first = match effects[..] {
         [] => phrase!("identify-nothing"),

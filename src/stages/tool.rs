@@ -13,7 +13,7 @@ use etalon_robots::{Correction, Kinematics};
 use nalgebra::Matrix3;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Gamma};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
@@ -79,8 +79,17 @@ impl<'a> Expected<'a> {
         let count = observations.len() as f64;
         let (mut sizes_before, mut sizes) = (Vec::new(), Vec::new());
         let (mut of_parameters, mut of_held) = (0.0, 0.0);
+        // repeats of a pose mostly have its joint values
+        let mut of_poses: BTreeMap<PoseName, (&[f64], ToolError)> = BTreeMap::new();
         for o in observations {
-            let Some(error) = self.at(&o.joints)? else { return Ok(None) };
+            let error = match of_poses.get(&o.pose) {
+                Some((joints, error)) if *joints == &o.joints[..] => *error,
+                _ => {
+                    let Some(error) = self.at(&o.joints)? else { return Ok(None) };
+                    of_poses.insert(o.pose, (&o.joints, error));
+                    error
+                }
+            };
             sizes_before.push(norm(error.before_mm));
             sizes.push(self.total_mm(&error));
             of_parameters += error.parameters_mm.powi(2) / count;

@@ -80,8 +80,10 @@ pub fn validate(
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
     accuracy.placed_apart = placed.documents(robot);
     // targets that are located by these poses would have too small errors
-    let located = Judged { sets: &sets, ..judged };
-    accuracy.relative = evaluate::relative(campaign, located, &values.before, &systematic)?;
+    let corrected = field.as_ref().map(|field| Corrected::new(robot, field));
+    let after: &dyn Robot = corrected.as_ref().map_or(robot, |corrected| corrected);
+    let located = Judged { robot: after, sets: &sets, ..judged };
+    accuracy.relative = evaluate::relative(campaign, located, (robot, &values.before), &systematic)?;
     let definition = definition(accuracy.definition_phrase, document.is_some(), frames);
     (accuracy.definition, accuracy.definition_phrase) = (definition.to_string(), Some(definition));
     let consistency = document.filter(|_| frames != GivenFrames::Refit && sets.calibration_conditions.is_empty());

@@ -1,8 +1,10 @@
 //! What each reading states: torques of joints, the temperature of the robot and loads as causes of its errors, accepted on poses left
 //! out of the identification (synthetic).
 
+use crate::support::said::Says;
 use crate::support::samples::Ran;
 use crate::support::scratch::{Scratch, copy_sample, ends, etalon};
+use etalon::base::phrase;
 use serde_json::Value;
 
 const TORQUE: &str = "torque-arm";
@@ -135,6 +137,47 @@ fn tilts_across_axes_and_of_the_base_are_identified_where_left_out_poses_prove_t
     comes_back(ELASTIC, &["lateral", "pedestal"], &TILTS);
 }
 
+/// Under the same load base and first joint tilt alike: the run says which to leave out.
+#[test]
+fn a_pedestal_beside_the_first_joint_is_named_with_its_remedy() {
+    let remedy = phrase!("pedestal-or-first-joint", joint = "1").to_string();
+    for (lateral, is_named) in [("[2, 3]", false), ("[1, 2, 3]", true)] {
+        let scratch = copy_sample(ELASTIC);
+        scratch.replace("robot.toml", "lateral = [2, 3]", &format!("lateral = {lateral}"));
+        scratch.replace("campaign.toml", "\"proven\"", "\"all\"");
+        let (_, said) = etalon(&scratch, "run");
+        assert_eq!(said.contains(&remedy), is_named, "{said}");
+        let names = ["`lateral_1_y`", "`pedestal_x`", "`pedestal_y`"];
+        let mut group = said.lines().filter(|line| line.contains("weakly-identifiable"));
+        assert_eq!(group.any(|line| names.iter().all(|name| line.contains(name))), is_named, "{said}");
+    }
+}
+
+/// A robot that states one of both tilts: which of them yields shows only where its stiffness differs by direction.
+#[test]
+fn a_tilt_that_may_be_that_of_base_or_first_joint_is_named() {
+    let keys = [("lateral = [2, 3]", "pedestal = true"), ("lateral = [1, 2, 3]", "pedestal = false")];
+    for (own, (lateral, pedestal)) in [("pedestal", keys[0]), ("lateral", keys[1])] {
+        // of the robot that yields alike in all directions, and of one that does not; about x of joint 1 it carries little
+        let unequal = if own == "pedestal" { 0.05 } else { 0.6 };
+        for (x, y, is_named) in [(0.1, 0.1, true), (unequal, 0.15, false)] {
+            let scratch = copy_sample(ELASTIC);
+            let names = if own == "pedestal" { ["pedestal_x", "pedestal_y"] } else { ["lateral_1_x", "lateral_1_y"] };
+            for (name, value) in [("pedestal_x = 0.09", x), ("pedestal_y = 0.13", y)] {
+                let of_own = format!("{} = {value}", names[usize::from(name.starts_with("pedestal_y"))]);
+                scratch.replace("truth.toml", name, &of_own);
+            }
+            scratch.replace("robot.toml", "lateral = [2, 3]", lateral);
+            scratch.replace("robot.toml", "pedestal = true", pedestal);
+            scratch.replace("campaign.toml", "\"proven\"", "\"all\"");
+            ends(&scratch, "simulate", 0, &[]);
+            let (_, said) = etalon(&scratch, "run");
+            let expected = format!("[tilt-of-base-or-joint] stated={own} joint=q1");
+            assert_eq!(said.says(&expected), is_named, "{own} {x} {y}: {said}");
+        }
+    }
+}
+
 #[test]
 fn tilts_are_proven_where_the_robot_yields_and_nowhere_else() {
     // each beside the other, which is identified
@@ -228,4 +271,45 @@ fn temperatures_in_other_units_are_questioned_and_constant_ones_held() {
     let (_, said) = etalon(&scratch, "run");
     assert!(said.contains("temperature-constant"), "{said}");
     assert_eq!(parameter(&scratch, "drift_2")["status"], "fixed");
+}
+
+/// The simulated log states what the table of the sample states, so that both give the same parameters.
+#[test]
+fn a_simulated_log_states_load_torques_and_temperature() {
+    let effects = [
+        ("payload-arm", &["load_kg", "load_x_mm", "load_y_mm", "load_z_mm"][..], "compliance_2_load"),
+        (TORQUE, &["tau1_nm", "tau2_nm", "tau3_nm", "tau4_nm", "tau5_nm", "tau6_nm"], "compliance_3_torque"),
+        (WARMING, &["temperature_c"], "drift_2"),
+    ];
+    for (sample, columns, parameter_name) in effects {
+        let scratch = copy_sample(sample);
+        let table = std::fs::read_to_string(scratch.path().join("observations.csv")).unwrap();
+        let joints = (1..=6).map(|k| format!("q{k}_deg"));
+        let read: Vec<String> = joints.chain(columns.iter().map(|c| (*c).to_owned())).collect();
+        let stated: String = read.iter().map(|column| format!(", {column} = \"{column}\"")).collect();
+        let files = format!(
+            "[[export]]\nfile = \"points.csv\"\nunit = \"mm\"\nlabel = \"{{target}}_{{pose}}\"\n\
+             format = {{ delimiter = \",\", decimal = \".\", columns = [\"label\", \"x\", \"y\", \"z\"] }}\n\
+             [frame.world]\nas_exported = true\n[join]\nby = [\"pose\"]\ntargets = [\"SMR\"]\n\
+             [log]\nfile = \"log.csv\"\ncolumns = {{ pose = \"pose\", cycle = \"cycle\"{stated} }}\n"
+        );
+        scratch.replace("campaign.toml", "[observations]\nfile = \"observations.csv\"\n", &files);
+        scratch.replace("truth.toml", "[[observe]]\nkind = \"point\"\ntarget = \"SMR\"\n", "");
+        ends(&scratch, "simulate", 0, &[]);
+        // the values of the table of the sample, in the order of the poses
+        let values = |text: &str| -> Vec<Vec<String>> {
+            let mut rows = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+            let head = rows.next().unwrap();
+            let at: Vec<usize> = read.iter().map(|c| head.iter().position(|h| h == c).unwrap()).collect();
+            rows.map(|row| at.iter().map(|&i| row[i].clone()).collect()).collect()
+        };
+        let log = std::fs::read_to_string(scratch.path().join("log.csv")).unwrap();
+        assert!(values(&log) == values(&table), "{sample}: {}", log.lines().take(3).collect::<String>());
+        ends(&scratch, "run", 0, &[]);
+        let truth =
+            etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap().parameters[parameter_name];
+        let found = parameter(&scratch, parameter_name);
+        let (value, u) = (found["value"].as_f64().unwrap(), found["standard_uncertainty"].as_f64().unwrap());
+        assert!((value - truth).abs() < 3.0 * u, "{sample}: {parameter_name} {value} {u}");
+    }
 }

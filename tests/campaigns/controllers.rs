@@ -2,6 +2,7 @@
 
 use crate::support::controller_files::{genserkins, universal_robots};
 use crate::support::scratch::{Scratch, copy_sample};
+use etalon::base::catalogue::Argument;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::{Campaign, read_robot};
 use etalon::controllers::{self, Description, Given};
@@ -195,6 +196,170 @@ fn a_universal_robots_calibration_is_the_identified_arm() {
     assert!(code == Some(2) && said.contains("error[format-for-other-robots]"), "{said}");
     let (code, said) = etalon(&["export", &found, "--format", "urdf"]);
     assert!(code == Some(2) && said.contains("--robot FILE"), "{said}");
+}
+
+/// Difference from arms of Universal Robots that the export of a robot.toml names.
+fn difference(scratch: &Scratch, robot: &str) -> Option<String> {
+    let file = scratch.path().join("of-structure.toml");
+    std::fs::write(&file, robot).unwrap();
+    let robot = read_robot(&file).unwrap_or_else(|p| panic!("{p}\n{robot}")).build(&["tool".to_owned()]).unwrap();
+    let parameters: ParametersDocument =
+        serde_json::from_slice(&std::fs::read(parameters(scratch, robot.as_ref(), &robot.nominal())).unwrap()).unwrap();
+    let given = Given { robot: Some(robot.as_ref()), ..Given::parameters(&parameters) };
+    let exporter = controllers::by_name("universal-robots").unwrap();
+    // the file is written either way
+    assert!(exporter.write(&given).is_ok(), "{}", file.display());
+    exporter.concern(&given).map(|message| {
+        assert!(message.is("file-of-other-structure", &[("format", &"universal-robots")]), "{message}");
+        match &message.arguments["difference"] {
+            Argument::Phrase(phrase) => phrase.id.to_string(),
+            other => panic!("{other:?}"),
+        }
+    })
+}
+
+/// robot.toml of a table of parameters: alpha (deg), a (mm), theta (deg), d (mm).
+fn table(convention: &str, rows: &[[f64; 4]]) -> String {
+    let rows: Vec<String> = rows
+        .iter()
+        .map(|[alpha, a, theta, d]| {
+            format!("{{ alpha_deg = {alpha:?}, a_mm = {a:?}, theta_deg = {theta:?}, d_mm = {d:?} }}")
+        })
+        .collect();
+    format!("name = \"arm\"\nmodel = \"serial\"\nconvention = \"{convention}\"\njoint = [{}]\n", rows.join(", "))
+}
+
+/// Geometry of makers, as `etalon init --robot` has it: name, key of the table, rows.
+fn published() -> Vec<(String, String, toml::Value)> {
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/cli/init/robots.toml")).unwrap();
+    let all: toml::Table = text.parse().unwrap();
+    let of = |robot: &toml::Value| {
+        let key = ["dh", "mdh", "poe"].into_iter().find(|key| robot.get(key).is_some())?;
+        Some((robot["name"].as_str()?.to_owned(), key.to_owned(), robot.clone()))
+    };
+    all["robot"].as_array().unwrap().iter().filter_map(of).collect()
+}
+
+fn rows(robot: &toml::Value) -> Vec<[f64; 4]> {
+    let row = |row: &toml::Value| [0, 1, 2, 3].map(|i| row[i].as_float().unwrap());
+    robot["dh"].as_array().unwrap().iter().map(row).collect()
+}
+
+#[test]
+fn arms_of_universal_robots_are_known_by_their_axes() {
+    let scratch = Scratch::with(&[]);
+    let of = |convention: &str, rows: &[[f64; 4]]| difference(&scratch, &table(convention, rows));
+    let arms = published();
+    let makers: Vec<_> = arms.iter().filter(|(name, ..)| name.starts_with("ur")).collect();
+    assert_eq!(makers.len(), 8);
+    for (name, _, robot) in makers {
+        let rows = rows(robot);
+        assert_eq!(of("dh", &rows), None, "{name}");
+        // a calibrated arm: its parallel axes have distant common normals, its zeros are elsewhere
+        let mut noise = etalon::base::noise::Noise::new(19, 7);
+        let mut calibrated = rows.clone();
+        for row in &mut calibrated {
+            *row = [row[0] + noise.uniform(0.5), row[1] + noise.uniform(3.0), noise.uniform(180.0), row[3]];
+        }
+        (calibrated[1][3], calibrated[2][3]) = (250.0, -248.0);
+        assert_eq!(of("dh", &calibrated), None, "{name}");
+        // the other hand, and the offset of the shoulder in another row
+        let mut other = rows.clone();
+        other.iter_mut().for_each(|row| (row[0], row[1]) = (-row[0], -row[1]));
+        (other[1][3], other[3][3]) = (rows[3][3], 0.0);
+        assert_eq!(of("dh", &other), None, "{name}");
+        // modified parameters: twist and length of the row before
+        let mut modified = rows.clone();
+        for i in 0..6 {
+            [modified[i][0], modified[i][1]] = if i == 0 { [0.0; 2] } else { [rows[i - 1][0], rows[i - 1][1]] };
+        }
+        assert_eq!(of("mdh", &modified), None, "{name}");
+        slips(name, &rows, &of);
+    }
+    // arms of other makers
+    let others: Vec<String> = arms
+        .iter()
+        .filter(|(_, key, robot)| key == "poe" && robot["poe"].as_array().unwrap().len() == 6)
+        .map(|(name, _, robot)| {
+            let axes = toml::Table::from_iter([("joint".to_owned(), robot["poe"].clone())]);
+            let flange = ["flange_xyz_mm", "flange_rpy_deg"].map(|key| format!("{key} = {}\n", robot[key])).concat();
+            let text = format!("name = \"arm\"\nmodel = \"serial\"\nconvention = \"poe\"\n{flange}{axes}");
+            format!("{name} {}", difference(&scratch, &text).unwrap_or_default())
+        })
+        .collect();
+    let angle =
+        ["irb120", "kr6-r900-sixx", "lrmate-200ic", "tx60", "m1013"].map(|name| format!("{name} structure-angle"));
+    assert_eq!(others, angle);
+}
+
+/// Slips in the table of an arm.
+fn slips(name: &str, rows: &[[f64; 4]], of: &dyn Fn(&str, &[[f64; 4]]) -> Option<String>) {
+    let changed = |change: &dyn Fn(&mut Vec<[f64; 4]>)| {
+        let mut rows = rows.to_vec();
+        change(&mut rows);
+        of("dh", &rows)
+    };
+    let is = |id: &str| Some(id.to_owned());
+    assert_eq!(of("mdh", rows), is("structure-angle"), "{name}: standard parameters as modified ones");
+    assert_eq!(changed(&|rows| rows.swap(0, 1)), is("structure-angle"), "{name}: rows exchanged");
+    assert_eq!(changed(&|rows| rows[3][0] = 0.0), is("structure-angle"), "{name}: a twist left out");
+    assert_eq!(changed(&|rows| rows[1][1] /= 1000.0), is("structure-no-link"), "{name}: metres");
+    assert_eq!(changed(&|rows| rows[3][1] = 80.0), is("structure-apart"), "{name}: a length in the row below");
+    assert_eq!(changed(&|rows| rows[4][3] = 0.0), is("structure-wrist-meets"), "{name}: a spherical wrist");
+    assert_eq!(changed(&|rows| rows[3][3] = 0.0), is("structure-wrist-in-plane"), "{name}: no offset of the shoulder");
+}
+
+/// Default calibration of a UR5e in ur_description (`config/ur5e/default_kinematics.yaml`): xyz (m) and rpy (rad) of each joint.
+const UR5E: [[&str; 2]; 6] = [
+    ["0 0 0.1625", "0 0 0"],
+    ["0 0 0", "1.570796327 0 0"],
+    ["-0.425 0 0", "0 0 0"],
+    ["-0.3922 0 0.1333", "0 0 0"],
+    ["0 -0.0997 0", "1.570796327 0 0"],
+    ["0 0.0996 0", "1.570796326589793 3.141592653589793 3.141592653589793"],
+];
+
+#[test]
+fn a_universal_robots_arm_is_known_as_a_urdf() {
+    let scratch = Scratch::with(&[]);
+    // sound: as published, and with joints that turn about other axes of their frames; slip: a forearm in the wrong direction
+    let cases = [("0 0 1", "-0.425 0 0", None), ("0 0 -1", "-0.425 0 0", None)];
+    for (axis, forearm, expected) in cases.into_iter().chain([("0 0 1", "0 0 -0.425", Some("structure-no-link"))]) {
+        let mut urdf = "<robot name=\"ur\"><link name=\"l0\"/>".to_owned();
+        for (i, [xyz, rpy]) in UR5E.into_iter().enumerate() {
+            let xyz = if i == 2 { forearm } else { xyz };
+            urdf += &format!(
+                "<link name=\"l{}\"/><joint name=\"j{i}\" type=\"revolute\"><parent link=\"l{i}\"/><child link=\"l{}\"/>\
+                 <origin xyz=\"{xyz}\" rpy=\"{rpy}\"/><axis xyz=\"{axis}\"/>\
+                 <limit lower=\"-6\" upper=\"6\" effort=\"9\" velocity=\"3\"/></joint>",
+                i + 1,
+                i + 1
+            );
+        }
+        std::fs::write(scratch.path().join("ur.urdf"), urdf + "</robot>").unwrap();
+        let robot = "name = \"arm\"\nmodel = \"urdf\"\nfile = \"ur.urdf\"\nbase_link = \"l0\"\ntool_link = \"l6\"\n";
+        assert_eq!(difference(&scratch, robot).as_deref(), expected, "{axis} {forearm}");
+    }
+}
+
+#[test]
+fn an_export_for_universal_robots_names_an_arm_of_another_maker() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (file, named) in [("docs/keys/robot-serial-dh.toml", false), ("samples/abb-irb120/robot.toml", true)] {
+        let file = root.join(file);
+        let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
+        let scratch = Scratch::with(&[]);
+        let found = parameters(&scratch, robot.as_ref(), &disturbed(robot.as_ref(), &[]));
+        let (file, to) = (file.display().to_string(), scratch.path().display().to_string());
+        let (code, said) = etalon(&["export", &found, "--format", "universal-robots", "--robot", &file, "--to", &to]);
+        assert_eq!(code, Some(0), "{said}");
+        assert_eq!(said.contains("warning[file-of-other-structure]"), named, "{said}");
+        let text = std::fs::read_to_string(scratch.path().join("universal_robots_calibration.yaml")).unwrap();
+        assert_eq!(text.contains("# the axes of this arm are not those of Universal Robots arms"), named, "{text}");
+        // other formats of six axes hold any arm
+        let (_, said) = etalon(&["export", &found, "--format", "linuxcnc", "--robot", &file, "--to", &to]);
+        assert!(!said.contains("file-of-other-structure"), "{said}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Residual fields of whole campaigns: an arm that bends, calibrated by a model without bending. Synthetic.
 
 use crate::support::said::Says;
-use crate::support::scratch::{Scratch, ends, said};
+use crate::support::scratch::{Scratch, copy_sample, ends, said};
 use crate::support::tracker::{self, Reflectors};
 use serde_json::Value;
 use std::process::Command;
@@ -53,6 +53,8 @@ fn a_field_describes_bending_that_the_model_lacks() {
     let [without, with] = ["without_mm", "with_mm"].map(|key| held[key].as_f64().unwrap());
     assert!(with < 0.5 * without, "{without} {with}");
 
+    // poses in no order of a joint
+    assert!(!stderr.says("[field-follows-order]"), "{stderr}");
     // the report names where the field holds, and is written again from the documents
     let report = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     assert!(report.contains("id=\"field\"") && report.contains("field-held-out"));
@@ -84,6 +86,111 @@ fn a_field_describes_bending_that_the_model_lacks() {
     let (code, _, stderr) =
         answer(&scratch, &["validate", "campaign", "--parameters", "other.json", "--field", "field.json"]);
     assert!(code == Some(2) && stderr.says("[field-of-other-parameters]"), "{stderr}");
+}
+
+#[test]
+fn the_sample_has_a_field_of_what_its_model_leaves_out() {
+    let scratch = copy_sample("field-arm");
+    let files = ["exports/poses.txt", "exports/world.txt", "encoders.csv"];
+    let read = || files.map(|file| std::fs::read_to_string(scratch.path().join(file)).unwrap());
+    let before = read();
+    ends(&scratch, "simulate", 0, &[]);
+    assert!(read() == before, "other files than those of the sample");
+    ends(&scratch, "run", 0, &["[residuals-exceed-uncertainty]"]);
+    let field = json(&scratch, "out/field.json");
+    // the encoders of joints 1 and 4 err twice a turn; their zeros are parameters
+    for (k, amplitude_deg) in [(0, 0.02), (3, 0.03)] {
+        let off = |q_deg: f64| {
+            let mut q = [0.0; 6];
+            q[k] = q_deg;
+            let truth = amplitude_deg * (2.0 * q_deg).to_radians().sin();
+            joint_error(&field, &format!("q{}_deg", k + 1), &q) - truth
+        };
+        let off: Vec<f64> = (-14..=14).map(|i| off(10.0 * f64::from(i))).collect();
+        let mean = off.iter().sum::<f64>() / off.len() as f64;
+        let largest = off.iter().map(|v| (v - mean).abs()).fold(0.0, f64::max);
+        assert!(largest < 0.2 * amplitude_deg, "joint {}: {largest} of {amplitude_deg} deg", k + 1);
+    }
+    let [_, plain] = validation(&json(&scratch, "out/accuracy.json"));
+    let document = |arguments: &[&str]| -> Value { serde_json::from_str(&answer(&scratch, arguments).1).unwrap() };
+    let judged = document(&[&JUDGE[..], &["--field", "campaign/out/field.json", "--json"]].concat());
+    let [_, corrected] = validation(&judged);
+    // 20 µm a coordinate
+    assert!(corrected < 0.05 && plain > 0.1, "{plain} {corrected}");
+    // distances between the validation poses follow the field too
+    let relative = |of: &Value| of["relative"]["all"]["after"]["rms"].as_f64().unwrap();
+    let [without, with] = [document(&[&JUDGE[..], &["--json"]].concat()), judged].map(|document| relative(&document));
+    assert!(with < 0.5 * without && with < 0.05, "{without} {with}");
+}
+
+#[test]
+fn a_foreign_point_is_not_absorbed_by_a_field() {
+    for off_mm in [0.5, 3.0] {
+        let scratch = copy_sample("field-arm");
+        // pose 21 is read elsewhere
+        let text = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
+        let line = text.lines().find(|line| line.starts_with("SMR_21,")).unwrap();
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        cells[1] = (cells[1].parse::<f64>().unwrap() + off_mm).to_string();
+        scratch.replace("exports/poses.txt", line, &cells.join(","));
+        let (_, said) = said(&scratch, &["run", "campaign"]);
+        assert!(said.says("[field-refused]") && said.says("[outliers]"), "{said}");
+        let field = &json(&scratch, "out/accuracy.json")["field"];
+        let reason = &field["reason_phrase"];
+        assert_eq!((&field["accepted"], &reason["id"]), (&false.into(), &"field-readings-suspect".into()), "{field}");
+        assert_eq!(reason["arguments"]["pose"], "21", "{reason}");
+        let error_mm = reason["arguments"]["error_mm"].as_f64().unwrap();
+        assert!((error_mm - off_mm).abs() < 0.1, "{error_mm} {off_mm}");
+        assert!(!scratch.path().join("out/field.json").exists());
+    }
+}
+
+#[test]
+fn a_field_over_poses_in_the_order_of_a_joint_says_so() {
+    // a sound set-up, whose field is accepted, and one in which the tracker drifts by a millimetre
+    for drift_mm in [0.0, 1.0] {
+        let scratch = copy_sample("field-arm");
+        let mut noise = etalon::base::noise::Noise::new(45, 1);
+        let ranges = [160.0, 60.0, 60.0, 150.0, 110.0, 170.0];
+        let mut poses: Vec<Vec<f64>> = (0..160).map(|_| ranges.iter().map(|r| noise.uniform(*r)).collect()).collect();
+        poses[..120].sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let truth = std::fs::read_to_string(scratch.path().join("truth.toml")).unwrap();
+        let drawn = truth.lines().find(|line| line.starts_with("drawn = ")).unwrap();
+        scratch.replace("truth.toml", drawn, &format!("joints = {poses:?}"));
+        ends(&scratch, "simulate", 0, &[]);
+        let text = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
+        let drifted = text.lines().enumerate().map(|(i, line)| {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if let Some(Ok(x)) = cells.get(1).map(|x| x.parse::<f64>()) {
+                cells[1] = (x + drift_mm * i.min(119) as f64 / 119.0).to_string();
+            }
+            cells.join(",") + "\n"
+        });
+        std::fs::write(scratch.path().join("exports/poses.txt"), drifted.collect::<String>()).unwrap();
+        let (_, said) = said(&scratch, &["run", "campaign"]);
+        let accepted = json(&scratch, "out/accuracy.json")["field"]["accepted"] == true;
+        assert_eq!(said.says("[field-follows-order] joint=q1"), accepted, "{drift_mm}: {said}");
+        assert!(accepted || drift_mm > 0.0 && said.says("[reference-moved]"), "{drift_mm}: {said}");
+    }
+}
+
+/// Error of a joint by the definition in the document.
+fn joint_error(field: &Value, joint: &str, q: &[f64]) -> f64 {
+    let index = |name: &Value| field["joints"].as_array().unwrap().iter().position(|joint| joint == name).unwrap();
+    let of_component = |component: &Value| -> f64 {
+        let inputs = component["inputs"].as_array().unwrap();
+        let of_centre = |centre: &Value| -> f64 {
+            let along = |(input, at): (&Value, &Value)| {
+                let scale = input["scale"].as_f64().unwrap() * component["radius"].as_f64().unwrap();
+                ((q[index(&input["joint"])] - at.as_f64().unwrap()) / scale).powi(2)
+            };
+            let d = inputs.iter().zip(centre["at"].as_array().unwrap()).map(along).sum::<f64>().sqrt().min(1.0);
+            centre["weight"].as_f64().unwrap() * (1.0 - d).powi(4) * (4.0 * d + 1.0)
+        };
+        component["centres"].as_array().unwrap().iter().map(of_centre).sum()
+    };
+    let all = field["components"].as_array().unwrap();
+    all.iter().filter(|component| component["joint"] == joint).map(of_component).sum()
 }
 
 /// Targets inside and beyond the poses: the latter are named, and their commands fade to those without a field.
@@ -118,26 +225,8 @@ fn compensates(scratch: &Scratch) {
 fn code_agrees(scratch: &Scratch) {
     let field = json(scratch, "out/field.json");
     let q = [10.0, -20.0, 15.0, 5.0, 30.0, 0.0];
-    let index = |name: &Value| field["joints"].as_array().unwrap().iter().position(|joint| joint == name).unwrap();
-    let mut expected = q;
-    for component in field["components"].as_array().unwrap() {
-        let inputs = component["inputs"].as_array().unwrap();
-        for centre in component["centres"].as_array().unwrap() {
-            let squares: f64 = inputs
-                .iter()
-                .zip(centre["at"].as_array().unwrap())
-                .map(|(input, at)| {
-                    let scale = input["scale"].as_f64().unwrap() * component["radius"].as_f64().unwrap();
-                    ((q[index(&input["joint"])] - at.as_f64().unwrap()) / scale).powi(2)
-                })
-                .sum();
-            let d = squares.sqrt();
-            if d < 1.0 {
-                let weight = centre["weight"].as_f64().unwrap();
-                expected[index(&component["joint"])] += weight * (1.0 - d).powi(4) * (4.0 * d + 1.0);
-            }
-        }
-    }
+    let columns: Vec<String> = (1..=6).map(|k| format!("q{k}_deg")).collect();
+    let expected: Vec<f64> = q.iter().zip(&columns).map(|(q0, joint)| q0 + joint_error(&field, joint, &q)).collect();
     let program = format!("import etalon_field as f\nprint(*f.corrected({q:?}), f.share({q:?}))");
     let python =
         Command::new("python3").args(["-c", &program]).current_dir(scratch.path().join("out")).output().unwrap();

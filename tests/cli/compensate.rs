@@ -457,3 +457,20 @@ fn parameters_that_failed_their_checks_compensate_nothing() {
     let (_, code, said) = real.table("pose,x_mm,y_mm,qw,qx,qy,qz\n1,200,150,1,0,0,0\n", &[]);
     assert!(code == Some(2) && said.contains("not converged"), "{said}");
 }
+
+/// At B = ±90 deg, where A and C have one effect, the commanded angles have the orientation of the pose.
+#[test]
+fn angles_at_a_right_angle_of_pitch_are_those_of_the_pose() {
+    use etalon::controllers::commands::{DECIMALS, Freedoms, language, stated, written};
+    use std::f64::consts::FRAC_PI_2;
+    for (name, language) in ["krl", "gcode"].map(|name| language(name).unwrap()) {
+        for (k, pitch) in [(1.0, FRAC_PI_2), (2.0, FRAC_PI_2), (1.5, -FRAC_PI_2), (-1.0, -FRAC_PI_2)] {
+            // the pose is a product with rounding errors, as after a compensation
+            let frame = Pose::from_xyz_rpy([10.0, 20.0, 30.0], [0.7 * k, -0.4, 0.3 * k]);
+            let pose = Pose::from_xyz_rpy([500.0, -200.0, 700.0], [0.4, pitch, -1.1 * k]);
+            let pose = frame.inverse().then(&frame.then(&pose));
+            let back = stated(language, &written(language, &pose, Freedoms::Space, DECIMALS), Freedoms::Space);
+            assert!(pose.inverse().then(&back).angle_rad() < 1e-7, "{name} {k} {pitch}");
+        }
+    }
+}

@@ -445,6 +445,23 @@ fn inform_motions(text: &str, pulses: &[f64]) -> Vec<Vec<f64>> {
     motions.map(of).collect()
 }
 
+/// Joint values (deg) of a Karel program in the order of its motions.
+fn karel_motions(text: &str) -> Vec<Vec<f64>> {
+    let (head, rest) = text.split_once("\nROUTINE drive(a, b, c, d, e, f : REAL)\nBEGIN\n").unwrap();
+    let (routine, body) = rest.split_once("\nEND drive\n").unwrap();
+    let (declared, variables) = head.split_once("\nVAR\n").unwrap();
+    assert!(declared.starts_with("PROGRAM M\n") && declared.lines().skip(1).all(|line| line.starts_with("-- ")));
+    assert_eq!(variables, "  joints : ARRAY[6] OF REAL\n  goal : JOINTPOS\n  status : INTEGER");
+    // the arguments of the routine are the joints in their order
+    let set: Vec<&str> = routine.lines().filter_map(|line| line.trim().strip_prefix("joints[")).collect();
+    assert_eq!(set, ["1] = a", "2] = b", "3] = c", "4] = d", "5] = e", "6] = f"]);
+    assert!(
+        routine.trim_end().ends_with("MOVE TO goal") && body.trim().starts_with("BEGIN\n") && body.ends_with("END M\n")
+    );
+    let words = |line: &str| line.trim_end_matches(')').split(", ").map(|word| word.parse().unwrap()).collect();
+    body.lines().filter_map(|line| line.trim().strip_prefix("drive(")).map(words).collect()
+}
+
 /// Joint values of a G-code program by the letters of its axes.
 fn gcode_motions(text: &str, letters: &str) -> Vec<Vec<f64>> {
     let words = |line: &str| -> Vec<f64> {
@@ -464,7 +481,7 @@ fn gcode_motions(text: &str, letters: &str) -> Vec<Vec<f64>> {
 }
 
 #[test]
-fn fanuc_inform_and_gcode_programs_read_back_as_the_poses_of_the_table() {
+fn fanuc_karel_inform_and_gcode_programs_read_back_as_the_poses_of_the_table() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("robot.toml"), arm("")).unwrap();
     let pulses = [1435.6, -1422.2, 1000.0, 800.5, -750.25, 500.0];
@@ -476,6 +493,7 @@ fn fanuc_inform_and_gcode_programs_read_back_as_the_poses_of_the_table() {
             0.001,
             ["WAIT   2.25(sec) ;", "DO[5]=ON ;", "WAIT   2.25(sec) ;", "DO[5]=OFF ;"],
         ),
+        ("m.kl", vec!["--trigger", "5"], 1e-4, ["DELAY 2250", "DOUT[5] = ON", "DELAY 2250", "DOUT[5] = OFF"]),
         (
             "m.jbi",
             vec!["--trigger", "5", "--pulses", &stated],
@@ -502,6 +520,7 @@ fn fanuc_inform_and_gcode_programs_read_back_as_the_poses_of_the_table() {
         let program = std::fs::read_to_string(folder.path().join(file)).unwrap();
         let moved = match file {
             "m.ls" => fanuc_motions(&program),
+            "m.kl" => karel_motions(&program),
             "m.jbi" => inform_motions(&program, &pulses),
             "m.ngc" => gcode_motions(&program, "XYZABC"),
             _ => motions(&program),

@@ -4,7 +4,7 @@ use super::{etalon, text_of};
 use crate::support::said::Says;
 use crate::support::scratch::{Scratch, cmm_truth, copy_sample};
 use etalon::base::noise::Noise;
-use etalon::documents::ParametersDocument;
+use etalon::documents::{ParametersDocument, ResidualSummary, Role};
 
 /// A measured ball of the sample's robot: what a row states.
 struct Row {
@@ -87,6 +87,20 @@ fn equal_uncertainties_of_rows_are_that_of_the_instrument() {
         assert!((a.chi_square.unwrap() - b.chi_square.unwrap()).abs() < 1e-6 && (a.rms - b.rms).abs() < 1e-12);
         assert!(weighted.messages.iter().any(|m| m.id == "readings-weighted"));
     }
+}
+
+/// Before the identification base and balls alone are fitted: with all parameters of the robot held, this is the answer.
+#[test]
+fn the_error_before_identification_is_that_of_the_nominal_robot() {
+    let text = table(&measured(&[0.003]), "", |_| String::new());
+    let free = found(&text, &[]);
+    let of_robot = free.parameters.iter().filter(|p| p.role == Role::Robot);
+    let hold: Vec<&str> = of_robot.flat_map(|p| ["--hold", p.name.as_str()]).collect();
+    let held = found(&text, &hold).residuals;
+    let rms = |r: &ResidualSummary| [r.position_rms_before_mm.unwrap(), r.position_rms_mm.unwrap()];
+    let ([before, after], [nominal_before, nominal]) = (rms(&free.residuals), rms(&held));
+    assert!((nominal_before - nominal).abs() < 1e-6 * nominal && (before - nominal).abs() < 1e-6 * nominal);
+    assert!(after < 0.1 * before, "{before} {after}");
 }
 
 #[test]

@@ -595,6 +595,68 @@ fn the_tool_link_is_that_of_the_measured_points() {
     assert!(robot.contains("tool_link = \"tool0\""), "{robot}");
 }
 
+/// Points of both hands of the sample two-hands, with names of their own: rows of a table with all joints.
+fn rows_of_hands(rename: &dyn Fn(&str) -> String, keep: &dyn Fn(usize, &str) -> bool) -> String {
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/two-hands/observations.csv");
+    let text = std::fs::read_to_string(sample).unwrap();
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let at = |name: &str| header.iter().position(|column| *column == name).unwrap();
+    let joints: Vec<usize> = (0..header.len()).filter(|i| header[*i].ends_with("_deg")).collect();
+    let named: Vec<String> = joints.iter().map(|i| format!("{} [deg]", header[*i].trim_end_matches("_deg"))).collect();
+    let mut out = format!("Pose,Reflector,{},X [mm],Y [mm],Z [mm]\n", named.join(","));
+    for row in lines.filter(|row| row[0] == "point") {
+        let (pose, target) = (row[at("pose")], row[at("target")]);
+        if keep(pose.parse().unwrap(), target) {
+            let cells = joints.iter().copied().chain(["x_mm", "y_mm", "z_mm"].map(at)).map(|i| row[i]);
+            let _ = writeln!(out, "{pose},{},{}", rename(target), cells.collect::<Vec<_>>().join(","));
+        }
+    }
+    out
+}
+
+#[test]
+fn points_of_two_hands_are_branches() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let urdf = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/two-hands/two_hands.urdf");
+    std::fs::copy(urdf, at.join("body.urdf")).unwrap();
+    let renamed = |target: &str| format!("SMR{}", ["L1", "R2", "L2", "R1"].iter().position(|t| *t == target).unwrap());
+    let proposed = |rows: String| {
+        let _ = std::fs::remove_dir_all(at.join("mine"));
+        std::fs::write(at.join("rows.csv"), rows).unwrap();
+        let (code, said) = program(at, &["init", "mine", "--urdf", "body.urdf", "--from", "rows.csv"]);
+        assert_eq!(code, Some(0), "{said}");
+        ["robot.toml", "campaign.toml"].map(|name| std::fs::read_to_string(at.join("mine").join(name)).unwrap())
+    };
+    let [robot, campaign] = proposed(rows_of_hands(&renamed, &|_, _| true));
+    for branch in [
+        "tool_link = \"left_hand\"\ntargets = [\"SMR0\", \"SMR2\"]",
+        "tool_link = \"right_hand\"\ntargets = [\"SMR1\", \"SMR3\"]",
+    ] {
+        assert!(robot.contains(branch), "{branch}: {robot}");
+    }
+    assert!(campaign.contains("joints = {") && campaign.contains("right_6_deg = \"right_6 [deg]\""), "{campaign}");
+    // the proposal identifies both hands
+    let complete = campaign.replace("name = \"?\"", "name = \"tracker\"").replace("um = \"?\"", "um = 20");
+    std::fs::write(at.join("mine/campaign.toml"), complete).unwrap();
+    let (code, said) = program(at, &["run", "mine"]);
+    assert_eq!(code, Some(0), "{said}");
+    // a target that changes hands fits neither; its link is a question
+    let changes = |target: &str| if target == "R1" { "SMR9".to_owned() } else { renamed(target) };
+    let mixed = rows_of_hands(&changes, &|_, _| true).replace(",SMR2,", ",SMR9,");
+    let [robot, _] = proposed(mixed);
+    assert!(robot.matches("[[branch]]").count() == 2 && robot.contains("QUESTION: target `SMR9`"), "{robot}");
+    assert!(!robot.contains("\"SMR9\""), "{robot}");
+    // few rows test no chain, and points of one hand need no branches
+    for [robot, _] in [
+        proposed(rows_of_hands(&renamed, &|pose, _| pose < 7)),
+        proposed(rows_of_hands(&renamed, &|_, target| target.starts_with('L'))),
+    ] {
+        assert!(!robot.contains("[[branch]]") && robot.contains("tool_link = "), "{robot}");
+    }
+}
+
 /// Four numbers without a named scalar: the nominal robot decides the order, a wrong one remains a question.
 #[test]
 fn the_robot_decides_the_order_of_a_quaternion() {

@@ -5,7 +5,7 @@ use etalon_base::message::Problems;
 use etalon_base::{error, files, phrase};
 use etalon_campaign::{RobotFile, parse_robot};
 use etalon_documents::FormatsDocument;
-use etalon_formats::{FilesProposal, Format, JOINTS_REMARK, propose_files};
+use etalon_formats::{FilesProposal, Format, JOINTS_REMARK, heading_without_unit, propose_files};
 use etalon_robots::Robot;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ pub(super) struct RobotFiles {
     pub path: PathBuf,
     /// `q1_deg`, `lift_m` ...
     pub joints: Vec<String>,
-    /// Targets that belong to the robot model.
+    /// Targets that belong to the robot model or to its branches.
     pub targets: Vec<String>,
     /// As the campaign states them.
     pub controllers: &'static str,
@@ -156,8 +156,10 @@ fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFile
     columns.sort_unstable();
     let stems: Vec<&str> =
         robot.joints.iter().map(|key| key.rsplit_once('_').map_or(key.as_str(), |(stem, _)| stem)).collect();
-    let by_name: Option<Vec<usize>> =
-        columns.iter().map(|(_, heading)| stems.iter().position(|stem| heading.trim() == *stem)).collect();
+    let by_name: Option<Vec<usize>> = columns
+        .iter()
+        .map(|(_, heading)| stems.iter().position(|stem| heading_without_unit(heading) == *stem))
+        .collect();
     let named = by_name.is_some();
     let order = by_name.unwrap_or_else(|| (0..columns.len()).collect());
     // one name after the other, by names that no file has

@@ -1,6 +1,7 @@
 //! Tool link of a URDF, by the files of measurements: the chain whose joints the files have, and
 //! whose kinematics the measured points fit.
 
+use super::branches::branches;
 use super::{Described, joint_keys, urdf_text};
 use etalon_base::catalogue::{Argument, Phrase};
 use etalon_base::message::printable;
@@ -8,13 +9,13 @@ use etalon_base::phrase;
 use etalon_campaign::{parse_robot, read_urdf_chains};
 use etalon_documents::FormatsDocument;
 use etalon_formats::xacro::plain_name;
-use etalon_formats::{FilesProposal, propose_files};
+use etalon_formats::{FilesProposal, heading_without_unit, propose_files};
 use etalon_robots::TreeChain;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Factor by which the residual of a chain has to be smaller than that of another one.
-const BETTER: f64 = 3.0;
+pub(super) const BETTER: f64 = 3.0;
 /// Maximum number of chains that are tried.
 const TRIED: usize = 24;
 
@@ -51,6 +52,10 @@ pub(super) fn described(path: &Path, arguments: &[String], files: &[PathBuf]) ->
     }
     let beside = path.with_file_name("robot.toml");
     let source = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    if let Some(branches) = branches((&beside, &name, &source), &chains, files)? {
+        let (robot, text) = (branches.text.into_bytes(), expanded.text.into_bytes());
+        return Ok(Described { name, robot, text, joints: branches.joints, targets: branches.targets });
+    }
     let evidence: Vec<Evidence> =
         chains.iter().map(|chain| evidence(&beside, &source, chain, files)).collect::<anyhow::Result<_>>()?;
     let (robot, joints) = match choice(&chains, &evidence, &longest) {
@@ -60,7 +65,8 @@ pub(super) fn described(path: &Path, arguments: &[String], files: &[PathBuf]) ->
         }
         Choice::Open(fit) => (open(&name, &chains, &fit), Vec::new()),
     };
-    Ok(Described { name, robot: robot.into_bytes(), text: expanded.text.into_bytes(), joints })
+    let (robot, text) = (robot.into_bytes(), expanded.text.into_bytes());
+    Ok(Described { name, robot, text, joints, targets: Vec::new() })
 }
 
 /// Returns robot.toml with the tool link as a question, and the links that fit.
@@ -85,7 +91,7 @@ fn evidence(beside: &Path, source: &str, chain: &TreeChain, files: &[PathBuf]) -
     let has = |document: &FormatsDocument, id: &str| document.reason_phrases.iter().any(|reason| reason.id == id);
     let headings = |document: &FormatsDocument| {
         let named = |joint: &&str| {
-            let is_joint = |heading: &String| without_unit(heading) == *joint;
+            let is_joint = |heading: &String| heading_without_unit(heading) == *joint;
             document.columns.iter().any(|column| column.heading.as_ref().is_some_and(is_joint))
         };
         joints.iter().all(named)
@@ -107,15 +113,8 @@ fn evidence(beside: &Path, source: &str, chain: &TreeChain, files: &[PathBuf]) -
     })
 }
 
-/// Returns a heading without its unit: `elbow` of `elbow [rad]` and of `elbow_rad`.
-fn without_unit(heading: &str) -> &str {
-    let name = heading.split(['[', '(']).next().unwrap_or(heading).trim();
-    let units = ["_deg", "_rad", "_mm", "_m"];
-    units.iter().find_map(|unit| name.strip_suffix(unit)).unwrap_or(name)
-}
-
 /// Returns the names of the joints of a chain.
-fn names(chain: &TreeChain) -> Vec<&str> {
+pub(super) fn names(chain: &TreeChain) -> Vec<&str> {
     chain.joints.iter().map(|joint| joint.name.as_str()).collect()
 }
 

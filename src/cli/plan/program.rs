@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, clap::Args)]
 pub(super) struct Program {
     /// Write a program that moves the joints to the chosen poses in the order of measurement and
-    /// waits: RAPID (.mod), KRL (.src), URScript (.script), FANUC TP (.ls), INFORM (.jbi) or G-code
-    /// (.ngc).
+    /// waits: RAPID (.mod), KRL (.src), URScript (.script), FANUC TP (.ls), Karel (.kl), INFORM
+    /// (.jbi) or G-code (.ngc).
     #[arg(long, value_name = "FILE")]
     program: Option<PathBuf>,
     /// Language of the program, if not by its ending.

@@ -3,6 +3,7 @@
 //! and an object frame at its origin.
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier};
+use crate::decimals::all_fixed;
 use etalon_base::message::Result;
 
 pub(super) struct Abb;
@@ -19,9 +20,9 @@ impl CellFormat for Abb {
     fn text(&self, data: &CellData) -> Result<CellText> {
         let mut text: String = data.header.iter().map(|line| format!("! {line}\n")).collect();
         let name = identifier(&data.name, 32);
-        let [x, y, z] = data.pose.translation_mm;
-        let q = data.pose.quaternion().map(|v| format!("{v:.12}")).join(",");
-        let frame = format!("[[{x:.6},{y:.6},{z:.6}],[{q}]]");
+        let at = all_fixed(data.pose.translation_mm, 6).join(",");
+        let q = all_fixed(data.pose.quaternion(), 12).join(",");
+        let frame = format!("[[{at}],[{q}]]");
         text += "MODULE EtalonCell\n";
         text += &match data.part {
             CellPart::Tool => format!(

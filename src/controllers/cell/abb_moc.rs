@@ -7,6 +7,7 @@
 //! instance has many more attributes.
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier};
+use crate::decimals::all_fixed;
 use etalon_base::message::Result;
 
 pub(super) struct AbbMoc;
@@ -26,8 +27,8 @@ impl CellFormat for AbbMoc {
                  # attributes of the existing instance: enter them there; do not load this text alone\n";
         let kind = if data.part == CellPart::Axis { "SINGLE" } else { "ROBOT" };
         let name = identifier(&data.name, 32);
-        let [x, y, z] = data.pose.translation_mm.map(|v| format!("{:.7}", v / 1000.0));
-        let [u0, u1, u2, u3] = data.pose.quaternion().map(|v| format!("{v:.10}"));
+        let [x, y, z] = all_fixed(data.pose.translation_mm.map(|v| v / 1000.0), 7);
+        let [u0, u1, u2, u3] = all_fixed(data.pose.quaternion(), 10);
         text += &format!(
             "{kind}:\n\n      -name \"{name}\" -base_frame_pos_x {x}\\\n      \
              -base_frame_pos_y {y} -base_frame_pos_z {z}\\\n      \

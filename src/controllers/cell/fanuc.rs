@@ -2,6 +2,7 @@
 //! deg, with Rz(R) Ry(P) Rx(W) (R-30iB operator's manual).
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};
+use crate::decimals::fixed;
 use etalon_base::message::Result;
 use std::fmt::Write;
 
@@ -9,7 +10,7 @@ pub(super) struct Fanuc;
 
 /// Constant of a TP program: negative ones are in parentheses.
 fn constant(value: f64) -> String {
-    let text = format!("{value:.6}");
+    let text = fixed(value, 6);
     if text.starts_with('-') { format!("({text})") } else { text }
 }
 

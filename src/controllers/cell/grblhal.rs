@@ -7,6 +7,7 @@
 
 use super::machine::TwoAxes;
 use super::{CellData, CellFormat, CellPart, CellText};
+use crate::decimals::fixed;
 use etalon_base::error;
 use etalon_base::message::Result;
 use std::fmt::Write;
@@ -40,7 +41,7 @@ impl CellFormat for GrblHal {
             let _ = writeln!(text, "; {line}");
         }
         for (k, value) in settings.into_iter().enumerate() {
-            let _ = writeln!(text, "${}={value:.3}", FIRST + k);
+            let _ = writeln!(text, "${}={}", FIRST + k, fixed(value, 3));
         }
         let tilted = [axes.tilting.tilt_warning(X, self.name()), axes.table.tilt_warning(2, self.name())];
         Ok(CellText { text, messages: tilted.into_iter().flatten().collect() })

@@ -6,6 +6,7 @@
 //! first axis of an external kinematic turns about z of `ROOT` where `$ET1_TA1KR` is null.
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};
+use crate::decimals::all_fixed;
 use etalon_base::error;
 use etalon_base::message::Result;
 
@@ -25,9 +26,9 @@ impl CellFormat for Kuka {
 
     fn text(&self, data: &CellData) -> Result<CellText> {
         let header: String = data.header.iter().map(|line| format!("; {line}\n")).collect();
-        let [x, y, z] = data.pose.translation_mm;
-        let [c, b, a] = roll_pitch_yaw_deg(&data.pose);
-        let frame = format!("{{X {x:.6},Y {y:.6},Z {z:.6},A {a:.9},B {b:.9},C {c:.9}}}");
+        let [x, y, z] = all_fixed(data.pose.translation_mm, 6);
+        let [c, b, a] = all_fixed(roll_pitch_yaw_deg(&data.pose), 9);
+        let frame = format!("{{X {x},Y {y},Z {z},A {a},B {b},C {c}}}");
         let (n, name) = (data.number, identifier(&data.name, 24));
         let text = match data.part {
             CellPart::Axis => format!("{header}{}", machine(n, &name, &frame)?),

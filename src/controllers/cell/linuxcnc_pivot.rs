@@ -6,6 +6,7 @@
 
 use super::machine::below_and_beside;
 use super::{CellData, CellFormat, CellPart, CellText};
+use crate::decimals::{all_fixed, fixed};
 use etalon_base::error;
 use etalon_base::message::Result;
 use std::fmt::Write;
@@ -51,15 +52,16 @@ impl CellFormat for Pivot {
         if conventional && !self.has_sense {
             return Err(error!("cell-axis-sense", maker = kins, axis = "y", sense = "positive").into());
         }
+        let [below, beside, tool] = all_fixed([along, across, tool_mm], 6);
         let mut text: String = data.header.iter().map(|line| format!("# {line}\n")).collect();
         for line in [
             axis.tilt_line("B", Y),
-            format!("mm; first target at B = 0: {along:.6} below the pivot, {across:.6} beside it, tool {tool_mm:.6}"),
+            format!("mm; first target at B = 0: {below} below the pivot, {beside} beside it, tool {tool}"),
             "pivot to the gauge line; the length of a tool adds to it".to_owned(),
         ] {
             let _ = writeln!(text, "# {line}");
         }
-        let _ = writeln!(text, "setp {kins}.pivot-length {:.6}", along - tool_mm);
+        let _ = writeln!(text, "setp {kins}.pivot-length {}", fixed(along - tool_mm, 6));
         if conventional {
             text += "# the head turns in the conventional sense: this pin needs a LinuxCNC that has it\n";
             let _ = writeln!(text, "setp {kins}.conventional-directions 1");

@@ -8,6 +8,7 @@
 
 use super::machine::TwoAxes;
 use super::{CellData, CellFormat, CellPart, CellText};
+use crate::decimals::fixed;
 use etalon_base::message::Result;
 use std::fmt::Write;
 
@@ -52,10 +53,10 @@ impl CellFormat for TiltingTable {
             let _ = writeln!(text, "# {line}");
         }
         for (pin, value) in ["x", "y", "z"].into_iter().zip(rot_point) {
-            let _ = writeln!(text, "setp {kins}.{pin}-rot-point {value:.6}");
+            let _ = writeln!(text, "setp {kins}.{pin}-rot-point {}", fixed(value, 6));
         }
         for (pin, value) in ["x", "y", "z"].into_iter().zip(offset) {
-            let _ = writeln!(text, "setp {kins}.{pin}-offset {value:.6}");
+            let _ = writeln!(text, "setp {kins}.{pin}-offset {}", fixed(value, 6));
         }
         if !axes.positive {
             text += "# the table turns in the conventional sense: this pin needs a LinuxCNC that has it\n";

@@ -214,5 +214,5 @@ fn identifier(name: &str, longest: usize) -> String {
 
 /// Roll, pitch and yaw (deg) of Rz(yaw) Ry(pitch) Rx(roll).
 fn roll_pitch_yaw_deg(pose: &Pose) -> Vector {
-    super::roll_pitch_yaw(pose).map(f64::to_degrees)
+    pose.rpy_rad().map(f64::to_degrees)
 }

@@ -2,6 +2,7 @@
 //! (The URScript programming language, `set_tcp`).
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier};
+use crate::decimals::all_fixed;
 use etalon_base::message::Result;
 
 pub(super) struct UniversalRobots;
@@ -17,9 +18,9 @@ impl CellFormat for UniversalRobots {
 
     fn text(&self, data: &CellData) -> Result<CellText> {
         let header: String = data.header.iter().map(|line| format!("# {line}\n")).collect();
-        let [x, y, z] = data.pose.translation_mm.map(|v| v / 1000.0);
-        let [rx, ry, rz] = data.pose.rotation_vector_rad();
-        let pose = format!("p[{x:.9}, {y:.9}, {z:.9}, {rx:.12}, {ry:.12}, {rz:.12}]");
+        let at = all_fixed(data.pose.translation_mm.map(|v| v / 1000.0), 9).join(", ");
+        let turned = all_fixed(data.pose.rotation_vector_rad(), 12).join(", ");
+        let pose = format!("p[{at}, {turned}]");
         let text = match data.part {
             CellPart::Tool => format!("{header}# payload is not identified (set_payload)\nset_tcp({pose})\n"),
             _ => format!("{header}global {} = {pose}\n", identifier(&data.name, 32)),

@@ -5,6 +5,7 @@
 //! lines behind the frame are those of tools without load data there. The file has no comments.
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};
+use crate::decimals::all_fixed;
 use etalon_base::message::Result;
 use etalon_base::warning;
 
@@ -25,10 +26,10 @@ impl CellFormat for Yaskawa {
     }
 
     fn text(&self, data: &CellData) -> Result<CellText> {
-        let [x, y, z] = data.pose.translation_mm;
-        let [rx, ry, rz] = roll_pitch_yaw_deg(&data.pose);
+        let at = all_fixed(data.pose.translation_mm, 3).join(",");
+        let turned = all_fixed(roll_pitch_yaw_deg(&data.pose), 4).join(",");
         let (n, name) = (data.number, identifier(&data.name, NAME));
-        let text = format!("//TOOL {n}\n///NAME {name}\n{x:.3},{y:.3},{z:.3},{rx:.4},{ry:.4},{rz:.4}\n{WITHOUT_LOAD}");
+        let text = format!("//TOOL {n}\n///NAME {name}\n{at},{turned}\n{WITHOUT_LOAD}");
         Ok(CellText { text, messages: vec![warning!("cell-loads-replaced", number = n)] })
     }
 }

@@ -14,6 +14,7 @@ mod urscript;
 pub use galil::Galil;
 
 use super::Given;
+use super::decimals::fixed;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use std::collections::BTreeSet;
@@ -198,10 +199,10 @@ pub fn rewritten(program: &[u8], targets: &[ProgramTarget], numbers: &[Vec<Strin
 
 /// Decimal text without exponent, trailing zeros and negative zero.
 pub(crate) fn number_text(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
+    let text = fixed(value, decimals);
     let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     match short {
-        "-0" | "0" => "0.0".to_owned(),
+        "0" => "0.0".to_owned(),
         whole if !whole.contains('.') && decimals > 0 => format!("{whole}.0"),
         other => other.to_owned(),
     }

@@ -3,6 +3,7 @@
 //! `docs/planning.md`.
 
 use super::{ARM, MeasuringLanguage, MeasuringProgram, Output, identifier, lines, plain};
+use crate::decimals::fixed;
 use std::fmt::Write;
 
 pub(super) struct Fanuc;
@@ -51,7 +52,8 @@ impl MeasuringLanguage for Fanuc {
         }
         out += "/POS\n";
         for (number, joints) in points.iter().enumerate() {
-            let values = joints.iter().take(ARM).zip(1..).map(|(q, i)| format!("\tJ{i}= {q:9.DECIMALS$} deg"));
+            let values =
+                joints.iter().take(ARM).zip(1..).map(|(q, i)| format!("\tJ{i}= {:>9} deg", fixed(*q, DECIMALS)));
             let values: Vec<String> = values.collect();
             let rows: Vec<String> = values.chunks(3).map(|row| row.join(",")).collect();
             let _ = writeln!(out, "P[{}]{{\n   GP1:\n\tUF : 0, UT : 1,\t\n{}\n}};", number + 1, rows.join(",\n"));

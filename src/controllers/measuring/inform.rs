@@ -2,6 +2,7 @@
 //! every generation of controllers loads. Layout of public jobs: see `docs/planning.md`.
 
 use super::{MeasuringLanguage, MeasuringProgram, Moves, Output, identifier, lines, plain};
+use crate::decimals::fixed;
 
 pub(super) struct Inform;
 
@@ -31,7 +32,7 @@ impl MeasuringLanguage for Inform {
     fn text(&self, program: &MeasuringProgram) -> String {
         let external = program.external();
         let pulses = |values: &[f64], of: &[f64]| {
-            let all = values.iter().zip(of).map(|(value, pulses)| format!("{:.0}", (value * pulses).round() + 0.0));
+            let all = values.iter().zip(of).map(|(value, pulses)| fixed((value * pulses).round(), 0));
             all.collect::<Vec<_>>().join(",")
         };
         let (mut arm, mut base) = (Vec::new(), Vec::new());

@@ -4,6 +4,7 @@
 mod fanuc;
 mod gcode;
 mod inform;
+mod karel;
 mod krl;
 mod rapid;
 mod urscript;
@@ -142,11 +143,12 @@ pub trait MeasuringLanguage: Sync {
 }
 
 /// Languages by name, with file extensions.
-const LANGUAGES: [(&str, &dyn MeasuringLanguage, &[&str]); 6] = [
+const LANGUAGES: [(&str, &dyn MeasuringLanguage, &[&str]); 7] = [
     ("rapid", &rapid::Rapid, &["mod", "modx"]),
     ("krl", &krl::Krl, &["src"]),
     ("urscript", &urscript::UrScript, &["script", "urscript"]),
     ("fanuc", &fanuc::Fanuc, &["ls"]),
+    ("karel", &karel::Karel, &["kl"]),
     ("inform", &inform::Inform, &["jbi"]),
     ("gcode", &gcode::Gcode, &["ngc", "nc", "gcode"]),
 ];

@@ -383,13 +383,7 @@ impl Reader<'_> {
     fn plain_point(&self, columns: &[PlainColumn], number: usize, line: &str, names: &mut Names) -> Option<Point> {
         let delimiter = self.dialect.delimiter.unwrap_or(Delimiter::Tab);
         let (label, xyz) = lexer::plain_line(line, delimiter, self.dialect.decimal, columns)?;
-        Some(Point {
-            line: number as u32,
-            text: Line::of(self.text, line),
-            label: names.shared(label),
-            xyz_mm: xyz.map(|v| v * self.unit.in_mm()),
-            ..Point::default()
-        })
+        Some(Point::of_line((number, Line::of(self.text, line)), names.shared(label), xyz, self.unit))
     }
 
     /// Reads one point. Invalid numbers are reported and leave the point without a position; a row

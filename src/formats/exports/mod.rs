@@ -391,13 +391,7 @@ impl<'a> Text<'a> {
 
     /// A row at a line, in millimetres.
     fn point(&self, line: usize, label: &str, xyz: Vector, unit: Unit) -> Point {
-        Point {
-            line: line as u32,
-            text: Line::of(self.whole, self.shown(line)),
-            label: label.into(),
-            xyz_mm: xyz.map(|v| v * unit.in_mm()),
-            ..Point::default()
-        }
+        Point::of_line((line, Line::of(self.whole, self.shown(line))), label.into(), xyz, unit)
     }
 
     /// A row at a line that is not a point, with the reason.

@@ -47,13 +47,7 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
         [PlainColumn::Label, PlainColumn::Coordinate(0), PlainColumn::Coordinate(1), PlainColumn::Coordinate(2)];
     for (i, line) in lines(text, &dialect) {
         if let Some((label, xyz)) = lexer::plain_line(line, Delimiter::Blank, Decimal::Point, &columns) {
-            points.push(Point {
-                line: i as u32,
-                text: Line::of(text, line),
-                label: names.shared(label),
-                xyz_mm: xyz.map(|v| v * unit.in_mm()),
-                ..Point::default()
-            });
+            points.push(Point::of_line((i, Line::of(text, line)), names.shared(label), xyz, unit));
             continue;
         }
         let row = match lexer::row(file, i, line, &dialect) {
@@ -79,13 +73,9 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
                 f64::NAN
             }));
         }
-        points.push(Point {
-            line: row.line as u32,
-            text: Line::of(text, row.text),
-            label: names.shared(if named == 1 { row.field(0) } else { "" }),
-            xyz_mm: [numbers[0], numbers[1], numbers[2]].map(|v| v * unit.in_mm()),
-            ..Point::default()
-        });
+        let label = names.shared(if named == 1 { row.field(0) } else { "" });
+        let xyz = [numbers[0], numbers[1], numbers[2]];
+        points.push(Point::of_line((row.line, Line::of(text, row.text)), label, xyz, unit));
     }
     (points, problems)
 }

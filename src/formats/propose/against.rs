@@ -1,5 +1,6 @@
 //! Correction of a proposal by the nominal robot: joints, units, targets, and commanded points.
 
+use super::branches::joint_columns;
 use super::kinematics::{FEWEST, Origin, Outcome, Reading, Sample, confirmed, test};
 use super::meaning::{Interpretation, Meaning, PointSet};
 use super::table::{Column, Table};
@@ -20,6 +21,15 @@ const TARGETS: usize = 12;
 /// Factor by which a column of targets has to reduce the residual.
 const BETTER: f64 = 5.0;
 
+/// Doubts that a known order of the joints settles.
+const SETTLED: [&str; 5] = [
+    "doubt-six-without-headings",
+    "doubt-matrix-order",
+    "doubt-joints-without-headings",
+    "doubt-points-without-headings",
+    "doubt-order-of-joints",
+];
+
 /// Joints, coordinates and target column that are tried together.
 #[derive(Clone)]
 struct Trial {
@@ -31,6 +41,9 @@ struct Trial {
 /// Tests the interpretation against the nominal robot and corrects it where the kinematics of the
 /// robot support one reading.
 pub(super) fn correct(robot: &dyn Robot, table: &mut Table, found: &mut Interpretation) -> Remarks {
+    if !robot.branches().is_empty() {
+        return name_by_headings(robot, table, found);
+    }
     let mut remarks = Remarks::default();
     if robot.free_base().is_none() {
         remarks.doubts.push(phrase!("robot-does-not-test", model = robot.model()));
@@ -59,6 +72,25 @@ pub(super) fn correct(robot: &dyn Robot, table: &mut Table, found: &mut Interpre
             apply(robot, &trial, &reading, (table, found), &mut remarks);
         }
     }
+    remarks
+}
+
+/// Takes the columns that are headed by all joints of a robot with several branches. The chains of
+/// its targets were tested when the branches were found.
+fn name_by_headings(robot: &dyn Robot, table: &Table, found: &mut Interpretation) -> Remarks {
+    let mut remarks = Remarks::default();
+    let Some(columns) = joint_columns(robot, table) else { return remarks };
+    for taken in &mut found.taken {
+        if matches!(taken.meaning, Meaning::Joint(_)) {
+            taken.meaning = Meaning::Unknown;
+        }
+    }
+    for (k, at) in columns.into_iter().enumerate() {
+        found.take(at, Meaning::Joint(k), phrase!("because-joints-named"));
+    }
+    found.joint_names = robot.joints().iter().map(|joint| joint.name.clone()).collect();
+    found.doubts.retain(|doubt| !SETTLED.contains(&&*doubt.id));
+    remarks.reasons.push(phrase!("because-joints-named"));
     remarks
 }
 
@@ -301,14 +333,7 @@ pub(super) fn name_joints(
     }
     found.joint_names = (0..columns.len()).map(of_robot).collect();
     found.by_kinematics = true;
-    let settled = [
-        "doubt-six-without-headings",
-        "doubt-matrix-order",
-        "doubt-joints-without-headings",
-        "doubt-points-without-headings",
-        "doubt-order-of-joints",
-    ];
-    found.doubts.retain(|doubt| !settled.contains(&&*doubt.id));
+    found.doubts.retain(|doubt| !SETTLED.contains(&&*doubt.id));
 }
 
 /// Describes how well the robot reproduces points, and states their unit.

@@ -163,7 +163,9 @@ struct Residual {
 /// directions other than those of the file.
 pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcome {
     let count = robot.joints().len();
-    if robot.free_base().is_none() || sample.joints.len() < count || count < 2 || !sample.spans_space() {
+    // points of several branches are not those of one chain
+    let is_chain = robot.free_base().is_some() && robot.branches().is_empty();
+    if !is_chain || sample.joints.len() < count || count < 2 || !sample.spans_space() {
         return Outcome::Untested;
     }
     let targets = sample.targets.iter().max().map_or(1, |most| most + 1);

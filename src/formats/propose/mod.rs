@@ -2,6 +2,7 @@
 
 mod against;
 mod arrays;
+mod branches;
 mod coordinates;
 mod headings;
 mod kinematics;
@@ -15,6 +16,7 @@ mod structure;
 mod table;
 mod turned;
 
+pub use branches::{TargetFit, fit_targets, heading_without_unit};
 pub use lines::JOINTS as JOINTS_REMARK;
 pub use several::{FilesProposal, label_form, propose_files};
 

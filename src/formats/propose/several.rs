@@ -56,10 +56,10 @@ pub struct FilesProposal {
 }
 
 /// A file with its proposal and, of a table, its interpretation.
-struct Part {
+pub(super) struct Part {
     path: PathBuf,
-    document: FormatsDocument,
-    read: Option<(Table, Interpretation)>,
+    pub document: FormatsDocument,
+    pub read: Option<(Table, Interpretation)>,
     /// Motion of a recording of messages.
     motion: Option<Motion>,
 }
@@ -69,7 +69,7 @@ const MORE: usize = 5;
 
 /// Keys of the rows of a file by which it can be joined.
 #[derive(Default)]
-struct Keys {
+pub(super) struct Keys {
     rows: usize,
     poses: Option<Vec<String>>,
     /// `true` if the poses are the numbers of the rows.
@@ -82,12 +82,12 @@ struct Keys {
 }
 
 /// Join of an export with a log.
-struct Join {
+pub(super) struct Join {
     by: &'static str,
     keys: usize,
     matching: usize,
     /// Rows of export and log that belong together.
-    pairs: Vec<(usize, usize)>,
+    pub pairs: Vec<(usize, usize)>,
     /// Form of the labels whose `{pose}` is the label of the log.
     form: Option<String>,
     /// `true` if the labels of the log are names of poses.
@@ -388,7 +388,7 @@ fn targets_of(export: &Part, join: &Join) -> Vec<usize> {
 
 /// Returns the join by which the most rows of an export have a row of the log. Where a robot is
 /// given, the join must not contradict its kinematics.
-fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, log: &Part) -> Option<Join> {
+pub(super) fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, log: &Part) -> Option<Join> {
     let of_log = Keys::of(log);
     let both = |a: &Option<Vec<String>>, b: &Option<Vec<String>>| {
         a.iter().zip(b).map(|(a, b)| a.iter().zip(b).map(|(a, b)| format!("{a}\u{1}{b}")).collect()).next()
@@ -525,7 +525,7 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
 }
 
 impl Part {
-    fn of(path: &Path, robot: Option<&dyn Robot>) -> Result<Self> {
+    pub fn of(path: &Path, robot: Option<&dyn Robot>) -> Result<Self> {
         let mut read = None;
         let document = propose_corrected(
             path,
@@ -533,7 +533,9 @@ impl Part {
             Some(&mut |table, found| {
                 // joints and points in different files are tested when they are joined
                 let whole = !found.points.is_empty() && !found.joint_columns().is_empty();
-                let remarks = robot.filter(|_| whole).map(|robot| against::correct(robot, table, found));
+                // columns of joints of several branches are known by their headings alone
+                let by_headings = robot.is_some_and(|robot| !robot.branches().is_empty());
+                let remarks = robot.filter(|_| whole || by_headings).map(|robot| against::correct(robot, table, found));
                 read = Some((table.clone(), found.clone()));
                 remarks.unwrap_or_default()
             }),
@@ -614,7 +616,7 @@ impl Part {
     }
 
     /// Returns the target of each row: of its column, or of its label.
-    fn targets(&self) -> Option<Vec<String>> {
+    pub fn targets(&self) -> Option<Vec<String>> {
         let (table, found) = self.read.as_ref()?;
         if let Some(at) = found.first(Meaning::Target) {
             return Some(texts(&table.columns[at]));
@@ -628,7 +630,7 @@ impl Part {
 }
 
 impl Keys {
-    fn of(part: &Part) -> Self {
+    pub fn of(part: &Part) -> Self {
         let Some((table, found)) = &part.read else {
             return Self { rows: part.document.rows, ..Self::default() };
         };

@@ -342,9 +342,13 @@ fn of_frames(frames: &BTreeMap<Key, Matrix6<f64>>, keys: &[Option<Key>], by_fram
         return 0.0;
     }
     let mut sums: BTreeMap<Key, Vector6<f64>> = BTreeMap::new();
-    for ((key, row), by) in keys.iter().zip(by_frame.chunks_exact(6)).zip(by) {
-        if let Some(key) = key.filter(|_| *by != 0.0) {
-            *sums.entry(key).or_default() += Vector6::from_column_slice(row) * *by;
+    let mut rows = by_frame.chunks_exact(6).zip(by);
+    // residuals of a pose follow each other
+    for same in keys.chunk_by(|a, b| a == b) {
+        let rows = rows.by_ref().take(same.len()).filter(|(_, by)| **by != 0.0);
+        let sum: Vector6<f64> = rows.map(|(row, by)| Vector6::from_column_slice(row) * *by).sum();
+        if let Some(key) = same[0].filter(|_| sum != Vector6::zeros()) {
+            *sums.entry(key).or_default() += sum;
         }
     }
     sums.iter().filter_map(|(key, s)| Some(s.dot(&(frames.get(key)? * s)))).sum()

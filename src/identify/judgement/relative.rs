@@ -11,6 +11,7 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, dot, minus};
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::rms;
+use etalon_robots::Robot;
 
 /// Maximum number of pairs; of more pairs, an even selection counts.
 const MOST_PAIRS: usize = 100_000;
@@ -55,45 +56,44 @@ struct Reading {
 }
 
 /// A pair of readings.
-#[derive(Clone, Copy)]
 struct Pair {
-    readings: [usize; 2],
+    readings: [u32; 2],
     distance_mm: f64,
     /// Predicted minus measured distance (mm) before and after.
     error_mm: [f64; 2],
 }
 
 impl JudgedErrors<'_> {
-    /// Errors of the distances between the judged positions with the parameters `before`, and with
-    /// the judged parameters; `None` without two poses of one target. Conditions do not count.
+    /// Errors of the distances between the judged positions with the robot and parameters
+    /// `before`, and with the judged ones; `None` without two poses of one target. Conditions do
+    /// not count.
     ///
     /// # Errors
     /// Fails if residuals cannot be evaluated.
     pub fn distances(
         &self,
-        before: &[f64],
+        before: (&dyn Robot, &[f64]),
         settings: &Settings,
         systematic: &Systematic,
     ) -> Result<Option<RelativeErrors>> {
         let groups = self.readings_of_targets(before);
         let readings: Vec<&Reading> = groups.iter().flatten().collect();
-        let (pairs, available) = pairs(&groups);
-        let all: Vec<Pair> = pairs.into_iter().map(|pair| Pair::of(pair, &readings)).collect();
+        let (all, available) = pairs(&groups, &readings);
         let finite = |p: &Pair| [p.distance_mm, p.error_mm[0], p.error_mm[1]].iter().all(|v| v.is_finite());
         if all.is_empty() || !all.iter().all(finite) {
             return Ok(None);
         }
         let stated = settings.standard_uncertainty_mm.is_some();
         let propagation = stated.then(|| self.propagation(settings, systematic)).transpose()?;
-        let of = |range_mm: [f64; 2], pairs: &[Pair], root: Option<&[f64]>| DistanceErrors {
-            range_mm,
-            before_mm: pairs.iter().map(|p| p.error_mm[0].abs()).collect(),
-            after_mm: pairs.iter().map(|p| p.error_mm[1].abs()).collect(),
-            standard_uncertainties_mm: propagation
+        let of = |range_mm: [f64; 2], pairs: &[&Pair], root: Option<&[f64]>| {
+            let [before_mm, after_mm] = [0, 1].map(|i| pairs.iter().map(|p| p.error_mm[i].abs()).collect::<Vec<f64>>());
+            let standard_uncertainties_mm = propagation
                 .as_ref()
                 .zip(root)
-                .map(|(propagation, root)| uncertainties(propagation, root, pairs, &readings)),
+                .map(|(propagation, root)| uncertainties(propagation, root, (pairs, &after_mm), &readings));
+            DistanceErrors { range_mm, before_mm, after_mm, standard_uncertainties_mm }
         };
+        let all: Vec<&Pair> = all.iter().collect();
         let largest = all.iter().map(|p| p.distance_mm).fold(0.0, f64::max);
         let step = step(largest);
         let by_step = by_step(&all, step);
@@ -115,8 +115,8 @@ impl JudgedErrors<'_> {
 
     /// Readings of each target, or of the centre of a platform, in the order of the residuals of
     /// the judged positions.
-    fn readings_of_targets(&self, before: &[f64]) -> Vec<Vec<Reading>> {
-        let (robot, values) = (self.robot, [before, self.values]);
+    fn readings_of_targets(&self, before: (&dyn Robot, &[f64])) -> Vec<Vec<Reading>> {
+        let (robot, sides) = (self.robot, [before, (self.robot, self.values)]);
         let mut groups: Vec<Vec<Reading>> = Vec::new();
         groups.resize_with(robot.targets().len().max(1), Vec::new);
         let mut row = 0;
@@ -124,12 +124,12 @@ impl JudgedErrors<'_> {
             if let Some(platform) = robot.platform() {
                 let [Some(k), Some(l)] = o.targets[..] else { continue };
                 let pair = [[k[0], k[1]], [l[0], l[1]]];
-                let measured = values.map(|values| {
+                let measured = sides.map(|(_, values)| {
                     let pose = platform.measured_pose(values, pair);
                     [pose.x_mm, pose.y_mm, 0.0]
                 });
                 let predicted = [0, 1].map(|i| {
-                    let error = platform.pose_error(values[i], &o.joints, pair);
+                    let error = platform.pose_error(sides[i].1, &o.joints, pair);
                     [measured[i][0] + error[0], measured[i][1] + error[1], 0.0]
                 });
                 groups[0].push(Reading { pose: o.pose, rows: (row, 2), measured, predicted });
@@ -137,7 +137,7 @@ impl JudgedErrors<'_> {
                 continue;
             }
             for (k, at) in measured_targets(o) {
-                let predicted = values.map(|values| robot.position(values, &o.joints, k));
+                let predicted = sides.map(|(robot, values)| robot.position(values, &o.joints, k));
                 let rows = (row, robot.dimension());
                 groups[k].push(Reading { pose: o.pose, rows, measured: [at; 2], predicted });
                 row += robot.dimension();
@@ -153,8 +153,8 @@ fn measured_targets(o: &Observation) -> impl Iterator<Item = (usize, Vector)> + 
 }
 
 impl Pair {
-    fn of(readings: [usize; 2], all: &[&Reading]) -> Self {
-        let [a, b] = readings.map(|i| all[i]);
+    fn of(readings: [u32; 2], all: &[&Reading]) -> Self {
+        let [a, b] = readings.map(|i| all[i as usize]);
         let length = |from: [Vector; 2], to: [Vector; 2], i: usize| {
             let across = minus(to[i], from[i]);
             dot(across, across).sqrt()
@@ -166,7 +166,7 @@ impl Pair {
     /// Adds the derivatives of `weight` times the error with respect to the residuals (predicted
     /// minus measured position).
     fn add(&self, weight: f64, readings: &[&Reading], by: &mut [f64]) {
-        let [a, b] = self.readings.map(|i| readings[i]);
+        let [a, b] = self.readings.map(|i| readings[i as usize]);
         if self.distance_mm > 0.0 {
             let per_mm = weight / self.distance_mm;
             let across = minus(b.measured[1], a.measured[1]).map(|v| per_mm * v);
@@ -180,32 +180,32 @@ impl Pair {
 }
 
 /// Pairs by steps of the measured distance.
-fn by_step(pairs: &[Pair], step: f64) -> Vec<Vec<Pair>> {
-    let of = |pair: &Pair| (pair.distance_mm / step) as usize;
-    let mut counts: Vec<usize> = Vec::new();
-    for k in pairs.iter().map(of) {
-        counts.resize(counts.len().max(k + 1), 0);
-        counts[k] += 1;
+fn by_step<'a>(pairs: &[&'a Pair], step: f64) -> Vec<Vec<&'a Pair>> {
+    let mut steps: Vec<Vec<&Pair>> = Vec::new();
+    for pair in pairs {
+        let k = (pair.distance_mm / step) as usize;
+        if k >= steps.len() {
+            steps.resize_with(k + 1, Vec::new);
+        }
+        steps[k].push(pair);
     }
-    let mut steps: Vec<Vec<Pair>> = counts.into_iter().map(Vec::with_capacity).collect();
-    pairs.iter().for_each(|pair| steps[of(pair)].push(*pair));
     steps
 }
 
 /// Derivatives of half the sum of the squared errors after with respect to `count` residuals.
-fn squares_gradient(pairs: &[Pair], readings: &[&Reading], count: usize) -> Vec<f64> {
+fn squares_gradient(pairs: &[&Pair], readings: &[&Reading], count: usize) -> Vec<f64> {
     let mut by = vec![0.0; count];
     pairs.iter().for_each(|pair| pair.add(pair.error_mm[1], readings, &mut by));
     by
 }
 
-/// Pairs of readings of one target at different poses, by their index over all groups: all of them,
-/// or an even selection. Also the number of all pairs.
-fn pairs(groups: &[Vec<Reading>]) -> (Vec<[usize; 2]>, usize) {
+/// Pairs of readings of one target at different poses: all of them, or an even selection. Also the
+/// number of all pairs. `readings` are those of all groups.
+fn pairs(groups: &[Vec<Reading>], readings: &[&Reading]) -> (Vec<Pair>, usize) {
     let count: usize = groups.iter().map(|group| pairs_of(group.len())).sum();
     let mut available = count;
-    let mut indices = selection(count).into_iter().peekable();
-    let (mut chosen, mut first, mut start) = (Vec::with_capacity(indices.len()), 0, 0);
+    let mut indices = selection(count).peekable();
+    let (mut chosen, mut first, mut start) = (Vec::with_capacity(count.min(MOST_PAIRS)), 0, 0);
     for group in groups {
         let mut poses: Vec<PoseName> = group.iter().map(|r| r.pose).collect();
         poses.sort_unstable();
@@ -216,7 +216,7 @@ fn pairs(groups: &[Vec<Reading>]) -> (Vec<[usize; 2]>, usize) {
             let i;
             [i, j] = pair_at(index - start, j);
             if group[i].pose != group[j].pose {
-                chosen.push([first + i, first + j]);
+                chosen.push(Pair::of([i, j].map(|k| (first + k) as u32), readings));
             }
         }
         first += group.len();
@@ -232,17 +232,16 @@ fn pairs_of(n: usize) -> usize {
 
 /// Indices of a list of pairs in ascending order: all, or one at random in each of
 /// [`MOST_PAIRS`] equal parts.
-fn selection(count: usize) -> Vec<usize> {
-    if count <= MOST_PAIRS {
-        return (0..count).collect();
-    }
+fn selection(count: usize) -> impl Iterator<Item = usize> {
     let mut noise = Noise::new(SEED, 0);
     let part = count as f64 / MOST_PAIRS as f64;
-    let index = |k: usize| ((k as f64 + 0.5 + noise.uniform(0.5)) * part) as usize;
-    let mut indices: Vec<usize> = (0..MOST_PAIRS).map(index).map(|index| index.min(count - 1)).collect();
+    let index = move |k: usize| match count <= MOST_PAIRS {
+        true => k,
+        false => (((k as f64 + 0.5 + noise.uniform(0.5)) * part) as usize).min(count - 1),
+    };
     // neighbouring parts may share the index at their common end
-    indices.dedup();
-    indices
+    let mut last = None;
+    (0..count.min(MOST_PAIRS)).map(index).filter(move |index| last.replace(*index) != Some(*index))
 }
 
 /// Pair i < j at an index of the list (0, 1), (0, 2), (1, 2), (0, 3) ...; `j` is at least `from`.
@@ -262,26 +261,33 @@ fn step(largest_mm: f64) -> f64 {
 }
 
 /// Standard uncertainties (mm) of root mean square, 95th percentile and maximum of the errors
-/// after. `root` is their [`squares_gradient`].
-fn uncertainties(propagation: &Propagation, root: &[f64], pairs: &[Pair], readings: &[&Reading]) -> [f64; 3] {
-    let mut sizes: Vec<(f64, usize)> = pairs.iter().map(|p| p.error_mm[1].abs()).zip(0..).collect();
-    let all = rms(sizes.iter().map(|(size, _)| *size));
+/// after, whose sizes stand beside the pairs. `root` is their [`squares_gradient`].
+fn uncertainties(
+    propagation: &Propagation,
+    root: &[f64],
+    (pairs, sizes_mm): (&[&Pair], &[f64]),
+    readings: &[&Reading],
+) -> [f64; 3] {
+    let all = rms(sizes_mm.iter().copied());
     let mut by: Vec<f64> = root.to_vec();
     if all > 0.0 {
         by.iter_mut().for_each(|by| *by /= all * pairs.len() as f64);
     }
     let of = |by: &[f64]| propagation.variances(by).iter().map(|(_, variance)| variance).sum::<f64>().sqrt();
     let of_root = of(&by);
-    let order = |a: &(f64, usize), b: &(f64, usize)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
     // a quantile lies between two errors in their order
+    let mut sizes = sizes_mm.to_vec();
     let rank = 0.95 * sizes.len().saturating_sub(1) as f64;
-    let (_, &mut low, above) = sizes.select_nth_unstable_by(rank.floor() as usize, order);
-    let next = above.iter().copied().min_by(order).unwrap_or(low);
-    let last = above.iter().copied().max_by(order).unwrap_or(low);
-    let mut of_errors = |errors: &[((f64, usize), f64)]| {
+    let (_, &mut low, above) = sizes.select_nth_unstable_by(rank.floor() as usize, f64::total_cmp);
+    let next = above.iter().copied().min_by(f64::total_cmp).unwrap_or(low);
+    let last = above.iter().copied().max_by(f64::total_cmp).unwrap_or(low);
+    let mut of_errors = |errors: &[(f64, f64)]| {
         by.fill(0.0);
-        for ((_, k), weight) in errors {
-            pairs[*k].add(weight * pairs[*k].error_mm[1].signum(), readings, &mut by);
+        for (size, weight) in errors {
+            let found = pairs.iter().zip(sizes_mm).find(|(_, other)| *other == size);
+            if let Some((pair, _)) = found {
+                pair.add(weight * pair.error_mm[1].signum(), readings, &mut by);
+            }
         }
         of(&by)
     };
@@ -302,10 +308,10 @@ mod tests {
             let last = pairs_of(n) - 1;
             assert_eq!((pair_at(last, n - 9), pair_at(last + 1, n - 1)), ([n - 2, n - 1], [0, n]));
         }
-        assert_eq!(selection(MOST_PAIRS), (0..MOST_PAIRS).collect::<Vec<_>>());
-        let few = selection(7 * MOST_PAIRS + 3);
+        assert!(selection(MOST_PAIRS).eq(0..MOST_PAIRS));
+        let few: Vec<usize> = selection(7 * MOST_PAIRS + 3).collect();
         assert!((MOST_PAIRS / 100 * 99..=MOST_PAIRS).contains(&few.len()));
-        assert!(few.windows(2).all(|pair| pair[0] < pair[1]) && few == selection(7 * MOST_PAIRS + 3));
+        assert!(few.windows(2).all(|pair| pair[0] < pair[1]) && selection(7 * MOST_PAIRS + 3).eq(few.iter().copied()));
         // in steps of a part, anywhere in the whole list
         let place = |index: usize| (index as f64 / (7.0 + 3.0 / MOST_PAIRS as f64)).fract();
         let mean = few.iter().map(|index| place(*index)).sum::<f64>() / few.len() as f64;

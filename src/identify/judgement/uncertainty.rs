@@ -56,7 +56,7 @@ pub(crate) fn with_uncertainty(
 ) -> Result<Identification> {
     let settings = &Settings { prior: found.prior, ..settings.with_weight(found.weight) };
     let problem = &Residuals::new(robot, observations, settings, &found.free, &found.values)?;
-    let Identifiable { values, groups, solution, iterations, weight, .. } = found;
+    let Identifiable { values, groups, by_nominal, solution, iterations, weight, .. } = found;
     let solution = &solution;
     let n = problem.free.len();
     let dof = problem.degrees_of_freedom(solution).round() as usize;
@@ -99,7 +99,8 @@ pub(crate) fn with_uncertainty(
     let lengths = lengths(problem, solution);
     let factor = solution.factor.as_ref();
     let own = factor.map(|f| f.own()).unwrap_or_default();
-    let (observability, weak) = observability(problem, solution, (settings, wanted), covariance.as_deref())?;
+    let shown = Shown::new(problem, solution, &by_nominal, covariance.as_deref());
+    let (observability, weak) = observability(problem, solution, (settings, wanted), &shown)?;
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
     warnings.extend(held_messages(robot, &groups));
     warnings.extend(weak_message(robot, &weak).map(Into::into));
@@ -135,24 +136,49 @@ pub(crate) fn with_uncertainty(
     })
 }
 
+/// Free parameters that the data show separately: all but those that only nominal values separate
+/// from others.
+struct Shown {
+    free: Vec<usize>,
+    x: Vec<f64>,
+    covariance: Option<Vec<f64>>,
+}
+
+impl Shown {
+    fn new(problem: &Residuals, solution: &Solution, by_nominal: &[usize], covariance: Option<&[f64]>) -> Self {
+        let n = problem.free.len();
+        let kept: Vec<usize> = (0..n).filter(|&k| !by_nominal.contains(&problem.free[k])).collect();
+        let of = |all: &[f64]| {
+            kept.iter().flat_map(|i| kept.iter().map(move |j| (i, j))).map(|(i, j)| all[i * n + j]).collect()
+        };
+        Self {
+            free: kept.iter().map(|&k| problem.free[k]).collect(),
+            x: kept.iter().map(|&k| solution.x[k]).collect(),
+            covariance: covariance.map(of),
+        }
+    }
+}
+
 /// Observability by the measurements alone, and the weakly determined parameters.
 fn observability(
     problem: &Residuals,
     solution: &Solution,
     (settings, wanted): (&Settings, &[usize]),
-    covariance: Option<&[f64]>,
+    shown: &Shown,
 ) -> Result<(Option<Observability>, Vec<WeakGroup>)> {
     let values = problem.all(&solution.x);
     let plain = settings.without_prior();
     let observed = match (settings.prior, &solution.factor) {
         (Prior::None, factor) => {
+            let covariance = shown.covariance.as_deref();
             factor.as_ref().and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance))
         }
         // nominal values are not observed
+        (Prior::Tolerances { .. }, _) if shown.free.is_empty() => None,
         (Prior::Tolerances { .. }, _) => {
-            let data = problem.of_others(&plain, &problem.free, &values)?;
-            let (factor, scale) = factor_at(&data, &solution.x);
-            observe(&data, &solution.x, &factor, &scale, covariance)
+            let data = problem.of_others(&plain, &shown.free, &values)?;
+            let (factor, scale) = factor_at(&data, &shown.x);
+            observe(&data, &shown.x, &factor, &scale, shown.covariance.as_deref())
         }
     };
     let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
@@ -161,6 +187,11 @@ fn observability(
         o.held_singular_values = held_singular_values(&all, &values, o);
     }
     Ok((observability, weak))
+}
+
+/// Root mean square (mm) of the measured residuals that are lengths.
+pub(crate) fn rms_mm(problem: &Residuals, solution: &Solution) -> f64 {
+    rms(lengths(problem, solution)) * problem.unit
 }
 
 /// The measured residuals that are lengths, in the unit of the residuals.
@@ -380,7 +411,14 @@ fn held_message(robot: &dyn Robot, group: &Group) -> Message {
     }
     match group.useless_uncertainty {
         _ if others.is_empty() => warning!("parameter-held-without-effect", parameter),
-        None => warning!("parameter-held-inseparable", parameter, others),
+        None => {
+            let message = warning!("parameter-held-inseparable", parameter, others);
+            let all: Vec<usize> = group.with.iter().copied().chain([group.held]).collect();
+            match robot.remedy(&all) {
+                Some(hint) => message.hint(hint),
+                None => message,
+            }
+        }
         Some(u) => {
             let (uncertainty, unit) = (held.quantity.outward(u), held.quantity.unit());
             let held = if held.tolerance.is_infinite() { "placed" } else { "nominal" };

@@ -9,4 +9,5 @@ pub(crate) mod observation;
 pub(crate) mod prior;
 pub(crate) mod residuals;
 pub(crate) mod rigid_part;
+pub(crate) mod size;
 pub(crate) mod weights;

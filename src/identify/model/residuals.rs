@@ -1,9 +1,10 @@
 //! Residuals between model and measurement, as a least-squares problem in the free parameters.
 
 use crate::model::elimination::Layout;
-use crate::model::kinds::{Condition, Known};
+use crate::model::kinds::{Condition, Known, has_length};
 use crate::model::prior::Nominal;
 use crate::model::rigid_part::{At, Shape};
+use crate::model::size::Size;
 use crate::model::weights::Weights;
 use crate::{Error, Result};
 use crate::{Observation, Settings};
@@ -61,6 +62,8 @@ pub(crate) struct Residuals<'a> {
     rows: Vec<usize>,
     /// Standard deviation of a row of a nominal value.
     prior_weight: f64,
+    /// Size (mm) of the robot to which gaps refer, where the observations contain no length.
+    reference_mm: Option<f64>,
     /// Unknowns on which few residuals depend.
     pub layout: Option<Layout>,
     /// Scaled errors of the rows after the coordinates; empty if none are drawn.
@@ -84,6 +87,7 @@ impl<'a> Residuals<'a> {
     /// values are unchanged.
     pub fn holding(mut self, values: &[f64]) -> Self {
         self.values = values.to_vec();
+        self.reference_mm = self.size(values).map(|size| size.mm);
         self
     }
 
@@ -118,9 +122,13 @@ impl<'a> Residuals<'a> {
             if platform.is_some() { 3 * usize::from(measured == 2) } else { robot.dimension() * measured }
         });
         let unit = if platform.is_some() { 1.0 } else { settings.standard_uncertainty_mm.unwrap_or(1.0) };
+        let layout = Layout::new(robot, free, observations, settings).filter(|_| platform.is_none());
+        let is_relative = layout.is_none() && !settings.conditions.is_empty() && !has_length(observations, settings);
+        let size = is_relative.then(|| Size::new(robot, &settings.conditions, values)).flatten();
         Ok(Self {
             robot,
-            layout: Layout::new(robot, free, observations, settings).filter(|_| platform.is_none()),
+            reference_mm: size.map(|size| size.mm),
+            layout,
             free: free.to_vec(),
             observations,
             loads: Arc::new([]),
@@ -214,6 +222,22 @@ impl<'a> Residuals<'a> {
             rows: c.kind.rows(),
         });
         self.observations.iter().zip(&self.rows).map(of).chain(conditions)
+    }
+
+    /// Joint values of every observation and condition.
+    pub fn joints(&self) -> impl Iterator<Item = &[f64]> {
+        self.seen().map(|s| s.joints)
+    }
+
+    /// Targets that are observed relative to targets of another branch, and those.
+    pub fn related_targets(&self) -> BTreeSet<usize> {
+        let related = |c: &Condition| c.kind.other_target().map(|other| [c.target, other]);
+        self.conditions.iter().filter_map(related).flatten().collect()
+    }
+
+    /// Size of the robot at `values`, where the observations contain no length.
+    pub fn size(&self, values: &[f64]) -> Option<Size> {
+        self.reference_mm.and_then(|_| Size::new(self.robot, self.conditions, values))
     }
 
     /// `true` if all residuals except those of stated values are coordinates of targets.
@@ -565,6 +589,9 @@ impl<'a> Residuals<'a> {
         self.of_conditions(&all, &mut r[self.coordinate_count()..], 1, |met, out| {
             met.condition.residuals(&met.condition.at(met.arm, &all, met.position), out);
         });
+        if let (Some(size), Some(reference_mm)) = (self.size(&all), self.reference_mm) {
+            self.gaps(&mut r[self.coordinate_count()..], 1).for_each(|gap| gap[0] *= reference_mm / size.mm);
+        }
         let (dimension, robot) = (self.robot.dimension(), self.robot.parametrised(&all));
         self.chunks(r, 1).into_par_iter().for_each(|(observations, mut r)| {
             let mut predicted = vec![0.0; dimension * self.robot.targets().len()];
@@ -595,6 +622,7 @@ impl<'a> Residuals<'a> {
         let all = self.all(x);
         let (n, free, dimension) = (all.len(), &self.free, self.robot.dimension());
         self.condition_jacobian(&all, &mut jacobian[self.coordinate_count() * self.width()..]);
+        self.relate(x, jacobian);
         let robot = self.robot.parametrised(&all);
         if self.robot.free_base().is_some() {
             return self.coordinate_jacobian(robot.as_ref(), jacobian);
@@ -631,6 +659,29 @@ impl<'a> Residuals<'a> {
 }
 
 impl Residuals<'_> {
+    /// Rows of the conditions that are lengths, of `width` numbers each.
+    fn gaps<'r>(&self, rows: &'r mut [f64], width: usize) -> impl Iterator<Item = &'r mut [f64]> {
+        let is_length: Vec<bool> =
+            self.conditions.iter().flat_map(|c| std::iter::repeat_n(!c.kind.is_angle(), c.kind.rows())).collect();
+        rows.chunks_exact_mut(width).zip(is_length).filter(|(_, is_length)| *is_length).map(|(row, _)| row)
+    }
+
+    /// Turns the derivatives of gaps into those of gaps relative to the size of the robot.
+    fn relate(&self, x: &[f64], jacobian: &mut [f64]) {
+        let all = self.all(x);
+        let (Some(size), Some(reference_mm)) = (self.size(&all), self.reference_mm) else { return };
+        let mut left = vec![0.0; self.residual_count()];
+        self.plain_residuals(x, &mut left);
+        let (first, width) = (self.coordinate_count(), self.width());
+        let mut left = left.split_off(first);
+        let gaps = self.gaps(&mut jacobian[first * width..], width);
+        for (row, left) in gaps.zip(self.gaps(&mut left, 1)) {
+            for (derivative, &i) in row.iter_mut().zip(&self.free) {
+                *derivative = *derivative * reference_mm / size.mm - left[0] * size.relative[i];
+            }
+        }
+    }
+
     /// Derivatives of the coordinates of targets of a spatial robot.
     fn coordinate_jacobian(&self, robot: &dyn Parametrised, jacobian: &mut [f64]) {
         let (width, mut places) = (self.width(), vec![None; self.robot.parameters().len()]);

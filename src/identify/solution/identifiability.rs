@@ -30,9 +30,71 @@ pub struct Group {
     pub useless_uncertainty: Option<f64>,
 }
 
+/// Minimum change of the size of the robot, relative to the changes by its single parameters, of a
+/// direction that changes the size: far above the rounding of a direction (1e-9).
+const RESIZES: f64 = 1e-5;
+/// Minimum motion of targets, relative to the motions by the single parameters, of a direction that
+/// moves targets.
+const MOVES: f64 = 1e-6;
+/// Number of poses that is sufficient to find the directions that move targets.
+const POSES: usize = 24;
+
 /// Rank and groups at one set of parameter values.
 pub(crate) struct Analysis {
     pub groups: Vec<Group>,
+    /// Indices of redundant parameters that nominal values determine: with others they change the
+    /// size of the robot, or move several branches together, and these data show neither.
+    pub by_nominal: Vec<usize>,
+}
+
+/// A redundant parameter.
+struct Redundant {
+    group: Group,
+    /// Changes of free parameters, by their column, that the data do not show together; empty if
+    /// the data do not depend on the parameter.
+    direction: Vec<(usize, f64)>,
+}
+
+impl Redundant {
+    /// Creates a redundant parameter by its column, with the changes of other columns, divided by
+    /// their norms, that leave the residuals as they are if the column changes by 1.
+    fn new(problem: &Residuals, norms: &[f64], held: usize, changes: Vec<(usize, f64)>) -> Self {
+        let with = changes.iter().filter(|(_, change)| change.abs() > MEMBER).map(|&(j, _)| problem.free[j]).collect();
+        let own = Some((held, 1.0)).filter(|_| !changes.is_empty());
+        let direction = own.into_iter().chain(changes).map(|(j, change)| (j, change / norms[j])).collect();
+        Self { group: Group { held: problem.free[held], with, useless_uncertainty: None }, direction }
+    }
+
+    /// `true` if the direction changes the size of the robot. One held length would claim that the
+    /// size is known: the nominal values of all lengths state it better, and with its uncertainty.
+    fn resizes(&self, problem: &Residuals, values: &[f64]) -> bool {
+        let Some(size) = problem.size(values) else { return false };
+        let changes: Vec<f64> =
+            self.direction.iter().map(|&(column, step)| size.relative[problem.free[column]] * step).collect();
+        changes.iter().sum::<f64>().abs() > RESIZES * changes.iter().map(|v| v.abs()).sum::<f64>()
+    }
+}
+
+impl Redundant {
+    /// `true` if the direction moves targets that are observed relative to another branch: both
+    /// branches alike. With one parameter held, the others would take up its deviation, and be
+    /// beyond their own tolerances.
+    fn moves_branches(&self, problem: &Residuals, values: &[f64]) -> bool {
+        let (robot, targets) = (problem.robot, problem.related_targets());
+        let (n, dimension) = (robot.parameters().len(), robot.dimension());
+        let poses: Vec<&[f64]> = problem.joints().filter(|_| !targets.is_empty()).collect();
+        let mut jacobian = vec![0.0; dimension * robot.targets().len() * n];
+        let (mut moved, mut single) = (0.0, 0.0);
+        for joints in poses.iter().step_by(poses.len().div_ceil(POSES).max(1)) {
+            robot.jacobian(values, joints, &mut jacobian);
+            for row in targets.iter().flat_map(|k| k * dimension..(k + 1) * dimension) {
+                let by = |&(column, step): &(usize, f64)| jacobian[row * n + problem.free[column]] * step;
+                moved += self.direction.iter().map(by).sum::<f64>().powi(2);
+                single += self.direction.iter().map(|change| by(change).powi(2)).sum::<f64>();
+            }
+        }
+        moved > MOVES.powi(2) * single
+    }
 }
 
 /// Rule for choosing the held one of linearly dependent columns.
@@ -48,75 +110,84 @@ enum Choice<'a> {
 impl Analysis {
     /// Analyses the Jacobian of `problem`, without nominal values, at `values`. Among dependent
     /// parameters, the one whose tolerance moves the targets least is held, so that the others
-    /// hardly change; the last one if tolerances are alike.
+    /// hardly change; the last one if tolerances are alike. None is held where the dependent
+    /// parameters have nominal values and change the size of the robot, or move branches together.
     pub fn by_prior(problem: &Residuals, values: &[f64]) -> Self {
         let s = |&i: &usize| Prior::TOLERANCES.uncertainty(problem.robot, i).unwrap_or(f64::INFINITY);
         let known: Vec<f64> = problem.free.iter().map(s).collect();
-        Self::choosing(problem, values, 0.0, Choice::BestKnown(&known))
+        let redundant = redundant(problem, values, 0.0, Choice::BestKnown(&known));
+        let has_nominal = |r: &Redundant| s(&r.group.held).is_finite();
+        let is_nominal =
+            |r: &Redundant| has_nominal(r) && (r.resizes(problem, values) || r.moves_branches(problem, values));
+        let (nominal, held): (Vec<Redundant>, Vec<Redundant>) = redundant.into_iter().partition(is_nominal);
+        Self { groups: groups(held), by_nominal: nominal.into_iter().map(|r| r.group.held).collect() }
     }
 
     /// Analyses the Jacobian of `problem` at `values` (all parameters of the robot), for residuals
     /// of the standard deviation `noise` (in the unit of the residuals; 0 if unknown).
     pub fn at(problem: &Residuals, values: &[f64], noise: f64) -> Self {
-        Self::choosing(problem, values, noise, Choice::Last)
-    }
-
-    fn choosing(problem: &Residuals, values: &[f64], noise: f64, choice: Choice) -> Self {
-        let free = &problem.free;
-        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-        let (mut factor, norms) = factor_at(problem, &x);
-        // a column of zeros has the norm 1 and a factor of zeros
-        let sizes: Vec<f64> = factor.column_norms().iter().zip(&norms).map(|(size, norm)| size * norm).collect();
-        let largest = sizes.iter().copied().fold(0.0, f64::max);
-        let unseen = |j: usize| sizes[j] <= UNSEEN * largest;
-        // columns of the factor: those of a block are independent by themselves, the common ones
-        // beside all of them
-        let mut columns: Vec<usize> = (0..free.len()).collect();
-        let mut groups = Vec::new();
-        let group = |held: usize, with: Vec<usize>| Group {
-            held: free[held],
-            with: with.into_iter().map(|j| free[j]).collect(),
-            useless_uncertainty: None,
-        };
-        for (own, r) in factor.blocks() {
-            let found = independent(&r, |j| unseen(own[j]), |_| f64::INFINITY);
-            let with = |weights: Vec<(usize, f64)>| weights.into_iter().map(|(k, _)| own[k]).collect();
-            groups.extend(found.dependent.into_iter().map(|(j, weights)| group(own[j], with(weights))));
-        }
-        if !groups.is_empty() {
-            columns.retain(|&j| groups.iter().all(|g| g.held != free[j]));
-            factor = factor.keeping(&columns);
-        }
-        let common = factor.common();
-        let size = common.len();
-        let r: Vec<Vec<f64>> = (0..size).map(|j| (0..size).map(|i| factor.r(i, j)).collect()).collect();
-        // effect of a column within its tolerance
-        let effect = |k: usize| match choice {
-            Choice::Last => f64::INFINITY,
-            Choice::BestKnown(known) => norms[columns[common[k]]] * known[columns[common[k]]],
-        };
-        let found = independent(&r, |k| unseen(columns[common[k]]), effect);
-        for (j, weights) in &found.dependent {
-            let mut with: Vec<usize> = weights.iter().map(|&(k, _)| columns[common[k]]).collect();
-            let mut moved = vec![0.0; size];
-            weights.iter().for_each(|&(k, weight)| moved[k] = -weight);
-            moved[*j] = 1.0;
-            let own = factor.follow(&moved).filter(|_| !unseen(columns[common[*j]])).unwrap_or_default();
-            with.extend(own.into_iter().filter(|(_, weight)| weight.abs() > MEMBER).map(|(k, _)| columns[k]));
-            groups.push(group(columns[common[*j]], with));
-        }
-        let mut kept = factor.own();
-        kept.extend(found.basis.iter().map(|b| common[b.0]));
-        if noise > 0.0 {
-            groups.extend(useless(problem, (&factor, &columns), &norms, kept, noise));
-        }
-        Self { groups }
+        Self { groups: groups(redundant(problem, values, noise, Choice::Last)), by_nominal: Vec::new() }
     }
 
     /// Indices of the parameters that are held.
     pub fn held(&self) -> Vec<usize> {
         self.groups.iter().map(|g| g.held).collect()
     }
+}
+
+/// Redundant parameters, and parameters whose uncertainty would be useless for residuals of the
+/// standard deviation `noise`.
+fn redundant(problem: &Residuals, values: &[f64], noise: f64, choice: Choice) -> Vec<Redundant> {
+    let free = &problem.free;
+    let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+    let (mut factor, norms) = factor_at(problem, &x);
+    // a column of zeros has the norm 1 and a factor of zeros
+    let sizes: Vec<f64> = factor.column_norms().iter().zip(&norms).map(|(size, norm)| size * norm).collect();
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let unseen = |j: usize| sizes[j] <= UNSEEN * largest;
+    // columns of the factor: those of a block are independent by themselves, the common ones
+    // beside all of them
+    let mut columns: Vec<usize> = (0..free.len()).collect();
+    let mut all: Vec<Redundant> = Vec::new();
+    let new = |held: usize, changes: Vec<(usize, f64)>| Redundant::new(problem, &norms, held, changes);
+    for (own, r) in factor.blocks() {
+        let found = independent(&r, |j| unseen(own[j]), |_| f64::INFINITY);
+        let of_columns = |weights: Vec<(usize, f64)>| weights.into_iter().map(|(k, w)| (own[k], -w)).collect();
+        all.extend(found.dependent.into_iter().map(|(j, weights)| new(own[j], of_columns(weights))));
+    }
+    if !all.is_empty() {
+        columns.retain(|&j| all.iter().all(|r| r.group.held != free[j]));
+        factor = factor.keeping(&columns);
+    }
+    let common = factor.common();
+    let size = common.len();
+    let r: Vec<Vec<f64>> = (0..size).map(|j| (0..size).map(|i| factor.r(i, j)).collect()).collect();
+    // effect of a column within its tolerance
+    let effect = |k: usize| match choice {
+        Choice::Last => f64::INFINITY,
+        Choice::BestKnown(known) => norms[columns[common[k]]] * known[columns[common[k]]],
+    };
+    let found = independent(&r, |k| unseen(columns[common[k]]), effect);
+    for (j, weights) in &found.dependent {
+        let mut changes: Vec<(usize, f64)> = weights.iter().map(|&(k, weight)| (columns[common[k]], -weight)).collect();
+        let mut moved = vec![0.0; size];
+        weights.iter().for_each(|&(k, weight)| moved[k] = -weight);
+        moved[*j] = 1.0;
+        let own = factor.follow(&moved).filter(|_| !unseen(columns[common[*j]])).unwrap_or_default();
+        changes.extend(own.into_iter().map(|(k, weight)| (columns[k], weight)));
+        all.push(new(columns[common[*j]], changes));
+    }
+    let mut kept = factor.own();
+    kept.extend(found.basis.iter().map(|b| common[b.0]));
+    if noise > 0.0 {
+        let useless = useless(problem, (&factor, &columns), &norms, kept, noise);
+        all.extend(useless.into_iter().map(|group| Redundant { group, direction: Vec::new() }));
+    }
+    all
+}
+
+fn groups(all: Vec<Redundant>) -> Vec<Group> {
+    all.into_iter().map(|redundant| redundant.group).collect()
 }
 
 /// Columns that are independent of the previous ones, by their orthonormal basis, and dependent
@@ -154,8 +225,8 @@ fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool, effect: imp
             continue;
         }
         let weights = weights(&shares, &found.basis, columns);
-        let members = found.basis.iter().map(|b| b.0).zip(weights).filter(|(_, w)| w.abs() > MEMBER);
-        found.dependent.push((j, members.collect()));
+        let members: Vec<(usize, f64)> = found.basis.iter().map(|b| b.0).zip(weights).collect();
+        found.dependent.push((j, members));
     }
     found
 }

@@ -8,6 +8,7 @@ pub(crate) mod hypotheses;
 pub(crate) mod identifiability;
 pub(crate) mod observability;
 pub(crate) mod placing;
+pub(crate) mod related;
 pub(crate) mod set_up;
 pub(crate) mod slips;
 pub(crate) mod solver;

@@ -37,6 +37,8 @@ pub(crate) struct Identifiable {
     pub free: Vec<usize>,
     /// Held parameters, with reasons.
     pub groups: Vec<Group>,
+    /// Indices of free parameters that the data show only together with others.
+    pub by_nominal: Vec<usize>,
     /// The solution in the free parameters.
     pub solution: Solution,
     /// Total number of steps.
@@ -131,9 +133,9 @@ impl Estimation<'_> {
         let Self { robot, observations, settings, wanted } = *self;
         let plain = settings.without_prior();
         let order = by_rank(robot, wanted);
-        let groups = |values: &[f64], weight: f64| -> Result<Vec<Group>> {
+        let analyse = |values: &[f64], weight: f64| -> Result<Analysis> {
             let plain = plain.with_weight(weight);
-            Ok(Analysis::by_prior(&Residuals::new(robot, observations, &plain, &order, values)?, values).groups)
+            Ok(Analysis::by_prior(&Residuals::new(robot, observations, &plain, &order, values)?, values))
         };
         let stated = settings.standard_uncertainty_mm;
         let mut weight = if stated.is_some() { 1.0 } else { ANCHOR_MM };
@@ -145,7 +147,7 @@ impl Estimation<'_> {
                 }
                 (near.values, near.held)
             }
-            None => (start.to_vec(), held_by(&groups(start, weight)?)),
+            None => (start.to_vec(), held_by(&analyse(start, weight)?.groups)),
         };
         let mut iterations = 0;
         for round in 1.. {
@@ -174,11 +176,12 @@ impl Estimation<'_> {
             let (noise, probable) = (probable.noise, probable.scale);
             let settled = (noise / weight - 1.0).abs() < SETTLED && probable == scale;
             if settled || round == most {
-                let groups = groups(&values, noise)?;
+                let Analysis { groups, by_nominal } = analyse(&values, noise)?;
                 let now = held_by(&groups);
                 if now == held || round == most {
                     let next = Prior::Tolerances { weight: noise, scale: probable };
-                    return Ok((Identifiable { values, free, groups, solution, iterations, weight, prior }, next));
+                    let found = Identifiable { values, free, groups, by_nominal, solution, iterations, weight, prior };
+                    return Ok((found, next));
                 }
                 held = now;
             }
@@ -233,6 +236,7 @@ impl Estimation<'_> {
                     values,
                     free,
                     groups,
+                    by_nominal: Vec::new(),
                     solution,
                     iterations,
                     weight: 1.0,

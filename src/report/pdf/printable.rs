@@ -30,7 +30,10 @@ pub(super) fn printable(value: &mut Value, letters: Letters) {
         }
         Value::Array(values) => values.iter_mut().for_each(|value| printable(value, letters)),
         Value::Object(values) => values.iter_mut().for_each(|(key, value)| match (key.as_str(), value) {
-            ("svg", Value::String(svg)) => *svg = styled(&shown(svg, letters).unwrap_or_else(|| std::mem::take(svg))),
+            ("svg", Value::String(svg)) => {
+                let drawn = without_tooltips(svg);
+                *svg = styled(&shown(&drawn, letters).unwrap_or(drawn));
+            }
             (_, value) => printable(value, letters),
         }),
         _ => {}
@@ -41,6 +44,13 @@ pub(super) fn printable(value: &mut Value, letters: Letters) {
 pub(super) fn printable_picture(svg: Vec<u8>, letters: Letters) -> Vec<u8> {
     let replaced = std::str::from_utf8(&svg).ok().and_then(|text| shown(text, letters));
     replaced.map_or(svg, String::into_bytes)
+}
+
+/// A figure without the texts that appear under a pointer: half of it, and nothing on paper.
+fn without_tooltips(svg: &str) -> String {
+    let mut parts = svg.split("<title>");
+    let first = parts.next().into_iter();
+    first.chain(parts.map(|part| part.split_once("</title>").map_or(part, |(_, rest)| rest))).collect()
 }
 
 /// An inline figure as a separate file, with the style of the page.
@@ -112,6 +122,14 @@ mod tests {
         assert_eq!(value[0], format!("a {} b", "n\u{200b}".repeat(29)));
         assert_eq!((value[1].as_str(), value[2].as_str()), (Some(&*checksum), Some(&*"n".repeat(28))));
         assert!(value[3]["svg"].as_str().unwrap().ends_with(&format!("</style><text>{long}</text>")));
+    }
+
+    #[test]
+    fn paper_has_no_tooltips() {
+        let svg =
+            "<svg><circle r=\"1\"><title>pose 1: 2 µm</title></circle>\n<path d=\"M0 0\"><title></title></path></svg>";
+        assert_eq!(without_tooltips(svg), "<svg><circle r=\"1\"></circle>\n<path d=\"M0 0\"></path></svg>");
+        assert_eq!(without_tooltips("<svg></svg>"), "<svg></svg>");
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::model::{Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fix
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, overlay, prediction};
-use crate::words::{Words, names, tr};
+use crate::words::{Words, tr};
 use crate::{Identified, Report};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -309,7 +309,7 @@ fn statistics(
 /// Benefit of each effect at left-out poses.
 fn effects(all: &[EffectProof], words: &Words) -> Table {
     let columns = Columns::<EffectProof>::new()
-        .both(phrase!("effect"), "", |e| term(words, names::effect(e.effect)))
+        .both(phrase!("effect"), "", |e| term(words, e.effect.phrase()))
         .both(phrase!("joints"), "", |e| Text::name(&e.joints.join(", ")))
         .both(phrase!("rms-without-it"), "mm", |e| fixed(e.without_mm, 4))
         .both(phrase!("rms-with-it"), "mm", |e| fixed(e.with_mm, 4))

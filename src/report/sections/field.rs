@@ -18,17 +18,23 @@ pub(crate) fn of_field(field: &FieldSummary, words: &Words) -> Option<Section> {
     if let Some(reason) = &field.reason_phrase {
         section.push(Block::text(tr!(words, "field-refused-because", reason = words.tr(reason))));
     }
+    let is_used = !field.components.is_empty();
+    let figures = is_used.then(|| match field.held_out {
+        Some(_) => tr!(words, "figures-without-field"),
+        None => tr!(words, "figures-with-field"),
+    });
+    let sentences: Vec<String> = field.held_out.iter().map(|held| gain(held, words)).chain(figures).collect();
+    if !sentences.is_empty() {
+        section.push(Block::text(sentences.join(" ")));
+    }
     if let Some(held) = &field.held_out {
-        section.push(Block::text(gain(held, words)));
         section.figures(held_out::picture(held, words));
     }
-    if !field.components.is_empty() {
-        let figures = match field.held_out {
-            Some(_) => tr!(words, "figures-without-field"),
-            None => tr!(words, "figures-with-field"),
-        };
-        section.push(Block::note(format!("{} {figures}", tr!(words, "field-note"))));
-        section.push(Block::Table(components(&field.components, words)));
+    if is_used {
+        let about = field.held_out.as_ref().map(|held| Block::text(uncertainty(held, words)));
+        let mut blocks: Vec<Block> = about.into_iter().chain([Block::note(tr!(words, "field-note"))]).collect();
+        blocks.push(Block::Table(components(&field.components, words)));
+        section.push(Block::Aside { title: tr!(words, "field-components"), blocks });
     }
     section.whole()
 }
@@ -44,10 +50,14 @@ fn gain(held: &FieldHeldOut, words: &Words) -> String {
         without = um(held.without_mm),
         with = um(held.with_mm),
         share = number::fixed(share, 0),
-        gain = number::fixed(held.gain_over_u, 1),
-        coverage = number::fixed(100.0 * held.coverage, 1),
-        factor = number::fixed(held.factor, 2)
+        gain = number::fixed(held.gain_over_u, 1)
     )
+}
+
+/// Predicted uncertainty beside the errors of held-out poses.
+fn uncertainty(held: &FieldHeldOut, words: &Words) -> String {
+    let coverage = number::fixed(100.0 * held.coverage, 1);
+    tr!(words, "field-uncertainty", coverage, factor = number::fixed(held.factor, 2))
 }
 
 fn components(all: &[FieldDependence], words: &Words) -> Table {

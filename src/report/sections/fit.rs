@@ -112,16 +112,16 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     let chi_square =
         r.chi_square.map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
     let both = tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max));
+    let length = |mm: f64| words.number(&format!("{} mm", three(mm)));
     let [of_position, of_both, of_max] = match r.position_rms_mm {
-        Some(rms_mm) => {
-            let length = |mm: f64| Some(words.number(&format!("{} mm", three(mm))));
-            [length(rms_mm), None, length(r.max)]
-        }
+        Some(rms_mm) => [Some(length(rms_mm)), None, Some(length(r.max))],
         None => [None, Some(both), None],
     };
+    let before = r.position_rms_before_mm.map(length);
     vec![
         (tr!(words, "residuals"), count.into()),
         (tr!(words, "position-residuals-rms"), of_position.into()),
+        (tr!(words, "position-residuals-before-rms"), before.into()),
         (tr!(words, "rms-and-max"), of_both.into()),
         (tr!(words, "largest-residual-of-a-coordinate"), of_max.into()),
         (tr!(words, "degrees-of-freedom"), r.degrees_of_freedom.into()),

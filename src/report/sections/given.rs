@@ -96,7 +96,7 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
     )
     .on_terminal();
     let name = |s: &EffectStep| match s.effect {
-        Some(effect) => format!("+ {}", words.tr(&names::effect(effect))),
+        Some(effect) => format!("+ {}", words.tr(&effect.phrase())),
         None => tr!(words, "base-and-targets"),
     };
     let columns = Columns::<EffectStep>::new()

@@ -335,6 +335,7 @@ fn observability() -> ObservabilitySummary {
 fn residuals() -> ResidualSummary {
     ResidualSummary {
         position_rms_mm: None,
+        position_rms_before_mm: None,
         kind: ResidualKind::Targets,
         count: 160,
         rms: 0.0162,

@@ -105,3 +105,28 @@ fn no_name_moves_the_cursor() {
     assert!(shown.contains("a\u{fffd}[2J") && !shown.contains(|c: char| c.is_control() && c != '\n'));
     assert!(!shown.contains('\u{2068}'));
 }
+
+/// Long texts are wrapped between words, so that their table fits a terminal of 100 columns.
+#[test]
+fn tables_of_long_texts_fit_a_terminal() {
+    let long = "elements agree ".repeat(14);
+    let requirement = |text: &str| {
+        let phrase = etalon_base::phrase!("own-hint", text);
+        serde_json::json!({"id": "", "requirement": text, "requirement_phrase": phrase, "pass": true, "checks": []})
+    };
+    let document = serde_json::json!({
+        "schema": "etalon/selftest/1", "pass": true, "reference": [], "reference_folder": false,
+        "program": {"version": "", "sha256": null, "expected_sha256": null, "pass": true},
+        "machine": {"system": "", "architecture": "", "threads": 2},
+        "requirements": [requirement(long.trim_end()), requirement("short")], "must_fail": [], "packages": [],
+        "provenance": {"version": "", "inputs": {}},
+    });
+    let document = serde_json::from_value(document).unwrap();
+    let shown = Renderer::selftest(&document, Presentation::default()).unwrap().terminal();
+    let rows: Vec<&str> = shown.lines().skip_while(|line| !line.starts_with("requirement ")).collect();
+    assert!(rows.len() > 3 && rows.iter().all(|row| row.chars().count() <= 100), "{shown}");
+    assert_eq!(rows.iter().flat_map(|row| row.matches("agree")).count(), 14, "{shown}");
+    // numbers and verdict are on the first line of a row
+    let judged: Vec<&&str> = rows.iter().filter(|row| row.ends_with("  pass")).collect();
+    assert!(judged.len() == 2 && judged[0] == &rows[1] && judged[1].starts_with("short "), "{shown}");
+}

@@ -2,7 +2,7 @@
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_documents::{Effect, ErrorQuantity, Figure, LimitQuantity, SourceKind, UncertaintySource};
+use etalon_documents::{ErrorQuantity, Figure, LimitQuantity, SourceKind, UncertaintySource};
 
 /// Kind of a robot, by the key of its model.
 pub(crate) fn model(key: &str) -> Option<Phrase> {
@@ -35,25 +35,6 @@ pub(crate) fn error(quantity: ErrorQuantity, figure: Figure) -> Phrase {
         (ErrorQuantity::Coordinate, _) => LimitQuantity::CoordinateMaxMm,
         _ => LimitQuantity::PositionMaxMm,
     })
-}
-
-/// Name of an effect of the robot.
-pub(crate) fn effect(effect: Effect) -> Phrase {
-    match effect {
-        Effect::Zeros => phrase!("zeros"),
-        Effect::Geometry => phrase!("geometry"),
-        Effect::Gains => phrase!("gains"),
-        Effect::Harmonics => phrase!("harmonics"),
-        Effect::Backlash => phrase!("backlash"),
-        Effect::Coupling => phrase!("coupling"),
-        Effect::Bending => phrase!("bending"),
-        Effect::Payload => phrase!("payload-bending"),
-        Effect::Torque => phrase!("torque-bending"),
-        Effect::Expansion => phrase!("expansion-with-temperature"),
-        Effect::Drift => phrase!("drift-with-temperature"),
-        Effect::Lateral => phrase!("lateral-bending"),
-        Effect::Pedestal => phrase!("pedestal-bending"),
-    }
 }
 
 /// Kind of a file.

@@ -74,7 +74,7 @@ struct Campaign {
 }
 
 impl Campaign {
-    /// A torso whose parameters deviate as their tolerances state, and `poses` poses of one kind.
+    /// A torso whose parameters deviate within their tolerances, all alike, and `poses` poses of one kind.
     fn drawn(held: Held, poses: usize, seed: u64) -> Self {
         let mut noise = Noise::new(4508, seed);
         let mut robot = robot();
@@ -82,10 +82,7 @@ impl Campaign {
         for (i, p) in robot.parameters().iter().enumerate() {
             match (p.role, p.effect) {
                 (Role::Target, _) => truth[i] = 40.0 + noise.uniform(60.0),
-                (Role::Robot, Effect::Zeros | Effect::Geometry) => {
-                    let s = Prior::TOLERANCES.uncertainty(robot.as_ref(), i).unwrap();
-                    truth[i] += noise.gaussian(s);
-                }
+                (Role::Robot, Effect::Zeros | Effect::Geometry) => truth[i] += noise.uniform(p.tolerance),
                 _ => {}
             }
         }
@@ -199,7 +196,7 @@ impl Campaign {
     /// Messages of the identification; errors where it ends without a result.
     fn messages(&self) -> Vec<Message> {
         let robot = self.robot.as_ref();
-        let sets = Sets::default();
+        let sets = Sets { calibration_conditions: self.settings.conditions.clone(), ..Sets::default() };
         let found = || {
             let mut solved = Solved::new(robot, &sets, &self.settings, &Systematic::default())?;
             solved.judge(robot, &sets, &self.settings, Vec::new());
@@ -215,8 +212,9 @@ fn hands_calibrate_each_other_with_intervals_that_hold() {
     intervals_hold(&[Held::Distance]);
 }
 
+/// Contacts, and bars of unknown lengths, contain no length: the nominal lengths determine the size of the robot, and the
+/// uncertainty of a distance contains the uncertainty of the size.
 #[test]
-#[ignore = "open: contacts alone leave 9.7 of 17.4 mm, and intervals hold in 72 %"]
 fn contacts_and_bars_calibrate_hands_with_intervals_that_hold() {
     intervals_hold(&KINDS[1..]);
 }
@@ -296,7 +294,6 @@ fn joints(campaign: &mut Campaign, change: fn(&mut Vec<f64>)) {
 }
 
 #[test]
-#[ignore = "open: sound distances alone are refused (tolerance-exceeded)"]
 fn slips_between_two_hands_are_refused() {
     for held in KINDS {
         let sound = Campaign::drawn(held, 60, 1).messages();

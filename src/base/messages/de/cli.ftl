@@ -65,7 +65,7 @@ working-mode-missing = das Programm nennt nicht den Arbeitsmodus, in dem der Rob
 
 program-frames = das Programm verwendet { $names }
 
-one-program-each = die Ziele von jedem in einem eigenen Programm angeben
+one-program-each = das Programm aufteilen: ein Programm für jedes
 
 state-pose-option = seine Pose angeben: --{ $option } x,y,z,qw,qx,qy,qz
 
@@ -261,7 +261,7 @@ convert-gains-not-held = eine URDF-Datei enthält keinen Übertragungsfaktor von
 convert-travel-unknown = der Verfahrweg von { $joints } ist nicht angegeben: die URDF-Datei enthält 1 m nach beiden Seiten
     .hint = `limit` in der Datei berichtigen oder `travel_mm` in robot.toml angeben
 
-enclosing-robust = das umschließende Element `{ $element }` ist durch seine äußersten Punkte bestimmt: keiner kann ausgeschlossen werden
+enclosing-robust = die äußersten Punkte bestimmen das umschließende Element `{ $element }`: eine robuste Anpassung würde sie ausschließen
     .hint = circle2d oder sphere mit --robust anpassen
 
 qif-robust = die Elemente einer QIF-Datei werden an alle ihre Punkte angepasst
@@ -368,7 +368,7 @@ batch-counts = { $done } beendet, { $not_met } mit nicht eingehaltenen Grenzwert
 run-skipped = übersprungen: { $campaign } benötigt Daten unter ${ $name }; die Variable ist nicht gesetzt
 no-controller-files = keine Steuerungsdatei wird geschrieben: Das Ergebnis ist nicht plausibel
 next-recommend = { $command } nennt die Parameter, die zu laden sich lohnt; Steuerungsdateien sind im Ausgabeordner
-unmodelled-said = in keinem Parameter: { $error }
+unmodelled-said = simulierte Abweichungen, die kein Parameter beschreibt: { $error }
 unmodelled-backlash = Umkehrspiel { $joints }
 unmodelled-interpolation = Interpolation des Gebers { $joints }
 unmodelled-every = { $joint } { $amplitude } alle { $period }

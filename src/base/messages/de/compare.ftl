@@ -54,5 +54,5 @@ parameters-not-in-all = nicht jede Kampagne hat { $parameters } identifiziert
 nominal-values-differ = die Nennwerte unterscheiden sich zwischen den Roboterdateien: { $parameters }
     .hint = dieselbe Roboterdatei verwenden: auf Nennwerten festgehaltene Parameter wirken auf die anderen
 
-model-misfits = Residuen von { $campaigns } überschreiten die Unsicherheit des Messgeräts: Unterschiede von Parametern und mittleren Abweichungen belegen keine Änderung und haben keinen p-Wert; die Intervalle der Parameter enthalten die Komponente zwischen den Messreihen (Birge-Verhältnis bis { $birge })
+model-misfits = Residuen von { $campaigns } überschreiten die Unsicherheit des Messgeräts: Änderungen von Parametern und mittleren Abweichungen werden nicht getestet (keine p-Werte); die Intervalle der Parameter enthalten die Komponente zwischen den Messreihen (Birge-Verhältnis bis { $birge })
     .hint = mit einem Modell identifizieren, das den Roboter beschreibt, und jedes Mal dieselben Posen messen

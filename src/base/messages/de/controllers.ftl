@@ -59,6 +59,19 @@ file-near-nominal = { $formats_count ->
     } `{ $formats }`: { $reason }
     .hint = die Abweichungen in controllers.json vergleichen; falls Parameter ausgelassen sind, ein Format verwenden, das sie enthält
 
+file-of-other-structure = Format `{ $format }`: die Achsen dieses Arms liegen anders als bei Armen von Universal Robots: { $difference }
+    .hint = Konvention, Reihenfolge und Vorzeichen in robot.toml prüfen; für einen Arm eines anderen Herstellers ein anderes Format wählen: `etalon export --help` nennt sie
+
+structure-angle = die Achsen { $first } und { $second } schließen { FIXED($deg, 1) }° ein statt { FIXED($expected, 0) }°
+
+structure-no-link = die Achsen { $first } und { $second } sind parallel im Abstand von { FIXED($mm, 1) } mm, ohne Glied dazwischen
+
+structure-apart = die Achsen { $first } und { $second } gehen im Abstand von { FIXED($mm, 1) } mm aneinander vorbei, statt sich zu schneiden
+
+structure-wrist-meets = die Achsen 4 und 6 schneiden Achse 5 im Abstand von { FIXED($mm, 1) } mm statt in einer Handgelenklänge
+
+structure-wrist-in-plane = das Handgelenk liegt { FIXED($mm, 1) } mm neben der Ebene von Achse 1 statt um einen Schulterversatz
+
 covariance-missing = Format `{ $format }` enthält { $parameters } nicht, und parameters.json enthält deren Kovarianz nicht
     .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: sie identifiziert ohne diese Parameter neu
 
@@ -188,7 +201,7 @@ controller-template-failed = die Vorlage lässt sich nicht füllen: { $reason }
     .hint = diese Zeile korrigieren
 
 measuring-language-unknown = die Sprache von { $file } ist unbekannt
-    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .jbi (INFORM) oder .ngc (G-code), oder `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) oder .ngc (G-code), oder `--language`
 
 measuring-joints-unsuited = ein Programm in { $language } bewegt sechs Drehachsen{ $external ->
         [0] { "" }

@@ -60,7 +60,7 @@ corner-in-central-part = der mittlere Teil der Bahn enthält eine Ecke bei { FIX
 zone-proved-locally = es ist nur unter benachbarten Elementen ({ $element }) bewiesen, dass die Minimumzone die engste ist
     .hint = ihre Formabweichung mit der Formabweichung der Anpassung nach kleinsten Quadraten vergleichen
 
-zone-unproved = es wurde nicht bewiesen, dass kein anderes Element { $element } eine engere Zone hat
+zone-unproved = eine engere Zone des Elements { $element } kann nicht ausgeschlossen werden
     .hint = einen größeren Teil der Fläche messen: so stark streuende Punkte bestimmen das Element kaum
 
 hold-another = um einen anderen Parameter der Gruppe festzuhalten, ihn unter `hold` in [identify] nennen; ohne Angabe ist es der, dessen Toleranz die Ziele am wenigsten bewegt
@@ -172,3 +172,17 @@ field-readings-suspect = an der zurückgehaltenen Pose { $pose } beträgt die Ab
 field-undetermined = die Positionen bestimmen die Parameter nicht in jedem Teil der Posen
 field-not-shown = die Residuen zeigen keine Abhängigkeit von den Gelenken: die Likelihood steigt um { FIXED($rise, 1) }, erforderlich ist { FIXED($threshold, 1) } (−2 ln L)
 field-not-proven = an zurückgehaltenen Posen beträgt die Positionsabweichung { FIXED($without_mm, 3) } mm ohne und { FIXED($with_mm, 3) } mm mit dem Feld (quadratischer Mittelwert); der Gewinn ist das { FIXED($gain, 1) }fache seiner Standardunsicherheit, erforderlich ist das 2,3fache
+
+zeros-of-the-joints = Nullpunkte der Gelenke
+geometry = Geometrie
+gains = Übertragungsfaktoren
+harmonics-of-the-transmissions = Harmonische der Getriebe
+backlash = Umkehrspiel
+coupling = Kopplung
+bending = Biegung
+payload-bending = Biegung unter der Nutzlast
+torque-bending = Biegung unter den Drehmomenten der Gelenke
+expansion-with-temperature = Ausdehnung mit der Temperatur
+drift-with-temperature = Drift der Nullpunkte mit der Temperatur
+lateral-bending = Kippung der Gelenke quer zu ihren Achsen
+pedestal-bending = Kippung der Basis unter dem Arm

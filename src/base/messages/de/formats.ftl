@@ -456,7 +456,7 @@ file-is = `{ $file }`: { $kind }, { $rows ->
 files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine Zeile in `{ $log }` (Schlüssel: { $by })
 
 files-not-joined = kein Schlüssel verknüpft alle Exporte mit den { $rows } Zeilen von `{ $log }`
-recording-not-joined = weder Zeilen noch Stillstände von mindestens 1 s ({ $standstills }) gehören je zu einem Punkt: die Zeiten verknüpfen `{ $log }` nicht
+recording-not-joined = die Zeiten verknüpfen `{ $log }` nicht: es gibt weniger Stillstände von mindestens 1 s als Punkte ({ $standstills }), und kein Versatz der Uhren gibt jedem Punkt eine eigene Zeile
 expand-xacro = die Datei expandieren und stattdessen die URDF-Datei angeben: { $command }
 
 attribute-malformed = ein Attribut, das nicht lesbar ist

@@ -217,7 +217,7 @@ points-undetermined = diese Punkte bestimmen das angepasste Element nicht
 slip-reversed = { $joint } umgekehrt
 
 slip-exchanged = { $first } und { $second } vertauscht
-slip-branches-exchanged = vertauschten Zielmarken von { $first } und { $second }
+slip-branches-exchanged = die Zielmarken von { $first } und { $second } vertauscht
 
 slip-joint-order = die Gelenke { $order ->
         [reversed] in umgekehrter Reihenfolge
@@ -268,19 +268,19 @@ slip-world-frame = das Weltkoordinatensystem um { FIXED($angle_deg, 1) } deg ge
 
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } statt { FIXED($nominal, 2) } { $unit }
 
-with-slip = mit { $slip }{ $origin ->
+with-slip = { $slip }{ $origin ->
         [none] {""}
        *[other] {" "}({ $origin })
     }
 
-set-up-slip = { $first }{ $others ->
-        [none] {""}
-       *[other] {" "}(ebenso { $others })
-    } ergibt eine Identifikation ein Residuum von { FIXED($changed_mm, 3) } mm (quadratischer Mittelwert){ $stated ->
-        [unreachable] ; ohne das sind Posen nicht erreichbar
-        [tolerances] {" "}und hält Parameter in ihren Toleranzen
-       *[residuals] {" "}statt { FIXED($stated_mm, 3) } mm
-    }: das zuerst prüfen
+set-up-slip = { $others ->
+        [none] eine Änderung erklärt die Messwerte: { $first }
+       *[other] jede dieser Änderungen erklärt die Messwerte: { $first }; { $others }
+    }. { $stated ->
+        [unreachable] Ohne Änderung sind Posen nicht erreichbar; mit der Änderung betragen die Residuen { FIXED($changed_mm, 3) } mm
+        [tolerances] Mit der Änderung betragen die Residuen { FIXED($changed_mm, 3) } mm, und die Parameter bleiben in ihren Toleranzen
+       *[residuals] Die Residuen sinken von { FIXED($stated_mm, 3) } mm auf { FIXED($changed_mm, 3) } mm
+    } (quadratischer Mittelwert nach der Identifikation): das zuerst prüfen
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m Parameter, n Konfigurationen; Jacobi-Matrix in mm je mm, rad und 1
 index-o2 = O2 = smin / smax; Jacobi-Matrix in mm je mm, rad und 1

@@ -36,7 +36,7 @@ because-line = Zeile { $line } { $is ->
        *[last] ist die letzte vor den Daten
     }
 because-log = ein Protokoll: { $reason }
-because-numbers = jede Zeile hat { $count } Zahlen, ohne Richtung darunter
+because-numbers = jede Zeile hat { $count } Zahlen, von denen keine drei einen Einheitsvektor bilden
 because-recording = es ist eine Aufzeichnung von ROS 2: { $storage ->
         [db3] eine SQLite-Datenbank mit Topics
        *[mcap] sie beginnt wie eine MCAP-Datei
@@ -55,7 +55,7 @@ doubt-columns-not-read = nicht gelesene Zahlen: Spalte { $columns }{ $more ->
     }
 doubt-coordinates-left = Koordinaten von { $left } werden nicht verwendet: andere haben eine passendere Überschrift
 doubt-dates = Datumsangaben mit `/` lassen offen, ob Tag oder Monat zuerst kommt: sie werden nicht gelesen
-doubt-decimal-mark = keine Zahl hat ein Dezimalzeichen: dass es `{ $mark }` ist, ist nicht belegt
+doubt-decimal-mark = keine Zahl hat ein Dezimalzeichen: `{ $mark }` wird angenommen
 doubt-direction-length = die Richtung hat nicht in allen Zeilen den Betrag 1
 doubt-encoding = die Datei ist nicht UTF-8; prüfen, ob ihre Buchstaben als { $encoding } lesbar sind
 doubt-first-increases = Spalte 1 steigt in allen Zeilen: ein Zeitpunkt oder eine Koordinate
@@ -94,7 +94,7 @@ doubt-thousands-mark = jedes `{ $mark }` steht vor drei Ziffern: es kann ein Tau
 doubt-time-decreases = { $column } heißt wie eine Zeit, fällt aber
 doubt-topic-unreadable = das Topic `{ $topic }` kann nicht gelesen werden: { $reason }
 doubt-two-families = { $names } könnten auch Gelenke sein: `{ $kept }` wird verwendet
-doubt-unnamed-joints = nichts sagt, dass { $names } Gelenke sind, aber sonst passt nichts
+doubt-unnamed-joints = { $names } werden als Gelenke gelesen: keine andere Größe passt, aber die Datei benennt sie nicht
 doubt-words-of-header = Zeile { $line } hat { $words } Wörter für { $columns } Spalten: die Reihenfolge ist unbekannt
 is-aqdef = eine Datei im ASCII-Transferformat von Q-DAS, erkannt am ersten Feld
 is-attained-poses = Istposen einer Prüfung nach ISO 9283
@@ -159,7 +159,7 @@ says-joints-and-length = Gelenke und eine Länge je Zeile
 says-joints-beside = die Kopfzeile nennt Gelenke neben den Punkten
 says-orientations = die Kopfzeile nennt Orientierungen
 why-ambiguous-dates = Datumsangaben, deren Tag und Monat vertauscht sein könnten
-why-as-many-as-joints = jede Zeile hat so viele Zahlen, wie ein Arm Gelenke hat, ohne Richtung darunter
+why-as-many-as-joints = jede Zeile hat so viele Zahlen, wie ein Arm Gelenke hat, und keine drei bilden einen Einheitsvektor
 why-axes-differ = die Überschriften dreier Spalten unterscheiden sich nur in x, y und z
 why-behind-lengths = nach drei Längen, die größer als jeder Winkel sind
 why-commanded-heading = die Überschrift nennt einen Sollwert

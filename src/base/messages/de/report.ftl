@@ -78,7 +78,6 @@ axis-point = Punkt { $axis }
 axis-x = x
 axis-y = y
 axis-z = z
-backlash = Umkehrspiel
 ball = Kugel
 bar-too-uncertain = die Unsicherheit des Kalibrierstabs ist zu groß (4:1 gefordert)
 base-and-targets = Basis und Zielmarken
@@ -90,7 +89,6 @@ batch-ends = { $pass } bestanden, { $conditional } bedingt, { $undecided } unent
 before = vorher
 before-after-description = Abweichungen mit Nennparametern und nach der Kalibrierung, auf einer Achse.
 before-named = vorher ({ $name })
-bending = Biegung
 best-possible-choice = die bestmögliche Auswahl
 between-poses = zwischen den Posen
 birge-ratio = Birge-Verhältnis
@@ -319,7 +317,6 @@ count-of-set = { $count ->
         [one] 1 Punkt
        *[other] { $count } Punkte
     } ({ $set })
-coupling = Kopplung
 coverage-factor = Erweiterungsfaktor
 curve = Kurve
 curve-caption = In jedem Schritt kommt die beste Position mit allen ihren Konfigurationen hinzu.
@@ -411,7 +408,6 @@ draws-without-model-both = Die Ziehungen erfassen nur die angegebenen Unsicherhe
 draws-without-model-report = Die Ziehungen erfassen nur die angegebenen Unsicherheiten. Die Standardunsicherheiten des Berichts erfassen auch den Modellfehler.
 drift = Drift
 drift-title = Drift der Pose-Genauigkeit und der Pose-Wiederholgenauigkeit
-drift-with-temperature = Drift der Nullpunkte mit der Temperatur
 effect = Effekt
 effect-at-worst-pose = Verschiebung an der empfindlichsten Pose ({ $unit })
 effect-tooltip = { $name }: { $value } ± { $half } { $unit } an Pose { $pose }
@@ -484,7 +480,6 @@ example-label = Beispiel:
 exchangeability = Austauschbarkeit
 exchangeability-between-robots = Austauschbarkeit E = { $distance } µm: größter Abstand zwischen den mittleren Positionen zweier Roboter an derselben Pose (ISO 9283:1998, 7.7).
 expanded-of = U ({ $figure })
-expansion-with-temperature = Ausdehnung mit der Temperatur
 expected = erwartet
 expected-from-the-points = aus den Punkten erwartet
 expected-label = erwartet:
@@ -497,14 +492,16 @@ explanations-of-messages = Erklärungen dieser Meldungen
 export = Export
 fail = nicht bestanden
 features = Geometrieelemente
+field-components = Komponenten des Felds und ihre Unsicherheit
 field-deviation = Standardabweichung
-field-gain = An zurückgehaltenen Posen, mit Parametern und Feld der anderen Posen, sinkt die Positionsabweichung (quadratischer Mittelwert) von { $without } auf { $with } µm: das Feld hat { $share } % der mittleren quadratischen Abweichung. Der Gewinn ist das { $gain }fache seiner Standardunsicherheit. { $coverage } % der Koordinaten liegen innerhalb von 1,96 vorhergesagten Standardunsicherheiten; die des Felds wird mit { $factor } multipliziert, damit sie zu diesen Abweichungen passt.
+field-gain = An zurückgehaltenen Posen, mit Parametern und Feld der anderen Posen, sinkt die Positionsabweichung (quadratischer Mittelwert) von { $without } auf { $with } µm. Das Feld beschreibt { $share } % der mittleren quadratischen Abweichung; der Gewinn ist das { $gain }fache seiner Standardunsicherheit.
 field-held-out-caption = Jede Pose wird aus Parametern und Feld der anderen Posen vorhergesagt (fünf Teile).
 field-held-out-description = Positionsabweichungen zurückgehaltener Posen ohne und mit Residuenfeld.
 field-held-out-title = Positionsabweichung zurückgehaltener Posen, ohne und mit Feld
 field-inputs = abhängig von, mit gemessenem Bereich
 field-note = Das Feld beschreibt Abweichungen der Gelenke, die die Parameter übrig lassen. Außerhalb der gemessenen Bereiche klingt es ab; die Abweichungen sind dort die der Parameter allein.
 field-refused-because = Es wird kein Residuenfeld verwendet: { $reason }.
+field-uncertainty = { $coverage } % der Koordinaten zurückgehaltener Posen liegen innerhalb von 1,96 vorhergesagten Standardunsicherheiten. Die Standardunsicherheit des Felds wird mit { $factor } multipliziert, damit sie zu diesen Abweichungen passt.
 figure = Ergebnis
 figure-of-set = { $quantity }, { $figure } ({ $set })
 figures-of-measurement-point = Alle Werte beziehen sich auf den Messpunkt: { $point }.
@@ -541,20 +538,16 @@ from-residuals-by-pose = aus den Residuen, nach Posen gruppiert
 from-residuals-by-region = aus den Residuen, nach Bereichen des Arbeitsraums gruppiert
 from-the-instrument = aus dem Messgerät
 gain-over-u = Gewinn / u
-gains = Übertragungsfaktoren
 generated-candidates = gezogene Kandidaten
 geometric = geometrisch
 geometric-definition = Dissertation, Kapitel 2: Jede Größe ist an eigens dafür gemessene Punkte angepasst, ohne Optimierung des Robotermodells; gamma, beta und epsilon_theta sind auf null gesetzt; d3 ist um die Steigungen der Antriebe 2 und 3 korrigiert. Unsicherheiten: aus den Punkten, fortgepflanzt durch alle Anpassungen und Koordinatensysteme; aus den Residuen, wo deren Streuung die angegebene Unsicherheit des Messgeräts übersteigt. Abweichungen: Mittel aus gemessener minus vorhergesagter Pose, nominal und geometrisch, im geometrisch bestimmten Basiskoordinatensystem
 geometric-u-note = u (k = 1) enthält die Unsicherheit des Basiskoordinatensystems. Sie ist allen Wiederholungen gemeinsam und daher nicht in deren Standardabweichung enthalten.
-geometry = Geometrie
 geometry-alone = Geometrie allein
 geometry-alone-title = Messungen mit Geometrie allein
 geometry-beside-identification = Geometrie allein, im Vergleich mit der Identifikation
 geometry-improvement = Die größte mittlere Positionsabweichung sinkt durch Geometrie allein von { $nominal } mm auf { $geometric } mm: Faktor { $improvement }.
 guarded-acceptance = Annahme mit Schutzabstand (ISO 14253-1)
 guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Messunsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
-harmonics = Harmonische
-harmonics-of-the-transmissions = Harmonische der Getriebe
 head-along = entlang
 head-and = und
 head-between = zwischen
@@ -647,7 +640,6 @@ largest-mean-deviation-from-linear = größte mittlere Linearitätsabweichung
 largest-of-all-modes = größte aller Arbeitsmodi
 largest-residual-of-a-coordinate = größtes Residuum einer Koordinate
 last-cycle = letzter Zyklus
-lateral-bending = Kippung der Gelenke quer zu ihren Achsen
 leads = Spindelsteigungen
 left = verbleibend
 left-out-rms = ausgelassene Posen, RMS
@@ -690,13 +682,13 @@ line-number = Zeile { $line }
 load = Last
 load-centre = Lastschwerpunkt, ab der mechanischen Schnittstelle
 load-proven = { $count ->
-    [one] { $load } von 1 Parameter laden: Seine Änderung gegenüber dem Nennwert ist signifikant
-   *[other] { $load } von { $count } Parametern laden: Ihre Änderung gegenüber dem Nennwert ist signifikant, einzeln oder gemeinsam
+    [one] { $load } von 1 Parameter laden; den Rest auf dem Nennwert lassen. Zu ladende Parameter weichen signifikant vom Nennwert ab
+   *[other] { $load } von { $count } Parametern laden; die anderen auf dem Nennwert lassen. Zu ladende Parameter weichen signifikant vom Nennwert ab, einzeln oder gemeinsam
 }
 load-sentence = Last: { $load } kg.
 load-stable = { $count ->
-    [one] { $load } von 1 Parameter laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein ergeben größere Abweichungen
-   *[other] { $load } von { $count } Parametern laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein ergeben größere Abweichungen
+    [one] { $load } von 1 Parameter laden, wenn er stabil ist: signifikante Änderungen allein ergeben größere Abweichungen
+   *[other] alle { $load } stabilen von { $count } Parametern laden; die anderen auf dem Nennwert lassen. Die Abweichungen sind größer, wenn nur signifikant geänderte Parameter geladen werden
 }
 log = Protokoll
 logo-of-the-laboratory = Logo des Labors
@@ -892,8 +884,6 @@ path-passes-incomplete = { $length } mm, { $passes ->
 path-repeatability-rt = Bahnwiederholgenauigkeit RT
 path-repeatability-title = Bahnwiederholgenauigkeit RT
 path-velocity = Bahngeschwindigkeit
-payload-bending = Biegung unter der Nutzlast
-pedestal-bending = Kippung der Basis unter dem Arm
 percent-of-rated = { $percent } % der Nenngeschwindigkeit
 permissible = Fehlergrenze
 permissible-over-certificate = Fehlergrenze / Unsicherheit des Kalibrierscheins
@@ -964,6 +954,7 @@ position-error-before = Positionsabweichung vor der Kalibrierung, { $plane }
 position-error-by-pose = Positionsabweichung je Pose, vor und nach der Kalibrierung
 position-error-in = Positionsabweichung ({ $unit })
 position-max = Position, max.
+position-residuals-before-rms = Positionsresiduen vor der Identifikation, RMS
 position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }; aus Messgerät und Koordinatensystemen erwartet: { $expected } { $unit }.
 position-residuals-rms = Positionsresiduen, RMS
 position-rms = Position, RMS
@@ -1353,7 +1344,6 @@ tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
 tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
 tool-point-headline = Werkzeugpunkt, RMS: nominal → erwartet
-torque-bending = Biegung unter den Drehmomenten der Gelenke
 traceability = Rückführbarkeit
 trend = Trend
 trend-description = Eine Marke je Kampagne mit ihrem 95-%-Intervall; Rauten: signifikante Änderung.
@@ -1467,5 +1457,3 @@ worst-campaigns = Die { $worst } schlechtesten Kampagnen sind gezeigt. Die übri
 written-by = geschrieben von
 x-y-z-rp = x, y, z (RP)
 yes = ja
-zeros = Nullpunkte
-zeros-of-the-joints = Nullpunkte der Gelenke

@@ -71,6 +71,7 @@ meaning-torque = Biegung des Gelenks unter seinem Drehmoment: Winkel unter 100 
 meaning-tower-turn-x = Drehung der Säule um die x-Achse des Beins; gegen den Uhrzeigersinn positiv.
 meaning-tower-turn-y = Drehung der Säule um die y-Achse des Beins; gegen den Uhrzeigersinn positiv.
 meaning-upper-arm-length = Länge des Oberarms, von der Motorachse bis zur Stange.
+pedestal-or-first-joint = `pedestal` oder Gelenk { $joint } in `lateral` angeben, nicht beide: Basis und erstes Gelenk geben unter dem Arm gleich nach
 sketch-arm = Arm bei Gelenkwerten null: Gelenkachsen und Längen der Glieder.
 sketch-five-bar = Fünfgelenkmechanismus von oben: Glieder und Winkel (gegen den Uhrzeigersinn positiv). Das Werkzeug ist neben C gezeichnet.
 sketch-legs = Roboter in der Mitte seiner Gelenkbereiche, mit den Parametern von Bein 1. Die anderen Beine haben dieselben Parameter.

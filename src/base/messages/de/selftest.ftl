@@ -8,19 +8,19 @@ selftest-folder-not-written = `{ $folder }` kann nicht geschrieben werden: { $re
 
 selftest-hash-expected = ein SHA-256: 64 hexadezimale Ziffern
 
-selftest-fits = Geometrieelemente: Ort, Richtung, Größe, Quadratsumme und Unsicherheit sind die eines unabhängigen Programms mit 60 Ziffern; Minimumzonen und Hüllkreise sind die der Geometrie
-selftest-solver = Löser: veröffentlichte Aufgaben der nichtlinearen Ausgleichsrechnung erreichen die veröffentlichten Minima
-selftest-frames = Koordinatensysteme: Orientierungen und Transformationen sind die der Geometrie
-selftest-kinematics = Kinematik: jedes Modell stimmt mit einem unabhängigen Programm mit 60 Ziffern überein, mit seiner Inversen, mit numerischen Ableitungen und mit dem Code, den etalon exportiert
+selftest-fits = Geometrieelemente: Anpassungen stimmen mit einem unabhängigen Programm (60 Stellen) überein, Minimalzonen und Hüllkreise mit exakten Werten
+selftest-solver = Löser: veröffentlichte Probleme der nichtlinearen kleinsten Quadrate erreichen ihre veröffentlichten Minima
+selftest-frames = Koordinatensysteme: Orientierungen und Transformationen stimmen mit exakten Werten überein
+selftest-kinematics = Kinematik: jedes Modell stimmt mit einem unabhängigen Programm (60 Stellen), seiner Inversen, numerischen Ableitungen und dem exportierten Code überein
 selftest-identification = Identifikation: exakte Beobachtungen ergeben die Parameter; eine ganze Kampagne ergibt die wahren Werte innerhalb ihrer Unsicherheit
-selftest-reference = Referenzkampagnen: Parameter, Kovarianz und Abweichungen sind die eines unabhängigen Programms mit 110 Ziffern
+selftest-reference = Referenzkampagnen: Parameter, Kovarianz und Abweichungen stimmen mit einem unabhängigen Programm (110 Stellen) überein
 selftest-uncertainty = Unsicherheiten: veröffentlichte Beispiele des GUM (H.1 bis H.3) und von JCGM 101 (9.2 bis 9.5) werden reproduziert
-selftest-standards = ISO 9283 und ISO 230-2: die Kenngrößen sind die unabhängiger Programme
-selftest-coverage = Überdeckung: 95-%-Intervalle enthalten den wahren Wert in 95 % der simulierten Kampagnen
-selftest-formats = Exporte von Messsystemen: bekannte Texte haben ihre Koordinaten, und jedes Format wird gelesen, wie es geschrieben wurde
-selftest-exports = Steuerungsdateien: was geschrieben ist, wird zurückgelesen
-selftest-threads = Gleiche Eingaben, gleiche Bytes, auf einem und auf vielen Threads
-selftest-nist = Referenzdaten des NIST: angepasste Elemente sind die veröffentlichten
+selftest-standards = ISO 9283 und ISO 230-2: die Kenngrößen stimmen mit unabhängigen Programmen überein
+selftest-coverage = Überdeckung: 95-%-Intervalle enthalten den wahren Wert in 95 % der simulierten Kampagnen
+selftest-formats = Exporte von Messsystemen: bekannte Texte ergeben ihre Koordinaten; jedes Format wird gelesen, wie es geschrieben wurde
+selftest-exports = Dateien für Steuerungen: geschriebene Werte werden unverändert zurückgelesen
+selftest-threads = Threads: dieselbe Eingabe ergibt dieselben Bytes auf einem und auf vielen Threads
+selftest-nist = Referenzdaten des NIST: angepasste Elemente stimmen mit den veröffentlichten überein
 
 selftest-not-made = { $name }: nicht möglich: { $reason }
 selftest-fit-point = { $name }: Punkt

@@ -40,7 +40,7 @@ simulated-kind = { $kind ->
         [blank-columns] eine Beobachtungstabelle mit Leerzeichen zwischen den Spalten: ihre leeren Zellen gingen verloren
         [computed-columns] eine Beobachtungstabelle mit berechneten, nummerierten oder konstanten Spalten, mit Filtern oder mit einem anderen Kopf als einer Zeile
         [unmodelled] eine Beobachtungstabelle mit Abweichungen aus {"["}unmodelled]
-        [circumstances] ein Protokoll eines Roboters, dessen Messwerte eine Nutzlast, Drehmomente oder eine Temperatur angeben
+        [circumstances] ein Protokoll eines Roboters mit Umkehrspiel, dessen Messwerte eine Nutzlast, Drehmomente oder eine Temperatur angeben
        *[backlash] eine Beobachtungstabelle eines Roboters mit Umkehrspiel
     }
 

@@ -42,7 +42,7 @@ rigid-never-together = { $targets } von [[rigid]] werden nie zusammen gemessen
     .expected = Zeilen mit derselben Pose und demselben Zyklus oder mit derselben Zeit
     .hint = die Pose in `label` oder `columns` nennen; `pose = "row"` nummeriert Zeilen von Dateien mit einer einzigen Zielmarke
 
-rigid-few-distances = der Abstand `{ $first }`-`{ $second }` von [[rigid]] lässt keine Zeile ablehnen: er wurde nur { $count }-mal gemessen
+rigid-few-distances = der Abstand `{ $first }`-`{ $second }` von [[rigid]] kann keine Zeile ablehnen: er wurde nur { $count }-mal gemessen
     .expected = mindestens { $least }-mal
 
 exclusion-mixed = ein Ausschluss nennt entweder Posen oder die Zeilen einer Datei
@@ -261,9 +261,9 @@ log-row-met-twice = Zeile { $row } von Protokoll `{ $log }` liegt { $count } Pun
     .hint = `tolerance_s` verringern oder `clock_offset_s` prüfen
 
 clock-offset-none = kein Versatz der Uhren legt alle Messpunkte in Stillstände des Protokolls: { $count ->
-        [one] 1 Zeitpunkt passt
-       *[other] { $count } Zeitpunkte passen
-    }, bis { $last_s } s; der Zeitpunkt { $first_s } s passt nicht
+        [one] der erste Punkt (bis { $last_s } s) passt
+       *[other] die ersten { $count } Punkte (bis { $last_s } s) passen mit einem gemeinsamen Versatz
+    }, der Punkt bei { $first_s } s passt nicht
     .hint = in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben: Zeilen ohne Zuordnung werden dann aufgelistet
 
 range-of-seconds = { FIXED($low_s, 3) } bis { FIXED($high_s, 3) } s
@@ -579,9 +579,9 @@ orientation-slip = { $slip ->
        *[left-handed] einem linkshändigen Koordinatensystem ({ $name } umgekehrt)
     }
 
-slip-leaves = um { FIXED($left_deg, 2) } deg mit { $slip }
+slip-leaves = { $slip } ({ FIXED($left_deg, 2) } deg)
 
-check-slips = sie unterscheiden sich nur { $slips }: das zuerst prüfen
+check-slips = mögliche Ursachen, mit dem verbleibenden Unterschied: { $slips }; das zuerst prüfen
 
 orientations-off = die beobachteten Orientierungen unterscheiden sich von denen des { $robot ->
         [nominal] nominalen Roboters
@@ -852,7 +852,7 @@ measurements-undescribed = an den { $set ->
        *[calibration] Kalibrierposen
     } ist das Residuum des Modells { FIXED($after_mm, 3) } mm (quadratischer Mittelwert) bei Positionen, die sich über { FIXED($spread_mm, 1) } mm erstrecken; { $count } von { $total } Messwerten weichen um mehr als { FIXED($limit_mm, 1) } mm ab: das Modell beschreibt diese Messungen nicht
 
-undescribed-targets = alle Messwerte von { $targets } weichen ab, und keine anderen: die Bezeichnungen der Zielmarke prüfen, und ob sie bewegt wurde
+undescribed-targets = jeder Messwert von { $targets } hat eine große Abweichung, und kein anderer: die Bezeichnungen der Zielmarke prüfen, und ob sie bewegt wurde
 
 undescribed-readings = { $readings }: { $remedy }
 
@@ -917,15 +917,15 @@ load-change-sign = `{ $column }` hat das andere Vorzeichen
 
 load-change-unit = der Massenmittelpunkt ist in { $unit }
 
-backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk eilt seinem Antrieb voraus, was kein Umkehrspiel erklärt
+backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk würde seinem Antrieb vorauseilen
     .hint = das Vorzeichen der Anfahrrichtungen prüfen (+1 bei steigendem Gelenkwert, -1 bei fallendem), und ob die Zeiten des Protokolls zu derselben Bewegung gehören
 
 torque-constant = das Drehmoment des Gelenks `{ $joint }` ist in allen Kalibriermesswerten { FIXED($value, 3) } N·m (`{ $column }`): es ist vom Nullpunkt des Gelenks nicht zu unterscheiden, und die Nachgiebigkeit dieses Gelenks wird festgehalten
 
-torque-signs-differ = unter ihren Drehmomenten sind { $positive } positiv und { $negative } negativ: einige Gelenke geben im Drehsinn des angegebenen Drehmoments nach, andere entgegen
+torque-signs-differ = die identifizierte Biegung unter den Drehmomenten ist positiv für { $positive } und negativ für { $negative }: einige Gelenke geben im Drehsinn des angegebenen Drehmoments nach, andere entgegen
     .hint = Vorzeichen und Reihenfolge der Spalten der Drehmomente prüfen
 
-torques-exchanged = die Messwerte sind mit vertauschten Spalten `{ $first }` und `{ $second }` erklärt, und nicht wie angegeben
+torques-exchanged = das Modell beschreibt die Messwerte mit vertauschten Spalten `{ $first }` und `{ $second }`, aber nicht wie angegeben
     .hint = prüfen, zu welchem Gelenk jede Spalte der Drehmomente gehört
 
 temperature-constant = die Temperatur ist in allen Kalibriermesswerten { FIXED($value, 1) } °C: Ausdehnung und Drift sind nicht bestimmbar und werden festgehalten; Längen und Nullpunkte gelten bei dieser Temperatur
@@ -1182,7 +1182,7 @@ cell-axis-sense = { $sense ->
 cell-tool-length-missing = `{ $maker }` braucht die Länge des Werkzeugs, an dessen Ende die erste Zielmarke ist
     .hint = `--tool-length-mm` angeben, 0 für eine Zielmarke an der Bezugsebene der Spindel
 
-cell-pivot-above = die erste Zielmarke liegt bei null { FIXED($along_mm, 3) } mm unter der Achse, das Werkzeug ist { FIXED($tool_mm, 3) } mm lang
+cell-pivot-above = das Werkzeug ({ FIXED($tool_mm, 3) } mm) ist länger als der Abstand von der Achse zur ersten Zielmarke darunter ({ FIXED($along_mm, 3) } mm, Achse bei null)
     .hint = die Länge des Werkzeugs prüfen, und dass z der Maschine die Spindel hinauf zeigt
 
 cell-machine-number = `MACHINE_DEF[{ $number }]` ist keine externe Kinematik
@@ -1278,7 +1278,16 @@ cell-change-exchanged = die Punkte der Zeilen { $first } und { $second } sind ve
 
 field-refused = kein Residuenfeld: { $reason }
 
+tilt-of-base-or-joint = { $stated ->
+        [pedestal] die Kippung der Basis (`pedestal`) kann die von Gelenk `{ $joint }` quer zu seiner Achse (`lateral`) sein
+       *[lateral] die Kippung von Gelenk `{ $joint }` quer zu seiner Achse (`lateral`) kann die der Basis (`pedestal`) sein
+    }: Chi-Quadrat ist { FIXED($chi_square, 1) } mit der ersten und { FIXED($of_other, 1) } mit der zweiten
+    .hint = die Parameter als Kippung von Basis und erstem Gelenk zusammen verstehen
+
+field-follows-order = das Residuenfeld hängt von `{ $joint }` ab, dessen Werte der Reihenfolge der Posen folgen (Rangkorrelation { FIXED($correlation, 2) }): eine Drift des Aufbaus sähe gleich aus
+    .hint = das Feld mit `etalon validate --field` an Posen in anderer Reihenfolge beurteilen
+
 poses-beyond-field = { $count } von { $total } Posen liegen außerhalb des Residuenfelds, wo es abklingt
     .hint = Kalibrierposen in diesem Bereich messen
 
-field-parameters-wrong = die Identifikation hat einen Fehler, den ein Feld verdecken würde
+field-parameters-wrong = die Identifikation meldet einen Fehler, den ein Feld verdecken würde

@@ -142,7 +142,7 @@ working-mode-missing = the program does not state the working mode at its start
 # Example: `MoveL p1, v10, fine, tGrip` without `--tool`
 program-frames = the program uses { $names }
 
-one-program-each = give the targets of each as a program of their own
+one-program-each = split the program: one program for each
 
 state-pose-option = state its pose: --{ $option } x,y,z,qw,qx,qy,qz
 
@@ -534,9 +534,9 @@ convert-shared-joints = { $axes } axes share { $joints } joint values
 # Do: State them in the new robot.toml, and identify them again.
 # Example: an arm with `bending = [2, 3]`
 convert-left-out = { $count ->
-        [one] 1 parameter is
-       *[other] { $count } parameters are
-    } no geometry and left out: { $names }
+        [one] 1 parameter is not geometry and is left out
+       *[other] { $count } parameters are not geometry and are left out
+    }: { $names }
     .hint = state `bending`, `harmonics`, `backlash` and `coupling` in the new file, and identify them again
 
 # Means: Joint values are multiplied by a gain.
@@ -557,7 +557,7 @@ convert-travel-unknown = the travel of { $joints } is not stated: the URDF has 1
 # Matters: An enclosing element is held by its extreme points, which a robust fit would set aside.
 # Do: Fit a circle or sphere by least squares with `--robust`.
 # Example: `etalon fit enclosing-circle points.txt --robust`
-enclosing-robust = `{ $element }` is held by its extreme points: none can be set aside
+enclosing-robust = the extreme points define `{ $element }`: a robust fit would remove them
     .hint = fit circle2d or sphere with --robust
 
 # Means: A robust fit is asked for the features of a QIF file.
@@ -736,7 +736,7 @@ batch-counts = { $done } done, { $not_met } with limits not met, { $failed } fai
 run-skipped = skipped: { $campaign } needs data below ${ $name }, which is not set
 no-controller-files = no controller file is written: the result is implausible
 next-recommend = { $command } lists the parameters that are worth loading; controller files are in the output folder
-unmodelled-said = not in any parameter: { $error }
+unmodelled-said = simulated errors that no parameter describes: { $error }
 unmodelled-backlash = backlash { $joints }
 unmodelled-interpolation = encoder interpolation { $joints }
 unmodelled-every = { $joint } { $amplitude } every { $period }

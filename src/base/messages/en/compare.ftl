@@ -122,5 +122,5 @@ nominal-values-differ = nominal values differ between the robot files: { $parame
 # that differences are no evidence of a change.
 # Do: Identify with a model that describes the robot, and measure the same poses each time.
 # Example: an arm with bending links, identified without bending
-model-misfits = residuals of { $campaigns } exceed the uncertainty of the instrument, so differences of parameters and mean errors are no evidence of a change and have no p value; intervals of parameters contain the between-series component (Birge ratio up to { $birge })
+model-misfits = residuals of { $campaigns } exceed the instrument’s uncertainty: changes of parameters and mean errors are not tested (no p values); the intervals of parameters include the between-series component (Birge ratio up to { $birge })
     .hint = identify with a model that describes the robot, and measure the same poses each time

@@ -71,10 +71,10 @@ file-worse-than-nominal = format `{ $format }` is not written: { $reason }
     .hint = use a format that holds these parameters; `etalon export --force` writes the file
 
 error-near-nominal = { $case ->
-        [rms] position error not clearly smaller than with nominal parameters
-        [maximum] largest position error above that with nominal parameters
-       *[both] position error not clearly smaller than with nominal parameters, its maximum larger
-    }: { $set } poses { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm and { FIXED($nominal_max_mm, $decimals) } mm
+        [rms] the position error is not clearly smaller than with nominal parameters
+        [maximum] the largest position error exceeds that of nominal parameters
+       *[both] the position error is not clearly smaller than with nominal parameters, and its maximum is larger
+    }: { $set } poses { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum); nominal { FIXED($nominal_mm, $decimals) } mm and { FIXED($nominal_max_mm, $decimals) } mm
 
 # Means: The file is written, but at these poses it improves the robot by less than a tenth (RMS),
 # or the largest error is larger than with nominal parameters.
@@ -87,6 +87,25 @@ file-near-nominal = { $formats_count ->
        *[other] formats
     } `{ $formats }`: { $reason }
     .hint = compare the errors in controllers.json; if the format omits parameters, use a format that holds them
+
+# Means: The format is for arms of Universal Robots, and the axes of this arm are arranged differently.
+# Matters: The file holds the kinematics of this arm, but no controller of Universal Robots fits it, and
+# ur_description draws other links.
+# Do: Check robot.toml: convention, order and signs of the rows. For an arm of another maker use
+# another format, for example `urdf` or `c-kinematics`.
+# Example: `universal-robots` for an ABB IRB 120
+file-of-other-structure = format `{ $format }`: this arm has other axes than arms of Universal Robots: { $difference }
+    .hint = check convention, order and signs in robot.toml; for an arm of another maker choose another format: `etalon export --help` lists them
+
+structure-angle = axes { $first } and { $second } are { FIXED($deg, 1) }° apart instead of { FIXED($expected, 0) }°
+
+structure-no-link = axes { $first } and { $second } are parallel at a distance of { FIXED($mm, 1) } mm, without a link between them
+
+structure-apart = axes { $first } and { $second } pass each other at { FIXED($mm, 1) } mm instead of meeting
+
+structure-wrist-meets = axes 4 and 6 meet axis 5 { FIXED($mm, 1) } mm from each other instead of a wrist length apart
+
+structure-wrist-in-plane = the wrist is { FIXED($mm, 1) } mm beside the plane of axis 1 instead of a shoulder offset
 
 # Means: The format leaves out identified parameters, and parameters.json has no covariance of them.
 # Matters: Only the covariance determines how the other parameters change without them.
@@ -384,7 +403,7 @@ controller-template-failed = the template cannot be filled: { $reason }
 # Do: Use an ending of the language, or state it.
 # Example: `--program measure.txt`
 measuring-language-unknown = the language of { $file } is unknown
-    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .jbi (INFORM) or .ngc (G-code), or `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) or .ngc (G-code), or `--language`
 
 # Means: The language moves arms with six revolute axes, perhaps on prismatic external axes; this robot has other joints.
 # Matters: It is unknown which axis of the controller a joint is.

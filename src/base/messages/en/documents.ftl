@@ -119,7 +119,7 @@ zone-proved-locally = the minimum zone is proved to be the narrowest only among 
 # Matters: The true form deviation may be smaller.
 # Do: Measure more of the surface.
 # Example: nine points that hardly show a cylinder
-zone-unproved = it was not proved that no other { $element } has a narrower zone
+zone-unproved = a narrower zone of the { $element } cannot be excluded
     .hint = measure more of the surface: the element is hardly visible in the scatter of the points
 
 hold-another = to hold another parameter of the group, name it under `hold` in [identify]; by default the parameter whose tolerance moves the targets least is held
@@ -246,3 +246,17 @@ field-readings-suspect = at held-out pose { $pose } the error with the field is 
 field-undetermined = the positions do not determine the parameters in every part of the poses
 field-not-shown = the residuals show no dependence on the joints: the likelihood rises by { FIXED($rise, 1) }, and { FIXED($threshold, 1) } is required (−2 ln L)
 field-not-proven = at held-out poses the position error is { FIXED($without_mm, 3) } mm without and { FIXED($with_mm, 3) } mm with the field (root mean square); the gain is { FIXED($gain, 1) } of its standard uncertainties, and 2.3 are required
+
+zeros-of-the-joints = zeros of the joints
+geometry = geometry
+gains = gains
+harmonics-of-the-transmissions = harmonics of the transmissions
+backlash = backlash
+coupling = coupling
+bending = bending
+payload-bending = bending under the payload
+torque-bending = bending under the torques of the joints
+expansion-with-temperature = expansion with the temperature
+drift-with-temperature = drift of the zeros with the temperature
+lateral-bending = tilt of the joints across their axes
+pedestal-bending = tilt of the base under the arm

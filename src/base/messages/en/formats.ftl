@@ -836,7 +836,7 @@ file-is = `{ $file }`: { $kind }, { $rows ->
 files-join = { $matching } of { $keys } rows of `{ $file }` have a row of `{ $log }` by { $by }
 
 files-not-joined = no key joins all exports with the { $rows } rows of `{ $log }`
-recording-not-joined = neither its rows nor its standstills of 1 s or more ({ $standstills }) are one for each point, so that the times do not join `{ $log }`
+recording-not-joined = the times do not join `{ $log }`: standstills of 1 s or more are fewer than the points ({ $standstills }), and no clock offset gives each point its own row
 
 expand-xacro = expand the file, and name the URDF instead: { $command }
 

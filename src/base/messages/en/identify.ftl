@@ -157,7 +157,7 @@ scale-unobserved = no observation contains a length: the scale of the robot is t
 # Matters: Precise readings count more than others.
 # Do: Nothing, if the stated uncertainties are right.
 # Example: a tracker export with an uncertainty for each point
-readings-weighted = { $own } of { $readings } readings are weighted by their own standard uncertainties: { FIXED($least_mm, 4) } to { FIXED($most_mm, 4) } mm a coordinate
+readings-weighted = { $own } of { $readings } readings are weighted by their own standard uncertainties: { FIXED($least_mm, 4) } to { FIXED($most_mm, 4) } mm per coordinate
 
 # Means: The measured distance of two targets contradicts their stated positions on a rigid part by
 # more than the uncertainty.
@@ -492,19 +492,19 @@ slip-world-frame = the world frame rotated by { FIXED($angle_deg, 1) } deg and s
 
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } instead of { FIXED($nominal, 2) } { $unit }
 
-with-slip = with { $slip }{ $origin ->
+with-slip = { $slip }{ $origin ->
         [none] {""}
        *[other] {" "}({ $origin })
     }
 
-set-up-slip = { $first }{ $others ->
-        [none] {""}
-       *[other] {" "}(as well { $others })
-    }, an identification leaves { FIXED($changed_mm, 3) } mm (root mean square){ $stated ->
-        [unreachable] ; without that poses are out of reach
-        [tolerances] {" "}and keeps parameters within their tolerances
-       *[residuals] {" "}instead of { FIXED($stated_mm, 3) } mm
-    }: check that first
+set-up-slip = { $others ->
+        [none] one change explains the measurements: { $first }
+       *[other] each of these changes explains the measurements: { $first }; { $others }
+    }. { $stated ->
+        [unreachable] As stated, poses are out of reach; with the change, residuals are { FIXED($changed_mm, 3) } mm
+        [tolerances] With the change, residuals are { FIXED($changed_mm, 3) } mm, and parameters stay within their tolerances
+       *[residuals] Residuals fall from { FIXED($stated_mm, 3) } mm to { FIXED($changed_mm, 3) } mm
+    } (root mean square after identification): check that first
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m parameters, n configurations; Jacobian in mm per mm, rad and 1
 index-o2 = O2 = smin / smax; Jacobian in mm per mm, rad and 1

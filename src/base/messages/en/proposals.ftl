@@ -36,7 +36,7 @@ because-line = line { $line } { $is ->
        *[last] is the last before the data
     }
 because-log = a log: { $reason }
-because-numbers = every row is { $count } numbers, and no direction among them
+because-numbers = each row has { $count } numbers, and no three of them form a unit vector
 because-recording = it is a recording of ROS 2: { $storage ->
         [db3] a SQLite database with topics
        *[mcap] it begins like an MCAP file
@@ -55,8 +55,8 @@ doubt-columns-not-read = numbers that are not read: column { $columns }{ $more -
     }
 doubt-coordinates-left = coordinates of { $left } are not taken: others have a heading that is closer
 doubt-dates = dates with `/` do not state whether the day or the month is first: they are not read
-doubt-decimal-mark = no number has a decimal mark: that it is `{ $mark }` is not proved
-doubt-direction-length = the direction is not of length 1 in all rows
+doubt-decimal-mark = no number has a decimal mark: `{ $mark }` is assumed
+doubt-direction-length = the direction is not a unit vector in all rows
 doubt-encoding = the file is not UTF-8 and is read as { $encoding }: check that its letters (°, µ, umlauts) are right
 doubt-first-increases = column 1 increases in all rows: a time, or a coordinate
 doubt-four-joints = four joints q0 to q3 would have the same headings
@@ -79,7 +79,7 @@ doubt-other-sheets = the workbook has { $count ->
     } more: { $sheets }
 doubt-points-without-headings = { $count } numbers without headings: the first three are taken; several points in a row are several [[export]] with columns by number
 doubt-polar = an azimuth and a distance, and no zenith angle or elevation beside them
-doubt-quaternion-length = the quaternion is not of length 1 in all rows
+doubt-quaternion-length = the norm of the quaternion is not 1 in all rows
 doubt-quaternion-order = a quaternion without headings: scalar last, as ROS writes it, or scalar first
 doubt-rows-not-read = { $count ->
         [one] 1 row
@@ -93,8 +93,8 @@ doubt-six-without-headings = six numbers without headings: a position and three 
 doubt-thousands-mark = every `{ $mark }` is before three digits: it may be a thousands mark
 doubt-time-decreases = { $column } is called a time and decreases
 doubt-topic-unreadable = topic `{ $topic }` cannot be read: { $reason }
-doubt-two-families = { $names } could be joints as well: `{ $kept }` is taken
-doubt-unnamed-joints = nothing states that { $names } are joints: nothing else fits
+doubt-two-families = { $names } could be joints as well: `{ $kept }` is used
+doubt-unnamed-joints = { $names } are taken as joints: no other quantity fits, but the file does not name them
 doubt-words-of-header = line { $line } has { $words } words for { $columns } columns: their order is not known
 is-aqdef = a file in the Q-DAS ASCII transfer format, by its first field
 is-attained-poses = attained poses of a test by ISO 9283
@@ -159,7 +159,7 @@ says-joints-and-length = joints and one length in each row
 says-joints-beside = the header names joints beside the points
 says-orientations = the header names orientations
 why-ambiguous-dates = dates whose day and month could be exchanged
-why-as-many-as-joints = every row is as many numbers as an arm has joints, and no direction among them
+why-as-many-as-joints = each row has as many numbers as an arm has joints, and no three of them form a unit vector
 why-axes-differ = the headings of three columns differ in x, y, z alone
 why-behind-lengths = behind three lengths that are larger than any angle
 why-commanded-heading = its heading states a commanded value
@@ -170,10 +170,10 @@ why-dates = every cell is a date or a time of day
 why-difference-heading = its heading states a difference
 why-empty = it is empty
 why-fits-without = the nominal robot fits without it
-why-four-of-length-one = the four are of length 1 in all rows
+why-four-of-length-one = the four numbers have norm 1 in all rows
 why-heading = its heading
-why-heading-and-four = its heading, and the four are of length 1 in all rows
-why-heading-and-three = its heading, and the three are of length 1 in all rows
+why-heading-and-four = its heading, and the four numbers have norm 1 in all rows
+why-heading-and-three = its heading, and the three numbers have norm 1 in all rows
 why-heading-increases = its heading; it increases in all rows
 why-heading-ordered = its heading; it never decreases
 why-heading-unordered = its heading, though it does not increase
@@ -185,13 +185,13 @@ why-kinematics-fit = the kinematics of the nominal robot fit with it in { $unit 
     }
 why-last-of-matrix = last column of a 4x4 matrix whose rotation is orthonormal
 why-measured-heading = its heading states a measured value
-why-nine-orthonormal = the nine are an orthonormal matrix in all rows
+why-nine-orthonormal = the nine numbers form an orthonormal matrix in all rows
 why-nothing-known = nothing is known of its heading
 why-orthonormal = orthonormal in all rows, row by row
 why-other-family = the joints are taken from the columns `{ $kept }`
 why-others-measured = its heading states a commanded value, and others are measured
 why-place = its place: nothing names the columns
-why-quaternion-not-joints = the four are of length 1 in all rows: a quaternion, scalar first, and no joints
+why-quaternion-not-joints = the four numbers have norm 1 in all rows: a quaternion, scalar first, not joints
 why-range-of-deg = its heading; from { $low } to { $high }: more than a turn in rad, so deg or mm fits
 why-range-of-rad = its heading; from { $low } to { $high }: rad, or m, fits
 why-repeats-as-texts = its heading names repeats, and it holds texts
@@ -202,5 +202,5 @@ why-targets-fit = with a target for each of its values the nominal robot fits
 why-text-before = a text before the numbers
 why-text-behind = a text behind numbers
 why-texts-differ = texts that differ from row to row, before the numbers
-why-three-of-length-one = the three are of length 1 in all rows
+why-three-of-length-one = the three numbers have norm 1 in all rows
 why-whole-before-decimals = whole numbers before numbers with a decimal mark

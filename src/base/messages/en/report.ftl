@@ -72,7 +72,6 @@ axis-point = point { $axis }
 axis-x = x
 axis-y = y
 axis-z = z
-backlash = backlash
 ball = ball
 bar-too-uncertain = the uncertainty of the bar is too large (4:1 required)
 base-and-targets = base and targets
@@ -84,7 +83,6 @@ batch-ends = { $pass } pass, { $conditional } conditional, { $undecided } undeci
 before = before
 before-after-description = Errors with nominal parameters and after calibration, on one axis.
 before-named = { $name }, before
-bending = bending
 best-possible-choice = the best possible choice
 between-poses = between poses
 birge-ratio = Birge ratio
@@ -304,7 +302,6 @@ correlation-title = Correlation of the identified parameters
 correlation-tooltip = { $first } and { $second }: { $correlation }
 count-at-poses = { $count } at { $poses } poses
 count-of-set = { $count } points of { $set }
-coupling = coupling
 coverage-factor = coverage factor
 curve = curve
 curve-caption = The best position is added step by step, with all its configurations.
@@ -390,7 +387,6 @@ draws-without-model-both = The draws cover the stated uncertainties only. The re
 draws-without-model-report = The draws cover the stated uncertainties only. The report's standard uncertainties also cover the model error.
 drift = Drift
 drift-title = Drift of accuracy and repeatability
-drift-with-temperature = drift of the zeros with the temperature
 effect = effect
 effect-at-worst-pose = displacement at the worst pose ({ $unit })
 effect-tooltip = { $name }: { $value } ± { $half } { $unit } at pose { $pose }
@@ -457,7 +453,6 @@ example-label = example:
 exchangeability = Exchangeability
 exchangeability-between-robots = Exchangeability E = { $distance } µm: largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).
 expanded-of = U of { $figure }
-expansion-with-temperature = expansion with the temperature
 expected = expected
 expected-from-the-points = expected from the points
 expected-label = expected:
@@ -470,14 +465,16 @@ explanations-of-messages = Explanations of these messages
 export = export
 fail = fail
 features = Features
+field-components = Components of the field and their uncertainty
 field-deviation = standard deviation
-field-gain = At held-out poses, with parameters and field from the other poses, the position error (root mean square) falls from { $without } to { $with } µm: the field has { $share } % of the mean square error. The gain is { $gain } of its standard uncertainties. { $coverage } % of the coordinates are within 1.96 predicted standard uncertainties; that of the field is multiplied by { $factor } so that it agrees with these errors.
+field-gain = At held-out poses, with parameters and field from the other poses, the position error (root mean square) falls from { $without } to { $with } µm. The field describes { $share } % of the mean square error; the gain is { $gain } of its standard uncertainties.
 field-held-out-caption = Each pose is predicted from parameters and field of the other poses (five parts).
 field-held-out-description = Position errors of held-out poses without and with the residual field.
 field-held-out-title = Position error of held-out poses, without and with the field
 field-inputs = depends on, with the measured range
 field-note = The field describes errors of joints that the parameters leave. Beyond the measured ranges it fades out, and the errors are those of the parameters alone.
 field-refused-because = No residual field is used: { $reason }.
+field-uncertainty = { $coverage } % of the coordinates of held-out poses are within 1.96 predicted standard uncertainties. The standard uncertainty of the field is multiplied by { $factor } so that it agrees with these errors.
 figure = result
 figure-of-set = { $set } { $quantity } { $figure }
 figures-of-measurement-point = All values refer to the measurement point: { $point }.
@@ -514,20 +511,16 @@ from-residuals-by-pose = from the residuals, grouped by pose
 from-residuals-by-region = from the residuals, grouped by region of the workspace
 from-the-instrument = from the instrument
 gain-over-u = gain over u
-gains = gains
 generated-candidates = generated candidates
 geometric = geometric
 geometric-definition = thesis, chapter 2: each quantity is fitted to points measured for it, without optimising the robot model; gamma, beta and epsilon_theta are set to zero; d3 is corrected for the leads of actuators 2 and 3. Uncertainties: from the points, propagated through all fits and frames; from the residuals where their scatter exceeds the instrument's stated uncertainty. Errors: means of measured minus predicted pose, nominal and geometric, in the geometrically determined base frame
 geometric-u-note = u (k = 1) includes the uncertainty of the base frame. All repeats share it, so their standard deviation excludes it.
-geometry = geometry
 geometry-alone = Geometry alone
 geometry-alone-title = Measurements by geometry alone
 geometry-beside-identification = Geometry alone, beside the identification
 geometry-improvement = The largest mean position error decreases from { $nominal } mm to { $geometric } mm by geometry alone: a factor of { $improvement }.
 guarded-acceptance = guarded acceptance (ISO 14253-1)
 guarded-acceptance-explained = pass if the value plus its expanded uncertainty U is within the limit; fail if the value minus U exceeds the limit; otherwise undecided
-harmonics = harmonics
-harmonics-of-the-transmissions = harmonics of the transmissions
 head-along = along
 head-and = and
 head-between = between
@@ -617,7 +610,6 @@ largest-mean-deviation-from-linear = largest mean deviation from linearity
 largest-of-all-modes = largest of all working modes
 largest-residual-of-a-coordinate = largest residual of a coordinate
 last-cycle = last cycle
-lateral-bending = tilt of the joints across their axes
 leads = Leads
 left = remaining
 left-out-rms = left out, RMS
@@ -657,13 +649,13 @@ line-number = line { $line }
 load = load
 load-centre = load centre, from the mechanical interface
 load-proven = { $count ->
-    [one] load { $load } of 1 parameter: its change from nominal is significant
-   *[other] load { $load } of { $count } parameters: their change from nominal is significant, alone or together
+    [one] load { $load } of 1 parameter; hold the rest at nominal. Parameters to load have a significant change from nominal
+   *[other] load { $load } of { $count } parameters; hold the others at nominal. Parameters to load have a significant change from nominal, individually or jointly
 }
 load-sentence = Load: { $load } kg.
 load-stable = { $count ->
-    [one] load { $load } of 1 parameter (all stable parameters): the significantly changed parameters alone leave larger errors
-   *[other] load { $load } of { $count } parameters (all stable parameters): the significantly changed parameters alone leave larger errors
+    [one] load { $load } of 1 parameter, if it is stable: significant changes alone leave larger errors
+   *[other] load all { $load } stable parameters of { $count }; hold the others at nominal. Errors are larger if only parameters with a significant change are loaded
 }
 log = log
 logo-of-the-laboratory = Logo of the laboratory
@@ -850,8 +842,6 @@ path-passes-incomplete = { $length } mm, { $passes } passes, { $incomplete } inc
 path-repeatability-rt = path repeatability RT
 path-repeatability-title = Path repeatability RT
 path-velocity = path velocity
-payload-bending = bending under the payload
-pedestal-bending = tilt of the base under the arm
 percent-of-rated = { $percent } % of the rated velocity
 permissible = permissible
 permissible-over-certificate = permissible / certificate uncertainty
@@ -919,6 +909,7 @@ position-error-before = Position error before calibration, { $plane }
 position-error-by-pose = Position error by pose, before and after calibration
 position-error-in = position error ({ $unit })
 position-max = position, max
+position-residuals-before-rms = position residuals before identification, RMS
 position-residuals-explained = Position residuals: RMS { $rms } { $unit }; expected from instrument and frames: { $expected } { $unit }.
 position-residuals-rms = position residuals, RMS
 position-rms = position, RMS
@@ -1287,7 +1278,6 @@ tolerance = tolerance
 tool-error-definition = { $error }; nominal minus identified: difference between the positions predicted by the two parameter sets; expected: magnitude (k = 1) from the covariance of the parameters, the tolerance of parameters that the data cannot determine, the model error beyond the instrument's uncertainty, and the position of the point on the tool; the target errors exclude parameters that shift targets and tool alike
 tool-point-expected = Expected error, RMS (k = 1): parameters { $parameters } µm; parameters that the data cannot determine (tolerance) { $undetermined } µm; model error { $model } µm; position of the point on the tool { $point } µm. Largest expanded uncertainty of a pose (k = 2): { $largest } µm.
 tool-point-headline = tool point, RMS: nominal → expected
-torque-bending = bending under the torques of the joints
 traceability = traceability
 trend = trend
 trend-description = One mark per campaign with its 95 % interval; diamonds: significant change.
@@ -1296,7 +1286,7 @@ trend-of = Trend of
 trend-of-all-quantities = Unmodelled trend of all measured quantities together ({ $probability }).
 trends-note = F tests of the mean errors of the calibration poses after identification: parabola versus constant; p values corrected for multiple tests (Holm 1979). A trend is an error that the model does not describe.
 trends-of-the-residuals = Trends of the residuals
-trends-suggest-field = A trend is left: `field = true` in [identify] searches for a residual field.
+trends-suggest-field = The residuals still show a trend: `field = true` in [identify] searches for a residual field.
 true = true
 turn-down = Turn down
 turn-left = Turn left
@@ -1395,5 +1385,3 @@ worst-campaigns = The { $worst } worst campaigns are shown. Another { $left_out 
 written-by = written by
 x-y-z-rp = x, y, z (RP)
 yes = yes
-zeros = zeros
-zeros-of-the-joints = zeros of the joints

@@ -71,6 +71,7 @@ meaning-torque = Bending of the joint under its torque: angle under 100 N·m of 
 meaning-tower-turn-x = Rotation of the tower about the x axis of its leg; counterclockwise positive.
 meaning-tower-turn-y = Rotation of the tower about the y axis of its leg; counterclockwise positive.
 meaning-upper-arm-length = Length of the upper arm, from the motor axis to the rod.
+pedestal-or-first-joint = state `pedestal` or joint { $joint } in `lateral`, not both: base and first joint yield alike under the arm
 sketch-arm = Arm at joint values of zero: joint axes and link lengths.
 sketch-five-bar = Five-bar mechanism from above: links and angles (counterclockwise positive). The tool is drawn beside C.
 sketch-legs = Robot at mid-range of its joints, with the parameters of leg 1. The other legs have the same parameters.

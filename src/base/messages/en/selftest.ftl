@@ -17,19 +17,19 @@ selftest-folder-not-written = `{ $folder }` cannot be written: { $reason }
 selftest-hash-expected = a SHA-256: 64 hexadecimal digits
 
 ## Requirements
-selftest-fits = Geometric elements: position, direction, size, sum of squares and uncertainty are those of an independent program with 60 digits; minimum zones and enclosing circles are those of geometry
-selftest-solver = Solver: published problems of nonlinear least squares reach the published minima
-selftest-frames = Frames: orientations and transforms are those of geometry
-selftest-kinematics = Kinematics: each model agrees with an independent program with 60 digits, with its inverse, with numeric derivatives, and with the code that etalon exports
-selftest-identification = Identification: exact observations give the parameters back; a whole campaign gives the true values within their uncertainty
-selftest-reference = Reference campaigns: parameters, covariance and errors are those of an independent program with 110 digits
+selftest-fits = Geometric elements: fits agree with an independent program (60 digits), minimum zones and enclosing circles with exact values
+selftest-solver = Solver: published nonlinear least-squares problems reach their published minima
+selftest-frames = Frames: orientations and transforms agree with exact values
+selftest-kinematics = Kinematics: each model agrees with an independent program (60 digits), its inverse, numeric derivatives and the exported code
+selftest-identification = Identification: exact observations return the parameters; a whole campaign returns the true values within their uncertainty
+selftest-reference = Reference campaigns: parameters, covariance and errors agree with an independent program (110 digits)
 selftest-uncertainty = Uncertainties: published examples of the GUM (H.1 to H.3) and of JCGM 101 (9.2 to 9.5) are reproduced
-selftest-standards = ISO 9283 and ISO 230-2: the characteristics are those of independent programs
-selftest-coverage = Coverage: 95 % intervals hold the true value in 95 % of drawn campaigns
-selftest-formats = Exports of measuring systems: known texts have their coordinates, and every format is read as it was written
-selftest-exports = Controller files: what is written is read back
-selftest-threads = Same input, same bytes, on one and on many threads
-selftest-nist = Reference data of NIST: fitted elements are the published ones
+selftest-standards = ISO 9283 and ISO 230-2: characteristics agree with independent programs
+selftest-coverage = Coverage: 95 % intervals contain the true value in 95 % of simulated campaigns
+selftest-formats = Exports of measuring systems: known texts give their coordinates; every format reads back as written
+selftest-exports = Controller files: written values read back unchanged
+selftest-threads = Threads: the same input gives the same bytes on one and on many threads
+selftest-nist = Reference data of NIST: fitted elements agree with the published ones
 
 ## Tests
 selftest-not-made = { $name }: not possible: { $reason }

@@ -84,7 +84,7 @@ simulated-kind = { $kind ->
         [blank-columns] a table of observations with blanks between columns: its empty cells would be lost
         [computed-columns] a table of observations with computed, numbered or constant columns, filters, or a header of more or fewer rows than one
         [unmodelled] a table of observations with errors of {"["}unmodelled]
-        [circumstances] a log of a robot whose readings state a payload, torques or a temperature
+        [circumstances] a log of a robot with backlash whose readings state a payload, torques or a temperature
        *[backlash] a table of observations of a robot with backlash
     }
 

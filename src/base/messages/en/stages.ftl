@@ -94,7 +94,7 @@ rigid-never-together = { $targets } of [[rigid]] are never measured together
 # Matters: No row is refused by this distance, so errors of these targets are not detected.
 # Do: Measure the targets together at more poses, or remove one from [[rigid]].
 # Example: two poses
-rigid-few-distances = the distance `{ $first }`-`{ $second }` of [[rigid]] refuses no row: it was measured { $count ->
+rigid-few-distances = the distance `{ $first }`-`{ $second }` of [[rigid]] cannot reject a row: it was measured only { $count ->
         [one] once
        *[other] { $count } times
     }
@@ -535,9 +535,9 @@ log-row-met-twice = row { $row } of log `{ $log }` is the nearest row of { $coun
 # Do: State `clock_offset_s` as a number; rows without a partner are then listed.
 # Example: a point taken while the robot moved
 clock-offset-none = no offset of the clocks puts every measured point into a standstill of the log: { $count ->
-        [one] 1 time fits
-       *[other] { $count } times fit
-    }, up to { $last_s } s; the time { $first_s } s does not
+        [one] the first point (up to { $last_s } s) fits
+       *[other] the first { $count } points (up to { $last_s } s) fit with one offset
+    }, the point at { $first_s } s does not
     .hint = remove points measured in motion, or state `clock_offset_s` as a number; rows without a partner are then listed
 
 range-of-seconds = { FIXED($low_s, 3) } to { FIXED($high_s, 3) } s
@@ -1191,9 +1191,9 @@ orientation-slip = { $slip ->
        *[left-handed] a left-handed frame ({ $name } reversed)
     }
 
-slip-leaves = with { $slip } by { FIXED($left_deg, 2) } deg
+slip-leaves = { $slip } ({ FIXED($left_deg, 2) } deg)
 
-check-slips = the orientations differ { $slips }: check that first
+check-slips = possible causes, with the remaining difference: { $slips }; check that first
 
 # Means: Observed orientations differ from those of the robot by more than errors of the joints
 # explain.
@@ -1263,10 +1263,10 @@ pose-set-unknown = `{ $name }` is not a set of poses
 # Do: Move the joint between the calibration poses, or use the robot only at this value of the
 # joint.
 # Example: joint 6 at 0 in all poses
-joint-does-not-move = `{ $joint }` does not move, which leaves { $count ->
-        [one] 1 parameter to its tolerance
-       *[other] { $count } parameters to their tolerances
-    }: { $parameters }
+joint-does-not-move = `{ $joint }` does not move: { $count ->
+        [one] the data do not determine 1 parameter
+       *[other] the data do not determine { $count } parameters
+    }, known only within tolerance: { $parameters }
     .hint = move `{ $joint }` between the calibration poses, or use the robot only at this value; otherwise errors up to the tolerance of `{ $first }` remain
 
 # Means: The standard uncertainty of the direction of a feature is too large for a frame.
@@ -1723,7 +1723,7 @@ measurements-undescribed = on the { $set ->
        *[calibration] calibration
     } poses errors are { FIXED($after_mm, 3) } mm (root mean square), and positions spread over { FIXED($spread_mm, 1) } mm; { $count } of { $total } errors exceed { FIXED($limit_mm, 1) } mm: the model does not describe these measurements
 
-undescribed-targets = all readings of { $targets } have such errors, and no others: check labels, and whether the target moved
+undescribed-targets = every reading of { $targets } has a large error, and no other reading has: check labels, and whether the target moved
 
 undescribed-readings = { $readings }: { $remedy }
 
@@ -1854,7 +1854,7 @@ load-change-unit = the centre of mass is in { $unit }
 # belong to another motion.
 # Do: Check the sign of the directions, and that the times of the log belong to the same motion.
 # Example: direction -1 stated where the joint value increased
-backlash-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit }): the joint is ahead of its drive, which no backlash explains
+backlash-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit }): the joint would be ahead of its drive
     .hint = check the sign of the directions of approach (+1 if the joint value increased, -1 if it decreased), and that the times of the log belong to the same motion
 
 # Means: The stated torque of a joint has the same value in all calibration readings.
@@ -1871,7 +1871,7 @@ torque-constant = the torque of joint `{ $joint }` is { FIXED($value, 3) } N·m 
 # the load. Different signs show that torques have different signs, or belong to other joints.
 # Do: Check the sign and the order of the columns of torques.
 # Example: `tau3_nm` of the drive beside `tau2_nm` of the load
-torque-signs-differ = under their torques, { $positive } are positive and { $negative } negative: some joints yield with the stated torque, others against it
+torque-signs-differ = identified bending under torque is positive for { $positive } and negative for { $negative }: some joints yield with the stated torque, others against it
     .hint = check the sign and the order of the columns of torques
 
 # Means: With the torques of two joints exchanged, the residuals agree with the uncertainty of the
@@ -1879,7 +1879,7 @@ torque-signs-differ = under their torques, { $positive } are positive and { $neg
 # Matters: Torques of another joint do not describe the deflection.
 # Do: Check which joint each column belongs to.
 # Example: the columns `tau2_nm` and `tau3_nm` exchanged
-torques-exchanged = the readings are explained with `{ $first }` and `{ $second }` exchanged, and not as stated
+torques-exchanged = the model fits the readings with `{ $first }` and `{ $second }` exchanged, but not as stated
     .hint = check which joint each column of torques belongs to
 
 # Means: All calibration readings state the same temperature of the robot.
@@ -2380,7 +2380,7 @@ cell-tool-length-missing = `{ $maker }` needs the length of the tool at whose en
 # Matters: The pivot would be below the gauge line of the spindle.
 # Do: Check the length of the tool, and that the first target is below the pivot at B = 0.
 # Example: `--tool-length-mm 900` with a target 250 mm below the axis
-cell-pivot-above = the first target is { FIXED($along_mm, 3) } mm below the axis at zero, the tool is { FIXED($tool_mm, 3) } mm long
+cell-pivot-above = the tool ({ FIXED($tool_mm, 3) } mm) is longer than the distance from the axis to the first target below it ({ FIXED($along_mm, 3) } mm, axis at zero)
     .hint = check the length of the tool, and that z of the machine points up the spindle
 
 # Means: Number 1 is the robot itself, and external kinematics are numbers 2 to 7.
@@ -2528,6 +2528,24 @@ cell-change-exchanged = the points of lines { $first } and { $second } are excha
 # Example: `field = true` in a campaign in which the model fits
 field-refused = no residual field: { $reason }
 
+# Means: The tilt of the base and the tilt of the first joint across its axis explain the data alike.
+# Matters: Predicted positions are the same, but the parameters may belong to the other part.
+# Do: Take them as the tilt of base and first joint together. Indicators on the base tell which yields.
+# Example: `pedestal = true` for an arm whose first joint yields equally in all directions
+tilt-of-base-or-joint = { $stated ->
+        [pedestal] the tilt of the base (`pedestal`) may be that of joint `{ $joint }` across its axis (`lateral`)
+       *[lateral] the tilt of joint `{ $joint }` across its axis (`lateral`) may be that of the base (`pedestal`)
+    }: chi-square is { FIXED($chi_square, 1) } with the first and { FIXED($of_other, 1) } with the second
+    .hint = take the parameters as the tilt of base and first joint together
+
+# Means: A residual field depends on a joint whose values rise or fall with the order of the poses.
+# Matters: A set-up that drifts or moves during the measurement leaves the same residuals, and the
+# field would carry it into the robot.
+# Do: Measure the poses in another order, or judge the field at poses of another day.
+# Example: poses sorted by the first joint, while the tracker drifts
+field-follows-order = the residual field depends on `{ $joint }`, whose values follow the order of the poses (rank correlation { FIXED($correlation, 2) }): a drift of the set-up would look the same
+    .hint = judge the field by `etalon validate --field` at poses in another order
+
 # Means: Joint values of some poses are beyond the range in which the residual field was measured.
 # Matters: There the field fades out, and errors are those of the parameters alone.
 # Do: Measure these regions in the calibration, or judge them separately.
@@ -2535,4 +2553,4 @@ field-refused = no residual field: { $reason }
 poses-beyond-field = { $count } of { $total } poses are beyond the residual field, where it fades out
     .hint = measure calibration poses in this region
 
-field-parameters-wrong = the identification has an error, which a field would hide
+field-parameters-wrong = the identification reports an error, which a field would hide

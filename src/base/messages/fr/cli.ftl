@@ -65,7 +65,7 @@ working-mode-missing = le programme n’indique pas le mode de travail de dépar
 
 program-frames = le programme utilise { $names }
 
-one-program-each = donner les cibles de chacun dans un programme séparé
+one-program-each = diviser le programme : un programme pour chacun
 
 state-pose-option = indiquer sa pose : --{ $option } x,y,z,qw,qx,qy,qz
 
@@ -261,7 +261,7 @@ convert-gains-not-held = un fichier URDF ne contient pas le gain de { $joints }�
 convert-travel-unknown = la course de { $joints } n’est pas indiquée : le fichier URDF contient 1 m de chaque côté
     .hint = corriger `limit` dans le fichier, ou indiquer `travel_mm` dans robot.toml
 
-enclosing-robust = l’élément englobant `{ $element }` est déterminé par ses points extrêmes : aucun ne peut être écarté
+enclosing-robust = les points extrêmes déterminent l’élément englobant `{ $element }` : un ajustement robuste les écarterait
     .hint = ajuster circle2d ou sphere avec --robust
 
 qif-robust = les éléments d’un fichier QIF sont ajustés à tous leurs points
@@ -368,7 +368,7 @@ batch-counts = { $done } terminées, { $not_met } avec des limites non respecté
 run-skipped = omis : { $campaign } nécessite des données sous ${ $name }, qui n’est pas défini
 no-controller-files = aucun fichier de contrôleur n’est écrit : le résultat n’est pas plausible
 next-recommend = { $command } liste les paramètres qu’il est utile de charger ; les fichiers de contrôleur sont dans le dossier de sortie
-unmodelled-said = dans aucun paramètre : { $error }
+unmodelled-said = erreurs simulées qu’aucun paramètre ne décrit : { $error }
 unmodelled-backlash = jeu { $joints }
 unmodelled-interpolation = interpolation du codeur { $joints }
 unmodelled-every = { $joint } { $amplitude } tous les { $period }

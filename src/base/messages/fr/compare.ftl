@@ -54,5 +54,5 @@ parameters-not-in-all = toutes les campagnes n’ont pas identifié { $parameter
 nominal-values-differ = les valeurs nominales diffèrent entre les fichiers de robot : { $parameters }
     .hint = utiliser le même fichier de robot : les paramètres fixés à leur valeur nominale agissent sur les autres
 
-model-misfits = les résidus de { $campaigns } dépassent l’incertitude de l’instrument : les différences de paramètres et d’erreurs moyennes ne prouvent aucun changement et n’ont pas de valeur p ; les intervalles des paramètres contiennent la composante entre séries (rapport de Birge jusqu’à { $birge })
+model-misfits = les résidus de { $campaigns } dépassent l’incertitude de l’instrument : les changements de paramètres et d’erreurs moyennes ne sont pas testés (sans valeur p) ; les intervalles des paramètres contiennent la composante entre séries (rapport de Birge jusqu’à { $birge })
     .hint = identifier avec un modèle qui décrit le robot, et mesurer chaque fois les mêmes poses

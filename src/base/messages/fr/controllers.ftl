@@ -59,6 +59,19 @@ file-near-nominal = { $formats_count ->
     } `{ $formats }` : { $reason }
     .hint = comparer les erreurs dans controllers.json ; si des paramètres sont omis, utiliser un format qui les contient
 
+file-of-other-structure = format `{ $format }` : les axes de ce bras diffèrent de ceux des bras Universal Robots : { $difference }
+    .hint = vérifier convention, ordre et signes dans robot.toml ; pour un bras d’un autre fabricant, choisir un autre format : `etalon export --help` les énumère
+
+structure-angle = les axes { $first } et { $second } forment un angle de { FIXED($deg, 1) }° au lieu de { FIXED($expected, 0) }°
+
+structure-no-link = les axes { $first } et { $second } sont parallèles à { FIXED($mm, 1) } mm, sans corps entre eux
+
+structure-apart = les axes { $first } et { $second } passent à { FIXED($mm, 1) } mm l’un de l’autre au lieu de se couper
+
+structure-wrist-meets = les axes 4 et 6 coupent l’axe 5 à { FIXED($mm, 1) } mm l’un de l’autre au lieu d’une longueur de poignet
+
+structure-wrist-in-plane = le poignet est à { FIXED($mm, 1) } mm du plan de l’axe 1 au lieu d’un déport d’épaule
+
 covariance-missing = le format `{ $format }` ne contient pas { $parameters }, et parameters.json ne donne pas leur covariance
     .hint = exécuter la campagne avec `controllers = ["{ $format }"]` : elle identifie de nouveau sans ces paramètres
 
@@ -188,7 +201,7 @@ controller-template-failed = le gabarit ne peut pas être rempli : { $reason }
     .hint = corriger cette ligne
 
 measuring-language-unknown = le langage de { $file } est inconnu
-    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .jbi (INFORM) ou .ngc (G-code), ou `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) ou .ngc (G-code), ou `--language`
 
 measuring-joints-unsuited = un programme en { $language } déplace six axes rotoïdes{ $external ->
         [0] { "" }

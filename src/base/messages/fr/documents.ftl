@@ -60,7 +60,7 @@ corner-in-central-part = la partie centrale de la trajectoire contient un angle 
 zone-proved-locally = il est prouvé seulement que la zone minimale est la plus étroite parmi les éléments voisins ({ $element })
     .hint = comparer son écart de forme à celui de l’ajustement par moindres carrés
 
-zone-unproved = il n’est pas prouvé qu’aucun autre élément { $element } n’ait une zone plus étroite
+zone-unproved = une zone plus étroite de l’élément { $element } ne peut être exclue
     .hint = mesurer une plus grande partie de la surface : des points aussi dispersés caractérisent mal l’élément
 
 hold-another = pour fixer un autre paramètre du groupe, l’indiquer sous `hold` dans [identify] ; par défaut, c’est celui dont la tolérance déplace le moins les cibles
@@ -172,3 +172,17 @@ field-readings-suspect = à la pose réservée { $pose }, l’erreur avec le cha
 field-undetermined = les positions ne déterminent pas les paramètres dans chaque partie des poses
 field-not-shown = les résidus ne dépendent pas visiblement des articulations : la vraisemblance augmente de { FIXED($rise, 1) }, et { FIXED($threshold, 1) } est requis (−2 ln L)
 field-not-proven = aux poses réservées, l’erreur de position est de { FIXED($without_mm, 3) } mm sans le champ et de { FIXED($with_mm, 3) } mm avec lui (moyenne quadratique) ; le gain est de { FIXED($gain, 1) } fois son incertitude-type, et 2,3 sont requis
+
+zeros-of-the-joints = zéros des articulations
+geometry = géométrie
+gains = gains
+harmonics-of-the-transmissions = harmoniques des transmissions
+backlash = jeu
+coupling = couplage
+bending = flexion
+payload-bending = flexion sous la charge
+torque-bending = flexion sous les couples des articulations
+expansion-with-temperature = dilatation avec la température
+drift-with-temperature = dérive des zéros avec la température
+lateral-bending = basculement des articulations en travers de leurs axes
+pedestal-bending = basculement de la base sous le bras

@@ -456,7 +456,7 @@ file-is = `{ $file }` : { $kind }, { $rows ->
 files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne correspondante dans `{ $log }` (clé : { $by })
 
 files-not-joined = aucune clé ne relie tous les exports aux { $rows } lignes de `{ $log }`
-recording-not-joined = ni ses lignes ni ses arrêts d’au moins 1 s ({ $standstills }) ne correspondent un à un aux points : les instants ne relient pas `{ $log }`
+recording-not-joined = les instants ne relient pas `{ $log }` : les arrêts d’au moins 1 s sont moins nombreux que les points ({ $standstills }), et aucun décalage des horloges ne donne à chaque point sa propre ligne
 expand-xacro = développer le fichier, et indiquer l’URDF à sa place : { $command }
 
 attribute-malformed = un attribut illisible

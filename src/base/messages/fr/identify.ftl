@@ -268,19 +268,19 @@ slip-world-frame = le référentiel atelier tourné de { FIXED($angle_deg, 1) }�
 
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } au lieu de { FIXED($nominal, 2) } { $unit }
 
-with-slip = avec { $slip }{ $origin ->
+with-slip = { $slip }{ $origin ->
         [none] {""}
        *[other] {" "}({ $origin })
     }
 
-set-up-slip = { $first }{ $others ->
-        [none] {""}
-       *[other] {" "}(de même { $others })
-    }, l’identification donne un résidu de { FIXED($changed_mm, 3) } mm (moyenne quadratique){ $stated ->
-        [unreachable] {" "}; sans cela, des poses sont hors de portée
-        [tolerances] {" "}et garde les paramètres dans leurs tolérances
-       *[residuals] {" "}au lieu de { FIXED($stated_mm, 3) } mm
-    } : le vérifier d’abord
+set-up-slip = { $others ->
+        [none] une modification explique les mesures : { $first }
+       *[other] chacune de ces modifications explique les mesures : { $first } ; { $others }
+    }. { $stated ->
+        [unreachable] Sans modification, des poses sont hors de portée ; avec elle, les résidus sont de { FIXED($changed_mm, 3) } mm
+        [tolerances] Avec la modification, les résidus sont de { FIXED($changed_mm, 3) } mm, et les paramètres restent dans leurs tolérances
+       *[residuals] Les résidus passent de { FIXED($stated_mm, 3) } mm à { FIXED($changed_mm, 3) } mm
+    } (moyenne quadratique après identification) : le vérifier d’abord
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m paramètres, n configurations ; jacobienne en mm par mm, rad et 1
 index-o2 = O2 = smin / smax ; jacobienne en mm par mm, rad et 1

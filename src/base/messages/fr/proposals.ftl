@@ -36,7 +36,7 @@ because-line = la ligne { $line } { $is ->
        *[last] est la dernière avant les données
     }
 because-log = un journal : { $reason }
-because-numbers = chaque ligne a { $count } nombres, sans direction parmi eux
+because-numbers = chaque ligne a { $count } nombres, dont aucun triplet n’est un vecteur unitaire
 because-recording = c’est un enregistrement de ROS 2 : { $storage ->
         [db3] une base SQLite avec des topics
        *[mcap] il commence comme un fichier MCAP
@@ -55,7 +55,7 @@ doubt-columns-not-read = nombres non lus : colonne { $columns }{ $more ->
     }
 doubt-coordinates-left = les coordonnées de { $left } ne sont pas utilisées : d’autres ont un en-tête plus proche
 doubt-dates = les dates avec `/` n’indiquent pas si le jour ou le mois est en premier : elles ne sont pas lues
-doubt-decimal-mark = aucun nombre n’a de séparateur décimal : rien ne prouve que ce soit `{ $mark }`
+doubt-decimal-mark = aucun nombre n’a de séparateur décimal : `{ $mark }` est supposé
 doubt-direction-length = la direction n’a pas la norme 1 à toutes les lignes
 doubt-encoding = le fichier n’est pas en UTF-8 ; vérifier que ses lettres sont lisibles en { $encoding }
 doubt-first-increases = la colonne 1 augmente à chaque ligne : un instant, ou une coordonnée
@@ -94,7 +94,7 @@ doubt-thousands-mark = chaque `{ $mark }` précède trois chiffres : ce peut ê
 doubt-time-decreases = { $column } porte le nom d’un temps, mais diminue
 doubt-topic-unreadable = impossible de lire le topic `{ $topic }` : { $reason }
 doubt-two-families = { $names } pourraient aussi être des articulations : `{ $kept }` est utilisé
-doubt-unnamed-joints = rien n’indique que { $names } soient des articulations, mais rien d’autre ne convient
+doubt-unnamed-joints = { $names } sont pris pour des articulations : aucune autre grandeur ne convient, mais le fichier ne les nomme pas
 doubt-words-of-header = la ligne { $line } a { $words } mots pour { $columns } colonnes : leur ordre est inconnu
 is-aqdef = un fichier au format de transfert ASCII de Q-DAS, d’après son premier champ
 is-attained-poses = des poses atteintes d’un essai selon l’ISO 9283
@@ -159,7 +159,7 @@ says-joints-and-length = des articulations et une longueur par ligne
 says-joints-beside = l’en-tête mentionne des articulations à côté des points
 says-orientations = l’en-tête mentionne des orientations
 why-ambiguous-dates = des dates dont le jour et le mois pourraient être intervertis
-why-as-many-as-joints = chaque ligne a autant de nombres qu’un bras a d’articulations, sans direction parmi eux
+why-as-many-as-joints = chaque ligne a autant de nombres qu’un bras a d’articulations, et aucun triplet n’est un vecteur unitaire
 why-axes-differ = les en-têtes de trois colonnes ne diffèrent que par x, y et z
 why-behind-lengths = après trois longueurs plus grandes que tout angle
 why-commanded-heading = son en-tête indique une valeur commandée

@@ -81,7 +81,6 @@ axis-point = point { $axis }
 axis-x = x
 axis-y = y
 axis-z = z
-backlash = jeu
 ball = bille
 bar-too-uncertain = l’incertitude de la barre est trop grande (4:1 exigé)
 base-and-targets = base et cibles
@@ -93,7 +92,6 @@ batch-ends = { $pass } conformes, { $conditional } sous réserve, { $undecided }
 before = avant
 before-after-description = Erreurs avec les paramètres nominaux et après étalonnage, sur un même axe.
 before-named = { $name }, avant
-bending = flexion
 best-possible-choice = le meilleur choix possible
 between-poses = entre les poses
 birge-ratio = Rapport de Birge
@@ -322,7 +320,6 @@ count-of-set = { $count ->
         [one] { $count } point
        *[other] { $count } points
     } ({ $set })
-coupling = couplage
 coverage-factor = facteur d’élargissement
 curve = courbe
 curve-caption = À chaque pas, la meilleure position est ajoutée avec toutes ses configurations.
@@ -414,7 +411,6 @@ draws-without-model-both = Les tirages ne couvrent que les incertitudes indiqué
 draws-without-model-report = Les tirages ne couvrent que les incertitudes indiquées. Les incertitudes-types du rapport couvrent aussi l’erreur du modèle.
 drift = Dérive
 drift-title = Dérive de l’exactitude et de la répétabilité de pose
-drift-with-temperature = dérive des zéros avec la température
 effect = effet
 effect-at-worst-pose = déplacement à la pose la plus sensible ({ $unit })
 effect-tooltip = { $name } : { $value } ± { $half } { $unit } à la pose { $pose }
@@ -487,7 +483,6 @@ example-label = exemple :
 exchangeability = Interchangeabilité
 exchangeability-between-robots = Interchangeabilité E = { $distance } µm : plus grande distance entre les positions moyennes de deux robots à une même pose (ISO 9283:1998, 7.7).
 expanded-of = U ({ $figure })
-expansion-with-temperature = dilatation avec la température
 expected = attendu
 expected-from-the-points = attendu d’après les points
 expected-label = attendu :
@@ -500,14 +495,16 @@ explanations-of-messages = Explications de ces messages
 export = export
 fail = non conforme
 features = Éléments géométriques
+field-components = Composantes du champ et leur incertitude
 field-deviation = écart-type
-field-gain = Aux poses réservées, avec paramètres et champ des autres poses, l’erreur de position (moyenne quadratique) passe de { $without } à { $with } µm : le champ représente { $share } % de l’erreur quadratique moyenne. Le gain est de { $gain } fois son incertitude-type. { $coverage } % des coordonnées sont à moins de 1,96 incertitude-type prévue ; celle du champ est multipliée par { $factor } pour concorder avec ces erreurs.
+field-gain = Aux poses réservées, avec paramètres et champ des autres poses, l’erreur de position (moyenne quadratique) passe de { $without } à { $with } µm. Le champ décrit { $share } % de l’erreur quadratique moyenne ; le gain est de { $gain } fois son incertitude-type.
 field-held-out-caption = Chaque pose est prévue par les paramètres et le champ des autres poses (cinq parties).
 field-held-out-description = Erreurs de position des poses réservées, sans et avec le champ résiduel.
 field-held-out-title = Erreur de position des poses réservées, sans et avec le champ
 field-inputs = dépend de, avec la plage mesurée
 field-note = Le champ décrit les erreurs des articulations que les paramètres laissent. Au-delà des plages mesurées il s’éteint, et les erreurs sont celles des seuls paramètres.
 field-refused-because = Aucun champ résiduel n’est utilisé : { $reason }.
+field-uncertainty = { $coverage } % des coordonnées des poses réservées sont à moins de 1,96 incertitude-type prévue. L’incertitude-type du champ est multipliée par { $factor } pour concorder avec ces erreurs.
 figure = résultat
 figure-of-set = { $quantity }, { $figure } ({ $set })
 figures-of-measurement-point = Toutes les valeurs se rapportent au point de mesure : { $point }.
@@ -544,20 +541,16 @@ from-residuals-by-pose = d’après les résidus, regroupés par pose
 from-residuals-by-region = d’après les résidus, regroupés par région de l’espace de travail
 from-the-instrument = d’après l’instrument
 gain-over-u = gain / u
-gains = gains
 generated-candidates = candidates tirées
 geometric = géométrique
 geometric-definition = thèse, chapitre 2 : chaque grandeur est ajustée à des points mesurés à cet effet, sans optimisation du modèle du robot ; gamma, beta et epsilon_theta sont mis à zéro ; d3 est corrigé des pas des actionneurs 2 et 3. Incertitudes : d’après les points, propagées à travers tous les ajustements et référentiels ; d’après les résidus là où leur dispersion dépasse l’incertitude indiquée de l’instrument. Erreurs : moyennes de la pose mesurée moins la pose prédite, nominale et géométrique, dans le référentiel de la base déterminé géométriquement
 geometric-u-note = u (k = 1) comprend l’incertitude du référentiel de la base. Elle est commune à toutes les répétitions ; leur écart-type ne la contient donc pas.
-geometry = géométrie
 geometry-alone = Géométrie seule
 geometry-alone-title = Mesures par la géométrie seule
 geometry-beside-identification = Géométrie seule, comparée à l’identification
 geometry-improvement = La plus grande erreur moyenne de position passe de { $nominal } mm à { $geometric } mm par la géométrie seule : un facteur { $improvement }.
 guarded-acceptance = acceptation avec bande de garde (ISO 14253-1)
 guarded-acceptance-explained = conforme si la valeur augmentée de son incertitude élargie U respecte la limite ; non conforme si la valeur diminuée de U la dépasse ; sinon indécidé
-harmonics = harmoniques
-harmonics-of-the-transmissions = harmoniques des transmissions
 head-along = suivant
 head-and = et
 head-between = entre
@@ -650,7 +643,6 @@ largest-mean-deviation-from-linear = plus grand écart moyen de linéarité
 largest-of-all-modes = la plus grande de tous les modes de travail
 largest-residual-of-a-coordinate = plus grand résidu d’une coordonnée
 last-cycle = dernier cycle
-lateral-bending = basculement des articulations en travers de leurs axes
 leads = Pas de vis
 left = restant
 left-out-rms = poses omises, RMS
@@ -693,13 +685,13 @@ line-number = ligne { $line }
 load = charge
 load-centre = centre de la charge, depuis l’interface mécanique
 load-proven = { $count ->
-    [one] charger { $load } paramètre sur { $count } : son écart à la valeur nominale est significatif
-   *[other] charger { $load } paramètres sur { $count } : leurs écarts aux valeurs nominales sont significatifs, séparément ou ensemble
+    [one] charger { $load } paramètre sur { $count } ; garder le reste aux valeurs nominales. Les paramètres à charger ont un écart significatif à la valeur nominale
+   *[other] charger { $load } paramètres sur { $count } ; garder les autres à leurs valeurs nominales. Les paramètres à charger ont un écart significatif à la valeur nominale, séparément ou ensemble
 }
 load-sentence = Charge : { $load } kg.
 load-stable = { $count ->
-    [one] charger { $load } paramètre sur { $count } (tous les paramètres stables) : les paramètres à écart significatif donnent à eux seuls de plus grandes erreurs
-   *[other] charger { $load } paramètres sur { $count } (tous les paramètres stables) : les paramètres à écart significatif donnent à eux seuls de plus grandes erreurs
+    [one] charger { $load } paramètre sur { $count }, s’il est stable : les écarts significatifs donnent à eux seuls de plus grandes erreurs
+   *[other] charger tous les paramètres stables, { $load } sur { $count } ; garder les autres à leurs valeurs nominales. Les erreurs sont plus grandes si l’on ne charge que les paramètres à écart significatif
 }
 log = journal
 logo-of-the-laboratory = Logo du laboratoire
@@ -898,8 +890,6 @@ path-passes-incomplete = { $length } mm, { $passes ->
 path-repeatability-rt = répétabilité de trajectoire RT
 path-repeatability-title = Répétabilité de trajectoire RT
 path-velocity = vitesse de trajectoire
-payload-bending = flexion sous la charge
-pedestal-bending = basculement de la base sous le bras
 percent-of-rated = { $percent } % de la vitesse assignée
 permissible = erreur maximale tolérée
 permissible-over-certificate = erreur maximale tolérée / incertitude du certificat
@@ -970,6 +960,7 @@ position-error-before = Erreur de position avant étalonnage, { $plane }
 position-error-by-pose = Erreur de position par pose, avant et après étalonnage
 position-error-in = erreur de position ({ $unit })
 position-max = position, max.
+position-residuals-before-rms = résidus de position avant identification, RMS
 position-residuals-explained = Résidus de position : RMS { $rms } { $unit } ; attendu d’après l’instrument et les référentiels : { $expected } { $unit }.
 position-residuals-rms = résidus de position, RMS
 position-rms = position, RMS
@@ -1359,7 +1350,6 @@ tolerance = tolérance
 tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d’après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l’erreur du modèle au-delà de l’incertitude de l’instrument et la position du point sur l’outil ; les erreurs des cibles excluent les paramètres qui déplacent cibles et outil de la même façon
 tool-point-expected = Erreur attendue, RMS (k = 1) : paramètres { $parameters } µm ; paramètres que les données ne peuvent pas déterminer (tolérance) { $undetermined } µm ; erreur du modèle { $model } µm ; position du point sur l’outil { $point } µm. Plus grande incertitude élargie d’une pose (k = 2) : { $largest } µm.
 tool-point-headline = point de l’outil, RMS : nominal → attendue
-torque-bending = flexion sous les couples des articulations
 traceability = traçabilité
 trend = tendance
 trend-description = Une marque par campagne avec son intervalle à 95 % ; losanges : changement significatif.
@@ -1473,5 +1463,3 @@ worst-campaigns = Les { $worst } campagnes les moins bonnes sont affichées. Les
 written-by = écrit par
 x-y-z-rp = x, y, z (RP)
 yes = oui
-zeros = zéros
-zeros-of-the-joints = zéros des articulations

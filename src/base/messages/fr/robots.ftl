@@ -71,6 +71,7 @@ meaning-torque = Flexion de l’articulation sous son couple : angle sous 100 
 meaning-tower-turn-x = Rotation de la colonne autour de l’axe x de sa jambe ; positive dans le sens trigonométrique.
 meaning-tower-turn-y = Rotation de la colonne autour de l’axe y de sa jambe ; positive dans le sens trigonométrique.
 meaning-upper-arm-length = Longueur du bras proximal, de l’axe moteur à la bielle.
+pedestal-or-first-joint = indiquer `pedestal` ou l’articulation { $joint } dans `lateral`, pas les deux : la base et la première articulation cèdent de la même façon sous le bras
 sketch-arm = Bras aux valeurs articulaires nulles : axes des articulations et longueurs des segments.
 sketch-five-bar = Mécanisme à cinq barres vu de dessus : segments et angles (positifs dans le sens trigonométrique). L’outil est dessiné à côté de C.
 sketch-legs = Robot à mi-course de ses articulations, avec les paramètres de la jambe 1. Les autres jambes ont les mêmes paramètres.

@@ -8,19 +8,19 @@ selftest-folder-not-written = impossible d’écrire dans `{ $folder }` : { $re
 
 selftest-hash-expected = un SHA-256 : 64 chiffres hexadécimaux
 
-selftest-fits = Éléments géométriques : position, direction, taille, somme des carrés et incertitude sont celles d’un programme indépendant à 60 chiffres ; zones minimales et cercles circonscrits sont ceux de la géométrie
-selftest-solver = Solveur : des problèmes publiés de moindres carrés non linéaires atteignent les minimums publiés
-selftest-frames = Référentiels : orientations et transformations sont celles de la géométrie
-selftest-kinematics = Cinématique : chaque modèle concorde avec un programme indépendant à 60 chiffres, avec son inverse, avec les dérivées numériques et avec le code exporté par etalon
-selftest-identification = Identification : des observations exactes redonnent les paramètres ; une campagne entière donne les valeurs vraies dans les limites de leur incertitude
-selftest-reference = Campagnes de référence : paramètres, covariance et erreurs sont ceux d’un programme indépendant à 110 chiffres
+selftest-fits = Éléments géométriques : les ajustements concordent avec un programme indépendant (60 chiffres), les zones minimales et cercles englobants avec des valeurs exactes
+selftest-solver = Solveur : des problèmes publiés de moindres carrés non linéaires atteignent leurs minima publiés
+selftest-frames = Référentiels : orientations et transformations concordent avec des valeurs exactes
+selftest-kinematics = Cinématique : chaque modèle concorde avec un programme indépendant (60 chiffres), son inverse, des dérivées numériques et le code exporté
+selftest-identification = Identification : des observations exactes redonnent les paramètres ; une campagne entière redonne les valeurs vraies dans leur incertitude
+selftest-reference = Campagnes de référence : paramètres, covariance et erreurs concordent avec un programme indépendant (110 chiffres)
 selftest-uncertainty = Incertitudes : les exemples publiés du GUM (H.1 à H.3) et de JCGM 101 (9.2 à 9.5) sont reproduits
-selftest-standards = ISO 9283 et ISO 230-2 : les caractéristiques sont celles de programmes indépendants
+selftest-standards = ISO 9283 et ISO 230-2 : les caractéristiques concordent avec des programmes indépendants
 selftest-coverage = Couverture : les intervalles à 95 % contiennent la valeur vraie dans 95 % des campagnes simulées
-selftest-formats = Exports des systèmes de mesure : des textes connus ont leurs coordonnées, et chaque format est relu tel qu’il a été écrit
-selftest-exports = Fichiers de commande : ce qui est écrit est relu
-selftest-threads = Mêmes données, mêmes octets, sur un ou plusieurs fils d’exécution
-selftest-nist = Données de référence du NIST : les éléments ajustés sont ceux publiés
+selftest-formats = Exports des systèmes de mesure : des textes connus donnent leurs coordonnées ; chaque format se relit comme il a été écrit
+selftest-exports = Fichiers de commande : les valeurs écrites se relisent sans changement
+selftest-threads = Fils d’exécution : la même entrée donne les mêmes octets sur un et sur plusieurs fils
+selftest-nist = Données de référence du NIST : les éléments ajustés concordent avec ceux publiés
 
 selftest-not-made = { $name } : impossible : { $reason }
 selftest-fit-point = { $name } : point

@@ -40,7 +40,7 @@ simulated-kind = { $kind ->
         [blank-columns] un tableau d’observations dont les colonnes sont séparées par des espaces : ses cellules vides disparaîtraient
         [computed-columns] un tableau d’observations à colonnes calculées, numérotées ou constantes, à filtres, ou dont l’en-tête n’est pas d’une ligne
         [unmodelled] un tableau d’observations avec des erreurs de {"["}unmodelled]
-        [circumstances] un journal d’un robot dont les lectures indiquent une charge, des couples ou une température
+        [circumstances] un journal d’un robot à jeu dont les lectures indiquent une charge, des couples ou une température
        *[backlash] un tableau d’observations d’un robot qui a du jeu
     }
 

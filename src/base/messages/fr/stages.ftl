@@ -42,7 +42,7 @@ rigid-never-together = { $targets } de [[rigid]] ne sont jamais mesurées ensemb
     .expected = des lignes de même pose et de même cycle, ou de même instant
     .hint = indiquer la pose dans `label` ou `columns` ; `pose = "row"` numérote les lignes de fichiers à une seule cible
 
-rigid-few-distances = la distance `{ $first }`-`{ $second }` de [[rigid]] ne fait rejeter aucune ligne : elle n’a été mesurée que { $count } fois
+rigid-few-distances = la distance `{ $first }`-`{ $second }` de [[rigid]] ne peut faire rejeter une ligne : elle n’a été mesurée que { $count } fois
     .expected = au moins { $least } fois
 
 exclusion-mixed = une exclusion désigne soit des poses, soit les lignes d’un fichier
@@ -261,9 +261,9 @@ log-row-met-twice = la ligne { $row } du journal `{ $log }` est la plus proche d
     .hint = réduire `tolerance_s`, ou vérifier `clock_offset_s`
 
 clock-offset-none = aucun décalage des horloges ne place tous les points mesurés dans des arrêts du journal : { $count ->
-        [one] { $count } instant convient
-       *[other] { $count } instants conviennent
-    }, jusqu’à { $last_s } s ; l’instant { $first_s } s ne convient pas
+        [one] le premier point (jusqu’à { $last_s } s) convient
+       *[other] les { $count } premiers points (jusqu’à { $last_s } s) conviennent avec un même décalage
+    }, le point à { $first_s } s ne convient pas
     .hint = supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique : les lignes sans correspondance sont alors énumérées
 
 range-of-seconds = { FIXED($low_s, 3) } à { FIXED($high_s, 3) } s
@@ -579,9 +579,9 @@ orientation-slip = { $slip ->
        *[left-handed] un référentiel indirect ({ $name } inversé)
     }
 
-slip-leaves = de { FIXED($left_deg, 2) } deg avec { $slip }
+slip-leaves = { $slip } ({ FIXED($left_deg, 2) } deg)
 
-check-slips = elles ne diffèrent plus que { $slips } : vérifier cela d’abord
+check-slips = causes possibles, avec la différence restante : { $slips } ; le vérifier d’abord
 
 orientations-off = les orientations observées diffèrent de celles du robot { $robot ->
         [nominal] nominal
@@ -852,7 +852,7 @@ measurements-undescribed = aux poses { $set ->
        *[calibration] d’étalonnage
     }, le résidu du modèle est de { FIXED($after_mm, 3) } mm (moyenne quadratique) pour des positions étalées sur { FIXED($spread_mm, 1) } mm ; { $count } lectures sur { $total } s’écartent de plus de { FIXED($limit_mm, 1) } mm : le modèle ne décrit pas ces mesures
 
-undescribed-targets = toutes les lectures de { $targets } s’écartent, et aucune autre : vérifier les étiquettes de la cible, et si elle a été déplacée
+undescribed-targets = chaque lecture de { $targets } a une grande erreur, et aucune autre lecture : vérifier les étiquettes de la cible, et si elle a été déplacée
 
 undescribed-readings = { $readings } : { $remedy }
 
@@ -920,15 +920,15 @@ load-change-sign = `{ $column }` a l’autre signe
 
 load-change-unit = le centre de masse est en { $unit }
 
-backlash-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation devance son entraînement, ce qu’aucun jeu n’explique
+backlash-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation devancerait son entraînement
     .hint = vérifier le signe des sens d’approche (+1 par valeurs croissantes, -1 par valeurs décroissantes), et si les instants du journal sont ceux du même mouvement
 
 torque-constant = le couple de l’articulation `{ $joint }` vaut { FIXED($value, 3) } N·m dans toutes les lectures d’étalonnage (`{ $column }`) : il se confond avec le zéro de l’articulation, et la complaisance de cette articulation est fixée
 
-torque-signs-differ = sous leurs couples, { $positive } sont positifs et { $negative } négatifs : certaines articulations cèdent dans le sens du couple indiqué, d’autres en sens inverse
+torque-signs-differ = la flexion identifiée sous les couples est positive pour { $positive } et négative pour { $negative } : certaines articulations cèdent dans le sens du couple indiqué, d’autres en sens inverse
     .hint = vérifier le signe et l’ordre des colonnes de couples
 
-torques-exchanged = les lectures s’expliquent avec `{ $first }` et `{ $second }` échangés, et non comme indiqué
+torques-exchanged = le modèle décrit les lectures avec `{ $first }` et `{ $second }` échangés, mais non telles qu’indiquées
     .hint = vérifier à quelle articulation appartient chaque colonne de couples
 
 temperature-constant = la température vaut { FIXED($value, 1) } °C dans toutes les lectures d’étalonnage : dilatation et dérive sont indéterminables et fixées ; longueurs et zéros sont ceux de cette température
@@ -1184,7 +1184,7 @@ cell-axis-sense = { $sense ->
 cell-tool-length-missing = `{ $maker }` a besoin de la longueur de l’outil au bout duquel se trouve la première cible
     .hint = indiquer `--tool-length-mm`, 0 pour une cible au plan de jauge
 
-cell-pivot-above = à zéro, la première cible est { FIXED($along_mm, 3) } mm sous l’axe, l’outil est long de { FIXED($tool_mm, 3) } mm
+cell-pivot-above = l’outil ({ FIXED($tool_mm, 3) } mm) est plus long que la distance de l’axe à la première cible située dessous ({ FIXED($along_mm, 3) } mm, axe à zéro)
     .hint = vérifier la longueur de l’outil, et que z de la machine monte le long de la broche
 
 cell-machine-number = `MACHINE_DEF[{ $number }]` n’est pas une cinématique externe
@@ -1280,7 +1280,16 @@ cell-change-exchanged = les points des lignes { $first } et { $second } sont éc
 
 field-refused = pas de champ résiduel : { $reason }
 
+tilt-of-base-or-joint = { $stated ->
+        [pedestal] le basculement de la base (`pedestal`) peut être celui de l’articulation `{ $joint }` en travers de son axe (`lateral`)
+       *[lateral] le basculement de l’articulation `{ $joint }` en travers de son axe (`lateral`) peut être celui de la base (`pedestal`)
+    } : le khi carré est de { FIXED($chi_square, 1) } avec le premier et de { FIXED($of_other, 1) } avec le second
+    .hint = prendre les paramètres comme le basculement de la base et de la première articulation ensemble
+
+field-follows-order = le champ résiduel dépend de `{ $joint }`, dont les valeurs suivent l’ordre des poses (corrélation de rang { FIXED($correlation, 2) }) : une dérive du montage aurait le même effet
+    .hint = juger le champ par `etalon validate --field` à des poses dans un autre ordre
+
 poses-beyond-field = { $count } des { $total } poses sont au-delà du champ résiduel, où il s’éteint
     .hint = mesurer des poses d’étalonnage dans cette région
 
-field-parameters-wrong = l’identification a une erreur, qu’un champ cacherait
+field-parameters-wrong = l’identification signale une erreur, qu’un champ cacherait

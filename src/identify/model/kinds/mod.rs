@@ -273,6 +273,16 @@ pub(crate) fn tied_to_world(observations: &[Observation], settings: &Settings) -
         || settings.known.iter().any(|k| matches!(k, Known::Place { .. } | Known::On { .. }))
 }
 
+/// `true` if an observation or a known point contains a length.
+pub(crate) fn has_length(observations: &[Observation], settings: &Settings) -> bool {
+    // one place alone is an origin, not a length
+    let places = settings.known.iter().filter(|k| matches!(k, Known::Place { .. } | Known::On { .. })).count();
+    observations.iter().any(|o| o.targets.iter().any(Option::is_some))
+        || settings.conditions.iter().any(|c| c.kind.equation().has_length())
+        || places > 1
+        || settings.known.iter().any(|k| matches!(k, Known::Distance { .. } | Known::Length { .. }))
+}
+
 /// Returns a warning if no observation contains a length: a robot of twice the size would fit
 /// equally well.
 pub(crate) fn without_length(
@@ -281,13 +291,7 @@ pub(crate) fn without_length(
     settings: &Settings,
     status: &[Status],
 ) -> Option<Message> {
-    // one place alone is an origin, not a length
-    let places = settings.known.iter().filter(|k| matches!(k, Known::Place { .. } | Known::On { .. })).count();
-    let has_length = observations.iter().any(|o| o.targets.iter().any(Option::is_some))
-        || settings.conditions.iter().any(|c| c.kind.equation().has_length())
-        || places > 1
-        || settings.known.iter().any(|k| matches!(k, Known::Distance { .. } | Known::Length { .. }));
-    if has_length {
+    if has_length(observations, settings) {
         return None;
     }
     let held = robot.parameters().iter().zip(status).filter(|(p, s)| {
