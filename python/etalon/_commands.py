@@ -44,7 +44,8 @@ def command(*words: str | os.PathLike[str], **options: Any) -> Answer:
 
     Args:
         words: The command and its arguments.
-        options: Options by name: True is a flag, a list repeats the option, None is left out.
+        options: Options by name: True is a flag, a list repeats the option, None is left out; a dictionary states options of the form
+            ``NAME=VALUE``: ``column={"q1_deg": "J1"}``.
 
     Raises:
         Error: The command could not run (exit code 2); for ``check``, the document says why.

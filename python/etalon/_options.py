@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 
 def options_of(**stated: Any) -> list[str]:
-    """Return options: None is left out, True is a flag, a list repeats the option."""
+    """Return options: None is left out, True is a flag, a list repeats the option, a dictionary repeats it with ``NAME=VALUE``."""
     words: list[str] = []
     for name, value in stated.items():
         option = "--" + name.replace("_", "-")
@@ -14,6 +15,8 @@ def options_of(**stated: Any) -> list[str]:
             continue
         if value is True:
             words.append(option)
+        elif isinstance(value, Mapping):
+            words.extend(f"{option}={key}={item}" for key, item in value.items())
         else:
             for item in value if isinstance(value, (list, tuple)) else [value]:
                 words.append(f"{option}={item}")

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from . import _etalon
+
+#: Nominal positions (mm) of targets at the flange, by name.
+Targets = Mapping[str, Sequence[float]]
 
 
 class Parameter(NamedTuple):
@@ -26,12 +30,13 @@ class Robot:
 
     Args:
         source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``, ``.xacro``); otherwise a name of :func:`robots`, such as ``"ur5e"``.
+        targets: Nominal positions (mm) of targets at the flange, beside those of ``[nominal]``: ``{"SMR": (80, 0, 25)}``.
 
     Raises:
         Error: The file does not read, or there is no robot of this name.
     """
 
-    def __init__(self, source: str | os.PathLike[str]) -> None:
+    def __init__(self, source: str | os.PathLike[str], targets: Targets | None = None) -> None:
         path = os.fspath(source)
         if path in robots():
             self._native = _etalon.Robot.named(path)
@@ -41,6 +46,7 @@ class Robot:
             self._native = _etalon.Robot.read(path)
         else:
             self._native = _etalon.Robot.named(path)
+        self._native = _with_targets(self._native, targets)
 
     @classmethod
     def _of(cls, native: _etalon.Robot) -> Robot:
@@ -68,6 +74,10 @@ class Robot:
         stated = [f"{name}:={value}" for name, value in (arguments or {}).items()]
         return cls._of(_etalon.Robot.urdf(os.fspath(path), base_link, tool_link, stated))
 
+    def with_targets(self, targets: Targets) -> Robot:
+        """Return the robot with nominal positions (mm) of targets at the flange: ``{"SMR": (80, 0, 25)}``."""
+        return Robot._of(_with_targets(self._native, targets))
+
     @property
     def model(self) -> str:
         """Name of the model: ``serial``, ``urdf``, ``five_bar`` ..."""
@@ -80,7 +90,7 @@ class Robot:
 
     @property
     def parameters(self) -> list[Parameter]:
-        """Parameters with their nominal values; those of targets are of one target at the tool."""
+        """Parameters with their nominal values. Targets are those whose positions are stated; otherwise ``tool``, at the origin of the flange."""
         return [Parameter(*row) for row in self._native.parameters]
 
     @property
@@ -97,6 +107,12 @@ class Robot:
         return f"<h4>Robot: {self.model}</h4>" + _table([parameter._asdict() for parameter in self.parameters])
 
 
-def robot_of(robot: Robot | str | os.PathLike[str]) -> _etalon.Robot:
-    """Return the native robot of a Robot, a path or a name."""
-    return (robot if isinstance(robot, Robot) else Robot(robot))._native
+def robot_of(robot: Robot | str | os.PathLike[str], targets: Targets | None = None) -> _etalon.Robot:
+    """Return the native robot of a Robot, a path or a name, with nominal positions of targets."""
+    return _with_targets((robot if isinstance(robot, Robot) else Robot(robot))._native, targets)
+
+
+def _with_targets(robot: _etalon.Robot, targets: Targets | None) -> _etalon.Robot:
+    if not targets:
+        return robot
+    return robot.with_targets({str(name): [float(value) for value in position] for name, position in targets.items()})

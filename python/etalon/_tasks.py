@@ -10,7 +10,7 @@ from typing import Any
 from . import _etalon, documents
 from ._errors import Error, warn_if_implausible
 from ._options import joined, options_of
-from ._robot import Robot, robot_of
+from ._robot import Robot, Targets, robot_of
 from ._tables import named
 from .documents import load
 from .kinematics import json_of
@@ -33,6 +33,9 @@ def identify(
     target: str | None = None,
     pose: str | None = None,
     columns: dict[str, str] | None = None,
+    targets: Targets | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
 ) -> documents.ParametersDocument:
     """Identify the parameters of a robot from a table of observations.
 
@@ -54,6 +57,9 @@ def identify(
         target: Target of all rows, of a table without that column.
         pose: ``"row"``: rows are numbered as poses, of a table without that column.
         columns: Names of columns that are called otherwise in the table: ``{"q1_deg": "J1"}``.
+        targets: Nominal positions (mm) of targets at the flange, as of :class:`etalon.Robot`. Without, a target is at the flange's origin.
+        delimiter: Delimiter of the columns of a file: ``";"``, ``"tab"`` ...; a comma if None.
+        decimal: Decimal mark of a file: ``","``; a point if None.
 
     Returns:
         ``parameters.json`` as :class:`etalon.documents.ParametersDocument`: values and standard uncertainties (k = 1), mm and deg.
@@ -78,8 +84,9 @@ def identify(
         target=target,
         pose=pose,
         column=_headings(columns),
+        **_marks(observations, delimiter, decimal),
     )
-    found = load(_etalon.identify(robot_of(robot), named(observations, "observations"), options))
+    found = load(_etalon.identify(robot_of(robot, targets), named(observations, "observations"), options))
     return warn_if_implausible(found)  # type: ignore[no-any-return]
 
 
@@ -99,6 +106,9 @@ def plan(
     hold: Sequence[str] = (),
     effects: str | Sequence[str] = "usual",
     prior: str = "tolerances",
+    targets: Targets | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
 ) -> documents.PlanDocument:
     """Choose the poses to measure among candidates.
 
@@ -118,6 +128,9 @@ def plan(
         hold: As in :func:`identify`.
         effects: As in :func:`identify`.
         prior: As in :func:`identify`.
+        targets: As in :func:`identify`. A target at the flange's origin does not depend on the zero of the last joint: state where it is.
+        delimiter: As in :func:`identify`.
+        decimal: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.PlanDocument`, with a bound on the best plan.
@@ -138,8 +151,9 @@ def plan(
         hold=list(hold),
         effects=joined(effects),
         prior=prior,
+        **_marks(candidates, delimiter, decimal),
     )
-    return load(_etalon.plan(robot_of(robot), named(candidates, "candidates"), options))  # type: ignore[return-value]
+    return load(_etalon.plan(robot_of(robot, targets), named(candidates, "candidates"), options))  # type: ignore[return-value]
 
 
 def verify(
@@ -151,6 +165,9 @@ def verify(
     target: str | None = None,
     pose: str | None = None,
     columns: dict[str, str] | None = None,
+    targets: Targets | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
 ) -> documents.VerificationDocument:
     """Judge from some few measured poses whether identified parameters still hold.
 
@@ -162,6 +179,9 @@ def verify(
         target: As in :func:`identify`.
         pose: As in :func:`identify`.
         columns: As in :func:`identify`.
+        targets: As in :func:`identify`; the calibration states the positions of its own targets.
+        delimiter: As in :func:`identify`.
+        decimal: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.VerificationDocument`; ``.verdict`` is ``valid``, ``base_moved``, ``joint`` or ``other``.
@@ -169,9 +189,15 @@ def verify(
     Raises:
         Error: The table or the parameters do not belong to the robot.
     """
-    options = options_of(standard_uncertainty_um=standard_uncertainty_um, target=target, pose=pose, column=_headings(columns))
+    options = options_of(
+        standard_uncertainty_um=standard_uncertainty_um,
+        target=target,
+        pose=pose,
+        column=_headings(columns),
+        **_marks(observations, delimiter, decimal),
+    )
     table = named(observations, "observations")
-    return load(_etalon.verify(robot_of(robot), json_of(parameters), table, options))  # type: ignore[return-value]
+    return load(_etalon.verify(robot_of(robot, targets), json_of(parameters), table, options))  # type: ignore[return-value]
 
 
 def axes(
@@ -183,6 +209,8 @@ def axes(
     standard_uncertainty_um: float | None = None,
     convention: str | None = None,
     columns: dict[str, str] | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
 ) -> documents.AxesDocument:
     """Find the axes of joints from sweeps of one joint at a time (circle-point analysis).
 
@@ -195,6 +223,8 @@ def axes(
         standard_uncertainty_um: Of one measured coordinate (k = 1), um; from the residuals of each sweep if None.
         convention: Convention of the robot file: ``"poe"``, ``"dh"`` or ``"mdh"``.
         columns: As in :func:`identify`.
+        delimiter: As in :func:`identify`.
+        decimal: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.AxesDocument`; ``Robot.from_toml(found.robot.robot_toml)`` is the robot without a nominal model.
@@ -209,6 +239,7 @@ def axes(
         standard_uncertainty_um=standard_uncertainty_um,
         convention=convention,
         column=_headings(columns),
+        **_marks(sweeps, delimiter, decimal),
     )
     return load(_etalon.axes(named(sweeps, "sweeps"), options))  # type: ignore[return-value]
 
@@ -223,6 +254,8 @@ def cell(
     standard_uncertainty_um: float | None = None,
     rotation_uncertainty_deg: float | None = None,
     columns: dict[str, str] | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
 ) -> documents.CellDocument:
     """Find tool, work object, hand and eye, or an external axis from controller poses and measurements.
 
@@ -236,6 +269,8 @@ def cell(
         standard_uncertainty_um: Of one coordinate, robot and measurement together (k = 1), um; from the residuals if None.
         rotation_uncertainty_deg: Of an orientation about any axis (k = 1), deg; from the residuals if None.
         columns: As in :func:`identify`.
+        delimiter: As in :func:`identify`.
+        decimal: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.CellDocument`: frames and points with standard uncertainties (k = 1), mm and deg.
@@ -251,6 +286,7 @@ def cell(
         standard_uncertainty_um=standard_uncertainty_um,
         rotation_uncertainty_deg=rotation_uncertainty_deg,
         column=_headings(columns),
+        **_marks(readings, delimiter, decimal),
     )
     return load(_etalon.cell(named(readings, "readings"), options))  # type: ignore[return-value]
 
@@ -371,6 +407,12 @@ def iso230(positions: Any) -> documents.AxisDocument:
 
 def _tables(**tables: Any) -> list[tuple[str, str] | None]:
     return [None if table is None else named(table, name) for name, table in tables.items()]
+
+
+def _marks(table: Any, delimiter: str | None, decimal: str | None) -> dict[str, str | None]:
+    if not isinstance(table, (str, os.PathLike)) and (delimiter, decimal) != (None, None):
+        raise Error("`delimiter` and `decimal` are marks of a file: this table is no path")
+    return {"delimiter": delimiter, "decimal": decimal}
 
 
 def _headings(columns: dict[str, str] | None) -> list[str]:

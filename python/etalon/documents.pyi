@@ -132,6 +132,8 @@ class AxesTarget(Record):
 
 class AxisEntry(Record):
     """Axis of one joint in the frame of the measurements, at the pose of its sweep."""
+    axial_by_noise: MotionByNoise | None
+    """Axial error motion (mm) that noise alone gives."""
     axial_error_motion_mm: float | None
     """Axial error motion (ISO 230-7), peak to valley; from three targets."""
     coordinate_standard_uncertainty_mm: float
@@ -164,6 +166,8 @@ class AxisEntry(Record):
     """Number of readings."""
     set_aside: list[int]
     """Lines of readings that are set aside."""
+    tilt_by_noise: MotionByNoise | None
+    """Tilt error motion (deg) that noise alone gives."""
     tilt_error_motion_deg: float | None
     """Tilt error motion (ISO 230-7), largest angle from the mean axis; from three targets."""
 
@@ -171,6 +175,8 @@ class AxisPath(Record):
     """Path of a target about or along an axis."""
     arc_deg: float | None
     """Arc that the readings cover; absent for a prismatic joint."""
+    by_noise: MotionByNoise | None
+    """Radial and face error motion (mm) that noise alone gives."""
     face_error_motion_mm: float
     """Face error motion (ISO 230-7) at this radius, peak to valley, including the noise of the measuring system. For
     a prismatic joint: straightness in the other transverse direction.
@@ -1201,7 +1207,7 @@ class Iso9283Approach(Record):
     mean_mm: list[float]
     """Barycentre."""
     name: str
-    """Value of the column `approach`, or the previous pose."""
+    """Value of the column `approach`, or the previous pose of the path."""
     rp_mm: float | None
     """RP within this approach; null with a single visit."""
 
@@ -1550,6 +1556,8 @@ class Iso9283Variation(Record):
     """Characteristics of each approach."""
     between: list[str]
     """Approaches with the largest distance."""
+    mean_mm: list[float] | None
+    """Barycentre of all visits of the pose; absent in documents of earlier programs."""
     pose: int | str
     """Name of the pose."""
     vap_angles_deg: list[float]
@@ -1573,7 +1581,9 @@ class Iso9283Velocity(Record):
 class Iso9283Visit(Record):
     """One visit of one pose."""
     approach: str | None
-    """Approach to the pose; null for the very first visit."""
+    """Approach to the pose; null if unknown: for the very first visit, or where the reading of the previous pose is
+    missing.
+    """
     attained_mm: list[float]
     """Attained position."""
     cycle: int
@@ -1791,6 +1801,13 @@ class MethodErrors(Record):
     """Largest position error."""
     position_rms_mm: float
     """Root mean square position error."""
+
+class MotionByNoise(Record):
+    """Error motion of a perfect axis, by the noise of the measuring system."""
+    expected: float
+    """Expected value."""
+    standard_uncertainty: float
+    """Standard uncertainty of the measured value by noise."""
 
 class MovedValue(Record):
     """A value that differs from its stored value."""
@@ -2128,6 +2145,19 @@ class ReferenceFile(Record):
     """Name of the file."""
     sha256: str
     """SHA-256 of the file in the program."""
+
+class ReferencePose(Record):
+    """Three points of the flange at joint values, in the frame of the base, by the nominal geometry."""
+    branch: str | None
+    """Link at the end of the branch, for a robot with several branches."""
+    joints: list[float]
+    """Joint values (mm or deg), in the order of the joints."""
+    nominal_mm: list[list[float]]
+    """Flange origin, and the points 100 mm along its x and y axes, at nominal parameters (mm)."""
+    varied_mm: list[list[float]]
+    """These points with each parameter of the robot 0.1 mm, 0.1 deg or 0.0001 above its nominal value (mm): effects
+    whose nominal values are zero show here.
+    """
 
 class Refused(Record):
     """A rejected row."""
@@ -2857,7 +2887,9 @@ class AxesDocument(Document):
     provenance: "Provenance"
     """Version and inputs."""
     robot: AxesRobot | None
-    """Robot that follows from the axes; absent if joints have no sweep."""
+    """Robot that follows from the axes; absent if joints have no sweep, or if a message of severity error says that
+    it must not be used.
+    """
     schema: str
     """Schema and version: `etalon/axes/1`."""
 
@@ -2933,7 +2965,7 @@ class CellDocument(Document):
     frames: list[CellFrameEntry]
     """Identified frames; the first one is the answer."""
     messages: list[Message]
-    """Warnings."""
+    """Warnings, and errors for which the answer must not be loaded."""
     noise: list[CellNoise]
     """Standard deviations of the residuals: positions, then orientations."""
     points: list[CellPointEntry]
@@ -3350,6 +3382,10 @@ class ParametersDocument(Document):
     """All parameters of the model."""
     provenance: "Provenance"
     """Origin of the numbers."""
+    reference_poses: list[ReferencePose]
+    """Positions of the flange by the nominal geometry, with which a robot file is compared that is given beside
+    these parameters; absent in documents of earlier versions.
+    """
     reliability: ReliabilitySummary | None
     """Reliability of readings, and influence of poses. Absent if readings have covariances of their own or common
     errors, if readings are poses instead of positions, or if there are many unknown points.
@@ -3368,6 +3404,8 @@ class ParametersDocument(Document):
     """Drawings of the model with its parameters; absent if the model provides none."""
     solver: "SolverSummary"
     """Solver and its termination."""
+    synthetic: str | None
+    """Explanation of synthetic data, as the campaign states it; absent for measured data."""
     valid_until: str | None
     """Last day on which the parameters are valid, as the campaign states it: year-month-day."""
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
+from ._errors import Error
 from ._robot import Robot, robot_of
 
 
@@ -64,6 +65,49 @@ def direct(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, paramete
     """
     found = _etalon.direct(robot_of(robot), _rows(joints), json_of(parameters))
     return Poses(found[:, :3], found[:, 3:])
+
+
+@dataclass(frozen=True)
+class Positions:
+    """Predicted positions of a target in the world.
+
+    Attributes:
+        xyz_mm: Positions ``(n, 3)``, mm; NaN where the robot cannot be there.
+        covariance_mm2: Covariances ``(n, 3, 3)`` by the identified parameters, mm2. Errors that the model leaves out are not in it.
+    """
+
+    xyz_mm: NDArray[np.float64]
+    covariance_mm2: NDArray[np.float64]
+
+    @property
+    def standard_uncertainty_mm(self) -> NDArray[np.float64]:
+        """Standard uncertainties ``(n, 3)`` of the coordinates (k = 1), mm."""
+        return np.sqrt(np.diagonal(self.covariance_mm2, axis1=1, axis2=2))
+
+    def __len__(self) -> int:
+        return len(self.xyz_mm)
+
+
+def predict(robot: Robot | str | os.PathLike[str], parameters: Any, joints: ArrayLike, target: str) -> Positions:
+    """Predict positions of a target by identified parameters, with their uncertainties.
+
+    Args:
+        robot: The robot, or what :class:`etalon.Robot` takes.
+        parameters: The document of :func:`etalon.identify`, or the path of a ``parameters.json``.
+        joints: ``(n, joints)``, mm and deg.
+        target: Name of an identified target.
+
+    Returns:
+        Positions in the world of the calibration: base and target are identified parameters.
+
+    Raises:
+        Error: The shape is another, or the parameters are those of another robot or other targets.
+    """
+    text = json_of(parameters)
+    if text is None:
+        raise Error("`parameters` is missing: a prediction needs identified parameters")
+    xyz_mm, covariance_mm2 = _etalon.predict(robot_of(robot), text, _rows(joints), target)
+    return Positions(xyz_mm, covariance_mm2.reshape(-1, 3, 3))
 
 
 @dataclass(frozen=True)

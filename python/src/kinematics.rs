@@ -3,11 +3,12 @@
 use crate::errors::refused;
 use crate::robot::{Robot, kinematics};
 use etalon::cli::in_memory::set_parameters;
+use etalon::run::documents::parse_parameters;
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::Message;
+use etalon_base::message::{Message, Problems};
 use etalon_base::phrase;
 use etalon_base::pose::Pose;
-use etalon_robots::Kinematics;
+use etalon_robots::{Kinematics, Robot as Model};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -37,6 +38,33 @@ pub fn direct<'py>(
     });
     poses.into_pyarray(py).reshape([rows.len(), POSE])
 }
+
+/// Positions (n, 3) in mm of a target at joint values (n, joints), and their covariances (n, 9) in
+/// mm².
+#[pyfunction]
+pub fn predict<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    parameters: &str,
+    joints: PyReadonlyArray2<'py, f64>,
+    target: &str,
+) -> PyResult<(Rows<'py>, Rows<'py>)> {
+    let model = robot.model()?;
+    let rows = inward(model.as_ref(), &joints)?;
+    let document = parse_parameters("parameters", parameters).map_err(refused)?;
+    let found = py.detach(|| {
+        let prediction = robot.prediction(&document, target)?;
+        Ok::<_, Problems>(rows.iter().map(|q| prediction.at(q)).collect::<Vec<_>>())
+    });
+    let found = found.map_err(refused)?;
+    let positions: Vec<f64> = found.iter().flat_map(|at| at.position_mm).collect();
+    let covariances: Vec<f64> = found.iter().flat_map(|at| at.covariance_mm2.into_iter().flatten()).collect();
+    let positions = positions.into_pyarray(py).reshape([rows.len(), 3])?;
+    Ok((positions, covariances.into_pyarray(py).reshape([rows.len(), 9])?))
+}
+
+/// Rows of numbers.
+type Rows<'py> = Bound<'py, PyArray2<f64>>;
 
 /// How solutions are looked for.
 #[derive(FromPyObject)]
@@ -124,12 +152,12 @@ fn solve(
 }
 
 /// Numbers of a row of joint values: the assembly mode is behind the joints.
-fn values_of(arm: &dyn Kinematics) -> usize {
+fn values_of(arm: &dyn Model) -> usize {
     arm.joints().len() + usize::from(arm.has_assembly_modes())
 }
 
 /// Rows of joint values in rad and mm.
-fn inward(arm: &dyn Kinematics, joints: &PyReadonlyArray2<f64>) -> PyResult<Vec<Vec<f64>>> {
+fn inward(arm: &dyn Model, joints: &PyReadonlyArray2<f64>) -> PyResult<Vec<Vec<f64>>> {
     let (shape, width) = (joints.shape(), values_of(arm));
     if shape[1] != width {
         let message = Message::error(format!("joint values have the shape ({}, {})", shape[0], shape[1]));

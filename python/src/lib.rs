@@ -24,7 +24,7 @@ mod _etalon {
     #[pymodule_export]
     use super::fit::{Fitted, enclosing, fit, rigid};
     #[pymodule_export]
-    use super::kinematics::{direct, inverse};
+    use super::kinematics::{direct, inverse, predict};
     #[pymodule_export]
     use super::main;
     #[pymodule_export]

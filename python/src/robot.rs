@@ -1,12 +1,14 @@
 //! Robots: from robot.toml, a URDF, or the table of known ones.
 
 use crate::errors::{failed, refused};
-use etalon::cli::in_memory::{Given, Table, known_names, known_text, urdf_text};
+use etalon::cli::in_memory::{Given, Prediction, Table, known_names, known_text, urdf_text};
 use etalon_base::files;
-use etalon_base::message::Problems;
+use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, parse_robot, read_urdf};
+use etalon_documents::ParametersDocument;
 use etalon_robots::{Kinematics, Robot as Model};
 use pyo3::prelude::*;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A robot file that is read and checked.
@@ -26,9 +28,15 @@ impl Robot {
         Ok(robot)
     }
 
-    /// The model with one target, which has no place on the tool.
+    /// The model with the targets whose positions are stated; otherwise with one at the flange's
+    /// origin.
     pub fn model(&self) -> PyResult<Box<dyn Model>> {
-        self.file.build(&["tool".to_owned()]).map_err(refused)
+        self.file.build(&self.file.targets_or("tool")).map_err(refused)
+    }
+
+    /// The robot with a target and identified parameters.
+    pub fn prediction(&self, document: &ParametersDocument, target: &str) -> Result<Prediction, Problems> {
+        Prediction::new(&self.file, document, target)
     }
 
     /// The robot and a table that a command is given.
@@ -78,6 +86,16 @@ impl Robot {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let stated = if arguments.is_empty() { String::new() } else { format!("arguments = {arguments:?}\n") };
         Self::of(&path.with_file_name("robot.toml"), urdf_text(&name, &chain) + &stated)
+    }
+
+    /// The robot with the nominal positions (mm) of targets.
+    fn with_targets(&self, positions: BTreeMap<String, Vec<f64>>) -> PyResult<Self> {
+        let text = self.file.text_with_targets(&positions);
+        let text = text.ok_or_else(|| {
+            let message = Message::error("a target has another number of coordinates than the points of this robot");
+            refused(message.hint("give x, y and z (mm) of each target at the flange; of planar robots x and y").into())
+        })?;
+        Self::of(Path::new(&self.name), text)
     }
 
     /// Name of the model: serial, urdf, five_bar ...

@@ -247,3 +247,57 @@ def test_positioning_is_that_of_the_formulas():
     axis = etalon.iso230(table).axis
     assert axis.reversal_mm == pytest.approx(0.004, abs=1e-12)
     assert axis.repeatability.forward_mm == pytest.approx(4 * up.std(ddof=1), abs=1e-12)
+
+
+def test_positions_of_targets_are_stated_in_the_file_or_as_an_argument(arm):
+    robot, table, _ = arm
+    text = robot.toml + "[nominal]\nSMR_x = 30\nSMR_y = 10\nSMR_z = 60\n"
+    stated = etalon.Robot.from_toml(text)
+    names = {p.name: p.nominal for p in stated.parameters}
+    assert (names["SMR_x"], names["SMR_y"], names["SMR_z"]) == (30, 10, 60) and "tool_x" not in names
+    place = {"SMR": (30, 10, 60)}
+    assert stated.parameters == robot.with_targets(place).parameters
+    with pytest.raises(etalon.Error, match="coordinates"):
+        robot.with_targets({"SMR": (30, 10)})
+    # the zero of the last joint moves a target beside its axis alone
+    plans = [etalon.plan(of, table, 30, starts=1, targets=at) for of, at in ((robot, None), (robot, place), (stated, None))]
+    free = [{p.name: p.identifiable for p in plan.parameters} for plan in plans]
+    assert free[1] == free[2] and sum(free[1].values()) > sum(free[0].values())
+    assert plans[1].value == pytest.approx(plans[2].value, rel=1e-9)
+    found = etalon.identify(robot, table, standard_uncertainty_um=10, targets=place)
+    assert etalon.verify(robot, found, table, targets=place).verdict == "valid"
+
+
+def test_a_file_with_other_marks_is_read_as_stated(arm, tmp_path):
+    robot, table, _ = arm
+    rows = zip(*(list(column) for column in table.values()))
+    lines = [list(table)] + [[str(value).replace(".", ",") for value in row] for row in rows]
+    path = tmp_path / "german.csv"
+    path.write_text("\n".join(";".join(line) for line in lines) + "\n")
+    marks = {"delimiter": ";", "decimal": ","}
+    values = [[p.value for p in found.parameters] for found in (etalon.identify(robot, table), etalon.identify(robot, path, **marks))]
+    assert values[0] == values[1]
+    assert etalon.plan(robot, path, 30, starts=1, delimiter=";", decimal=",").chosen
+    with pytest.raises(etalon.Error, match="delimiter"):
+        etalon.identify(robot, path)
+    with pytest.raises(etalon.Error, match="marks of a file"):
+        etalon.identify(robot, table, delimiter=";")
+
+
+def test_options_of_a_command_take_dictionaries():
+    assert etalon._options.options_of(column={"q1_deg": "J1", "x_mm": "X"}) == ["--column=q1_deg=J1", "--column=x_mm=X"]
+
+
+def test_a_predicted_position_has_an_uncertainty(arm):
+    robot, table, _ = arm
+    found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    joints = np.column_stack([table[f"q{i}_deg"] for i in range(1, 7)])
+    predicted = etalon.kinematics.predict(robot, found, joints, "SMR")
+    measured = np.column_stack([table[name] for name in ("x_mm", "y_mm", "z_mm")])
+    free = [p for p in found.parameters if p.status == "identified" and p.name not in (found.get("covariance_without") or [])]
+    assert len(free) == len(found.covariance)
+    assert found.covariance[0][0] ** 0.5 == pytest.approx(free[0].standard_uncertainty, rel=1e-6)
+    assert np.sqrt(np.mean((predicted.xyz_mm - measured) ** 2)) < 0.012
+    assert (predicted.standard_uncertainty_mm < 0.012).all() and (predicted.standard_uncertainty_mm > 0.0005).all()
+    with pytest.raises(etalon.Error):
+        etalon.kinematics.predict(robot, found, joints, "other")

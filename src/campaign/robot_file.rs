@@ -5,7 +5,7 @@ use super::urdf::{self, Urdf};
 use super::{paths, robot_faults, robot_keys};
 use etalon_base::error;
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_formats::xacro::Expanded;
 use etalon_robots::{
     At, Definition, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value, Values,
@@ -334,11 +334,60 @@ impl RobotFile {
         branches.iter().map(targets).collect()
     }
 
-    /// Targets on the branches of the robot, or `name` without branches: for commands that need any
-    /// target.
+    /// Targets on the branches of the robot; otherwise those whose positions the file states, or
+    /// `name`: for commands that need any target.
     pub fn targets_or(&self, name: &str) -> Vec<String> {
-        let targets = self.branches().concat();
+        let mut targets = self.branches().concat();
+        if targets.is_empty() {
+            targets = self.placed_targets();
+        }
         if targets.is_empty() { vec![name.to_owned()] } else { targets }
+    }
+
+    /// Targets whose positions `[nominal]` or `[tolerance]` states, such as that of `SMR_x`. A name
+    /// like that of a parameter is misspelt, and belongs to no target.
+    fn placed_targets(&self) -> Vec<String> {
+        let Some((robot, suffixes)) = self.target_suffixes() else { return Vec::new() };
+        let others: Vec<&str> = robot.parameters().iter().map(|p| p.name.as_str()).collect();
+        let stem = |name: &str, suffix: &String| name.strip_suffix(suffix.as_str()).map(str::to_owned);
+        let mut targets: Vec<String> = Vec::new();
+        for name in self.nominal.keys().chain(self.tolerance.keys()).filter(|name| !others.contains(&name.as_str())) {
+            let Some((target, suffix)) = suffixes.iter().find_map(|s| Some((stem(name, s)?, s))) else { continue };
+            let alike: Vec<String> = others.iter().filter_map(|other| stem(other, suffix)).collect();
+            let is_misspelt = nearest(&target, alike.iter().map(String::as_str)).is_some();
+            if !target.is_empty() && !is_misspelt && !targets.contains(&target) {
+                targets.push(target);
+            }
+        }
+        targets
+    }
+
+    /// The robot of the description with one target, and the ends of the names of the target's
+    /// parameters after its name.
+    fn target_suffixes(&self) -> Option<(Box<dyn Robot>, Vec<String>)> {
+        const TARGET: &str = "etalon";
+        let (model, values) = self.description.as_ref()?;
+        let robot = self.built(model, values.clone(), &[TARGET.to_owned()]).ok()?;
+        let of_target = robot.parameters().iter().filter(|p| p.role == Role::Target);
+        let suffixes = of_target.filter_map(|p| p.name.strip_prefix(TARGET).map(str::to_owned)).collect();
+        Some((robot, suffixes))
+    }
+
+    /// Returns the text of this file with the positions (mm) of targets among the nominal values;
+    /// `None` if a position has another number of coordinates than the robot's targets.
+    pub fn text_with_targets(&self, positions: &BTreeMap<String, Vec<f64>>) -> Option<String> {
+        let (_, suffixes) = self.target_suffixes()?;
+        let mut file: toml::Table = self.source.1.parse().ok()?;
+        let nominal = file.entry("nominal").or_insert_with(|| toml::Value::Table(toml::Table::new()));
+        let nominal = nominal.as_table_mut()?;
+        for (target, position) in positions {
+            if position.len() != suffixes.len() || suffixes.is_empty() {
+                return None;
+            }
+            let named = suffixes.iter().zip(position);
+            nominal.extend(named.map(|(suffix, value)| (format!("{target}{suffix}"), toml::Value::Float(*value))));
+        }
+        toml::to_string(&file).ok()
     }
 
     /// Builds the robot; `targets` applies if the model has no targets of its own.
@@ -530,6 +579,34 @@ mod tests {
         let robot = robot.unwrap().build(&["ball".to_owned()]).unwrap();
         let nominal = |name: &str| robot.parameters()[robot.index(name).unwrap()].nominal;
         assert_eq!([nominal("a_2"), nominal("theta_2"), nominal("d_1")], [270.0, 0.5, 300.0]);
+    }
+
+    #[test]
+    fn targets_are_those_whose_positions_the_file_states() {
+        let read = |more: &str| {
+            let text = format!("model = \"serial\"\n{DH}{more}");
+            RobotFile::recover(Path::new("robot.toml"), &text).0.unwrap()
+        };
+        assert_eq!(read("").targets_or("tool"), ["tool"]);
+        let stated = read("[nominal]\nSMR_x = 80\nball_z = 2\nbase_x = 1\n[tolerance]\nSMR_y = 1\n");
+        assert_eq!(stated.targets_or("tool"), ["SMR", "ball"]);
+        let robot = stated.build(&stated.targets_or("tool")).unwrap();
+        assert_eq!(robot.parameters()[robot.index("SMR_x").unwrap()].nominal, 80.0);
+        // a misspelt parameter is no target
+        for slip in ["bas_x = 80", "thta_1 = 2", "_x = 1"] {
+            let file = read(&format!("[nominal]\n{slip}\n"));
+            assert_eq!(file.targets_or("tool"), ["tool"], "{slip}");
+            let problems = file.build(&file.targets_or("tool")).err().unwrap();
+            assert!(problems.0[0].is("nominal-unknown", &[]), "{slip}");
+        }
+        // positions beside those of the file
+        let positions = BTreeMap::from([("SMR".to_owned(), vec![1.5, -2.0, 1e-3])]);
+        let text = stated.text_with_targets(&positions).unwrap();
+        let other = RobotFile::recover(Path::new("robot.toml"), &text).0.unwrap();
+        let robot = other.build(&other.targets_or("tool")).unwrap();
+        let nominal = |name: &str| robot.parameters()[robot.index(name).unwrap()].nominal;
+        assert_eq!(["SMR_x", "SMR_y", "SMR_z", "ball_z", "d_1"].map(nominal), [1.5, -2.0, 1e-3, 2.0, 300.0]);
+        assert!(stated.text_with_targets(&BTreeMap::from([("SMR".to_owned(), vec![1.5])])).is_none());
     }
 
     #[test]

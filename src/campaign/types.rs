@@ -562,7 +562,8 @@ pub struct Identify {
     /// does not use.
     #[schemars(with = "Option<StatedPoses>")]
     pub validation: Option<Spanned<StatedPoses>>,
-    /// Parameters held at their nominal values; `*` stands for any text.
+    /// Parameters held at their nominal values, base and targets of an arm without `[nominal]` at
+    /// zero; `*` stands for any text.
     #[serde(default)]
     #[schemars(with = "Vec<String>")]
     pub hold: Vec<Spanned<String>>,

@@ -6,9 +6,10 @@ use super::{Verdict, check_positive, print, print_text, remark};
 use crate::stages::sweeps::{self, SweepsStated, TableConvention};
 use crate::stages::table_file::TableFile;
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::Result;
+use etalon_base::message::{Result, Severity};
 use etalon_base::phrase;
-use etalon_documents::{AxesDocument, AxisEntry, to_json};
+use etalon_documents::{AxesDocument, AxisEntry, MotionByNoise, to_json};
+use etalon_formats::table::XYZ;
 use std::path::PathBuf;
 
 /// Find the axes of joints from sweeps of one joint at a time, and a robot without a nominal model
@@ -43,6 +44,9 @@ pub struct AxesCommand {
     /// Print robot.toml instead of the axes.
     #[arg(long, conflicts_with = "json")]
     toml: bool,
+    /// Write robot.toml of sweeps whose unit is named as wrong.
+    #[arg(long)]
+    force: bool,
     #[command(flatten)]
     format: TableFormat,
     /// Print the answer as JSON.
@@ -56,15 +60,17 @@ impl AxesCommand {
         if !self.json {
             remark(&document.messages);
         }
+        let met = document.messages.iter().all(|m| m.severity != Severity::Error);
         match (self.json, self.toml) {
             (true, _) => print(to_json(&document)?)?,
             (false, false) => print_text(&text(&document))?,
             (false, true) => match &document.robot {
                 Some(robot) => print_text(&robot.robot_toml)?,
-                None => return Ok(Verdict::NotRun),
+                None if met => return Ok(Verdict::NotRun),
+                None => {}
             },
         }
-        Ok(Verdict::Met)
+        Ok(Verdict::of(met))
     }
 
     /// The answer from a table in memory.
@@ -80,6 +86,8 @@ impl AxesCommand {
             backwards: self.backwards.clone(),
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             convention: self.convention,
+            source_of_x: self.format.source(XYZ[0])?,
+            force: self.force,
         };
         sweeps::axes(file, &stated)
     }
@@ -109,6 +117,14 @@ fn vector(v: &[f64; 3], decimals: usize, unit: &str) -> String {
     format!("{:.*} {:.*} {:.*}{unit}", decimals, v[0], decimals, v[1], decimals, v[2])
 }
 
+/// Expected error motion by noise and its standard uncertainty.
+fn by_noise(noise: Option<MotionByNoise>, factor: f64, decimals: usize) -> String {
+    noise.map_or_else(String::new, |noise| {
+        let [expected, u] = [noise.expected, noise.standard_uncertainty].map(|v| format!("{:.decimals$}", factor * v));
+        format!("{expected} ± {u}")
+    })
+}
+
 fn axis_lines(axis: &AxisEntry, lines: &mut Vec<Phrase>) {
     let kind = if axis.prismatic { "slides" } else { "turns" };
     let (joint, count, aside) = (&axis.joint, axis.readings, axis.set_aside.len());
@@ -129,14 +145,18 @@ fn axis_lines(axis: &AxisEntry, lines: &mut Vec<Phrase>) {
         });
         let motions = [path.radial_error_motion_mm, path.face_error_motion_mm];
         let [radial, face] = motions.map(|v| format!("{:.1}", 1000.0 * v));
+        let noise = by_noise(path.by_noise, 1000.0, 1);
+        let (radial_noise, face_noise) = (&noise, &noise);
         lines.push(match axis.prismatic {
-            true => phrase!("axes-straightness", radial, face),
-            false => phrase!("axes-error-motions", radial, face),
+            true => phrase!("axes-straightness", radial, face, radial_noise, face_noise),
+            false => phrase!("axes-error-motions", radial, face, radial_noise, face_noise),
         });
     }
     if let (Some(axial), Some(tilt)) = (axis.axial_error_motion_mm, axis.tilt_error_motion_deg) {
         let (axial, tilt) = (format!("{:.1}", 1000.0 * axial), format!("{tilt:.5}"));
-        lines.push(phrase!("axes-axial-and-tilt", axial, tilt));
+        let axial_noise = by_noise(axis.axial_by_noise, 1000.0, 1);
+        let tilt_noise = by_noise(axis.tilt_by_noise, 1.0, 5);
+        lines.push(phrase!("axes-axial-and-tilt", axial, tilt, axial_noise, tilt_noise));
     }
     if let (Some(ratio), Some(rms)) = (axis.ratio, axis.motion_rms) {
         let unit = if axis.prismatic { "mm" } else { "deg" };

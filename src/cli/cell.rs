@@ -77,6 +77,9 @@ pub struct CellCommand {
     /// gauge line.
     #[arg(long, value_name = "MM", requires = "controller")]
     tool_length_mm: Option<f64>,
+    /// Write the data of an answer that must not be loaded; their header says so.
+    #[arg(long, requires = "controller")]
+    force: bool,
     #[command(flatten)]
     reports: Reports,
     #[command(flatten)]
@@ -97,18 +100,23 @@ impl CellCommand {
         self.check_tool_length()?;
         self.reports.check([Some(&self.table), self.with.as_ref()].into_iter().flatten())?;
         let document = self.solved(&self.format.read_poses(&self.table)?)?;
-        let lines = self.lines(&document)?;
+        let second = self.with.as_deref().map(read_cell).transpose()?;
+        let of_second: Vec<Message> = second.iter().flat_map(CellDocument::errors).cloned().collect();
+        let fit = document.errors().next().is_none() && of_second.is_empty();
+        let lines = self.lines(&document, second)?.filter(|_| fit || self.force);
         if !self.json {
             remark(&document.messages);
+            remark(&of_second);
             remark(lines.as_ref().map_or(&[], |lines| &lines.messages));
         }
         self.report(&document, lines.as_ref())?;
-        match lines {
+        match (lines, self.controller.as_deref()) {
             _ if self.json => print(to_json(&document)?)?,
-            Some(lines) => print(lines.text)?,
-            None => print_text(&text(&document))?,
+            (Some(lines), _) => print(lines.text)?,
+            (None, Some(maker)) => remark(&[error!("cell-data-withheld", maker)]),
+            (None, None) => print_text(&text(&document))?,
         }
-        Ok(Verdict::Met)
+        Ok(Verdict::of(fit))
     }
 
     /// The answer from a table in memory.
@@ -126,6 +134,7 @@ impl CellCommand {
             mounting: self.mounting,
             position_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
+            columns: self.format.named()?,
         };
         cell::cell(file, &stated)
     }
@@ -138,14 +147,10 @@ impl CellCommand {
     }
 
     /// Data of the stated controller.
-    fn lines(&self, document: &CellDocument) -> Result<Option<CellText>> {
+    fn lines(&self, document: &CellDocument, second: Option<CellDocument>) -> Result<Option<CellText>> {
         let Some(format) = self.controller.as_deref().and_then(controllers::by_name) else { return Ok(None) };
-        let options = CellOptions {
-            name: self.name.clone(),
-            number: self.number,
-            second: self.with.as_deref().map(read_cell).transpose()?,
-            tool_length_mm: self.tool_length_mm,
-        };
+        let options =
+            CellOptions { name: self.name.clone(), number: self.number, second, tool_length_mm: self.tool_length_mm };
         controllers::write(format, document, &options).map(Some)
     }
 

@@ -213,19 +213,7 @@ impl Compensate {
         let text = String::from_utf8_lossy(&bytes);
         let found = language.targets(&bytes, freedoms);
         let program = found.map_err(|problems| problems.in_text(&self.targets.display().to_string(), &text))?;
-        for (option, stated, names) in
-            [("tool", self.tool.is_some(), &program.tools), ("object", self.object.is_some(), &program.objects)]
-        {
-            let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-            if all.len() > 1 || (all.len() == 1 && !stated) {
-                let hint = match all.len() {
-                    1 => phrase!("state-pose-option", option),
-                    _ => phrase!("one-program-each"),
-                };
-                let place = Place::file(self.targets.display().to_string());
-                return Err(error!("program-frames", names = all).at(place).hint(hint).into());
-            }
-        }
+        self.check_frames(&program)?;
         if self.frame == Frame::World {
             return Err(error!("program-in-world").into());
         }
@@ -237,6 +225,32 @@ impl Compensate {
         };
         let targets = program.targets.iter().map(target).collect();
         Ok(Source { targets, program: Some(ProgramSource { language: name, bytes, program }) })
+    }
+
+    /// Rejects a program whose tool or work object is unknown or changes, or whose tool is not that
+    /// of the option. Frames of a program may be relative to a world in which the base is not at
+    /// the origin.
+    fn check_frames(&self, program: &Program) -> Result<()> {
+        let place = Place::file(self.targets.display().to_string());
+        for (option, stated, names) in [("tool", self.tool, &program.tools), ("object", self.object, &program.objects)]
+        {
+            let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+            let known = names.first().filter(|_| names.len() == 1).and_then(|name| program.known.get(name));
+            let is_null = known.is_some_and(|pose| is_same(pose, &Pose::identity()));
+            if all.len() > 1 || (all.len() == 1 && stated.is_none() && !is_null) {
+                let hint = match all.len() {
+                    1 => phrase!("state-pose-option", option),
+                    _ => phrase!("one-program-each"),
+                };
+                return Err(error!("program-frames", names = all).at(place).hint(hint).into());
+            }
+            let other = known.zip(stated).filter(|(known, stated)| option == "tool" && !is_same(known, stated));
+            if let Some((known, _)) = other {
+                let (frame, pose) = (all.concat(), pose_text(known));
+                return Err(error!("program-frame-other", frame, option, pose).at(place).into());
+            }
+        }
+        Ok(())
     }
 
     /// Reads positions of a Galil program: joint values commanded to the nominal robot.
@@ -453,7 +467,7 @@ impl Compensator<'_> {
             if let Some(ProgramSource { bytes, program, .. }) = source.filter(|source| source.language == GALIL) {
                 let counts = answer.targets.iter().map(|t| self.galil.counts(&t.joints));
                 let counts: Vec<Vec<String>> = counts.map(|all| all.iter().map(f64::to_string).collect()).collect();
-                return Ok(commands::rewritten(bytes, &program.targets, &counts));
+                return Ok(stating(given, '\'', commands::rewritten(bytes, &program.targets, &counts)));
             }
             let joints = answer.targets.iter().map(|t| (t.target.clone(), t.joints.clone()));
             return self.galil.list(given, &joints.collect::<Vec<_>>()).map(String::into_bytes);
@@ -462,7 +476,8 @@ impl Compensator<'_> {
             Some(ProgramSource { bytes, program, .. }) => {
                 let written = |c: &Command| commands::written(language, &c.pose, self.freedoms, self.decimals);
                 let numbers: Vec<Vec<String>> = commands.iter().map(written).collect();
-                Ok(commands::rewritten(bytes, &program.targets, &numbers))
+                let new = commands::rewritten(bytes, &program.targets, &numbers);
+                Ok(stating(given, language.comment_mark(), new))
             }
             None => commands::list(language, given, commands, self.freedoms, self.decimals).map(String::into_bytes),
         }
@@ -479,6 +494,25 @@ fn freedoms(arm: &dyn Kinematics) -> Freedoms {
 
 fn unreachable(target: &UnreachableTarget) -> Message {
     warning!("target-unreachable", target = target.target, reason = target.reason_phrase)
+}
+
+/// Program that states in a comment, which begins with `mark`, if the parameters are synthetic.
+fn stating(given: &Given, mark: char, program: Vec<u8>) -> Vec<u8> {
+    match given.synthetic() {
+        Some(why) => commands::with_comment(&program, mark, &why),
+        None => program,
+    }
+}
+
+/// `true` if two poses are equal within the digits that people write.
+fn is_same(a: &Pose, b: &Pose) -> bool {
+    norm(minus(a.translation_mm, b.translation_mm)) < 1e-3 && a.inverse().then(b).angle_rad() < 1e-5
+}
+
+/// Text of a pose that [`pose_argument`] parses.
+fn pose_text(pose: &Pose) -> String {
+    let numbers = pose.translation_mm.into_iter().chain(pose.quaternion());
+    numbers.map(|v| format!("{}", (v * 1e9).round() / 1e9 + 0.0)).collect::<Vec<_>>().join(",")
 }
 
 /// Parses x,y,z or x,y,z,qw,qx,qy,qz.

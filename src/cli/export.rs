@@ -5,7 +5,7 @@ use crate::run::controller_formats::own_format;
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
-use crate::stages::given::{check_described, other_nominal};
+use crate::stages::given::{check_described, check_geometry, other_nominal, unknown_geometry};
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Severity, printable};
 use etalon_base::{error, phrase, warning};
@@ -182,6 +182,9 @@ impl Exported {
     pub fn read(parameters: &Path, robot: Option<&Path>, with_errors: bool) -> Result<Self, Problems> {
         let (document, run) = read_parameters_and_run(parameters)?;
         let file = robot.map(read_robot).transpose()?;
+        if let Some(robot) = robot {
+            remark(unknown_geometry(&document, &files::sha256(&files::read(robot)?)).as_slice());
+        }
         let mut exported = Self::new(document, file, None)?;
         if let Some(run) = run {
             exported.summary = run.optional("campaign.json")?;
@@ -218,6 +221,9 @@ impl Exported {
         if let Some(stale) = robot.as_deref().and_then(|robot| other_nominal(robot, &parameters)) {
             let hint = phrase!("robot-file-of-run");
             return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());
+        }
+        if let Some(robot) = &robot {
+            check_geometry(robot.as_ref(), &parameters)?;
         }
         Ok(Self { parameters, file, robot, summary, accuracy: None, errors: None, controllers: None })
     }

@@ -32,10 +32,12 @@ impl Formats {
         };
         let robot = robot.as_deref();
         let mut refusal = None;
+        let mut lines = String::new();
         match &self.files[..] {
             [file] => {
                 let document = propose_file_for(file, robot)?;
                 let text = document.toml.clone().into_bytes();
+                lines.clone_from(&document.toml);
                 print(if self.json { etalon_documents::to_json(&document)? } else { text })?;
             }
             files => {
@@ -43,8 +45,13 @@ impl Formats {
                 if let (Some(path), false) = (&self.robot, self.json) {
                     refusal = refusal_of_lines(path, files, &toml);
                 }
+                lines.clone_from(&toml);
                 print(if self.json { etalon_documents::to_json(&documents)? } else { toml.into_bytes() })?;
             }
+        }
+        if toml::from_str::<toml::Table>(&lines).is_ok_and(|stated| stated.is_empty()) {
+            // comments alone: there is nothing to paste
+            return Ok(Verdict::Met);
         }
         let next = phrase!("next-paste");
         match refusal {

@@ -20,6 +20,7 @@ use std::path::Path;
 pub use super::capture::{Answer, answer, has_json};
 pub use super::given::{Given, Table};
 pub use super::init::{known_names, known_text, urdf_text};
+pub use crate::stages::predicted::{PredictedPosition, Prediction};
 
 /// Stands for a file in options that a table in memory replaces.
 const PLACEHOLDER: &str = "table";

@@ -189,7 +189,7 @@ impl PlanCommand {
     /// The answer from candidates in memory. Nothing is written.
     pub(super) fn in_memory(&self, given: &Given) -> anyhow::Result<PlanDocument> {
         check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        let file = TableFile::parse(given.table.name, given.table.text)?;
+        let file = self.format.parse_poses(given.table.name, given.table.text)?;
         let (robot, candidates) = candidates_of(given.robot, &file)?;
         self.planned(robot.as_ref(), candidates, None, given.inputs())
     }

@@ -37,7 +37,8 @@ pub(super) struct TextForm {
     no_header: bool,
     /// Source of a column that has another name in the file; may be repeated.
     ///
-    /// A heading (q1_deg=J1), a number (q1_deg=3), or an expression ("x_mm=x_t - x_dif").
+    /// A heading (q1_deg=J1), a number (q1_deg=3), or an expression ("x_mm=x_t - x_dif"). Where
+    /// several tables have different headings, state each: the heading that a table has applies.
     #[arg(long = "column", value_name = "NAME=HEADING")]
     named: Vec<String>,
     /// Cells that mean "not measured", in place of the usual ones (an empty cell, nan, N/A ...).
@@ -72,6 +73,34 @@ impl TextForm {
     /// Sources of the columns by name.
     fn columns(&self) -> Result<BTreeMap<String, ColumnSource>, Problems> {
         self.named.iter().map(|text| named("column", text).map(|(name, source)| (name, source_of(source)))).collect()
+    }
+
+    /// Sources of the columns of one of several tables: of several headings for one column, the
+    /// heading that the table has.
+    fn columns_of(&self, path: &Path, layout: &TableLayout) -> Result<BTreeMap<String, ColumnSource>, Problems> {
+        let mut all: BTreeMap<String, Vec<ColumnSource>> = BTreeMap::new();
+        for text in &self.named {
+            let (name, source) = named("column", text)?;
+            all.entry(name).or_default().push(source_of(source));
+        }
+        let has = |name: &str, source: &ColumnSource| {
+            let columns = BTreeMap::from([(name.to_owned(), source.clone())]);
+            let read = self.table(path, TableLayout { columns, constants: BTreeMap::new(), ..layout.clone() });
+            read.is_ok_and(|read| read.table.column(name).is_ok())
+        };
+        let mut columns = BTreeMap::new();
+        for (name, sources) in all {
+            let own: Vec<&ColumnSource> = match &sources[..] {
+                [_] => sources.iter().collect(),
+                _ => sources.iter().filter(|source| has(&name, source)).collect(),
+            };
+            if let [ColumnSource::Heading(first), ColumnSource::Heading(second), ..] = own[..] {
+                let file = path.display().to_string();
+                return Err(error!("option-column-ambiguous", column = name, file, first, second).into());
+            }
+            columns.extend(own.first().copied().or(sources.last()).map(|source| (name, source.clone())));
+        }
+        Ok(columns)
     }
 
     fn missing(&self) -> Result<Missing, Problems> {
@@ -114,7 +143,14 @@ impl TextForm {
 
     /// Reads a table in the names of etalon, one of several for which the options are stated.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.table(path, TableLayout { lenient: true, ..self.layout()? })
+        self.one_of_several(path, self.layout()?)
+    }
+
+    /// Reads one of several tables for which the options are stated; columns that it lacks are left
+    /// out.
+    fn one_of_several(&self, path: &Path, layout: TableLayout) -> Result<TableFile, Problems> {
+        let layout = TableLayout { lenient: true, ..layout };
+        self.table(path, TableLayout { columns: self.columns_of(path, &layout)?, ..layout })
     }
 }
 
@@ -235,7 +271,22 @@ impl TableFormat {
 
     /// Reads one of several tables of poses; columns that it lacks are left out.
     pub fn read_poses(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.form.table(path, TableLayout { lenient: true, ..self.layout(false)? })
+        self.form.one_of_several(path, self.layout(false)?)
+    }
+
+    /// Names of the columns whose source is stated.
+    pub fn named(&self) -> Result<Vec<String>, Problems> {
+        Ok(self.form.columns()?.into_keys().collect())
+    }
+
+    /// Stated source of a column as an operand of an expression, if any.
+    pub fn source(&self, column: &str) -> Result<Option<String>, Problems> {
+        Ok(self.form.columns()?.remove(column).map(|source| match source {
+            ColumnSource::Number(number) => format!("${number}"),
+            // an expression, or a heading with a mark of one
+            ColumnSource::Heading(text) if text.contains(['+', '-', '*', '/']) => format!("({text})"),
+            ColumnSource::Heading(text) => text,
+        }))
     }
 
     /// The table in a text.

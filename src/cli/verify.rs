@@ -8,6 +8,7 @@ use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, progress, remark, validity};
 use crate::run::documents::read_parameters_and_run;
+use crate::stages::given::unknown_geometry;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds;
 use crate::stages::positions;
@@ -77,6 +78,7 @@ impl Verify {
         let (document, run) = read_parameters_and_run(&self.parameters)?;
         let campaign = run.and_then(|run| run.json::<CampaignSummary>("campaign.json").ok());
         remark(validity::expired(&document, campaign.as_ref()).as_slice());
+        remark(unknown_geometry(&document, &files::sha256(&files::read(&self.robot)?)).as_slice());
         let Some(observations) = &self.observations else { return self.plan(&robot_file, &document) };
         let observed = self.format.read(observations)?;
         let described = robot_file.description_paths();

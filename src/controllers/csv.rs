@@ -39,16 +39,17 @@ impl Exporter for Csv {
         let document = given.parameters;
         let mut writer = csv::Writer::from_writer(Vec::new());
         let fail = |e: &dyn std::fmt::Display| error!("cannot-encode", format = "CSV", reason = e.to_string());
-        let warning = given.caution();
+        let (warning, synthetic) = (given.caution(), given.synthetic().map(|why| text(&why)));
         let campaign = given.summary.map_or("", |summary| summary.name.as_str());
         let about = [&document.provenance.version, campaign, given.robot_name()].map(text);
         let about = [&about[..], &[given.sha256()?]].concat();
         let header = HEADER.into_iter().chain(warning.is_some().then_some("warning"));
+        let header = header.chain(synthetic.is_some().then_some("synthetic"));
         writer.write_record(header).map_err(|e| fail(&e))?;
         for p in &document.parameters {
             let u = p.standard_uncertainty.map_or_else(String::new, digits);
             let row = [text(&p.name), text(&p.unit), digits(p.nominal), digits(p.value), u, status_word(p).to_owned()];
-            writer.write_record(row.iter().chain(&about).chain(&warning)).map_err(|e| fail(&e))?;
+            writer.write_record(row.iter().chain(&about).chain(&warning).chain(&synthetic)).map_err(|e| fail(&e))?;
         }
         Ok(writer.into_inner().map_err(|e| fail(&e))?)
     }

@@ -17,6 +17,8 @@ struct Controller<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     warning: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    synthetic: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     campaign: Option<&'a str>,
     name: &'a str,
     /// Model of the robot.
@@ -59,6 +61,7 @@ impl Exporter for Json {
             schema: "etalon/controller/1",
             etalon: &document.provenance.version,
             warning: given.caution(),
+            synthetic: given.synthetic(),
             campaign: given.summary.map(|summary| summary.name.as_str()),
             name: given.robot_name(),
             robot: &document.robot,

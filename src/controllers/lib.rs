@@ -247,6 +247,13 @@ impl<'a> Given<'a> {
         (!failed.is_empty()).then(|| format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")))
     }
 
+    /// Statement that the parameters are those of synthetic data; `None` for measured data.
+    pub fn synthetic(&self) -> Option<String> {
+        let of_campaign = || self.summary.and_then(|summary| summary.synthetic.as_ref());
+        let why = self.parameters.synthetic.as_ref().or_else(of_campaign)?;
+        Some(format!("SYNTHETIC DATA, not of a measured robot: {why}"))
+    }
+
     /// Warning of formats without header lines: failed checks, otherwise a file that is not clearly
     /// better than nominal.
     fn caution(&self) -> Option<String> {
@@ -309,6 +316,7 @@ impl<'a> Given<'a> {
     pub fn header(&self, units: &str) -> Result<Vec<String>> {
         let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
         lines.extend(self.warning());
+        lines.extend(self.synthetic());
         lines.extend(self.summary.map(|summary| format!("campaign: {}", summary.name)));
         lines.push(format!("robot: {}", self.robot_name()));
         lines.extend(self.parameters.valid_until.as_ref().map(|last| format!("valid until: {last}")));

@@ -41,7 +41,9 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         schema: ParametersDocument::SCHEMA.to_owned(),
         robot: "prexyt".to_owned(),
         valid_until: None,
+        synthetic: None,
         parameters,
+        reference_poses: Vec::new(),
         sketches: vec![],
         covariance: vec![],
         covariance_without: vec![],
@@ -393,6 +395,20 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
             let forced = String::from_utf8_lossy(&forced).replace('\0', "");
             let head: String = forced.lines().take(8).collect();
             assert!(head.contains("NOT FIT FOR A CONTROLLER") && head.contains(why), "{name}: {head}");
+        }
+        // parameters of synthetic data, stated by the document or by the campaign, say so
+        let mut synthetic = whole.clone();
+        synthetic.synthetic = Some("made with seed 7".to_owned());
+        let mut simulated = summary.clone();
+        simulated.synthetic.clone_from(&synthetic.synthetic);
+        let by_campaign = Given { summary: Some(&simulated), ..given(&whole, false) };
+        for (given, is_synthetic) in
+            [(given(&whole, false), false), (given(&synthetic, false), true), (by_campaign, true)]
+        {
+            let written = exporter.write(&given).unwrap();
+            let written = String::from_utf8_lossy(&written).replace('\0', "");
+            let is_stated = written.contains("SYNTHETIC DATA, not of a measured robot: made with seed 7");
+            assert_eq!(is_stated, is_synthetic, "{name}: {written}");
         }
         // NaN is never written
         let mut nan = whole.clone();

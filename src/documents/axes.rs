@@ -18,7 +18,8 @@ pub struct AxesDocument {
     pub joint_values: bool,
     /// One axis for each joint, in the order of the joints.
     pub axes: Vec<AxisEntry>,
-    /// Robot that follows from the axes; absent if joints have no sweep.
+    /// Robot that follows from the axes; absent if joints have no sweep, or if
+    /// a message of severity error says that it must not be used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub robot: Option<AxesRobot>,
     /// Readings that belong to no sweep, compared with the robot.
@@ -66,6 +67,12 @@ pub struct AxisEntry {
     /// Tilt error motion (ISO 230-7), largest angle from the mean axis; from three targets.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tilt_error_motion_deg: Option<f64>,
+    /// Axial error motion (mm) that noise alone gives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial_by_noise: Option<MotionByNoise>,
+    /// Tilt error motion (deg) that noise alone gives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tilt_by_noise: Option<MotionByNoise>,
     /// Motion per unit of the joint value; absent without joint values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<f64>,
@@ -103,6 +110,19 @@ pub struct AxisPath {
     /// Face error motion (ISO 230-7) at this radius, peak to valley, including the noise of the
     /// measuring system. For a prismatic joint: straightness in the other transverse direction.
     pub face_error_motion_mm: f64,
+    /// Radial and face error motion (mm) that noise alone gives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub by_noise: Option<MotionByNoise>,
+}
+
+/// Error motion of a perfect axis, by the noise of the measuring system.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MotionByNoise {
+    /// Expected value.
+    pub expected: f64,
+    /// Standard uncertainty of the measured value by noise.
+    pub standard_uncertainty: f64,
 }
 
 /// Robot from its axes alone.

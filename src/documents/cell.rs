@@ -1,7 +1,7 @@
 //! Answer of `etalon cell`.
 
 use crate::Provenance;
-use etalon_base::message::Message;
+use etalon_base::message::{Message, Severity};
 use etalon_base::pose::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -32,8 +32,15 @@ pub struct CellDocument {
     pub noise: Vec<CellNoise>,
     /// Residuals in the order of the rows.
     pub residuals: Vec<CellResidualEntry>,
-    /// Warnings.
+    /// Warnings, and errors for which the answer must not be loaded.
     pub messages: Vec<Message>,
+}
+
+impl CellDocument {
+    /// Errors for which the answer must not be loaded.
+    pub fn errors(&self) -> impl Iterator<Item = &Message> {
+        self.messages.iter().filter(|m| m.severity == Severity::Error)
+    }
 }
 
 /// Frame in its reference frame.

@@ -1,6 +1,8 @@
 //! `parameters.json`: identified parameters with the evidence for them.
 
-use super::{Provenance, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource};
+use super::{
+    Provenance, ReferencePose, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource,
+};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::phrase;
@@ -21,8 +23,15 @@ pub struct ParametersDocument {
     /// Last day on which the parameters are valid, as the campaign states it: year-month-day.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub valid_until: Option<String>,
+    /// Explanation of synthetic data, as the campaign states it; absent for measured data.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub synthetic: Option<String>,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
+    /// Positions of the flange by the nominal geometry, with which a robot file is compared that is
+    /// given beside these parameters; absent in documents of earlier versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub reference_poses: Vec<ReferencePose>,
     /// Drawings of the model with its parameters; absent if the model provides none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sketches: Vec<Sketch>,

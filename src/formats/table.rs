@@ -194,18 +194,34 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
         let names: Vec<&str> = names.collect();
         let foreign: Vec<&str> = names.iter().copied().filter(|name| !is_own(name)).collect();
         let message = error!("column-unknown", column = name);
+        // a pose or a label is not the column that is missing
+        let others: Vec<&str> = names.iter().copied().filter(|name| !OF_ROWS.contains(name)).collect();
+        let names = if others.is_empty() { names } else { others };
         // a column of the same quantity in another unit is not the column that is missing
         let stem = |name: &'_ str| name.rsplit_once('_').map(|(stem, _)| stem.to_owned());
         let heading = foreign.first().filter(|_| foreign.len() == 1).copied().unwrap_or("HEADING");
         match foreign[..] {
             _ if name == "target" => message.hint(phrase!("state-column-or-target", heading)).into(),
             _ if name == "pose" => message.hint(phrase!("state-column-or-pose", heading)).into(),
-            [heading] if !heading.contains('"') && stem(heading).is_none_or(|s| stem(name) != Some(s)) => {
+            [heading]
+                if !heading.contains('"')
+                    && stem(heading).is_none_or(|s| stem(name) != Some(s))
+                    && may_be(table, name, heading) =>
+            {
                 message.hint(phrase!("state-column", column = name, heading)).into()
             }
             _ => message.hint_names(name, names).into(),
         }
     })
+}
+
+/// `true` if a column of another heading may be the one that is missing: numbers for a quantity,
+/// and a heading with the letter of the coordinate.
+fn may_be(table: &DataFrame, name: &str, heading: &str) -> bool {
+    let Some((stem, _)) = name.rsplit_once('_').filter(|_| is_own(name)) else { return true };
+    let letter = stem.rsplit('_').next().filter(|last| ["x", "y", "z"].contains(last));
+    let is_number = table.column(heading).is_ok_and(|column| column.dtype() != &DataType::String);
+    is_number && letter.is_none_or(|letter| heading.to_lowercase().contains(letter))
 }
 
 /// Columns without a unit that a row may have, beside [`TEXTS`] and those of an orientation.

@@ -384,16 +384,23 @@ impl Factor {
         }
     }
 
-    /// (RᵀR)⁻¹ of the common columns, row by row; `None` if their R is singular.
-    pub fn common_inverse(&self) -> Option<Vec<f64>> {
+    /// R⁻¹ of the common columns, column by column; `None` if their R is singular.
+    pub fn common_root(&self) -> Option<Vec<f64>> {
         let n = self.n;
         let dense = Self { qtb: vec![0.0; n], heads: Vec::new(), common: Vec::new(), ..self.clone() };
-        let mut inverse = vec![0.0; n * n]; // R⁻¹, column by column
+        let mut inverse = vec![0.0; n * n];
         for j in 0..n {
             let mut e = vec![0.0; n];
             e[j] = 1.0;
             inverse[j * n..][..n].copy_from_slice(&dense.back_substitute(e)?);
         }
+        Some(inverse)
+    }
+
+    /// (RᵀR)⁻¹ of the common columns, row by row; `None` if their R is singular.
+    pub fn common_inverse(&self) -> Option<Vec<f64>> {
+        let n = self.n;
+        let inverse = self.common_root()?;
         let mut product = vec![0.0; n * n];
         for i in 0..n {
             for j in i..n {

@@ -236,7 +236,7 @@ impl JointKeys {
             prismatic: keys.or(Key::plain("prismatic", "The joint is prismatic."), false),
             parallel: keys.optional(Key::plain(
                 "parallel",
-                "Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. The default is `true` below 3 degrees of twist.",
+                "Near-parallel or antiparallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. The default is `true` within 3 degrees, also for prismatic joints.",
             )),
             limits_rad: keys.optional(Key::angle(
                 "limits",
@@ -295,7 +295,7 @@ impl JointKeys {
         if !self.point_mm.is_missing() {
             faults.add(at(), FaultKind::NotDenavitHartenberg("point"));
         }
-        let near = !alone && alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !self.prismatic;
+        let near = !alone && alpha_rad.sin().abs() < NEAR_PARALLEL_RAD.sin();
         let parallel = self.parallel.unwrap_or(near);
         faults.or(SerialJoint { alpha_rad, a_mm, theta_rad, d_mm, prismatic: self.prismatic, parallel })
     }
@@ -452,8 +452,9 @@ pub struct SerialJoint {
     pub d_mm: f64,
     /// `true` if the joint slides along its axis, `false` if it rotates about it.
     pub prismatic: bool,
-    /// `true` if the axes at both ends of the link are nearly parallel, so that Hayati's beta
-    /// replaces d.
+    /// `true` if the lines of the axes at both ends of the link are nearly parallel, in the same or
+    /// the opposite direction, so that Hayati's beta replaces d. The direction of a prismatic joint
+    /// needs it as well.
     pub parallel: bool,
 }
 
@@ -773,5 +774,38 @@ mod tests {
         // the base bends about its own axes, the joint about those that turn with the arm
         assert!((across("pedestal_x") + 800.0 * 0.0980665e-3).abs() < 1e-6 && across("pedestal_y").abs() < 1e-9);
         assert!((across("lateral_1_y") + 800.0 * 0.0980665e-3).abs() < 1e-6 && across("lateral_1_x").abs() < 1e-9);
+    }
+
+    /// Hayati's angle by default: lines within 3 degrees of each other, in either direction,
+    /// whether the joint turns or slides.
+    #[test]
+    fn parallel_and_antiparallel_axes_have_an_angle_more() {
+        let of = |alpha_deg: f64, prismatic: bool, alone: bool, parallel: Option<bool>| {
+            let keys = JointKeys {
+                alpha_rad: Stated::Once(alpha_deg.to_radians()),
+                a_mm: Stated::Once(300.0),
+                theta_rad: Stated::Once(0.0),
+                d_mm: Stated::Once(0.0),
+                direction: None,
+                point_mm: Stated::Missing,
+                prismatic,
+                parallel,
+                limits_rad: None,
+                travel_mm: None,
+                mass_kg: 0.0,
+                center_mm: [0.0; 3],
+            };
+            keys.of_table(1, alone).unwrap().parallel
+        };
+        for prismatic in [false, true] {
+            for alpha_deg in [0.0, 2.9, -2.9, 180.0, -180.0, 177.1, 182.9] {
+                assert!(of(alpha_deg, prismatic, false, None), "{alpha_deg}");
+                assert!(!of(alpha_deg, prismatic, true, None) && !of(alpha_deg, prismatic, false, Some(false)));
+            }
+            for alpha_deg in [3.1, 90.0, -90.0, 176.9] {
+                assert!(!of(alpha_deg, prismatic, false, None), "{alpha_deg}");
+                assert!(of(alpha_deg, prismatic, false, Some(true)));
+            }
+        }
     }
 }

@@ -199,8 +199,7 @@ fn parallel(from: &AxisLine, to: &AxisLine, reached: Vector, before: Vector) -> 
     let tilt_rad = dot(next, x).clamp(-1.0, 1.0).asin();
     let clean = |v: f64| if v.abs() < EXACTLY { 0.0 } else { v };
     let a_mm = if a_mm > MEET_MM { a_mm } else { 0.0 };
-    let parallel = !from.prismatic && !to.prismatic;
-    Link { x, feet: [reached, foot], alpha_rad: clean(alpha_rad), a_mm, parallel, tilt_rad: clean(tilt_rad) }
+    Link { x, feet: [reached, foot], alpha_rad: clean(alpha_rad), a_mm, parallel: true, tilt_rad: clean(tilt_rad) }
 }
 
 /// Frame from its x and z axes and its origin.

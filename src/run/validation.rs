@@ -32,6 +32,7 @@ pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> R
     let mut found = recommendation::recommend(robot.as_ref(), selected, &inputs, report)?;
     found.campaign = Some(reference(campaign));
     found.recommended.valid_until = campaign.file.valid_until();
+    found.recommended.synthetic = campaign.file.synthetic.clone();
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
 }

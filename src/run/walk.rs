@@ -11,7 +11,7 @@ use crate::stages::identification::{Identified, check_selections, identify, prev
 use crate::stages::iso9283::{self, TestData};
 use crate::stages::join::{self, Joined};
 use crate::stages::kinds;
-use etalon_base::message::{Problems, Result, Severity};
+use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
@@ -161,6 +161,11 @@ impl Walk {
             // rows without a pose are not read: their targets are not missing
             problems.0.retain(|message| message.id != "target-not-exported");
         }
+        // the exports do contain a target whose rows [[rigid]] refuses
+        let rigid = problems.0.iter().filter(|message| message.id == "rigid-target-refused");
+        let refused: Vec<_> = rigid.filter_map(|message| message.arguments.get("target").cloned()).collect();
+        let is_refused = |message: &Message| message.arguments.get("target").is_some_and(|t| refused.contains(t));
+        problems.0.retain(|message| message.id != "target-not-exported" || !is_refused(message));
         problems.0.extend(wrong.0);
         let branches = campaign.robot.branches();
         let targets = gathered.observations.as_ref();
@@ -175,8 +180,8 @@ impl Walk {
             let before = problems.0.len();
             names::logs(campaign, robot.as_ref(), problems);
             if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_empty() {
-                let unposed = problems.0.iter().any(|message| message.id == "target-without-pose");
-                if !unposed {
+                let explained = ["target-without-pose", "rigid-target-refused"];
+                if !problems.0.iter().any(|message| explained.contains(&message.id.as_ref())) {
                     names::targets(campaign, robot.as_ref(), &gathered, problems);
                 }
             }

@@ -15,6 +15,7 @@ use std::collections::BTreeMap;
 /// Fails if the document is of another robot, or lacks a parameter of this robot.
 pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenParameters> {
     check_described(robot, document)?;
+    check_geometry(robot, document)?;
     let mut values = robot.nominal();
     let (mut missing, mut places, mut free) = (Vec::new(), Vec::new(), Vec::new());
     for (i, p) in robot.parameters().iter().enumerate() {
@@ -83,6 +84,36 @@ pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Resu
     Err(if lines.is_empty() { message } else { message.hint(phrase!("add-lines", lines)) }.into())
 }
 
+/// Largest distance (mm) of flanges that counts as rounding.
+const SAME_MM: f64 = 1e-6;
+
+/// Rejects a robot whose geometry differs from that of the identification even with the same
+/// nominal values: parameters of screw axes (`poe`) are deviations, whose nominal values are zero.
+///
+/// # Errors
+/// Reports the distance between the flanges of both robots.
+pub fn check_geometry(robot: &dyn Robot, document: &ParametersDocument) -> Result<()> {
+    let distance_mm = document.geometry_distance_mm(robot).filter(|_| document.robot == robot.model());
+    match distance_mm {
+        Some(distance_mm) if distance_mm > SAME_MM => {
+            let case = if distance_mm.is_finite() { "apart" } else { "other" };
+            // three digits
+            let unit = 10f64.powf(distance_mm.min(1e300).log10().floor() - 2.0);
+            let distance_mm = if distance_mm.is_finite() { (distance_mm / unit).round() * unit } else { 0.0 };
+            Err(error!("robot-geometry-changed", case, distance_mm).into())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Returns a warning if a document without geometry was identified with another robot file;
+/// `sha256` is the hash of the robot file.
+pub fn unknown_geometry(document: &ParametersDocument, sha256: &str) -> Option<Message> {
+    let inputs = &document.provenance.inputs;
+    let unknown = document.reference_poses.is_empty() && !inputs.is_empty();
+    (unknown && inputs.values().all(|known| known != sha256)).then(|| warning!("robot-geometry-unknown"))
+}
+
 /// Maximum number of parameters in a message.
 const NAMED: usize = 5;
 
@@ -118,6 +149,7 @@ fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
 /// Fails if the document is of another robot.
 pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[Role]) -> Result<Vec<f64>> {
     check_described(robot, document)?;
+    check_geometry(robot, document)?;
     let mut values = robot.nominal();
     let mut missing = Vec::new();
     for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| roles.contains(&p.role)) {

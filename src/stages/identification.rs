@@ -183,6 +183,7 @@ pub fn identify(
     let mut parameters = parameters_document(robot, &settings, &before, &found, &BTreeMap::new());
     state_before(&mut parameters, robot, &sets.calibration, &before);
     parameters.valid_until = campaign.file.valid_until();
+    parameters.synthetic = campaign.file.synthetic.clone();
     placed.mark(robot, &found, &mut parameters);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
     if let Some(reliability) =

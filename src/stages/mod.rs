@@ -31,6 +31,7 @@ pub mod monte_carlo;
 pub mod orientations;
 pub mod plausible;
 pub mod positions;
+pub mod predicted;
 pub mod qif_fit;
 pub mod recommendation;
 pub mod remedies;

@@ -1,17 +1,18 @@
 //! Sweeps of one joint at a time: from a table to axes, and a robot without a nominal model.
 
 use super::table_file::TableFile;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{RobotHead, screws_text, table_text};
 use etalon_documents::{
-    AxesCheck, AxesDocument, AxesParameter, AxesRobot, AxesTarget, AxisEntry, AxisPath, Provenance, ZeroAxis,
+    AxesCheck, AxesDocument, AxesParameter, AxesRobot, AxesTarget, AxisEntry, AxisPath, MotionByNoise, Provenance,
+    ZeroAxis,
 };
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::axes::{
-    Agreement, AxesModel, AxesSettings, BaseRule, Change, DerivedParameters, JointAxis, Slip, Sweep, SweepFault,
-    SweepReading, axis_slip, compared, joint_axis, joint_slip, smooth, start_gap,
+    Agreement, AxesModel, AxesSettings, BaseRule, ByNoise, Change, DerivedParameters, JointAxis, Slip, Sweep,
+    SweepFault, SweepReading, axis_slip, compared, joint_axis, joint_slip, smooth, start_gap,
 };
 use etalon_robots::{AxisTable, Joint, Parameter, Quantity, Role, modified_table, standard_table};
 use std::collections::BTreeMap;
@@ -53,6 +54,10 @@ pub(crate) struct SweepsStated {
     pub standard_uncertainty_mm: Option<f64>,
     /// Convention of the robot file.
     pub convention: TableConvention,
+    /// Source of the column `x_mm` in the file; by default its name.
+    pub source_of_x: Option<String>,
+    /// `true` if the robot is written in spite of errors.
+    pub force: bool,
 }
 
 /// Uncertainty of a direction (rad) above which predictions are of little use.
@@ -216,10 +221,13 @@ fn derive(table: &SweepTable, stated: &SweepsStated, file: &TableFile) -> Result
     let radii = || measured.iter().flat_map(|m: &JointAxis| &m.fit.paths).map(|p| p.radius_mm);
     let largest = radii().fold(0.0, f64::max);
     if largest > 0.0 && largest < SMALL_MM {
-        messages.push(warning!("sweep-unit", radius_mm = largest));
+        let source = stated.source_of_x.as_deref().unwrap_or(XYZ[0]);
+        messages.push(error!("sweep-unit", radius_mm = largest, source));
     }
     let entries = measured.iter().map(|m| entry(table, m)).collect();
+    let fit = stated.force || messages.iter().all(|m| m.severity != Severity::Error);
     let (robot, checks) = robot(table, stated, measured, &mut messages)?;
+    let robot = robot.filter(|_| fit);
     let inputs = BTreeMap::from([(file.name.clone(), etalon_base::files::sha256(file.text().as_bytes()))]);
     Ok(AxesDocument {
         schema: "etalon/axes/1".to_owned(),
@@ -517,6 +525,10 @@ fn tolerances(parameters: &[AxesParameter]) -> String {
     }
 }
 
+fn by_noise(noise: ByNoise, factor: f64) -> MotionByNoise {
+    MotionByNoise { expected: factor * noise.expected, standard_uncertainty: factor * noise.deviation }
+}
+
 fn entry(table: &SweepTable, axis: &JointAxis) -> AxisEntry {
     let sweep = &table.sweeps[axis.joint];
     let (of_direction, of_point) = axis.standard_uncertainties();
@@ -532,6 +544,7 @@ fn entry(table: &SweepTable, axis: &JointAxis) -> AxisEntry {
         length_mm: slides.then_some(path.span),
         radial_error_motion_mm: axis.error_motion.radial_mm[i],
         face_error_motion_mm: axis.error_motion.face_mm[i],
+        by_noise: axis.error_motion.noise.paths.get(i).map(|noise| by_noise(*noise, 1.0)),
     };
     AxisEntry {
         joint: table.joints[axis.joint].clone(),
@@ -548,6 +561,8 @@ fn entry(table: &SweepTable, axis: &JointAxis) -> AxisEntry {
         paths: axis.fit.paths.iter().enumerate().map(path).collect(),
         axial_error_motion_mm: axis.error_motion.axial_mm,
         tilt_error_motion_deg: axis.error_motion.tilt_rad.map(f64::to_degrees),
+        axial_by_noise: axis.error_motion.noise.axial.map(|noise| by_noise(noise, 1.0)),
+        tilt_by_noise: axis.error_motion.noise.tilt.map(|noise| by_noise(noise, 1f64.to_degrees())),
         ratio: axis.travel.map(|t| t.ratio),
         motion_rms: axis.travel.map(|t| if slides { t.rms } else { t.rms.to_degrees() }),
     }

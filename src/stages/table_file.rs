@@ -7,7 +7,7 @@ use etalon_base::message::{Place, Problems, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition, TableKeys};
 use etalon_documents::{Source, SourceKind};
-use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
+use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding, Missing};
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
 use etalon_formats::tables::joints::stated_columns;
@@ -168,9 +168,25 @@ impl Default for TableForm {
     }
 }
 
-impl From<&TableKeys> for TableForm {
-    fn from(keys: &TableKeys) -> Self {
-        Self { layout: keys.layout(), encoding: keys.encoding, sheet: keys.sheet.clone() }
+impl TableForm {
+    /// Form of a table with keys of its own in a section of this form: the marks, the encoding and
+    /// the comments of the section apply where the table states none.
+    fn of_table(&self, keys: &TableKeys) -> Self {
+        let (own, section) = (keys.layout(), &self.layout);
+        if keys.sheet.is_some() {
+            return Self { layout: own, encoding: keys.encoding, sheet: keys.sheet.clone() };
+        }
+        let layout = TableLayout {
+            delimiter: keys.delimiter.unwrap_or(section.delimiter),
+            decimal: keys.decimal.unwrap_or(section.decimal),
+            thousands: keys.thousands.or(section.thousands),
+            comment: keys.comment.clone().or_else(|| section.comment.clone()),
+            missing: if keys.missing == Missing::default() { section.missing.clone() } else { own.missing.clone() },
+            ..own
+        };
+        let is_text = keys.delimiter.is_some() || keys.decimal.is_some() || keys.encoding.is_some();
+        let sheet = if is_text { None } else { self.sheet.clone() };
+        Self { layout, encoding: keys.encoding.or(self.encoding), sheet }
     }
 }
 
@@ -199,7 +215,7 @@ impl CampaignTables<'_> {
         if let Some(key) = table.keys().and_then(TableKeys::meaningless_beside_sheet) {
             return Err(error!("key-of-text-table", key).at(self.campaign.place(table.first())).into());
         }
-        let own = table.keys().map(TableForm::from);
+        let own = table.keys().map(|keys| form.of_table(keys));
         let form = own.as_ref().unwrap_or(form);
         let mut problems = Problems::default();
         let mut all: Option<TableFile> = None;

@@ -254,13 +254,14 @@ fn components(robot: &dyn Robot, moved: Moved) -> Vec<(String, Quantity)> {
 /// named.
 const DOMINANT: f64 = 0.5;
 
-/// The motion that explains most of the deviation beyond the parameters and their uncertainty, with
-/// its share; `None` if no motion explains half of it.
+/// The significant motion that explains most of the deviation beyond the parameters and their
+/// uncertainty, with its share; `None` if no motion explains half of it.
 fn dominant(found: &Verification) -> Option<(&Explanation, f64)> {
     let (changes, rest) = (&found.of_changes, &found.of_rest);
     let excess = changes.sum + rest.sum - (changes.degrees_of_freedom + rest.degrees_of_freedom) as f64;
     let share = |e: &Explanation| (e.explained - e.change.len() as f64) / excess;
-    let best = found.explanations.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
+    let significant = found.explanations.iter().filter(|e| e.is_significant());
+    let best = significant.max_by(|a, b| share(a).total_cmp(&share(b)))?;
     (excess > 0.0 && share(best) >= DOMINANT).then(|| (best, share(best).min(1.0)))
 }
 
@@ -334,7 +335,7 @@ fn number(v: &MovementValue) -> String {
 /// Returns a warning if several motions explain the residuals equally well.
 fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     let cause = found.cause()?;
-    let as_well = |e: &&Explanation| *e != cause && e.p_left > etalon_identify::EXPLAINED;
+    let as_well = |e: &&Explanation| *e != cause && e.suffices();
     let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e, 0.0).name).collect();
     (!others.is_empty()).then(|| warning!("motions-alike", count = others.len(), motions = others))
 }

@@ -2,6 +2,7 @@
 
 use crate::support::scratch::copy_sample;
 use etalon::base::message::Problems;
+use etalon::base::phrase;
 use etalon::campaign::Campaign;
 use etalon::stages::gather::{Gathered, gather};
 
@@ -128,4 +129,34 @@ fn too_few_poses_for_a_median_are_said() {
     let found = imported(&[("format = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"", label)], RIGID).unwrap();
     let said = found.document.messages.iter().any(|m| m.is("rigid-few-distances", &[("count", &2), ("least", &3)]));
     assert!(said, "{:?}", found.document.messages);
+}
+
+/// Rows of three targets with a label each; K and L have each other's name at `poses`.
+fn exchanged(poses: &[usize]) -> String {
+    let name = |k: usize, pose| NAMES[if k < 2 && poses.contains(&pose) { 1 - k } else { k }];
+    rows(8, |k, pose| Some(format!("{}_{pose}_1 {}", name(k, pose), place(k, pose))))
+}
+
+const LABELLED: &str = "format = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"";
+
+#[test]
+fn exchanged_targets_are_named_and_not_the_third_one() {
+    let document = imported(&[(LABELLED, exchanged(&[2, 6]))], THREE).unwrap().document;
+    let refused: Vec<(usize, &str)> =
+        document.sources.iter().flat_map(|s| &s.refused).map(|r| (r.line, r.reason.as_str())).collect();
+    let reason = phrase!("rigid-targets-exchanged", first = "K", second = "L").to_string();
+    // M at pose 4 is off alone
+    assert_eq!(refused.iter().map(|r| r.0).collect::<Vec<_>>(), [4, 5, 12, 16, 17]);
+    assert!(refused.iter().all(|r| (r.1 == reason) == (r.0 != 12)), "{refused:?}");
+}
+
+#[test]
+fn a_target_whose_rows_are_all_refused_is_in_the_exports() {
+    // half of the poses: the median is that of neither
+    let problems = imported(&[(LABELLED, exchanged(&[1, 2, 3, 5]))], THREE).unwrap_err();
+    let is_m = |m: &etalon::base::message::Message| {
+        m.is("rigid-target-refused", &[("target", &"M"), ("rows", &8), ("file", &"a.txt"), ("line", &3)])
+    };
+    assert_eq!(problems.0.iter().filter(|m| m.id == "rigid-target-refused").count(), 1, "{problems}");
+    assert!(problems.0.iter().any(is_m), "{problems}");
 }

@@ -19,6 +19,7 @@ mod payload;
 mod platform_controllers;
 mod pose_names;
 mod repeatability;
+mod robot_geometry;
 mod texts;
 mod uncontrolled;
 mod whole;

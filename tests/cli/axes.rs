@@ -245,6 +245,35 @@ fn sweeps_that_are_no_motion_of_one_joint_are_named() {
     refused((code.unwrap(), err), "error[sweep-undetermined] joint=q4");
 }
 
+/// Coordinates in metres under millimetres: exit code 1 and no robot, by force alone. The hint names the heading of the file, and
+/// its conversion gives the robot.
+fn unit_is_an_error(small: &str) {
+    let own = small.replacen("x_mm,y_mm,z_mm", "X [mm],Y [mm],Z [mm]", 1);
+    let slides = ["--prismatic", "q4", "--column", "y_mm=Y [mm]", "--column", "z_mm=Z [mm]", "--column"];
+    let (code, out, err) = run(&own, &[&slides[..], &["x_mm=X [mm]", "--toml"]].concat());
+    assert!(code == Some(1) && out.is_empty() && err.says("error[sweep-unit]"), "{err}");
+    assert!(err.contains("--column 'x_mm=X [mm]*1000'"), "{err}");
+    let (code, out, _) = run(&own, &[&slides[..], &["x_mm=X [mm]", "--json"]].concat());
+    let found: AxesDocument = serde_json::from_slice(&out).unwrap();
+    assert!(code == Some(1) && found.robot.is_none() && found.axes.len() == 4);
+    let (code, out, _) = run(&own, &[&slides[..], &["x_mm=X [mm]", "--toml", "--force"]].concat());
+    assert!(code == Some(1) && !out.is_empty());
+    let converted = [
+        "--prismatic",
+        "q4",
+        "--column",
+        "x_mm=X [mm]*1000",
+        "--column",
+        "y_mm=Y [mm]*1000",
+        "--column",
+        "z_mm=Z [mm]*1000",
+    ];
+    let (code, out, err) = run(&own, &[&converted[..], &["--toml"]].concat());
+    assert!(code == Some(0) && !out.is_empty(), "{err}");
+    let (_, _, err) = run(small, &["--prismatic", "q4"]);
+    assert!(err.contains("--column 'x_mm=x_mm*1000'"), "{err}");
+}
+
 #[test]
 fn sweeps_that_say_little_are_named() {
     let has = |(code, err): (i32, String), said: &str| assert!(code == 0 && err.says(said), "{said}: {err}");
@@ -257,7 +286,9 @@ fn sweeps_that_say_little_are_named() {
     let (code, _, err) = run(&table(&short, true), &[]);
     has((code.unwrap(), err), "warning[sweep-weak] joint=q1");
     let metres = |_: usize, row: &mut (usize, Vector, [f64; 4])| row.1 = row.1.map(|v| v / 1000.0);
-    has(with(metres, false, &["--prismatic", "q4"]), "warning[sweep-unit]");
+    let mut small = rows();
+    small.iter_mut().enumerate().for_each(|(i, row)| metres(i, row));
+    unit_is_an_error(&table(&small, false));
     let three: Vec<_> = rows().into_iter().filter(|row| row.0 < 3).collect();
     let (code, _, err) = run(&table(&three, true), &[]);
     has((code.unwrap(), err), "warning[sweep-joint-missing] count=1");

@@ -90,10 +90,36 @@ fn run(table: &str, arguments: &[&str]) -> Answer {
     answer(["etalon", "cell", &path].iter().chain(arguments).map(|a| (*a).into()))
 }
 
-fn document(table: &str, arguments: &[&str]) -> CellDocument {
+fn with_code(code: u8, table: &str, arguments: &[&str]) -> CellDocument {
     let answer = run(table, &[arguments, &["--json"]].concat());
-    assert_eq!(answer.code, 0, "{}", answer.stderr);
+    assert_eq!(answer.code, code, "{}", answer.stderr);
     serde_json::from_slice(&answer.stdout).unwrap()
+}
+
+fn document(table: &str, arguments: &[&str]) -> CellDocument {
+    with_code(0, table, arguments)
+}
+
+fn ids(found: &CellDocument) -> Vec<String> {
+    found.messages.iter().map(|m| m.id.to_string()).collect()
+}
+
+/// Ids of the messages of an answer that must not be loaded: the exit code is 1, and data of a controller are written by force
+/// alone.
+fn unfit(table: &str, arguments: &[&str]) -> Vec<String> {
+    let found = with_code(1, table, arguments);
+    assert!(found.errors().next().is_some());
+    let kuka = [arguments, &["--controller", "kuka"]].concat();
+    let withheld = run(table, &kuka);
+    assert!(withheld.code == 1 && withheld.stdout.is_empty(), "{}", withheld.stderr);
+    assert!(withheld.messages.iter().any(|m| m.is("cell-data-withheld", &[("maker", &"kuka")])), "{}", withheld.stderr);
+    let forced = run(table, &[&kuka[..], &["--force"]].concat());
+    let shown = String::from_utf8(forced.stdout).unwrap();
+    assert!(
+        forced.code == 1 && shown.contains("NOT FIT FOR A CONTROLLER") && shown.contains("TOOL_DATA[1]={"),
+        "{shown}"
+    );
+    ids(&found)
 }
 
 /// Ids of the changes that a refusal names.
@@ -156,7 +182,7 @@ fn sound_tables_of_unusual_build_have_no_slip() {
         for form in ["zyx", "fixed xyz", "zyz"] {
             let text = table(&[columns("flange_", form, &poses)]);
             let found = document(&text, &["--solve", "tool-point", "--orientation", form]);
-            assert!(found.messages.iter().all(|m| m.id == "cell-foreign"), "{count} {turn} {:?}", found.messages);
+            assert!(found.messages.is_empty(), "{count} {turn} {:?}", found.messages);
         }
         document(&table(&[columns("flange_", "vector", &poses)]), &["--solve", "tool-point"]);
     }
@@ -164,16 +190,117 @@ fn sound_tables_of_unusual_build_have_no_slip() {
     let tip: Vec<Pose> = touches(8, 0.7, 0.05);
     let active: Vec<Pose> =
         tip.iter().map(|p| p.then(&Pose { translation_mm: tool().translation_mm, ..Pose::identity() })).collect();
-    let ids = |found: &CellDocument| found.messages.iter().map(|m| m.id.to_string()).collect::<Vec<_>>();
-    let found = document(&table(&[columns("flange_", "quaternion", &active)]), &["--solve", "tool-point"]);
-    assert_eq!(ids(&found), ["cell-tool-active"]);
+    let found = unfit(&table(&[columns("flange_", "quaternion", &active)]), &["--solve", "tool-point"]);
+    assert_eq!(found, ["cell-tool-active"]);
     let metres: Vec<Pose> =
         tip.iter().map(|p| Pose { translation_mm: p.translation_mm.map(|v| v / 1000.0), ..*p }).collect();
     let text = table(&[columns("flange_", "quaternion", &metres)]);
-    assert_eq!(ids(&document(&text, &["--solve", "tool-point"])), ["cell-unit"]);
+    assert_eq!(unfit(&text, &["--solve", "tool-point"]), ["cell-unit"]);
+    let millimetres = table(&[columns("flange_", "quaternion", &tip)]).replace("_mm", "_m");
+    assert_eq!(unfit(&millimetres, &["--solve", "tool-point"]), ["cell-unit-large"]);
     let named = text.replace("flange_x_mm,flange_y_mm,flange_z_mm", "flange_x_m,flange_y_m,flange_z_m");
     let found = document(&named, &["--solve", "tool-point"]);
     assert!(found.messages.is_empty() && norm(minus(found.points[0].xyz_mm, tool().translation_mm)) < 0.3);
+}
+
+/// Poses with changed positions.
+fn changed(poses: &[Pose], change: impl Fn(&mut Vector)) -> Vec<Pose> {
+    let mut all = poses.to_vec();
+    all.iter_mut().for_each(|p| change(&mut p.translation_mm));
+    all
+}
+
+#[test]
+fn exchanged_axes_and_signs_are_named() {
+    let solve = ["--solve", "tool-point"];
+    let text = |poses: &[Pose]| table(&[columns("flange_", "quaternion", poses)]);
+    for (count, turn, noise_mm) in [(8, 0.7, 0.05), (6, 0.2, 0.1), (12, 0.4, 1.0)] {
+        let poses = touches(count, turn, noise_mm);
+        for (a, b) in [(0, 1), (1, 2), (0, 2)] {
+            let named = changes(&text(&changed(&poses, |p| p.swap(a, b))), &solve);
+            assert_eq!(named, ["cell-change-axes"], "{count} {a} {b}");
+        }
+        for k in 0..3 {
+            assert_eq!(changes(&text(&changed(&poses, |p| p[k] = -p[k])), &solve), ["cell-change-sign"], "{count} {k}");
+        }
+    }
+    // both sides of hand and eye, and a reflector, whose coordinates are mirrored in any of these ways
+    let (poses, mut noise) = (spread(10), Noise::new(66, 0));
+    let world = Pose::from_xyz_rpy([3000.0, -500.0, 900.0], [0.02, -0.01, 2.2]);
+    let seen: Vec<Pose> = poses.iter().map(|p| noisy(&mut noise, &world.then(p).then(&tool()), 0.05, 2e-4)).collect();
+    let hand = ["--solve", "hand-eye", "--mounting", "target"];
+    let both = |flange: &[Pose], seen: &[Pose]| {
+        table(&[columns("flange_", "quaternion", flange), columns("", "quaternion", seen)])
+    };
+    let sign = |p: &mut Vector| p[2] = -p[2];
+    assert_eq!(changes(&both(&changed(&poses, |p| p.swap(0, 1)), &seen), &hand), ["cell-change-axes"]);
+    assert_eq!(changes(&both(&poses, &changed(&seen, sign)), &hand), ["cell-change-sign"]);
+    let at = |poses: &[Pose]| poses.iter().map(|p| p.translation_mm).collect::<Vec<_>>();
+    let reflector = |flange: &[Pose], seen: &[Pose]| {
+        let text = table(&[columns("flange_", "quaternion", flange), points("", &at(seen))]);
+        changes(&text, &["--solve", "tool-reflector"])
+    };
+    assert_eq!(reflector(&changed(&poses, sign), &seen), ["cell-change-sign"]);
+    assert_eq!(reflector(&poses, &changed(&seen, |p| p.swap(1, 2))), ["cell-change-measured-mirrored"]);
+}
+
+/// Columns of another kind have no effect, and a column of texts, or without the letter, is no coordinate.
+#[test]
+fn columns_that_are_not_read_are_named() {
+    let poses = touches(6, 0.7, 0.05);
+    let text = table(&[columns("flange_", "quaternion", &poses)]);
+    let named = text.replacen("flange_x_mm,flange_y_mm", "X,flange_y_mm", 1);
+    let solve = ["--solve", "tool-point", "--column", "flange_x_mm=X"];
+    assert!(document(&named, &solve).messages.is_empty());
+    let found = document(
+        &text,
+        &["--solve", "tool-point", "--column", "x_mm=flange_x_mm", "--column", "flange_x_mm=flange_x_mm"],
+    );
+    assert_eq!(ids(&found), ["cell-columns-unused"]);
+    let hint = |heading: &str, cell: &str| {
+        let rows = text.lines().enumerate().map(|(i, line)| {
+            let (_, rest) = line.split_once(',').unwrap();
+            format!("{},{rest}", if i == 0 { heading } else { cell })
+        });
+        let answer = run(&rows.collect::<Vec<_>>().join("\n"), &["--solve", "tool-point"]);
+        let missing = answer.messages.iter().find(|m| m.id == "column-unknown").unwrap();
+        missing.hint.clone().unwrap_or_default().contains(&format!("`{heading}`, state"))
+    };
+    assert!(hint("X", "1.5") && hint("PosX", "1.5"));
+    assert!(!hint("Punkt", "P1") && !hint("Punkt", "1") && !hint("X", "P1"));
+}
+
+/// Errors of 0.1 mm to 1 mm of a robot are no refutation, with the uncertainty of the instrument alone; rows of another recording
+/// are one, with a stated uncertainty and without.
+#[test]
+fn residuals_beyond_any_plausible_uncertainty_refute_an_answer() {
+    let solve = ["--solve", "tool-point"];
+    let text = |poses: &[Pose]| table(&[columns("flange_", "quaternion", poses)]);
+    for noise_mm in [0.1, 0.3, 1.0] {
+        let poses = touches(12, 0.7, noise_mm);
+        assert!(document(&text(&poses), &solve).messages.is_empty());
+        let stated = document(&text(&poses), &[&solve[..], &["--standard-uncertainty-um", "30"]].concat());
+        assert_eq!(ids(&stated), ["cell-noise-larger"], "{noise_mm}");
+    }
+    let poses = touches(12, 0.7, 0.05);
+    let mixed: Vec<Pose> =
+        (0..12).map(|i| Pose { translation_mm: poses[(i + 5) % 12].translation_mm, ..poses[i] }).collect();
+    assert_eq!(unfit(&text(&mixed), &solve), ["cell-refuted"]);
+    for um in ["30", "1000", "5000"] {
+        assert_eq!(unfit(&text(&mixed), &[&solve[..], &["--standard-uncertainty-um", um]].concat()), ["cell-refuted"]);
+    }
+    // a stated uncertainty of this size explains everything
+    let huge = document(&text(&mixed), &[&solve[..], &["--standard-uncertainty-um", "100000"]].concat());
+    assert!(huge.messages.is_empty(), "{:?}", huge.messages);
+    // orientations of another recording: positions of both sides agree
+    let (poses, mut noise) = (spread(12), Noise::new(67, 0));
+    let world = Pose::from_xyz_rpy([3000.0, -500.0, 900.0], [0.02, -0.01, 2.2]);
+    let seen: Vec<Pose> = poses.iter().map(|p| noisy(&mut noise, &world.then(p).then(&tool()), 0.05, 2e-4)).collect();
+    let turned: Vec<Pose> =
+        (0..12).map(|i| Pose { translation_mm: seen[i].translation_mm, ..seen[(i + 5) % 12] }).collect();
+    let text = table(&[columns("flange_", "quaternion", &poses), columns("", "quaternion", &turned)]);
+    let found = unfit(&text, &["--solve", "hand-eye", "--mounting", "target"]);
+    assert!(found.contains(&"cell-refuted-turned".to_owned()), "{found:?}");
 }
 
 #[test]
@@ -275,7 +402,9 @@ fn objects_axes_and_tool_frames_are_found() {
 fn a_foreign_reading_is_named_by_its_line() {
     let mut poses = touches(10, 0.7, 0.02);
     poses[6].translation_mm[1] += 1.5;
-    let found = document(&table(&[columns("flange_", "quaternion", &poses)]), &["--solve", "tool-point"]);
+    let text = table(&[columns("flange_", "quaternion", &poses)]);
+    assert_eq!(unfit(&text, &["--solve", "tool-point"]), ["cell-foreign"]);
+    let found = with_code(1, &text, &["--solve", "tool-point"]);
     let foreign = found.messages.iter().find(|m| m.id == "cell-foreign").unwrap();
     assert_eq!(foreign.arguments["line"], Argument::Whole(8));
 }
@@ -294,7 +423,7 @@ fn orientations_that_do_not_fit_are_named() {
     assert_eq!(found.noise.iter().map(|n| n.uncertainties_from.as_str()).collect::<Vec<_>>(), ["stated", "residuals"]);
     seen[3] = seen[3].turn_x(0.02);
     let text = table(&[flange, columns("", "quaternion", &seen)]);
-    let found = document(&text, &solve);
+    let found = with_code(1, &text, &solve);
     let foreign = found.messages.iter().find(|m| m.id == "cell-foreign-turned").unwrap();
     assert_eq!(foreign.arguments["line"], Argument::Whole(5));
 }

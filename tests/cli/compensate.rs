@@ -307,11 +307,27 @@ fn programs_that_cannot_be_compensated_target_by_target_are_refused() {
         (
             "a.mod",
             format!("MoveL {target},v10,fine,tool0\\WObj:=w1;\nMoveL {target},v10,fine,tool0\\WObj:=w2;"),
-            "each as a program",
+            "one program for each",
         ),
         ("a.mod", target.replace("0.6", "0.9"), "error[quaternion-length]"),
         ("a.src", "PTP {X 300}\n".to_owned(), "error[move-incomplete]"),
         ("a.src", "FOLD {TOOL_NO 3,BASE_NO 0}\nPTP {X 300,Y 0,Z 500,A 0,B 0,C 0}".to_owned(), "uses `TOOL_NO 3`"),
+        ("a.src", format!("CIRC HELP, GOAL\n{KRL_TARGET}"), "error[movement-not-compensated] command=CIRC"),
+        ("a.src", format!("{KRL_TARGET}\nscirc {{X 1}}, {{X 2}}"), "error[movement-not-compensated] command=scirc"),
+        ("a.src", format!("{KRL_TARGET}\nLIN_REL {{Z 50}}"), "error[movement-not-compensated] command=LIN_REL"),
+        ("a.src", format!("{KRL_TARGET}\nSPTP_REL {{A1 5}}"), "a.src:2"),
+        ("a.src", format!("$TOOL={{Z 150}}\n{KRL_TARGET}"), "error[move-incomplete] command=$TOOL={Z 150}"),
+        ("a.src", format!("$BASE = {{FRAME: Z 150}}\n{KRL_TARGET}"), "error[move-incomplete]"),
+        ("a.src", format!("$TOOL=$NULLFRAME\n$TOOL.Z=150\n{KRL_TARGET}"), "error[move-incomplete] command=$TOOL.Z=150"),
+        ("a.src", format!("$TOOL={{X 0,Y 0,Z 150,A 0,B 0,C 0}}\n{KRL_TARGET}"), "error[program-frames]"),
+        ("a.src", format!("{KRL_TARGET}\n$TOOL=TOOL_DATA[3]\n{KRL_TARGET}\n$TOOL=$NULLFRAME"), "one program for each"),
+        ("a.mod", format!("MoveC p1, {target},v10,fine,tool0;"), "error[movement-not-compensated] command=MoveC"),
+        ("a.mod", format!("PROC main()\n IF a THEN movec\\Conc, p1, {target},v10,fine,tool0;"), "a.mod:2"),
+        (
+            "a.script",
+            "movec(via, p[0.3,0.1,0.5,3.0,0.5,0])".to_owned(),
+            "error[movement-not-compensated] command=movec",
+        ),
         ("a.script", "set_tcp(p[0,0,0.1,0,0,0])\nmovel(p[0.3,0.1,0.5,3.0,0.5,0])".to_owned(), "uses `p[0,0,0.1"),
     ] {
         let (new, code, said) = real.compensate(name, program.as_bytes(), &[]);
@@ -319,6 +335,81 @@ fn programs_that_cannot_be_compensated_target_by_target_are_refused() {
     }
     let tool = format!("MoveL {target},v10,fine,tGrip;");
     assert_eq!(real.compensate("a.mod", tool.as_bytes(), &["--tool", "0,0,-10"]).1, Some(0));
+}
+
+const KRL_TARGET: &str = "PTP {X 300,Y 100,Z 500,A 180,B 0,C -180}";
+
+#[test]
+fn a_tool_of_the_program_and_that_of_the_option_are_one() {
+    let real = Real::new("samples/abb-irb120/robot.toml");
+    let zero = "$TOOL={X 0,Y 0,Z 0,A 0,B 0,C 0}";
+    let literal = "$TOOL = {FRAME: X 0,Y 0.0,Z -10,A 90,B 0,C 0}";
+    let turned = ["--tool", "0,0,-10,0.70710678,0,0,0.70710678"];
+    for (head, more) in [
+        // zero, as a frame or in numbers, is the flange
+        ("$TOOL=$NULLFRAME", &[][..]),
+        (zero, &[]),
+        (zero, &["--tool", "0,0,0"]),
+        // initialised, then set
+        ("$TOOL=$NULLFRAME\n$BASE=$NULLFRAME\n\n$TOOL=TOOL_DATA[3]", &["--tool", "0,0,-10"]),
+        (literal, &turned),
+        // a comment, a text and a name are no movement
+        ("; CIRC LIN_REL\nDECL CHAR TEXT[8]\nTEXT[]=\"LIN_REL\"\nDECL INT CIRCLES", &[]),
+        // $BASE is relative to a world, in which the robot may stand anywhere
+        ("$BASE=$NULLFRAME", &["--object", "0,0,10"]),
+    ] {
+        let program = format!("{head}\n{KRL_TARGET}\n");
+        let (new, code, said) = real.compensate("a.src", program.as_bytes(), more);
+        assert!(code == Some(0) && text(&new).starts_with(head), "{program}: {said}");
+    }
+    for (head, more) in [
+        (zero, &["--tool", "0,0,150"][..]),
+        ("$TOOL=$NULLFRAME", &["--tool", "0,0,150"]),
+        (literal, &["--tool", "0,0,-10"]),
+        ("$TOOL={X 0,Y 0,Z -100,A 90,B 0,C 0}", &turned),
+    ] {
+        let program = format!("{head}\n{KRL_TARGET}\n");
+        let (new, code, said) = real.compensate("a.src", program.as_bytes(), more);
+        assert!(
+            code == Some(2) && new.is_empty() && said.says("error[program-frame-other] option=tool"),
+            "{program}: {said}"
+        );
+    }
+    // the hint can be used as it is
+    let hint = real.compensate("a.src", format!("{literal}\n{KRL_TARGET}\n").as_bytes(), &["--tool", "0,0,1"]).2;
+    let pose = hint
+        .lines()
+        .filter(|line| line.starts_with("hint: "))
+        .find_map(|line| line.rsplit_once("--tool "))
+        .unwrap()
+        .1
+        .trim();
+    let program = format!("{literal}\n{KRL_TARGET}\n");
+    assert_eq!(real.compensate("a.src", program.as_bytes(), &["--tool", pose]).1, Some(0), "{hint}");
+}
+
+#[test]
+fn programs_of_synthetic_parameters_say_so() {
+    let real = Real::new("samples/abb-irb120/robot.toml");
+    let (main, program, _) = &irb120_programs()[1];
+    let (measured, ..) = real.compensate(main, program, &[]);
+    let found = std::fs::read_to_string(&real.parameters).unwrap();
+    let mut document: serde_json::Value = serde_json::from_str(&found).unwrap();
+    document["synthetic"] = "made with seed 7".into();
+    std::fs::write(&real.parameters, document.to_string()).unwrap();
+    let (synthetic, ..) = real.compensate(main, program, &[]);
+    let line = "; SYNTHETIC DATA, not of a measured robot: made with seed 7\r\n";
+    let latin = |bytes: &[u8]| bytes.iter().map(|&b| b as char).collect::<String>();
+    // after the line that KRL requires first; nothing else differs
+    assert!(latin(&synthetic).starts_with(&format!("&ACCESS RVP\r\n{line}DEF main()")), "{}", latin(&synthetic));
+    assert_eq!(latin(&synthetic).replace(line, ""), latin(&measured));
+    let (list, ..) = real.compensate(main, program, &["--format", "rapid"]);
+    assert!(
+        text(&list).lines().any(|l| l == "! SYNTHETIC DATA, not of a measured robot: made with seed 7"),
+        "{}",
+        text(&list)
+    );
+    assert!(!latin(&measured).contains("SYNTHETIC"));
 }
 
 /// A five-bar and a PreXYT: every byte but the numbers of the targets stays, and these are those of a table of the same targets.

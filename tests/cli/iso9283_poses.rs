@@ -99,3 +99,83 @@ fn robots_approaches_and_cycles_are_told_apart() {
     let (_, said) = answer(&typed);
     assert!(said.contains("warning[columns-not-read]") && said.contains("did you mean `approach`?"), "{said}");
 }
+
+/// Four poses far from the origin; the robot passes them one way, or one way and back in turn. Each way is 0.05, -0.02 and
+/// 0.03 mm off, to either side.
+fn passes(back: bool) -> Vec<String> {
+    let places = [[612.5, -400.0, 355.0], [350.0, -620.0, 210.0], [350.0, -180.0, 800.0], [900.0, -620.0, 210.0]];
+    let mut rows = Vec::new();
+    for cycle in 1..=30 {
+        let is_back = back && cycle % 2 == 0;
+        let side = if is_back { -1.0 } else { 1.0 };
+        for k in 0..4 {
+            let pose = if is_back { 3 - k } else { k };
+            let [x, y, z] = places[pose];
+            let (x, y, z) = (x + 0.05 * side, y - 0.02 * side, z + 0.03 * side);
+            rows.push(format!("{},{cycle},{x:.4},{y:.4},{z:.4}\n", pose + 1));
+        }
+    }
+    rows
+}
+
+#[test]
+fn means_of_approaches_on_the_terminal_are_those_of_the_document() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = "pose,cycle,x_mm,y_mm,z_mm\n".to_owned() + &passes(true).concat();
+    std::fs::write(folder.path().join("poses.csv"), table).unwrap();
+    let done = run(folder.path(), "iso9283 pose poses.csv --all --json");
+    let document: Iso9283Document = serde_json::from_slice(&done.stdout).unwrap();
+    let of_pose = document.approaches.iter().find(|v| v.pose == etalon::base::pose_name::PoseName::from(2)).unwrap();
+    let printed = String::from_utf8(run(folder.path(), "iso9283 pose poses.csv --all").stdout).unwrap();
+    for (from, expected) in [("from pose 1", [0.05, -0.02, 0.03]), ("from pose 3", [-0.05, 0.02, -0.03])] {
+        let approach = of_pose.approaches.iter().find(|a| a.name == from).unwrap();
+        assert_eq!(approach.cycles, 15);
+        let off = etalon::base::pose::minus(approach.mean_mm, of_pose.mean_mm.unwrap());
+        assert!(off.iter().zip(expected).all(|(found, stated)| (found - stated).abs() < 1e-9), "{off:?}");
+        let is_row = |line: &&str| line.trim_start().starts_with("2 ") && line.contains(from);
+        let row = printed.lines().find(is_row).unwrap_or_else(|| panic!("{printed}")).replace('\u{2212}', "-");
+        let cells: Vec<&str> = row.split_whitespace().collect();
+        let texts = expected.map(|mm: f64| format!("{:.1}", 1e3 * mm));
+        assert!(cells.windows(3).any(|three| three == texts), "{texts:?} in {row}");
+    }
+    // 2 hypot(50, 20, 30) µm
+    assert!((of_pose.vap_mm - 0.1232883).abs() < 1e-6, "{}", of_pose.vap_mm);
+}
+
+#[test]
+fn a_missing_reading_is_no_approach() {
+    let folder = tempfile::tempdir().unwrap();
+    let answer = |rows: &[String]| {
+        let table = "pose,cycle,x_mm,y_mm,z_mm\n".to_owned() + &rows.concat();
+        std::fs::write(folder.path().join("poses.csv"), table).unwrap();
+        let done = run(folder.path(), "iso9283 pose poses.csv --all --json");
+        let document: Iso9283Document = serde_json::from_slice(&done.stdout).unwrap();
+        (document, text_of(&done))
+    };
+    let counts = |document: &Iso9283Document| -> Vec<Vec<(String, usize)>> {
+        let of_pose = |v: &etalon::documents::Iso9283Variation| {
+            v.approaches.iter().map(|a| (a.name.clone(), a.cycles)).collect::<Vec<_>>()
+        };
+        document.approaches.iter().map(of_pose).collect()
+    };
+    let lost = |row: &String| !row.starts_with("3,17,");
+    // one way: no pose has a second approach, and every visit counts for RP
+    let (whole, said) = answer(&passes(false));
+    assert!(whole.approaches.is_empty() && !said.contains("approach-unknown"), "{said}");
+    let (gap, said) = answer(&passes(false).into_iter().filter(lost).collect::<Vec<_>>());
+    assert!(gap.approaches.is_empty(), "{:?}", counts(&gap));
+    assert!(said.says("warning[approach-unknown] count=1"), "{said}");
+    assert_eq!(gap.poses.iter().map(|p| p.cycles).collect::<Vec<_>>(), [30, 30, 29, 30]);
+    // both ways: the approaches remain, with one visit fewer
+    let (whole, said) = answer(&passes(true));
+    assert!(!said.contains("approach-unknown"), "{said}");
+    let (gap, said) = answer(&passes(true).into_iter().filter(lost).collect::<Vec<_>>());
+    assert!(said.says("warning[approach-unknown] count=1"), "{said}");
+    let (mut expected, found) = (counts(&whole), counts(&gap));
+    let names = |all: &[Vec<(String, usize)>]| all.iter().flatten().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+    assert_eq!(names(&expected), names(&found));
+    // poses 3 and 4 of cycle 17, which goes 1, 2, 3, 4
+    expected[2][0].1 -= 1;
+    expected[3].iter_mut().filter(|(name, _)| name == "from pose 3").for_each(|(_, count)| *count -= 1);
+    assert_eq!(found, expected);
+}

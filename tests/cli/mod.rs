@@ -12,6 +12,7 @@ mod controller_files;
 mod fit;
 mod five_bar;
 mod given;
+mod in_memory;
 mod iso230;
 mod iso9283;
 mod iso9283_campaign;

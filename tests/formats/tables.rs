@@ -1,5 +1,6 @@
 //! One language for all tables: columns by name, number or expression, constants, filters, several files.
 
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, ends};
 use etalon::base::phrase;
 use etalon::documents::ParametersDocument;
@@ -174,6 +175,29 @@ fn tests_of_poses_read_tables_in_any_layout() {
     assert!(!right.is_empty() && right == found, "{said} {said_too}");
     let (_, said) = program(&own, &[]);
     assert!(said.contains("--delimiter"), "{said}");
+    // headings that one of the tables has: each is stated
+    let both = [&options[..], &["--column", "x_mm=Soll X"]].concat();
+    assert_eq!(program(&own, &both).0, right);
+    let commanded = std::fs::read_to_string(own.path().join("commanded.csv")).unwrap().replacen('X', "Soll X", 1);
+    std::fs::write(own.path().join("commanded.csv"), &commanded).unwrap();
+    for (first, second) in [("x_mm=X", "x_mm=Soll X"), ("x_mm=Soll X", "x_mm=X")] {
+        let stated = ["--delimiter", ";", "--decimal", ",", "--column", first, "--column", second];
+        let (found, said) = program(&own, &stated);
+        assert!(found == right, "{said}");
+    }
+    // a heading is missing: the hint does not offer columns that are read as what they are
+    let (_, said) = program(&own, &options);
+    assert!(said.says("error[column-unknown] column=x_mm") && said.contains("Soll X"), "{said}");
+    assert!(!said.contains("one of: pose"), "{said}");
+    // marks of the section apply to a table with its own columns
+    let own_columns = "commanded = { file = \"commanded.csv\", columns = { x_mm = \"Soll X\" } }";
+    own.replace("campaign.toml", "commanded = \"commanded.csv\"", own_columns);
+    ends(&own, "run", 0, &[]);
+    assert_eq!(characteristics(document(&plain)), characteristics(document(&own)));
+    // both headings in one table
+    std::fs::write(own.path().join("commanded.csv"), commanded.replacen("y_mm", "X", 1)).unwrap();
+    let (_, said) = program(&own, &both);
+    assert!(said.says("error[option-column-ambiguous] column=x_mm"), "{said}");
 }
 
 /// `etalon ARGS` in the folder of a campaign: exit code and output.
@@ -387,4 +411,29 @@ fn rows_of_a_log_are_left_out_by_filters() {
     ends(&own, "check", 2, &["[column-unknown]", "encoders.csv:1"]);
     own.replace("campaign.toml", "only = { mode = 1 }", "only = { fault = 7 }");
     ends(&own, "check", 2, &["[no-row-selected]"]);
+}
+
+/// Columns with the names of a hexapod's joints are its joints, however they are written; a table of unknown columns has no
+/// lines to paste.
+#[test]
+fn legs_are_joints_and_nothing_is_pasted_where_nothing_is_read() {
+    let scratch = copy_sample("hexapod");
+    let rows = |head: &str| {
+        let row = |i: usize| {
+            let cells: Vec<String> = (1..=6).map(|k| format!("{}.25", 20 + (17 * i * k) % 70)).collect();
+            format!("{i},{}\n", cells.join(","))
+        };
+        format!("{head}\n{}", (1..40).map(row).collect::<String>())
+    };
+    let paste = phrase!("next-paste").to_string();
+    for heading in ["leg#_mm", "Leg#", "leg#", "Leg # [mm]", "LEG_#"] {
+        let heads: Vec<String> = (1..=6).map(|k| heading.replace('#', &k.to_string())).collect();
+        std::fs::write(scratch.path().join("legs.csv"), rows(&format!("pose,{}", heads.join(",")))).unwrap();
+        let (code, said) = answer(&scratch, &["formats", "legs.csv", "--robot", "robot.toml"]);
+        assert!(code == Some(0) && said.contains("[log]") && said.contains(&paste), "{heading}: {said}");
+        assert!(said.contains(&heads[5]) && !said.contains("leg7"), "{heading}: {said}");
+    }
+    std::fs::write(scratch.path().join("legs.csv"), "foo,bar\nyes,no\nno,yes\n").unwrap();
+    let (_, said) = answer(&scratch, &["formats", "legs.csv"]);
+    assert!(!said.contains(&paste), "{said}");
 }

@@ -50,6 +50,16 @@ const CASES: &[Case] = &[
     ),
     ("few-cycles", "", &[("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,0,0,0\n1,2,0,0,0.1\n")], POSES),
     (
+        "approach-unknown count=1",
+        "",
+        &[(
+            "t.csv",
+            "",
+            "pose,cycle,x_mm,y_mm\n1,1,0,0\n2,1,9,0\n3,1,9,9\n1,2,0,0\n3,2,9,9\n1,3,0,0\n2,3,9,0\n3,3,9,9\n",
+        )],
+        POSES,
+    ),
+    (
         "central-part-too-large",
         "",
         &[("t.csv", "", "time_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,100,0,0\n"), PATH],

@@ -1,7 +1,6 @@
 //! Branches of a URDF, by the files of measurements: the links whose chains reproduce the points of
 //! the targets, where these are on several links.
 
-use super::tool_link::{BETTER, names};
 use super::{joint_keys, urdf_text};
 use etalon_base::message::printable;
 use etalon_base::{error, phrase};
@@ -12,6 +11,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+/// Factor by which the residual of a chain has to be smaller than that of another one.
+pub(super) const BETTER: f64 = 3.0;
 /// Target that stands for the targets of a chain.
 const TARGET: &str = "target";
 
@@ -108,4 +109,9 @@ fn text(name: &str, chains: &[TreeChain], links: &BTreeMap<usize, Vec<&Placed>>,
         let _ = write!(text, "\n# QUESTION: {}\n", printable(&question.to_string()));
     }
     text
+}
+
+/// Returns the names of the joints of a chain.
+pub(super) fn names(chain: &TreeChain) -> Vec<&str> {
+    chain.joints.iter().map(|joint| joint.name.as_str()).collect()
 }

@@ -56,6 +56,11 @@ pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<V
     let stated: toml::Table = toml::from_str(&lines)
         .map_err(|e| Problems::from(error!("proposal-not-toml", name = names.join(" "), error = e.to_string())))?;
     let mut text = head(&names, &lines, robot.controllers) + "\n" + &lines;
+    let is_one_table = documents.iter().any(|document| document.kind == "export with joints");
+    let has_branches = built.is_some_and(|robot| !robot.branches().is_empty());
+    if has_branches && is_one_table && !stated.contains_key("join") {
+        let _ = writeln!(text, "\n[join]\nby = \"row\"\ntargets = {:?}", robot.targets);
+    }
     text += &identification(&documents, &stated);
     let mut all = vec![("campaign.toml".to_owned(), text.into_bytes())];
     all.extend(robot.files);

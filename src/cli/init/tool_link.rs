@@ -1,7 +1,7 @@
 //! Tool link of a URDF, by the files of measurements: the chain whose joints the files have, and
 //! whose kinematics the measured points fit.
 
-use super::branches::branches;
+use super::branches::{BETTER, branches, names};
 use super::{Described, joint_keys, urdf_text};
 use etalon_base::catalogue::{Argument, Phrase};
 use etalon_base::message::printable;
@@ -14,8 +14,6 @@ use etalon_robots::TreeChain;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Factor by which the residual of a chain has to be smaller than that of another one.
-pub(super) const BETTER: f64 = 3.0;
 /// Maximum number of chains that are tried.
 const TRIED: usize = 24;
 
@@ -111,11 +109,6 @@ fn evidence(beside: &Path, source: &str, chain: &TreeChain, files: &[PathBuf]) -
         rms_mm,
         still: joints.iter().rev().take_while(|joint| still.iter().any(|name| name == *joint)).count(),
     })
-}
-
-/// Returns the names of the joints of a chain.
-pub(super) fn names(chain: &TreeChain) -> Vec<&str> {
-    chain.joints.iter().map(|joint| joint.name.as_str()).collect()
 }
 
 /// Chooses between chains that the files name or count alike, where no rows test the kinematics:

@@ -180,6 +180,10 @@ impl CellData {
             format!("solved: {}, {} readings", document.solve, document.readings),
         ];
         let documents: Vec<&CellDocument> = [document].into_iter().chain(&options.second).collect();
+        let failed: Vec<&str> = documents.iter().flat_map(|d| d.errors()).map(|m| m.what.as_str()).collect();
+        if !failed.is_empty() {
+            header.push(format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")));
+        }
         let inputs = documents.iter().flat_map(|d| &d.provenance.inputs);
         header.extend(inputs.map(|(file, hash)| format!("table {file}, sha256 {hash}")));
         if answer.u_deg.is_none() {

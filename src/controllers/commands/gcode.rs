@@ -24,6 +24,10 @@ fn letters(freedoms: Freedoms) -> &'static [&'static str] {
 }
 
 impl CommandLanguage for Gcode {
+    fn comment_mark(&self) -> char {
+        ';'
+    }
+
     fn units(&self) -> &'static str {
         "mm, deg"
     }

@@ -9,16 +9,25 @@ use super::{
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::ops::Range;
 
 pub(super) struct Krl;
 
 const NAMES: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
+/// Arcs and relative movements.
+const REFUSED: [&str; 8] = ["CIRC", "SCIRC", "CIRC_REL", "SCIRC_REL", "LIN_REL", "SLIN_REL", "PTP_REL", "SPTP_REL"];
+/// Frames of the flange and of the base.
+const NULL: [&str; 2] = ["$NULLFRAME", "$WORLD"];
 /// Movements of the tool to a pose.
 const MOVES: [&str; 6] = ["PTP", "LIN", "CIRC", "SPTP", "SLIN", "SCIRC"];
 
 impl CommandLanguage for Krl {
+    fn comment_mark(&self) -> char {
+        ';'
+    }
+
     fn units(&self) -> &'static str {
         "mm, deg"
     }
@@ -56,7 +65,9 @@ impl CommandLanguage for Krl {
                 problems.extend(aggregate(&text, inside, &mut found));
             }
         }
-        frames(&text, &mut found);
+        problems.extend(super::refused_movements(&text, |word| REFUSED.iter().any(|r| word.eq_ignore_ascii_case(r))));
+        problems.extend(frames(&text, &mut found));
+        problems.sort_by_key(|message| message.place.as_ref().and_then(|place| place.line));
         super::none(problems)?;
         Ok(found)
     }
@@ -101,7 +112,6 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     let frame =
         kind == "FRAME" || ["$", "BASE_DATA", "TOOL_DATA", "LOAD_DATA"].iter().any(|s| statement.starts_with(s));
     if frame || statement.contains("FRAME ") || numbers.is_empty() || statement.contains("_REL") {
-        found.computed.extend(statement.contains("_REL").then(|| "relative movements".to_owned()));
         return None;
     }
     let line = line_of(text, open);
@@ -120,17 +130,67 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     None
 }
 
-/// Collects tools and bases named in a program.
-fn frames(text: &[u8], found: &mut Program) {
+/// Collects tools and bases of a program; returns errors for tools and bases of which it states a
+/// part.
+fn frames(text: &[u8], found: &mut Program) -> Vec<Message> {
     let text = String::from_utf8_lossy(text).to_ascii_uppercase();
     for (key, into) in [("TOOL_NO ", &mut found.tools), ("BASE_NO ", &mut found.objects)] {
         let numbers = text.split(key).skip(1).map(|rest| rest.split([',', '}']).next().unwrap_or_default().trim());
         into.extend(numbers.filter(|n| *n != "0").map(|n| format!("{key}{n}")));
     }
-    for line in text.lines().map(str::trim) {
-        let assigned = |name: &str| line.strip_prefix(name).and_then(|rest| rest.trim_start().strip_prefix('='));
-        let value = |value: &str| value.trim().to_owned();
-        found.tools.extend(assigned("$TOOL").map(value).filter(|v| v != "$NULLFRAME"));
-        found.objects.extend(assigned("$BASE").map(value).filter(|v| v != "$NULLFRAME" && v != "$WORLD"));
+    let mut problems = Vec::new();
+    for (name, into) in [("$TOOL", &mut found.tools), ("$BASE", &mut found.objects)] {
+        for (line, value) in assigned(&text, name) {
+            let pose = match value.strip_prefix('{').and_then(|rest| rest.strip_suffix('}')) {
+                Some(fields) => numbers(fields),
+                None if NULL.contains(&value) => Some(Some(Pose::identity())),
+                None => None,
+            };
+            let is_part = name.len() < value.len() && value.starts_with(name);
+            if is_part || matches!(pose, Some(None)) {
+                let command = if is_part { value.to_owned() } else { format!("{name}={value}") };
+                let coordinates = phrase!("pose-of-six");
+                problems.push(at_line(line, error!("move-incomplete", command, coordinates)));
+                continue;
+            }
+            found.known.extend(pose.flatten().map(|pose| (value.to_owned(), pose)));
+            into.insert(value.to_owned());
+        }
     }
+    problems
+}
+
+/// Lines with the values that they assign to `$TOOL` or `$BASE`, or the assignment itself if it is
+/// of one coordinate. A value that the next assignments replace before anything else happens is
+/// left out.
+fn assigned<'t>(text: &'t str, name: &str) -> Vec<(usize, &'t str)> {
+    let (mut all, mut is_replaced) = (Vec::new(), false);
+    for (i, line) in text.lines().map(str::trim).enumerate() {
+        let rest = line.strip_prefix(name).map(str::trim_start);
+        if let Some(value) = rest.and_then(|rest| rest.strip_prefix('=')) {
+            if is_replaced {
+                all.pop();
+            }
+            all.push((i + 1, value.trim()));
+            is_replaced = true;
+        } else if rest.is_some_and(|rest| rest.starts_with('.') && rest.contains('=')) {
+            all.push((i + 1, line));
+            is_replaced = false;
+        } else if !line.is_empty() && !line.starts_with('$') {
+            is_replaced = false;
+        }
+    }
+    all
+}
+
+/// Pose of the fields of a frame, if all are numbers; `Some(None)` if some coordinates are missing.
+fn numbers(fields: &str) -> Option<Option<Pose>> {
+    let fields = fields.split_once(':').map_or(fields, |(_, fields)| fields);
+    let field = |field: &str| {
+        let (name, value) = field.trim().split_once(char::is_whitespace)?;
+        Some((name.to_owned(), value.trim().parse::<f64>().ok().filter(|v| v.is_finite())?))
+    };
+    let stated = fields.split(',').map(field).collect::<Option<BTreeMap<String, f64>>>()?;
+    let six: Option<Vec<f64>> = NAMES.iter().map(|name| stated.get(*name).copied()).collect();
+    Some(six.map(|n| Krl.pose(&n, Freedoms::Space)))
 }

@@ -12,6 +12,10 @@ use std::fmt::Write;
 pub(super) struct Mecaprol;
 
 impl CommandLanguage for Mecaprol {
+    fn comment_mark(&self) -> char {
+        '!'
+    }
+
     fn units(&self) -> &'static str {
         "mm"
     }

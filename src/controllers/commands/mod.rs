@@ -15,9 +15,10 @@ pub use galil::Galil;
 
 use super::Given;
 use super::decimals::fixed;
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// Default number of decimals of a length in mm; other numbers have more or fewer decimals for the
@@ -46,6 +47,9 @@ pub struct Command {
 
 /// A language in which poses are commanded.
 pub trait CommandLanguage: Sync {
+    /// Character that begins a comment.
+    fn comment_mark(&self) -> char;
+
     /// Units of the numbers.
     fn units(&self) -> &'static str;
 
@@ -80,6 +84,8 @@ pub struct Program {
     pub tools: BTreeSet<String>,
     /// Named frames other than the base.
     pub objects: BTreeSet<String>,
+    /// Poses of those tools and frames that the program states.
+    pub known: BTreeMap<String, Pose>,
     /// Expressions that compute poses at run time, which are left unchanged.
     pub computed: BTreeSet<String>,
 }
@@ -195,6 +201,24 @@ pub fn rewritten(program: &[u8], targets: &[ProgramTarget], numbers: &[Vec<Strin
     }
     out.extend_from_slice(&program[at..]);
     out
+}
+
+/// Program with a comment before its first line; header lines of a file (`%`, `&ACCESS`, and
+/// RAPID's lines between `%%%`) remain the first ones.
+pub fn with_comment(program: &[u8], mark: char, comment: &str) -> Vec<u8> {
+    let (mut at, mut in_header) = (if program.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }, false);
+    for line in program[at..].split_inclusive(|b| *b == b'\n') {
+        let is_fence = line.starts_with(b"%%%");
+        if !(is_fence || in_header || line.starts_with(b"%") || line.starts_with(b"&")) {
+            break;
+        }
+        in_header ^= is_fence;
+        at += line.len();
+    }
+    let first_end = program.iter().position(|b| *b == b'\n');
+    let is_crlf = first_end.and_then(|end| program.get(end.checked_sub(1)?)) == Some(&b'\r');
+    let line = format!("{mark} {}{}", super::comment(comment), if is_crlf { "\r\n" } else { "\n" });
+    [&program[..at], line.as_bytes(), &program[at..]].concat()
 }
 
 /// Decimal text without exponent, trailing zeros and negative zero.
@@ -314,6 +338,16 @@ fn slots(numbers: &[Number]) -> Vec<Slot> {
 /// Error at a line of a program.
 fn at_line(line: usize, message: Message) -> Message {
     message.at(etalon_base::message::Place { line: Some(line), ..Default::default() })
+}
+
+/// Errors for words that command an arc or a relative movement, in a program without comments.
+fn refused_movements<'a>(text: &'a [u8], is_refused: impl Fn(&str) -> bool + 'a) -> impl Iterator<Item = Message> + 'a {
+    let is_word = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'$');
+    text.split(|b| *b == b'\n').enumerate().filter_map(move |(i, line)| {
+        let words = line.split(|b| !is_word(b)).map(|word| std::str::from_utf8(word).unwrap_or_default());
+        let command = words.into_iter().find(|word| is_refused(word))?;
+        Some(at_line(i + 1, error!("movement-not-compensated", command)))
+    })
 }
 
 /// Returns the errors, if any.

@@ -16,7 +16,27 @@ pub(super) struct Rapid;
 /// Default values of a `robtarget` after the pose: no configuration, no external axes.
 const OTHERS: &str = "[0,0,0,0],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]";
 
+/// Instructions that move along an arc.
+const ARCS: [&str; 12] = [
+    "MoveC",
+    "MoveCAO",
+    "MoveCDO",
+    "MoveCGO",
+    "MoveCSync",
+    "TriggC",
+    "SearchC",
+    "CapC",
+    "DispC",
+    "ArcC",
+    "ArcCStart",
+    "ArcCEnd",
+];
+
 impl CommandLanguage for Rapid {
+    fn comment_mark(&self) -> char {
+        '!'
+    }
+
     fn units(&self) -> &'static str {
         "mm, unit quaternion"
     }
@@ -75,6 +95,8 @@ impl CommandLanguage for Rapid {
                 _ => {}
             }
         }
+        let arcs = super::refused_movements(&text, |word| ARCS.iter().any(|arc| word.eq_ignore_ascii_case(arc)));
+        problems.extend(arcs);
         moves(&text, &mut found);
         super::none(problems)?;
         Ok(found)

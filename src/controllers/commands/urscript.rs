@@ -11,10 +11,15 @@ use std::fmt::Write;
 pub(super) struct UrScript;
 
 /// Functions whose poses are poses of the tool.
-const MOVES: [&str; 7] =
-    ["movej", "movel", "movep", "movec", "servoc", "get_inverse_kin", "get_inverse_kin_has_solution"];
+const MOVES: [&str; 5] = ["movej", "movel", "movep", "get_inverse_kin", "get_inverse_kin_has_solution"];
+/// Functions that move along an arc.
+const ARCS: [&str; 2] = ["movec", "servoc"];
 
 impl CommandLanguage for UrScript {
+    fn comment_mark(&self) -> char {
+        '#'
+    }
+
     fn units(&self) -> &'static str {
         "m, rad"
     }
@@ -40,9 +45,11 @@ impl CommandLanguage for UrScript {
         out
     }
 
-    fn targets(&self, program: &[u8], _freedoms: Freedoms) -> Result<Program> {
+    fn targets(&self, program: &[u8], freedoms: Freedoms) -> Result<Program> {
         let text = masked(program, b'#');
         let readable = String::from_utf8_lossy(&text);
+        let arcs = super::refused_movements(&text, |word| ARCS.contains(&word));
+        super::none(arcs.collect())?;
         let mut found = Program::default();
         for (open, _) in text.iter().enumerate().filter(|(_, b)| **b == b'[') {
             let Some((numbers, _)) = bracketed(&text, open).filter(|(numbers, _)| numbers.len() == 6) else { continue };
@@ -65,7 +72,10 @@ impl CommandLanguage for UrScript {
                 }),
                 (false, true) => found.joint_targets += 1,
                 (true, false) if called == "set_tcp" => {
-                    _ = found.tools.insert(readable[start..].lines().next().unwrap_or_default().to_owned())
+                    let name = readable[start..].lines().next().unwrap_or_default().to_owned();
+                    let numbers: Vec<f64> = numbers.iter().map(|n| n.value).collect();
+                    found.known.insert(name.clone(), self.pose(&numbers, freedoms));
+                    found.tools.insert(name);
                 }
                 (true, false) => _ = found.computed.insert(if called.is_empty() { name } else { called.to_owned() }),
                 (false, false) => {}

@@ -155,7 +155,8 @@ pub struct Iso9283Visit {
     pub pose: PoseName,
     /// Number of the cycle.
     pub cycle: i64,
-    /// Approach to the pose; null for the very first visit.
+    /// Approach to the pose; null if unknown: for the very first visit, or where the reading of the
+    /// previous pose is missing.
     pub approach: Option<String>,
     /// Attained position.
     pub attained_mm: Vector,
@@ -346,6 +347,9 @@ mirror! {
     struct Iso9283Variation of PoseVariation as v {
         /// Name of the pose.
         pose: PoseName,
+        /// Barycentre of all visits of the pose; absent in documents of earlier programs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        mean_mm: Option<Vector> = Some(v.mean_mm),
         /// vAP_p: largest distance between the barycentres of two approaches.
         vap_mm: f64,
         /// Approaches with the largest distance.
@@ -360,7 +364,7 @@ mirror! {
 mirror! {
     /// Visits by one approach.
     struct Iso9283Approach of Approach {
-        /// Value of the column `approach`, or the previous pose.
+        /// Value of the column `approach`, or the previous pose of the path.
         name: String,
         /// Number of visits.
         cycles: usize,

@@ -1,9 +1,8 @@
 //! Correction of a proposal by the nominal robot: joints, units, targets, and commanded points.
 
-use super::branches::joint_columns;
 use super::kinematics::{FEWEST, Origin, Outcome, Reading, Sample, confirmed, test};
 use super::meaning::{Interpretation, Meaning, PointSet};
-use super::table::{Column, Table};
+use super::table::{Column, Table, joint_columns};
 use super::turned;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;

@@ -2,7 +2,7 @@
 
 use super::kinematics::{Outcome, Sample, test};
 use super::several::{Keys, Part, best_join};
-use super::table::Table;
+use super::table::{Table, joint_columns};
 use etalon_base::message::Result;
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
@@ -89,21 +89,4 @@ fn joined<'p>(chain: &dyn Robot, export: &Part, log: &'p Part) -> Option<Joined<
     let (table, _) = log.read.as_ref()?;
     let columns = joint_columns(chain, table)?;
     Some((table, columns, best_join(None, export, &Keys::of(export), log)?.pairs))
-}
-
-/// Columns that are headed by the joints of a robot, in its order; `None` if one is missing.
-pub(super) fn joint_columns(chain: &dyn Robot, table: &Table) -> Option<Vec<usize>> {
-    let headed = |name: &str| {
-        table.columns.iter().position(|column| {
-            column.is_numeric() && column.name.as_deref().is_some_and(|heading| heading_without_unit(heading) == name)
-        })
-    };
-    chain.joints().iter().map(|joint| headed(&joint.name)).collect()
-}
-
-/// Returns a heading without its unit: `elbow` of `elbow [rad]` and of `elbow_rad`.
-pub fn heading_without_unit(heading: &str) -> &str {
-    let name = heading.split(['[', '(']).next().unwrap_or(heading).trim();
-    let units = ["_deg", "_rad", "_mm", "_m"];
-    units.iter().find_map(|unit| name.strip_suffix(unit)).unwrap_or(name)
 }

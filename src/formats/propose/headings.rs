@@ -96,7 +96,8 @@ const WORDS: [(Word, &str); 20] = [
     (Word::Normal, "normal n nx ny nz dir direction normale richtung"),
     (
         Word::Joint,
-        "joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e",
+        "joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e \
+         leg legs bein beine strut jambe gamba pata",
     ),
 ];
 
@@ -251,6 +252,8 @@ mod tests {
         assert_eq!(of("Température (°C)"), ("temperature".into(), Some("C")));
         assert_eq!(of("q1_deg"), ("q 1".into(), Some("deg")));
         assert_eq!(of("m_00"), ("m 00".into(), None));
+        assert_eq!(of("leg1_mm"), ("leg 1".into(), Some("mm")));
+        assert_eq!(of("Leg 1 [mm]"), of("leg1_mm"));
         assert_eq!(of("ux_mm"), ("u x".into(), Some("mm")));
         assert!(Heading::of("x_m").bare_metre && !Heading::of("x [m]").bare_metre);
         assert!(Heading::of("Soll X").has(Word::Commanded) && Heading::of("mesuré x").has(Word::Measured));

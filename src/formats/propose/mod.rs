@@ -16,9 +16,10 @@ mod structure;
 mod table;
 mod turned;
 
-pub use branches::{TargetFit, fit_targets, heading_without_unit};
+pub use branches::{TargetFit, fit_targets};
 pub use lines::JOINTS as JOINTS_REMARK;
 pub use several::{FilesProposal, label_form, propose_files};
+pub use table::heading_without_unit;
 
 use super::exports::qif::is_xml;
 use super::exports::{Format, Recognised, head, recognise};

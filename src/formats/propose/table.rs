@@ -4,6 +4,7 @@ use super::headings::Heading;
 use crate::dialect::Header;
 use crate::guess::{Guess, is_time, names};
 use crate::lexer::{Row, each_row, marked};
+use etalon_robots::Robot;
 
 /// Maximum number of rows that are read; the proposal states if the file has more.
 pub(super) const MOST_ROWS: usize = 200_000;
@@ -102,6 +103,23 @@ impl Table {
             (0..3).all(|i| (i..3).all(|j| (dot(row(i), row(j)) - f64::from(u8::from(i == j))).abs() < 2.0 * UNIT))
         }) && any
     }
+}
+
+/// Columns that are headed by the joints of a robot, in its order; `None` if one is missing.
+pub(super) fn joint_columns(chain: &dyn Robot, table: &Table) -> Option<Vec<usize>> {
+    let headed = |name: &str| {
+        table.columns.iter().position(|column| {
+            column.is_numeric() && column.name.as_deref().is_some_and(|heading| heading_without_unit(heading) == name)
+        })
+    };
+    chain.joints().iter().map(|joint| headed(&joint.name)).collect()
+}
+
+/// Returns a heading without its unit: `elbow` of `elbow [rad]` and of `elbow_rad`.
+pub fn heading_without_unit(heading: &str) -> &str {
+    let name = heading.split(['[', '(']).next().unwrap_or(heading).trim();
+    let units = ["_deg", "_rad", "_mm", "_m"];
+    units.iter().find_map(|unit| name.strip_suffix(unit)).unwrap_or(name)
 }
 
 /// Largest deviation from 1 of the length of a unit vector that is rounded to three digits.

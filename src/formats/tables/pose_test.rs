@@ -1,10 +1,11 @@
 //! Tables of attained and commanded poses, checked and grouped by pose.
 
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
-use etalon_base::message::{Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
+use etalon_standards::iso9283::pose::approach::{CameFrom, came_from};
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -30,7 +31,7 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
     let (Some(a), Some(c)) = (a, c.map_or(Some(None), |(table, c)| Some(Some((table, c?))))) else {
         return Err(problems);
     };
-    let visits = attained_poses(attained, &a)?;
+    let Attained { visits, unknown } = attained_poses(attained, &a)?;
     let mut poses: Vec<TestedPose> = Vec::new();
     if let Some((commanded, c)) = &c {
         like(
@@ -76,6 +77,7 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
     let mut warnings = problems.check()?;
     warnings.extend(attained.unread(&["pose", "cycle", "approach", "robot", "reading"]));
     warnings.extend(commanded.and_then(|commanded| commanded.unread(&["pose", "cycle"])));
+    warnings.extend(unknown);
     for p in poses.iter().filter(|p| p.attained.is_empty()) {
         warnings.push(warning!("commanded-pose-not-measured", pose = p.pose.to_string()));
     }
@@ -86,27 +88,67 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
     Ok(PoseTest { poses, spatial: a.spatial, angles: a.angles, warnings })
 }
 
+/// Attained poses of all rows, and a warning of visits with unknown approach.
+struct Attained {
+    visits: Vec<AttainedPose>,
+    unknown: Option<Message>,
+}
+
 /// Returns the attained pose of each row.
-fn attained_poses(table: NamedTable, rows: &Rows) -> Result<Vec<AttainedPose>> {
+fn attained_poses(table: NamedTable, rows: &Rows) -> Result<Attained> {
     let cycles = table.integers("cycle")?;
     let approaches = table.has("approach").then(|| table.texts("approach")).transpose()?;
     let robots = table.has("robot").then(|| table.texts("robot")).transpose()?;
-    // previous row of the same robot
-    let mut last: BTreeMap<&str, usize> = BTreeMap::new();
     let robot = |i: usize| robots.as_ref().map_or("", |names| names[i].as_str());
-    let before: Vec<Option<usize>> = (0..rows.poses.len()).map(|i| last.insert(robot(i), i)).collect();
+    let before = match approaches {
+        Some(_) => Vec::new(),
+        None => previous(rows.poses.len(), robot, |i| (cycles[i], rows.poses[i])),
+    };
+    let unread = before.iter().enumerate().filter(|(_, from)| **from == CameFrom::Unread).map(|(i, _)| i);
+    let unknown = unknown(&unread.map(|i| (cycles[i], rows.poses[i])).collect::<Vec<_>>());
     let visit = |i: usize| AttainedPose {
         cycle: cycles[i],
         position_mm: rows.positions_mm[i],
         angles_rad: rows.angles_rad[i].clone(),
         approach: match &approaches {
             Some(names) => Some(names[i].clone()),
-            None => before[i].map(|before| from_pose(rows.poses[before])),
+            None => match before[i] {
+                CameFrom::Pose(pose) => Some(from_pose(pose)),
+                CameFrom::Start | CameFrom::Unread => None,
+            },
         },
         robot: robot(i).to_owned(),
         readings_mm: vec![rows.positions_mm[i]],
     };
-    Ok((0..rows.poses.len()).map(visit).collect())
+    Ok(Attained { visits: (0..rows.poses.len()).map(visit).collect(), unknown })
+}
+
+/// Previous row of each row of a robot.
+fn previous<'a>(
+    count: usize,
+    robot: impl Fn(usize) -> &'a str,
+    row: impl Fn(usize) -> (i64, PoseName),
+) -> Vec<CameFrom> {
+    let mut of_robot: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    (0..count).for_each(|i| of_robot.entry(robot(i)).or_default().push(i));
+    let mut before = vec![CameFrom::Start; count];
+    for rows in of_robot.values() {
+        let visits: Vec<(i64, PoseName)> = rows.iter().map(|&i| row(i)).collect();
+        for (&i, from) in rows.iter().zip(came_from(&visits)) {
+            before[i] = from;
+        }
+    }
+    before
+}
+
+/// Maximum number of visits that a warning names.
+const NAMED: usize = 10;
+
+/// Warning of visits whose approach is unknown.
+fn unknown(visits: &[(i64, PoseName)]) -> Option<Message> {
+    let named = |(cycle, pose): &(i64, PoseName)| phrase!("visit-of-cycle", pose, cycle);
+    let shown: Vec<_> = visits.iter().take(NAMED).map(named).collect();
+    (!visits.is_empty()).then(|| warning!("approach-unknown", count = visits.len(), visits = shown))
 }
 
 fn rows(table: NamedTable) -> Result<Rows> {

@@ -9,6 +9,7 @@
 mod checks;
 mod derived;
 mod motion;
+mod noise;
 mod sweep;
 mod table;
 #[cfg(test)]
@@ -17,6 +18,7 @@ mod tests;
 pub use checks::{Agreement, Change, CheckedPose, Slip, Smooth, axis_slip, compared, joint_slip, smooth, start_gap};
 pub use derived::{AxesModel, BaseRule, Predicted};
 pub use motion::{ErrorMotion, Travel};
+pub use noise::{ByNoise, NoiseMotion};
 pub use sweep::{Path, SweepFault, SweepFit, fit_sweep};
 pub use table::DerivedParameters;
 
@@ -135,6 +137,10 @@ pub fn joint_axis(sweep: &Sweep, settings: &AxesSettings) -> Result<JointAxis, S
         Some(u) if crate::chi_square_exceeds((own.0 / u).powi(2) * own.1, fit.degrees_of_freedom) => own,
         Some(u) => (u, f64::INFINITY),
     };
+    // error motions are judged by noise alone: where residuals are smooth, that from point to point
+    let noise_mm = settings
+        .standard_uncertainty_mm
+        .unwrap_or_else(|| smooth(sweep, &fit).map_or(fit.deviation_mm, |smooth| smooth.noise_mm));
     let (phases, covariance) = motion::phases(sweep, &fit, u);
     let known = sweep.readings.first().map_or(0, |r| r.joints.len());
     let mean = |j: usize| {
@@ -148,7 +154,7 @@ pub fn joint_axis(sweep: &Sweep, settings: &AxesSettings) -> Result<JointAxis, S
         covariance,
         rest: (0..known).map(mean).collect(),
         travel: motion::travel(sweep, &fit),
-        error_motion: motion::error_motion(sweep, &fit),
+        error_motion: motion::error_motion(sweep, &fit, noise_mm),
         fit,
     })
 }

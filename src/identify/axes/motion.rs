@@ -1,5 +1,6 @@
 //! Sign, zero and error motions of a joint from its sweep.
 
+use super::noise::{NoiseMotion, noise_motion};
 use super::{Sweep, SweepFit, SweepReading};
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_math::statistics::median;
@@ -30,6 +31,8 @@ pub struct ErrorMotion {
     pub axial_mm: Option<f64>,
     /// Tilt error motion, largest angle between the axis and its mean (rad); from three targets.
     pub tilt_rad: Option<f64>,
+    /// Error motions that noise alone gives.
+    pub noise: NoiseMotion,
 }
 
 /// Difference of angles in −π to π.
@@ -148,8 +151,9 @@ fn range(values: impl Iterator<Item = f64>) -> f64 {
     (high - low).max(0.0)
 }
 
-/// Error motions of the paths, and of the axis itself where three targets were read together.
-pub(super) fn error_motion(sweep: &Sweep, fit: &SweepFit) -> ErrorMotion {
+/// Error motions of the paths, and of the axis itself where three targets were read together;
+/// `noise_mm` is the noise of a coordinate.
+pub(super) fn error_motion(sweep: &Sweep, fit: &SweepFit, noise_mm: f64) -> ErrorMotion {
     let of = |path: usize, k: usize| {
         let all = sweep.readings.iter().zip(&fit.residuals_mm).zip(&fit.used);
         let own = all.filter(move |((r, _), used)| **used && r.target == fit.paths[path].target);
@@ -159,13 +163,23 @@ pub(super) fn error_motion(sweep: &Sweep, fit: &SweepFit) -> ErrorMotion {
     ErrorMotion {
         radial_mm: (0..fit.paths.len()).map(|path| of(path, 0)).collect(),
         face_mm: (0..fit.paths.len()).map(|path| of(path, 1)).collect(),
-        axial_mm: axis.map(|a| a.0),
-        tilt_rad: axis.map(|a| a.1),
+        axial_mm: axis.as_ref().map(|a| a.axial_mm),
+        tilt_rad: axis.as_ref().map(|a| a.tilt_rad),
+        noise: noise_motion(sweep, fit, axis.as_ref().map(|a| (&a.body[..], a.steps)), noise_mm),
     }
 }
 
+/// Motion of the axis itself.
+struct RigidMotion {
+    axial_mm: f64,
+    tilt_rad: f64,
+    /// Targets at a mean place; the axis is z.
+    body: Vec<Vector>,
+    steps: usize,
+}
+
 /// Axial and tilt error motion, from the rigid body of three targets or more.
-fn rigid_motion(sweep: &Sweep, fit: &SweepFit) -> Option<(f64, f64)> {
+fn rigid_motion(sweep: &Sweep, fit: &SweepFit) -> Option<RigidMotion> {
     let inverse = fit.frame.inverse();
     // steps at which every target was read, in the order of the motion
     let paths: Vec<Vec<Vector>> = fit
@@ -205,9 +219,9 @@ fn rigid_motion(sweep: &Sweep, fit: &SweepFit) -> Option<(f64, f64)> {
         tilts.push(placed.axis(2));
     }
     let count = tilts.len() as f64;
-    let mean = [0, 1].map(|k| tilts.iter().map(|t| t[k]).sum::<f64>() / count);
-    let tilt = tilts.iter().map(|t| (t[0] - mean[0]).hypot(t[1] - mean[1])).fold(0.0, f64::max);
-    Some((range(axial.into_iter()), tilt))
+    let centre = [0, 1].map(|k| tilts.iter().map(|t| t[k]).sum::<f64>() / count);
+    let tilt_rad = tilts.iter().map(|t| (t[0] - centre[0]).hypot(t[1] - centre[1])).fold(0.0, f64::max);
+    Some(RigidMotion { axial_mm: range(axial.into_iter()), tilt_rad, body: mean, steps })
 }
 
 /// Second differences of the residuals of the used readings of each target (mm).

@@ -344,3 +344,70 @@ fn errors_of_screw_axes_have_their_covariance() {
     let share: f64 = inside / count;
     assert!(count > 400.0 && (share - 0.95).abs() < 0.035, "{share} of {count}");
 }
+
+/// Sweep of a perfect axis by three balls 200 mm apart, one metre from it; `axial` moves the axis
+/// along itself.
+fn distant_balls(noise: &mut Noise, noise_mm: f64, axial: impl Fn(usize) -> f64) -> Sweep {
+    let balls = [[1000.0, 0.0, 300.0], [1000.0, 200.0, 300.0], [1100.0, 60.0, 450.0]];
+    let axis = AxisLine { direction: [0.0, 0.6, 0.8], point_mm: [200.0, -100.0, 50.0], prismatic: false };
+    let mut readings = Vec::new();
+    for i in 0..24 {
+        let angle = 0.06 * i as f64;
+        for (target, ball) in balls.into_iter().enumerate() {
+            let at = axis.motion(angle).apply(ball);
+            let position_mm = [0, 1, 2].map(|k| at[k] + axial(i) * axis.direction[k] + noise.gaussian(noise_mm));
+            readings.push(SweepReading { row: readings.len() + 1, target, position_mm, joints: Vec::new() });
+        }
+    }
+    Sweep { joint: 0, readings }
+}
+
+/// Error motions of a perfect axis are what noise alone gives, within two standard uncertainties;
+/// those of a defective one are not.
+#[test]
+fn a_perfect_axis_has_the_error_motions_of_noise() {
+    let mut noise = Noise::new(31, 0);
+    let (mut inside, mut count, mut largest) = ([0.0; 4], [0.0; 4], 0.0f64);
+    let mut add = |k: usize, value: f64, by: ByNoise| {
+        assert!(by.deviation > 0.0 && by.expected > by.deviation);
+        count[k] += 1.0;
+        inside[k] += f64::from(u8::from((value - by.expected).abs() < 2.0 * by.deviation));
+    };
+    for trial in 0..150 {
+        let sweep = distant_balls(&mut noise, 0.015, |_| 0.0);
+        let stated = (trial % 2 == 0).then_some(0.015);
+        let settings = AxesSettings { standard_uncertainty_mm: stated, ..AxesSettings::default() };
+        let motion = joint_axis(&sweep, &settings).unwrap().error_motion;
+        for path in 0..3 {
+            add(0, motion.radial_mm[path], motion.noise.paths[path]);
+            add(1, motion.face_mm[path], motion.noise.paths[path]);
+        }
+        // a reading that is set aside leaves a step without three targets
+        let (Some(axial), Some(tilt)) = (motion.axial_mm, motion.tilt_rad) else { continue };
+        add(2, axial, motion.noise.axial.unwrap());
+        add(3, tilt, motion.noise.tilt.unwrap());
+        largest = largest.max(axial);
+    }
+    assert!(count[2] > 140.0, "{count:?}");
+    // the lever of one metre enlarges 15 µm to tenths of a millimetre
+    assert!(largest > 0.1, "{largest}");
+    let shares = [0, 1, 2, 3].map(|k| inside[k] / count[k]);
+    assert!(shares.iter().all(|share| *share > 0.9), "{shares:?}");
+    let sweep = distant_balls(&mut noise, 0.015, |i| (1.3 * i as f64).sin());
+    let settings = AxesSettings { standard_uncertainty_mm: Some(0.015), ..AxesSettings::default() };
+    let motion = joint_axis(&sweep, &settings).unwrap().error_motion;
+    let (face, by) = (motion.face_mm[0], motion.noise.paths[0]);
+    assert!(face > by.expected + 10.0 * by.deviation, "{face} {by:?}");
+    let (axial, by) = (motion.axial_mm.unwrap(), motion.noise.axial.unwrap());
+    assert!(axial > by.expected + 3.0 * by.deviation, "{axial} {by:?}");
+}
+
+/// Means and standard deviations of ranges of normal values: factors d2 and d3 of control charts
+/// (ASTM E2587).
+#[test]
+fn ranges_of_noise_are_those_of_control_charts() {
+    for (n, d2, d3) in [(2, 1.128, 0.853), (5, 2.326, 0.864), (10, 3.078, 0.797), (25, 3.931, 0.708)] {
+        let found = noise::range_of_normal(n, 1.0);
+        assert!((found.expected - d2).abs() < 0.01 && (found.deviation - d3).abs() < 0.01, "{n} {found:?}");
+    }
+}

@@ -7,6 +7,7 @@
 mod chain;
 mod external;
 mod object;
+mod refuted;
 mod slips;
 mod solve;
 #[cfg(test)]
@@ -18,6 +19,7 @@ mod tool_point;
 pub use chain::{HandEye, MeasuredPose, Mounting, Reflector, hand_eye, reflector};
 pub use external::{AxisReading, LinearAxis, RotaryAxis, linear_axis, rotary_axis};
 pub use object::{ObjectFrame, ObjectSlip, object_frame, object_slips};
+pub use refuted::Size;
 pub use slips::{AlternativeFit, explained};
 pub use three_points::{ThreePointRole, ThreePoints, three_points};
 pub use tool_axes::{AxisRole, ToolAxes, tool_axes};
@@ -36,6 +38,11 @@ pub enum Measure {
     Orientation,
 }
 
+/// Index of a measure: positions, then orientations.
+fn index_of(measure: Measure) -> usize {
+    usize::from(measure == Measure::Orientation)
+}
+
 /// Stated uncertainties.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stated {
@@ -52,6 +59,12 @@ impl Stated {
     /// `true` if the uncertainty of positions (0) or orientations (1) is stated.
     fn is_stated(&self, k: usize) -> bool {
         if k == 0 { self.position_mm.is_some() || !self.measured_mm.is_empty() } else { self.rotation_rad.is_some() }
+    }
+
+    /// Largest stated standard uncertainty of positions (0, mm) or orientations (1, rad).
+    fn largest(&self, k: usize) -> f64 {
+        let own = self.measured_mm.iter().flatten().fold(0.0, |largest: f64, u| largest.max(*u));
+        if k == 0 { self.position_mm.unwrap_or_default().hypot(own) } else { self.rotation_rad.unwrap_or_default() }
     }
 
     /// Covariance of the position of a reading (mm²), the identity if it is not stated.
@@ -107,10 +120,10 @@ pub struct Quality {
 }
 
 /// Probability (over all readings) below which a reading does not fit the others.
-const FOREIGN: f64 = 0.01;
+const FOREIGN: f64 = 1e-3;
 
 impl Quality {
-    /// Reading that fits the others least, if noise leaves a residual like this once in a hundred
+    /// Reading that fits the others least, if noise leaves a residual like this once in a thousand
     /// data sets or less.
     pub fn foreign(&self) -> Option<&CellResidual> {
         let count = self.residuals.len() as f64;

@@ -1,7 +1,8 @@
 //! Covariance from residuals with errors common to a cluster: a pose, a region of joint space, or a
 //! reading.
 
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use crate::model::elimination::carried;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rayon::prelude::*;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::collections::BTreeMap;
@@ -34,15 +35,20 @@ pub(crate) struct ByCluster {
 }
 
 impl ByCluster {
-    /// From the rows of the Jacobian J, their residuals and A⁻¹, which is `inverse`. Delete-a-group
-    /// jackknife to first order: A⁻¹ (Σ hₚ hₚᵀ) A⁻¹ with A = JᵀJ and hₚ = Jₚᵀ (I − Hₚ)^-½ rₚ, where
-    /// Hₚ = Jₚ A⁻¹ Jₚᵀ is the part of the hat matrix of one cluster: unbiased for independent
-    /// residuals, which the fit makes smaller than errors. Degrees of freedom are those of a
-    /// multiple of chi-square with the same mean and variance (Bell & McCaffrey 2002; CR2 in Imbens
-    /// & Kolesár 2016). `None` where one cluster determines some direction of the parameters alone.
-    pub fn new<C: Copy + Ord>(clusters: &[C], inverse: &[f64], residuals: &[f64], jacobian: &[f64]) -> Option<Self> {
-        let n = inverse.len().isqrt();
-        let root = Cholesky::new(DMatrix::from_row_slice(n, n, inverse))?.unpack(); // F, with F Fᵀ = A⁻¹
+    /// From the rows of the Jacobian J, their residuals and F with F Fᵀ = A⁻¹, which is `root`.
+    /// Delete-a-group jackknife to first order: A⁻¹ (Σ hₚ hₚᵀ) A⁻¹ with A = JᵀJ and hₚ = Jₚᵀ (I −
+    /// Hₚ)^-½ rₚ, where Hₚ = Jₚ A⁻¹ Jₚᵀ is the part of the hat matrix of one cluster: unbiased for
+    /// independent residuals, which the fit makes smaller than errors. Degrees of freedom are those
+    /// of a multiple of chi-square with the same mean and variance (Bell & McCaffrey 2002; CR2 in
+    /// Imbens & Kolesár 2016). `None` where one cluster determines some direction of the parameters
+    /// alone.
+    pub fn new<C: Copy + Ord>(
+        clusters: &[C],
+        root: &DMatrix<f64>,
+        residuals: &[f64],
+        jacobian: &[f64],
+    ) -> Option<Self> {
+        let n = root.nrows();
         let mut rows: BTreeMap<C, Vec<usize>> = BTreeMap::new();
         clusters.iter().enumerate().for_each(|(row, cluster)| rows.entry(*cluster).or_default().push(row));
         let rows: Vec<Vec<usize>> = rows.into_values().collect();
@@ -52,8 +58,8 @@ impl ByCluster {
         let (mut squares, mut fourths, mut expected) = (DMatrix::zeros(n, n), 0.0, 0.0);
         for some in rows.chunks(AT_ONCE) {
             let part = |rows: &Vec<usize>| {
-                let part = DMatrix::from_fn(rows.len(), n, |i, j| jacobian[rows[i] * n + j]) * &root;
-                Part::new(part, DVector::from_fn(rows.len(), |i, _| residuals[rows[i]]), &root)
+                let part = DMatrix::from_fn(rows.len(), n, |i, j| jacobian[rows[i] * n + j]) * root;
+                Part::new(part, DVector::from_fn(rows.len(), |i, _| residuals[rows[i]]), root)
             };
             let parts: Vec<Part> = some.par_iter().map(part).collect::<Option<_>>()?;
             for part in &parts {
@@ -69,7 +75,7 @@ impl ByCluster {
                 gram.gemm(1.0, &weights, &weights.transpose(), 1.0);
             });
         }
-        let covariance = &root * &steps * root.transpose();
+        let covariance = carried(root, &steps);
         let degrees = |i: usize| root.row(i).norm_squared().powi(2) / (own[i] + grams[i].norm_squared());
         Some(Self {
             covariance: covariance.as_slice().to_vec(),
@@ -152,8 +158,8 @@ mod tests {
     use super::*;
     use etalon_math::{Options, Problem, Solution, solve};
 
-    fn inverse(solution: &Solution) -> Vec<f64> {
-        solution.covariance().unwrap()
+    fn root(solution: &Solution) -> DMatrix<f64> {
+        crate::model::elimination::root(solution).unwrap()
     }
 
     /// A mean of readings.
@@ -178,8 +184,8 @@ mod tests {
         let (single, twice) = ([1.0, 2.0, 4.0, 9.0], [1.0, 1.0, 2.0, 2.0, 4.0, 4.0, 9.0, 9.0]);
         for (readings, clusters) in [(&single[..], vec![0, 1, 2, 3]), (&twice[..], vec![0, 0, 1, 1, 2, 2, 3, 3])] {
             let solution = solve(&Mean(readings), &[0.0], Options::default());
-            let found = ByCluster::new(&clusters, &inverse(&solution), &solution.residuals, &vec![1.0; readings.len()])
-                .unwrap();
+            let found =
+                ByCluster::new(&clusters, &root(&solution), &solution.residuals, &vec![1.0; readings.len()]).unwrap();
             let variance = (9.0 + 4.0 + 0.0 + 25.0) / 3.0;
             assert!((found.covariance[0] - variance / 4.0).abs() < 1e-12, "{}", found.covariance[0]);
             assert!((found.degrees_of_freedom[0] - 3.0).abs() < 1e-12 && found.is_usable());
@@ -188,7 +194,7 @@ mod tests {
         }
         let solution = solve(&Mean(&single), &[0.0], Options::default());
         assert!(
-            ByCluster::new(&[0; 4], &inverse(&solution), &solution.residuals, &[1.0; 4]).is_none(),
+            ByCluster::new(&[0; 4], &root(&solution), &solution.residuals, &[1.0; 4]).is_none(),
             "one cluster determines the mean alone"
         );
     }

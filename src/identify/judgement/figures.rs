@@ -379,3 +379,22 @@ fn pseudo_inverse(normal: DMatrix<f64>) -> DMatrix<f64> {
     let plain = &eigenvectors * DMatrix::from_diagonal(&inverse) * eigenvectors.transpose();
     DMatrix::from_fn(n, n, |i, j| plain[(i, j)] * scale[i] * scale[j])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn residuals_of_a_frame_are_summed_wherever_they_stand() {
+        let [a, b, c] = [1, 2, 3].map(|pose: i64| (PoseName::from(pose), 1));
+        let frames: BTreeMap<Key, Matrix6<f64>> =
+            [(a, Matrix6::identity()), (b, Matrix6::identity() * 2.0)].into_iter().collect();
+        let keys = [Some(a), Some(a), Some(b), None, Some(c), Some(a)];
+        let by_frame: Vec<f64> = (0..36).map(f64::from).collect();
+        let by = [1.0, 0.0, -1.0, 5.0, 7.0, 2.0];
+        // row 0 and twice row 5 of the first pose, row 2 of the second; the third has no frame
+        let of_a: f64 = (0..6).map(|k| (f64::from(k) + 2.0 * f64::from(30 + k)).powi(2)).sum();
+        let of_b: f64 = (0..6).map(|k| 2.0 * f64::from(12 + k).powi(2)).sum();
+        assert_eq!(of_frames(&frames, &keys, &by_frame, &by), of_a + of_b);
+    }
+}

@@ -57,6 +57,26 @@ fn pearson(pairs: &[(f64, f64)]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use crate::{Fitted, Observation, Settings, identify};
+    use etalon_robots::{Prexyt, Robot};
+
+    #[test]
+    fn a_fit_without_uncertainties_has_the_values_of_an_identification() {
+        let robot = Prexyt::default();
+        let truth = robot.nominal();
+        let corner = |pose: i64| {
+            let joints = [1, 2, 4].map(|bit| if pose & bit == 0 { 0.0 } else { 150.0 });
+            let off = 0.01 * (pose % 3 - 1) as f64;
+            let targets = robot.balls(&truth, &joints).map(|[x, y]| Some([x + off, y - off, 0.0])).to_vec();
+            Observation { pose: pose.into(), joints: joints.into(), targets, ..Observation::default() }
+        };
+        let observations: Vec<Observation> = (0..8).map(corner).collect();
+        let found = identify(&robot, &observations, &Settings::default()).unwrap();
+        let fitted = Fitted::new(&robot, &observations, &Settings::default()).unwrap();
+        assert_eq!((fitted.values, fitted.rms), (found.values, found.rms));
+        assert!(fitted.rms > 1e-4, "{}", fitted.rms);
+    }
+
     #[test]
     fn pearson_of_a_line_and_of_a_constant() {
         assert!((super::pearson(&[(1.0, 2.0), (2.0, 4.0), (3.0, 6.0)]).unwrap() - 1.0).abs() < 1e-15);

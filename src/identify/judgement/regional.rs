@@ -6,6 +6,7 @@
 //! The variances and the length ℓ are those of largest restricted likelihood (REML; Patterson &
 //! Thompson 1971; Harville 1977), in which the parameters that were identified are integrated out.
 
+use crate::model::elimination::{Remaining, carried};
 use crate::model::residuals::Residuals;
 use etalon_robots::Quantity;
 use nalgebra::{Cholesky, DMatrix};
@@ -30,7 +31,8 @@ const FEWEST: usize = 8;
 
 /// The field in the residuals of a solution.
 pub(crate) struct Field {
-    /// Jᵀ V J of the readings with the covariance V of the field, and with that of the white rest.
+    /// Fᵀ Jᵀ V J F of the readings with the covariance V of the field, and with that of the white
+    /// rest.
     parts: [DMatrix<f64>; 2],
     /// Effective degrees of freedom of both variances.
     degrees: [f64; 2],
@@ -62,7 +64,8 @@ struct Estimate {
 impl Field {
     /// Field of residuals; the Jacobian has one row per residual. `None` if readings are not
     /// coordinates in one unit, or if no field is detected.
-    pub fn new(problem: &Residuals, residuals: &[f64], jacobian: &[f64]) -> Option<Self> {
+    pub fn new(problem: &Residuals, remaining: &Remaining) -> Option<Self> {
+        let Remaining { residuals, jacobian, root } = remaining;
         let poses = poses(problem)?;
         let n = jacobian.len() / residuals.len();
         let dimension = problem.robot.dimension();
@@ -76,6 +79,10 @@ impl Field {
 
         let step = poses.len().div_ceil(SUMMED);
         let some: Vec<&Pose> = poses.iter().step_by(step).collect();
+        // J F has orthogonal columns: sums of its squares keep the digits of all parameters
+        let white_jacobian = root.tr_mul(&DMatrix::from_column_slice(n, residuals.len(), jacobian));
+        let white_jacobian = white_jacobian.as_slice();
+        let rows = Rows { jacobian: white_jacobian, ..rows };
         let correlation = correlation(&some, found.length);
         let share = (poses.len() as f64 / some.len() as f64).powi(2);
         let mut of_field = DMatrix::zeros(n, n);
@@ -88,7 +95,7 @@ impl Field {
         let means = rows.sums(&all, |p| 1.0 / (p.readings as f64).sqrt());
         let count = problem.measured_count();
         let differences = rows.differences(&means, count).max(least);
-        let measured = DMatrix::from_row_slice(count, n, &jacobian[..count * n]);
+        let measured = DMatrix::from_row_slice(count, n, &white_jacobian[..count * n]);
         let mut of_means = DMatrix::zeros(n, n);
         means.axes.iter().for_each(|axis| of_means += axis.columns(0, n).tr_mul(&axis.columns(0, n)));
         let of_rest = (measured.tr_mul(&measured) - &of_means) * differences + of_means * white;
@@ -96,17 +103,15 @@ impl Field {
         Some(Self { parts: [of_field, of_rest], degrees })
     }
 
-    /// Covariance of the parameters from the readings, A⁻¹ Jᵀ V J A⁻¹ with A⁻¹ = `inverse`, and the
+    /// Covariance of the parameters from the readings, A⁻¹ Jᵀ V J A⁻¹ with A⁻¹ = F Fᵀ, and the
     /// effective degrees of freedom of each variance (Satterthwaite; GUM G.4.1).
-    pub fn covariance(&self, inverse: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let n = inverse.len().isqrt();
-        let inverse = DMatrix::from_row_slice(n, n, inverse);
-        let parts = self.parts.each_ref().map(|part| &inverse * part * &inverse);
+    pub fn covariance(&self, root: &DMatrix<f64>) -> (Vec<f64>, Vec<f64>) {
+        let parts = self.parts.each_ref().map(|part| carried(root, part));
         let degrees = |k: usize| {
             let [field, rest] = parts.each_ref().map(|part| part[(k, k)].max(0.0));
             (field + rest).powi(2) / (field.powi(2) / self.degrees[0] + rest.powi(2) / self.degrees[1])
         };
-        ((&parts[0] + &parts[1]).as_slice().to_vec(), (0..n).map(degrees).collect())
+        ((&parts[0] + &parts[1]).as_slice().to_vec(), (0..root.nrows()).map(degrees).collect())
     }
 }
 

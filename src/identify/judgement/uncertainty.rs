@@ -6,7 +6,7 @@ use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
 use crate::judgement::regional::Field;
-use crate::model::elimination::Remaining;
+use crate::model::elimination::{Remaining, carried, root};
 use crate::model::frame_error::FrameError;
 use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
@@ -292,8 +292,7 @@ fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<
 /// Covariance from residuals that are alike in regions of joint space; `None` if they are not.
 fn by_field(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
     let remaining = Remaining::new(&problem.poses(), solution, problem.rows_of(jacobian))?;
-    let field = Field::new(problem, &remaining.residuals, &remaining.jacobian)?;
-    let (covariance, degrees) = field.covariance(&remaining.inverse);
+    let (covariance, degrees) = Field::new(problem, &remaining)?.covariance(&remaining.root);
     let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
     Some(Found { degrees, ..Found::new(UncertaintyFrom::ResidualsByRegion, Some(covariance)) })
 }
@@ -311,8 +310,8 @@ pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f
     let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
     let numbers = problem.clusters(count);
     let remaining = Remaining::new(&numbers, solution, problem.rows_of(jacobian))?;
-    let Remaining { jacobian, residuals, inverse } = &remaining;
-    let clusters = ByCluster::new(&numbers, inverse, residuals, jacobian).filter(ByCluster::is_usable)?;
+    let Remaining { jacobian, residuals, root } = &remaining;
+    let clusters = ByCluster::new(&numbers, root, residuals, jacobian).filter(ByCluster::is_usable)?;
     let (covariance, degrees) = (clusters.covariance.clone(), clusters.degrees_of_freedom.clone());
     let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
     Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
@@ -322,7 +321,7 @@ pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f
 /// after elimination.
 fn completed(
     (problem, solution): (&Residuals, &Solution),
-    Remaining { jacobian, inverse, .. }: &Remaining,
+    Remaining { jacobian, root, .. }: &Remaining,
     mut covariance: Vec<f64>,
     mut degrees: Vec<f64>,
 ) -> Option<(Vec<f64>, Vec<f64>)> {
@@ -337,8 +336,8 @@ fn completed(
     let nominal = nominal.map(|rows| (rows.start, rows.len(), problem.nominal_variance()));
     for (row, count, variance) in shapes.chain(known).chain(nominal) {
         let rows = DMatrix::from_row_slice(count, n, &jacobian[row * n..][..count * n]);
-        let step = DMatrix::from_row_slice(n, n, inverse) * rows.transpose();
-        let more = &step * step.transpose() * variance;
+        let step = rows * root;
+        let more = carried(root, &(step.tr_mul(&step) * variance));
         covariance.iter_mut().zip(more.iter()).for_each(|(c, more)| *c += more);
     }
     if n < all {
@@ -462,10 +461,17 @@ fn noise(
 }
 
 /// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A =
-/// JᵀJ; and the least chi-square that the linear model reaches with the residuals weighted by V⁻¹.
+/// JᵀJ, from F with F Fᵀ = A⁻¹; and the least chi-square that the linear model reaches with the
+/// residuals weighted by V⁻¹.
 fn noise_covariance(solution: &Solution, jacobian: &[f64], noise: &[DMatrix<f64>]) -> Option<(Vec<f64>, f64)> {
     let n = solution.x.len();
-    let inverse = DMatrix::from_row_slice(n, n, &solution.covariance()?);
+    // of points that are eliminated the root is not at hand
+    let whole = solution.factor.as_ref()?.own().is_empty();
+    let root = if whole {
+        root(solution)?
+    } else {
+        DMatrix::from_row_slice(n, n, &solution.covariance()?).cholesky()?.unpack()
+    };
     let mut middle = DMatrix::zeros(n, n);
     let (mut white_rows, mut white_residuals) = (Vec::new(), Vec::new());
     let (mut rows, mut residuals) = (jacobian, &solution.residuals[..]);
@@ -474,13 +480,13 @@ fn noise_covariance(solution: &Solution, jacobian: &[f64], noise: &[DMatrix<f64>
         let (r, after) = residuals.split_at_checked(lower.nrows())?;
         (rows, residuals) = (rest, after);
         let here = DMatrix::from_row_slice(lower.nrows(), n, here);
-        let noisy = lower.tr_mul(&here); // Lᵀ J
+        let noisy = lower.tr_mul(&here) * &root; // Lᵀ J F
         middle += noisy.tr_mul(&noisy);
         let white = lower.solve_lower_triangular(&here)?;
         white_rows.extend(white.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()));
         white_residuals.extend_from_slice(lower.solve_lower_triangular(&DVector::from_column_slice(r))?.as_slice());
     }
-    let covariance = &inverse * middle * &inverse;
+    let covariance = carried(&root, &middle);
     let chi_square = Factor::new(&white_rows, &white_residuals, &column_norms(&white_rows, n)).rest;
     Some((covariance.as_slice().to_vec(), chi_square))
 }

@@ -71,8 +71,23 @@ pub struct Explanation {
     pub standard_uncertainty: Vec<f64>,
     /// Probability of residuals as large as the remaining ones.
     pub p_left: f64,
-    /// Share of the sum of squares that the change explains.
+    /// Part of the sum of squares that the change explains.
     pub explained: f64,
+    /// Probability that any of the candidates explains as much if nothing has changed (Šidák 1967).
+    pub p_change: f64,
+}
+
+impl Explanation {
+    /// `true` if the change is significant, and the remaining residuals agree with the parameters.
+    /// Noise in the remaining residuals alone is no change of a part.
+    pub fn suffices(&self) -> bool {
+        self.p_left > EXPLAINED && self.is_significant()
+    }
+
+    /// `true` if noise explains so large a change with a probability below [`SIGNIFICANCE`].
+    pub fn is_significant(&self) -> bool {
+        self.p_change < SIGNIFICANCE
+    }
 }
 
 /// The smallest change that is detected with the probability [`POWER`], if it is the only one;
@@ -129,7 +144,7 @@ impl Verification {
 
     /// Changed part, if the parameters are contradicted and one change explains it.
     pub fn cause(&self) -> Option<&Explanation> {
-        self.explanations.first().filter(|e| self.is_changed() && e.p_left > EXPLAINED)
+        self.explanations.first().filter(|e| self.is_changed() && e.suffices())
     }
 }
 
@@ -167,6 +182,7 @@ impl Comparison<'_> {
                 standard_uncertainty: fit.standard_uncertainty,
                 p_left: variance.exceedance(left, n - fit.rank),
                 explained: fit.explained,
+                p_change: variance.exceedance(fit.explained, fit.rank),
             }
         };
         let parts =
@@ -175,16 +191,18 @@ impl Comparison<'_> {
         let mut explanations: Vec<Explanation> = parts.chain(targets).map(explain).collect();
         let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
         let p_value = Test::together(&of_changes, &of_rest);
-        let suffices = |e: &Explanation| e.p_left > EXPLAINED;
-        if p_value < SIGNIFICANCE && !explanations.iter().any(suffices) {
+        let agrees = |e: &Explanation| e.p_left > EXPLAINED;
+        if p_value < SIGNIFICANCE && !explanations.iter().any(agrees) {
             // a large motion is not linear
             for explanation in &mut explanations {
                 let refined = self.refine(explanation.moved, variance, whole);
                 *explanation = refined.unwrap_or_else(|| explanation.clone());
             }
         }
+        let candidates = explanations.len() as f64;
+        explanations.iter_mut().for_each(|e| e.p_change = 1.0 - (1.0 - e.p_change).powf(candidates));
         explanations.sort_by(|a, b| {
-            let needs = |e: &Explanation| if suffices(e) { e.change.len() } else { usize::MAX };
+            let needs = |e: &Explanation| (!e.suffices(), if agrees(e) { e.change.len() } else { usize::MAX });
             needs(a).cmp(&needs(b)).then(b.explained.total_cmp(&a.explained))
         });
         let [rms_mm, expected_rms_mm] = space.rms_mm();
@@ -292,6 +310,7 @@ impl Comparison<'_> {
                     standard_uncertainty: fit.standard_uncertainty,
                     p_left,
                     explained,
+                    p_change: variance.exceedance(explained, fit.rank),
                 });
             }
         }

@@ -85,8 +85,9 @@ pub(crate) struct Remaining {
     /// Residuals, enlarged to the size of errors: those of one cluster and block by the share that
     /// the block absorbs.
     pub residuals: Vec<f64>,
-    /// (JᵀJ)⁻¹.
-    pub inverse: Vec<f64>,
+    /// F with F Fᵀ = (JᵀJ)⁻¹. A covariance is formed with it from both sides: products with the
+    /// inverse would lose twice as many digits, symmetry and positive variances.
+    pub root: DMatrix<f64>,
 }
 
 /// Maximum share of a block that a cluster may determine alone to have residuals there.
@@ -98,7 +99,7 @@ impl Remaining {
     pub fn new<C: Copy + Ord>(clusters: &[C], solution: &Solution, rows: Rows) -> Option<Self> {
         let Some(blocks) = rows.blocks else {
             let (jacobian, residuals) = (rows.numbers.to_vec(), solution.residuals.clone());
-            return Some(Self { jacobian, residuals, inverse: solution.covariance()? });
+            return Some(Self { jacobian, residuals, root: root(solution)? });
         };
         let (factor, scale) = (solution.factor.as_ref()?, &solution.scale);
         let (common, width) = (&blocks.common, rows.width());
@@ -115,8 +116,6 @@ impl Remaining {
             let left = |k: usize| row[OWN + k] + own.iter().zip(row).map(|(&j, v)| v * follows[j][k]).sum::<f64>();
             jacobian.extend((0..p).map(left));
         }
-        let inverse = factor.common_inverse()?;
-        let inverse = (0..p * p).map(|k| inverse[k] / (scale[common[k / p]] * scale[common[k % p]])).collect();
         let mut residuals = solution.residuals.clone();
         let triangles: Vec<_> = factor.blocks().collect();
         let mut shared: BTreeMap<(usize, C), Vec<usize>> = BTreeMap::new();
@@ -135,8 +134,26 @@ impl Remaining {
             let more = share * &eigenvectors * along.zip_map(&eigenvalues, |a, g| a * f(g));
             taken.iter().zip(more.iter()).for_each(|(&row, more)| residuals[row] += more);
         }
-        Some(Self { jacobian, residuals, inverse })
+        Some(Self { jacobian, residuals, root: root(solution)? })
     }
+}
+
+/// F with F Fᵀ = (JᵀJ)⁻¹ for the common parameters of a solution; `None` without a factor of full
+/// rank.
+pub(crate) fn root(solution: &Solution) -> Option<DMatrix<f64>> {
+    let factor = solution.factor.as_ref()?;
+    let common = factor.common();
+    let mut root = DMatrix::from_vec(common.len(), common.len(), factor.common_root()?);
+    root.row_iter_mut().zip(&common).for_each(|(mut row, &k)| row /= solution.scale[k]);
+    Some(root)
+}
+
+/// F M Fᵀ, symmetric to the last digit, row by row: a covariance for the covariance M of the
+/// parameters in which JᵀJ is the identity.
+pub(crate) fn carried(root: &DMatrix<f64>, middle: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut all = root * middle * root.transpose();
+    all.fill_lower_triangle_with_upper_triangle();
+    all
 }
 
 /// The unknowns to eliminate: those of targets, or those fixed in the world, whichever are more.

@@ -13,3 +13,5 @@ pub(crate) mod set_up;
 pub(crate) mod slips;
 pub(crate) mod solver;
 pub(crate) mod start;
+#[cfg(test)]
+mod tests;

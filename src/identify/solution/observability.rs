@@ -8,6 +8,7 @@ use etalon_base::{phrase, warning};
 use etalon_math::statistics::mean;
 use etalon_math::{Factor, Problem, Svd, svd};
 use etalon_robots::{Quantity, Robot};
+use std::collections::BTreeSet;
 
 /// Singular values of the Jacobian and the indices computed from them (eq. 1.19 to 1.25).
 ///
@@ -220,10 +221,88 @@ pub(crate) fn weak_message(robot: &dyn Robot, weak: &[WeakGroup]) -> Option<Mess
             let uncertainties: Vec<String> = w.parameters.iter().zip(&w.standard_uncertainties).map(u).collect();
             warning!("parameters-weakly-identifiable", groups, uncertainties, correlation = w.correlation)
         }
-        several => warning!("parameter-groups-weakly-identifiable", count = several.len(), groups),
+        several => {
+            // members of a group are separated by commas
+            let joined = |others: Argument, first: Argument| phrase!("parameter-groups", first, others).argument();
+            let groups = groups.into_iter().rev().reduce(joined);
+            let uncertainties: Vec<String> = largest(robot, several).iter().map(|(i, value)| u((i, value))).collect();
+            warning!("parameter-groups-weakly-identifiable", count = several.len(), groups, uncertainties)
+        }
     };
     let mut remedies: Vec<Phrase> = weak.iter().filter_map(|w| robot.remedy(&w.parameters)).collect();
     remedies.dedup();
-    let hint = remedies.into_iter().next().unwrap_or_else(|| phrase!("separate-parameters"));
+    let hint = remedies.into_iter().next().unwrap_or_else(|| wider(robot, weak));
     Some(message.hint(hint))
+}
+
+/// Parameters with the largest standard uncertainty, one of each quantity.
+fn largest(robot: &dyn Robot, weak: &[WeakGroup]) -> Vec<(usize, f64)> {
+    let all = weak.iter().flat_map(|w| w.parameters.iter().copied().zip(w.standard_uncertainties.iter().copied()));
+    let of = |quantity: Quantity| {
+        let all = all.clone().filter(move |(i, _)| robot.parameters()[*i].quantity == quantity);
+        all.max_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    [Quantity::Angle, Quantity::Length, Quantity::Ratio].into_iter().filter_map(of).collect()
+}
+
+/// Hint at poses that separate the parameters of each group: a held parameter keeps its error.
+fn wider(robot: &dyn Robot, weak: &[WeakGroup]) -> Phrase {
+    let of = weak.iter().flat_map(|w| &w.parameters).filter_map(|&i| robot.parameters()[i].joint);
+    let joints: BTreeSet<usize> = of.collect();
+    let joints: Vec<&str> = joints.iter().filter_map(|&j| Some(robot.joints().get(j)?.name.as_str())).collect();
+    if joints.is_empty() {
+        return phrase!("separate-parameters");
+    }
+    phrase!("separate-parameters-by-joints", joints = quoted(&joints))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_robots::{Serial, SerialJoint};
+
+    fn arm() -> Serial {
+        let row = |(alpha_rad, a_mm, d_mm)| SerialJoint {
+            alpha_rad,
+            a_mm,
+            theta_rad: 0.0,
+            d_mm,
+            prismatic: false,
+            parallel: false,
+        };
+        let rows = [(0.0, 0.0, 400.0), (-1.57, 50.0, 10.0), (1.2, 300.0, 20.0), (-1.4, 40.0, 200.0)].map(row);
+        Serial::new(&rows, &["ball".to_owned()], [0.0, 0.0, -1.0], &[], &[])
+    }
+
+    fn weak(robot: &Serial, members: &[(&str, f64)]) -> WeakGroup {
+        WeakGroup {
+            parameters: members.iter().map(|(name, _)| robot.index(name).unwrap()).collect(),
+            standard_uncertainties: members.iter().map(|(_, u)| *u).collect(),
+            correlation: 0.99,
+        }
+    }
+
+    #[test]
+    fn groups_are_separated_by_semicolons_and_state_their_largest_uncertainties() {
+        let robot = arm();
+        let groups = [
+            weak(&robot, &[("d_2", 4.0), ("alpha_3", 0.02)]),
+            weak(&robot, &[("base_rz", 0.01), ("theta_1", 0.05), ("a_4", 1.5)]),
+            weak(&robot, &[("base_x", 7.25), ("base_rx", 0.01)]),
+        ];
+        let message = weak_message(&robot, &groups).unwrap();
+        let u = ["u(theta_1) = 2.865 deg", "u(base_x) = 7.250 mm"];
+        assert!(
+            message.is("parameter-groups-weakly-identifiable", &[("count", &3), ("uncertainties", &u)]),
+            "{message:?}"
+        );
+        let Argument::Phrase(listed) = &message.arguments["groups"] else { panic!("{message:?}") };
+        assert_eq!(listed.text("en"), "`d_2` and `alpha_3`; `base_rz`, `theta_1` and `a_4`; `base_x` and `base_rx`");
+        assert_eq!(listed.text("de"), "`d_2` und `alpha_3`; `base_rz`, `theta_1` und `a_4`; `base_x` und `base_rx`");
+        assert_eq!(listed.text("fr").matches("\u{202f}; ").count(), 2);
+        // the hint names the joints of the parameters, and holds nothing
+        let expected = phrase!("separate-parameters-by-joints", joints = ["`q1`", "`q2`", "`q3`", "`q4`"]);
+        assert_eq!(wider(&robot, &groups), expected);
+        assert_eq!(wider(&robot, &groups[2..]), phrase!("separate-parameters"));
+    }
 }

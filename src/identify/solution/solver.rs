@@ -10,8 +10,9 @@ use crate::solution::evidence::most_probable;
 use crate::solution::identifiability::{Analysis, Group};
 use crate::{Error, Result};
 use crate::{Observation, Settings};
+use etalon_base::pattern::matches_pattern;
 use etalon_math::{Options, Solution, WithPriors};
-use etalon_robots::{Quantity, Robot, Role};
+use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 use std::f64::consts::TAU;
 
 /// Number of observations, spread over all, that is sufficient for an approximate solution.
@@ -26,6 +27,11 @@ const ANCHOR_MM: f64 = 0.01;
 const LEAST_NOISE_MM: f64 = 1e-4;
 /// Share of the parameters determined by nominal values above which these may keep residuals large.
 const BY_NOMINAL: f64 = 0.2;
+/// Standard deviation of the residuals, in standard uncertainties, above which a solution with held
+/// geometry is sought from another start.
+const UNEXPLAINED: f64 = 1.1;
+/// Ratio of the standard deviations of residuals below which another solution is better.
+const BETTER: f64 = 0.99;
 /// Relative change of the noise below which the weight of nominal values has converged.
 const SETTLED: f64 = 0.02;
 
@@ -53,8 +59,8 @@ pub(crate) struct Identifiable {
 struct Near {
     /// All parameters of the robot.
     values: Vec<f64>,
-    /// Indices of held parameters.
-    held: Vec<usize>,
+    /// Indices of held parameters; `None` to choose them at these values.
+    held: Option<Vec<usize>>,
     /// Most probable prior there.
     prior: Prior,
 }
@@ -78,6 +84,9 @@ pub(crate) fn solve_identifiable(
         near = Estimation { observations: &subset, ..estimation }.near(start).ok();
     }
     let mut found = estimation.solve(start, near)?;
+    if let Some(other) = estimation.freed(start, &found)? {
+        found = other;
+    }
     if settings.prior == Prior::None && !settings.rigid.is_empty() {
         // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid
         // beside them
@@ -109,10 +118,52 @@ impl Estimation<'_> {
     /// Solves from `start` (all parameters of the robot), or from a solution of some of the poses.
     fn solve(&self, start: &[f64], near: Option<Near>) -> Result<Identifiable> {
         match (self.settings.prior, near) {
-            (Prior::None, Some(near)) => self.rounds(near.values, Some(near.held)),
+            (Prior::None, Some(near)) => self.rounds(near.values, near.held),
             (Prior::None, None) => self.rounds(start.to_vec(), None),
             (Prior::Tolerances { .. }, near) => Ok(self.with_prior(start, near, ROUNDS)?.0),
         }
+    }
+
+    /// Solution from the one in which the geometry that the settings hold is free; `None` if it is
+    /// not better than the solution `found`, if this one leaves nothing to explain, or if the held
+    /// geometry may well be what the residuals show.
+    ///
+    /// The link between nearly parallel axes has its length only at one height. With a held length
+    /// the data determine this height through the small tilt: from a start with the tilt of the
+    /// other sign, the height runs away, and the residuals stay.
+    fn freed(&self, start: &[f64], found: &Identifiable) -> Result<Option<Identifiable>> {
+        let Self { robot, observations, settings, wanted } = *self;
+        let held = |p: &Parameter| settings.hold.iter().any(|pattern| matches_pattern(pattern, &p.name));
+        let is_length =
+            |p: &Parameter| p.role == Role::Robot && p.effect == Effect::Geometry && p.tolerance.is_finite() && held(p);
+        let parameters = robot.parameters();
+        let freed: Vec<usize> =
+            (0..parameters.len()).filter(|i| wanted.contains(i) || is_length(&parameters[*i])).collect();
+        if freed.len() == wanted.len() || robot.free_base().is_none() {
+            return Ok(None);
+        }
+        let misfit = |found: &Identifiable| -> Result<f64> {
+            Ok(Residuals::new(robot, observations, settings, &found.free, &found.values)?.noise(Some(&found.solution)))
+        };
+        let before = misfit(found)?;
+        if settings.standard_uncertainty_mm.is_some() && before < UNEXPLAINED {
+            return Ok(None);
+        }
+        // the held geometry is redundant at the solution, but not at nominal
+        let plain = settings.without_prior();
+        let redundant = |free: &[usize], values: &[f64]| -> Result<usize> {
+            let problem = Residuals::new(robot, observations, &plain, &by_rank(robot, free), values)?;
+            Ok(Analysis::at(&problem, values, 0.0).groups.len())
+        };
+        let more =
+            |values: &[f64]| Ok::<_, Error>(redundant(&freed, values)?.saturating_sub(redundant(wanted, values)?));
+        if more(&found.values)? <= more(start)? {
+            return Ok(None);
+        }
+        let Ok(mut near) = (Estimation { wanted: &freed, ..*self }).near(start) else { return Ok(None) };
+        freed.iter().filter(|i| !wanted.contains(i)).for_each(|&i| near.values[i] = start[i]);
+        let Ok(other) = self.solve(start, Some(Near { held: None, ..near })) else { return Ok(None) };
+        Ok((misfit(&other)? < BETTER * before).then_some(other))
     }
 
     /// Returns a solution near that of all poses.
@@ -122,7 +173,7 @@ impl Estimation<'_> {
             // weight and scale change once more with all poses
             Prior::Tolerances { .. } => self.with_prior(start, None, 1)?,
         };
-        Ok(Near { held: held_by(&found.groups), values: found.values, prior })
+        Ok(Near { held: Some(held_by(&found.groups)), values: found.values, prior })
     }
 
     /// Solves with nominal values as readings: parameters that are redundant in the data alone are
@@ -145,7 +196,9 @@ impl Estimation<'_> {
                 if let Prior::Tolerances { weight: noise, scale: probable } = near.prior {
                     (weight, scale) = (noise, probable);
                 }
-                (near.values, near.held)
+                let held = near.held.map_or_else(|| Ok(held_by(&analyse(&near.values, weight)?.groups)), Ok);
+                let held: Result<Vec<usize>> = held;
+                (near.values, held?)
             }
             None => (start.to_vec(), held_by(&analyse(start, weight)?.groups)),
         };

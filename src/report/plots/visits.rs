@@ -27,7 +27,7 @@ impl<'a> Approaches<'a> {
     }
 
     fn of_visit(self, name: Option<&str>) -> String {
-        name.map_or_else(|| tr!(self.words, "the-first"), |name| self.name(name))
+        name.map_or_else(|| tr!(self.words, "approach-not-known"), |name| self.name(name))
     }
 }
 

@@ -68,19 +68,25 @@ pub(crate) fn verdict(document: &CellDocument, lines: Option<CellLines>, words: 
         sentences.push(tr!(words, "cell-verdict-warnings", count));
     }
     let known = rows.iter().all(|row| row.u_mm.is_some()) && (!rows.is_empty() || scale.is_some());
+    let met = document.errors().next().is_none();
     let class = match (known, count) {
+        _ if !met => Grade::Bad,
         (false, _) => Grade::Open,
         (true, 0) => Grade::Good,
         (true, _) => Grade::Conditional,
     };
     let steps = steps(document, lines, words);
-    Verdict { met: true, class, sentences, steps, ..Verdict::default() }
+    Verdict { met, class, sentences, steps, ..Verdict::default() }
 }
 
 fn steps(document: &CellDocument, lines: Option<CellLines>, words: &Words) -> Vec<Step> {
     let step = |what: String, reason: String| Step { what: what.into(), reason: reason.into(), command: None };
     let mut all = Vec::new();
     let checked = document.noise.iter().any(|noise| noise.standard_deviation.is_some());
+    if document.errors().next().is_some() {
+        // nothing is to be loaded before the errors are corrected
+        return vec![step(tr!(words, "cell-step-messages"), tr!(words, "cell-step-messages-reason"))];
+    }
     if !checked {
         all.push(step(tr!(words, "cell-step-measure"), tr!(words, "cell-step-measure-reason")));
     } else if !document.messages.is_empty() {

@@ -204,11 +204,11 @@ pub(super) fn columns<'a>(words: &'a Words) -> Columns<'a, Named<'a>> {
         .sheet(phrase!("quarter-rule"), "", |n| n.pose.quarter_rule_met.map(|met| if met { "met" } else { "not met" }))
 }
 
-/// An approach of a pose, and the mean of all visits of the pose.
+/// An approach of a pose, and the mean of all visits of the pose, if known.
 struct OfApproach<'a> {
     pose: PoseName,
     approach: &'a Iso9283Approach,
-    middle: Vector,
+    middle: Option<Vector>,
     spatial: bool,
 }
 
@@ -242,12 +242,12 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
     let mut rows = Vec::new();
     for v in &document.approaches {
         let all: Vec<Vector> = of_pose(document, v.pose).map(|v| v.attained_mm).collect();
-        let middle = centroid(&all).unwrap_or_default();
+        let middle = v.mean_mm.or_else(|| centroid(&all));
         let spatial = document.poses.iter().any(|p| p.pose == v.pose && p.rp_z_mm.is_some());
         rows.extend(v.approaches.iter().map(|approach| OfApproach { pose: v.pose, approach, middle, spatial }));
     }
     let named = Approaches::of(document, words);
-    let off = |r: &OfApproach, axis: usize| um(minus(r.approach.mean_mm, r.middle)[axis]);
+    let off = |r: &OfApproach, axis: usize| r.middle.map(|middle| um(minus(r.approach.mean_mm, middle)[axis]));
     let columns = Columns::<OfApproach>::new()
         .both(phrase!("pose"), "", |r| r.pose)
         .page(phrase!("approached"), "", move |r| Text::name(&named.name(&r.approach.name)))
@@ -255,7 +255,7 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
         .both(phrase!("visits"), "", |r| r.approach.cycles)
         .page("x", "", move |r| off(r, 0))
         .page("y", "", move |r| off(r, 1))
-        .page("z", "", move |r| r.spatial.then(|| off(r, 2)))
+        .page("z", "", move |r| off(r, 2).filter(|_| r.spatial))
         .below(3, phrase!("mean-from-overall-mean"))
         .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-mean", axis)), "mm", |r| &r.approach.mean_mm)
         .micrometres("RP", |r| r.approach.rp_mm)

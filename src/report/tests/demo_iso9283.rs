@@ -108,6 +108,7 @@ pub(crate) fn iso9283() -> Iso9283Document {
         distances: vec![],
         approaches: vec![Iso9283Variation {
             pose: 1.into(),
+            mean_mm: Some([100.0, 50.0, 0.0]),
             vap_mm: 0.0123,
             between: ["from pose 2".to_owned(), "from pose 3".to_owned()],
             vap_angles_deg: vec![],

@@ -58,3 +58,23 @@ pub(super) fn of_positions(written: &WrittenPoses, side: &str) -> Vec<(Phrase, V
     };
     UNITS.iter().map(|(factor, unit)| (phrase!("cell-change-unit", side, unit = *unit), scaled(*factor))).collect()
 }
+
+/// Poses with two coordinates of the positions exchanged, or one with the other sign.
+pub(super) fn of_axes(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
+    const NAMES: [&str; 3] = ["x", "y", "z"];
+    let poses = written.poses();
+    let with = |change: &dyn Fn(&mut [f64; 3])| {
+        let changed = |p: &Pose| {
+            let mut translation_mm = p.translation_mm;
+            change(&mut translation_mm);
+            Pose { translation_mm, ..*p }
+        };
+        poses.iter().map(changed).collect::<Vec<_>>()
+    };
+    let pairs = [(0, 1), (1, 2), (0, 2)].into_iter().map(|(a, b)| {
+        let change = phrase!("cell-change-axes", side, first = NAMES[a], second = NAMES[b]);
+        (change, with(&|p| p.swap(a, b)))
+    });
+    let signs = (0..3).map(|k| (phrase!("cell-change-sign", side, axis = NAMES[k]), with(&|p| p[k] = -p[k])));
+    pairs.chain(signs).collect()
+}

@@ -2,6 +2,7 @@
 //! and measurements.
 
 mod changes;
+mod judgement;
 mod readings;
 
 use super::orientations::AngleOrder;
@@ -16,7 +17,7 @@ use etalon_documents::{
 use etalon_formats::table;
 use etalon_identify::cell::{
     AlternativeFit, AxisReading, AxisRole, CellFault, CellFrame, CellPoint, CellResidual, Component, Measure, Mounting,
-    ObjectSlip, Quality, Stated, ThreePointRole, explained, hand_eye, linear_axis, object_frame, object_slips,
+    ObjectSlip, Quality, Size, Stated, ThreePointRole, explained, hand_eye, linear_axis, object_frame, object_slips,
     reflector, rotary_axis, three_points, tool_axes, tool_point,
 };
 use etalon_robots::Quantity;
@@ -83,16 +84,10 @@ pub(crate) struct CellStated {
     pub position_mm: Option<f64>,
     /// Standard uncertainty of an orientation about any axis (rad).
     pub rotation_rad: Option<f64>,
+    /// Columns whose source is stated.
+    pub columns: Vec<String>,
 }
 
-/// Largest distance of a flange from the base (mm) that indicates another unit.
-const SMALL_MM: f64 = 10.0;
-/// Largest length of a tool (mm) that indicates another unit.
-const SMALL_TOOL_MM: f64 = 2.0;
-/// Coverage factor of a tool that is at the flange.
-const AT_FLANGE: f64 = 3.0;
-/// Largest standard uncertainty (mm) at which a tool at the flange is named.
-const KNOWN_MM: f64 = 2.0;
 /// Maximum number of changes in a message.
 const NAMED: usize = 4;
 
@@ -103,12 +98,22 @@ struct Found {
     points: Vec<CellPointEntry>,
     axis: Option<CellAxisEntry>,
     quality: Option<Quality>,
+    /// Size of tool and motion.
+    size: Size,
     messages: Vec<Message>,
 }
 
 /// Solves a problem of a cell.
 pub(crate) fn cell(file: &TableFile, stated: &CellStated) -> Result<CellDocument> {
     solve(file, stated).map_err(|problems| file.place(problems))
+}
+
+/// Warning of stated columns without an effect on the problem.
+fn unused(stated: &CellStated) -> Option<Message> {
+    let unused = stated.columns.iter().filter(|column| !readings::is_read(stated.solve, column));
+    let columns: Vec<String> = unused.map(|column| format!("`{column}`")).collect();
+    let (count, solve) = (columns.len(), stated.solve.name());
+    (count > 0).then(|| warning!("cell-columns-unused", count, columns, solve))
 }
 
 fn solve(file: &TableFile, stated: &CellStated) -> Result<CellDocument> {
@@ -130,9 +135,10 @@ fn solve(file: &TableFile, stated: &CellStated) -> Result<CellDocument> {
         CellKind::ThreePoints => task.three_points(),
         CellKind::LinearAxis | CellKind::RotaryAxis => task.axis(),
     }?;
+    found.messages.extend(unused(stated));
     let quality = found.quality.take();
     if let Some(quality) = &quality {
-        found.messages.extend(task.remarks(quality));
+        found.messages.extend(task.remarks(quality, found.size));
     }
     let inputs = BTreeMap::from([(file.name.clone(), etalon_base::files::sha256(file.text().as_bytes()))]);
     Ok(CellDocument {
@@ -199,13 +205,6 @@ struct Task<'a> {
 }
 
 impl Task<'_> {
-    fn is_stated(&self, measure: Measure) -> bool {
-        match measure {
-            Measure::Position => self.uncertain.position_mm.is_some() || !self.uncertain.measured_mm.is_empty(),
-            Measure::Orientation => self.uncertain.rotation_rad.is_some(),
-        }
-    }
-
     fn residual(&self, residual: &CellResidual) -> CellResidualEntry {
         let (measure, factor) = unit(residual.measure);
         let value = residual.value.map(|v| v * factor);
@@ -233,36 +232,6 @@ impl Task<'_> {
         .into()
     }
 
-    /// Warnings of the residuals.
-    fn remarks(&self, quality: &Quality) -> Vec<Message> {
-        let mut messages = Vec::new();
-        if let Some(foreign) = quality.foreign() {
-            let (_, factor) = unit(foreign.measure);
-            let size = norm(foreign.value) * factor;
-            let line = readings::line(self.file, foreign.reading);
-            let place = Place { line: Some(line), ..Place::default() };
-            let message = match foreign.measure {
-                Measure::Position => warning!("cell-foreign", line, residual_mm = size),
-                Measure::Orientation => warning!("cell-foreign-turned", line, residual_deg = size),
-            };
-            messages.extend(self.file.place(message.at(place).into()).0);
-        }
-        for component in quality.components.iter().filter(|c| self.is_stated(c.measure) && !c.agrees) {
-            let (_, factor) = unit(component.measure);
-            if component.redundancy > 0.5 {
-                let found = component.deviation * factor;
-                messages.push(match component.measure {
-                    Measure::Position => warning!("cell-noise-larger", found_um = 1000.0 * found),
-                    Measure::Orientation => warning!("cell-noise-larger-turned", found_deg = found),
-                });
-            }
-        }
-        if !quality.has_uncertainty() {
-            messages.push(warning!("cell-no-uncertainty"));
-        }
-        messages
-    }
-
     /// Refuses data that a change explains, and which cannot be explained as they are.
     fn refuse_slips(&self, found: &Quality, changes: Vec<AlternativeFit<Phrase>>) -> Result<()> {
         let explaining = explained(found, changes);
@@ -279,36 +248,27 @@ impl Task<'_> {
         readings::flange(self.file, self.stated.order)
     }
 
-    /// Warning of positions that are probably in metres: poses near the base, and a tool that is a
-    /// point.
-    fn unit_warning(poses: &[Pose], tool_mm: Vector) -> Option<Message> {
-        let largest = poses.iter().map(|p| norm(p.translation_mm)).fold(0.0, f64::max);
-        let small = largest > 0.0 && largest < SMALL_MM && norm(tool_mm) < SMALL_TOOL_MM;
-        small.then(|| warning!("cell-unit", distance_mm = largest))
-    }
-
     fn tool_point(&self) -> Result<Found> {
         let written = self.flange()?;
         let poses = written.poses();
         let uncertain = Stated { measured_mm: Vec::new(), ..self.uncertain.clone() };
         let fit = tool_point(&poses, &uncertain).map_err(|fault| self.fault(fault))?;
-        let changes = changes::of_orientations(&written, "flange").into_iter().filter_map(|(change, poses)| {
+        let own = changes::of_orientations(&written, "flange").into_iter().chain(changes::of_axes(&written, "flange"));
+        let changes = own.filter_map(|(change, poses)| {
             Some(AlternativeFit { change, quality: tool_point(&poses, &uncertain).ok()?.quality })
         });
         self.refuse_slips(&fit.quality, changes.collect())?;
         let known = fit.quality.has_uncertainty();
-        let mut messages: Vec<Message> = Self::unit_warning(&poses, fit.tool.at_mm).into_iter().collect();
-        let u = (0..3).map(|i| fit.tool.covariance_mm2[i][i]).sum::<f64>().max(0.0).sqrt();
-        let distance_mm = norm(fit.tool.at_mm);
-        if known && u < KNOWN_MM && distance_mm < AT_FLANGE * u {
-            messages.push(warning!("cell-tool-active", distance_mm, u_mm = u));
-        }
+        let unit = judgement::of_unit(&poses, fit.tool.at_mm);
+        let messages = unit.into_iter().chain(judgement::of_active_tool(&fit.tool, known)).collect();
+        let size = Size::of_poses(&poses, fit.tool.at_mm);
         Ok(Found {
             points: vec![
                 point_entry("tool", "flange", &fit.tool, known),
                 point_entry("fixed", "base", &fit.fixed, known),
             ],
             quality: Some(fit.quality),
+            size,
             messages,
             ..Found::default()
         })
@@ -324,7 +284,8 @@ impl Task<'_> {
             reflector(&few.rows(poses), points, &few.uncertain).ok().map(|fit| fit.quality)
         };
         let own = changes::of_orientations(&written, "flange").into_iter();
-        let changed: Vec<_> = own.chain(changes::of_positions(&written, "flange")).collect();
+        let own = own.chain(changes::of_positions(&written, "flange"));
+        let changed: Vec<_> = own.chain(changes::of_axes(&written, "flange")).collect();
         let mut all = explaining(changed, |poses| solved(poses, &points));
         for (factor, unit) in changes::UNITS {
             let scaled: Vec<Vector> = points.iter().map(|p| p.map(|v| v * factor)).collect();
@@ -333,6 +294,11 @@ impl Task<'_> {
                 all.push(AlternativeFit { change, quality: quality.in_unit(factor) });
             }
         }
+        // all exchanges and signs of measured coordinates are equal up to a rotation
+        let mirrored: Vec<Vector> = points.iter().map(|p| [p[0], p[1], -p[2]]).collect();
+        let mirrored = solved(&poses, &mirrored);
+        let change = || phrase!("cell-change-measured-mirrored");
+        all.extend(mirrored.map(|quality| AlternativeFit { change: change(), quality }));
         self.refuse_slips(&few.quality(&fit.quality, || solved(&poses, &points)), all)?;
         if fit.ambiguous {
             return Err(error!("cell-ambiguous").into());
@@ -341,7 +307,8 @@ impl Task<'_> {
         Ok(Found {
             points: vec![point_entry("tool", "flange", &fit.tool, known)],
             frames: vec![frame_entry("base", "world", &fit.world_T_base, known)],
-            messages: Self::unit_warning(&poses, fit.tool.at_mm).into_iter().collect(),
+            messages: judgement::of_unit(&poses, fit.tool.at_mm).into_iter().collect(),
+            size: Size::of_poses(&poses, fit.tool.at_mm),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -363,9 +330,12 @@ impl Task<'_> {
             fit.ok().map(|fit| fit.quality)
         };
         let of_flange = changes::of_orientations(&written, "flange").into_iter();
-        let of_flange: Vec<_> = of_flange.chain(changes::of_positions(&written, "flange")).collect();
+        let of_flange = of_flange.chain(changes::of_positions(&written, "flange"));
+        let of_flange: Vec<_> = of_flange.chain(changes::of_axes(&written, "flange")).collect();
         let mut all = explaining(of_flange, |poses| solved(poses, &measured));
-        all.extend(explaining(changes::of_orientations(&seen, "measured"), |measured| solved(&poses, measured)));
+        let of_seen = changes::of_orientations(&seen, "measured").into_iter();
+        let of_seen: Vec<_> = of_seen.chain(changes::of_axes(&seen, "measured")).collect();
+        all.extend(explaining(of_seen, |measured| solved(&poses, measured)));
         for ((change, measured), (factor, _)) in
             changes::of_positions(&seen, "measured").into_iter().zip(changes::UNITS)
         {
@@ -383,7 +353,8 @@ impl Task<'_> {
                 frame_entry(hand, "flange", &fit.flange_T_hand, known),
                 frame_entry(other, "base", &fit.base_T_world, known),
             ],
-            messages: Self::unit_warning(&poses, fit.flange_T_hand.pose.translation_mm).into_iter().collect(),
+            messages: judgement::of_unit(&poses, fit.flange_T_hand.pose.translation_mm).into_iter().collect(),
+            size: Size::of_poses(&poses, fit.flange_T_hand.pose.translation_mm),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -405,6 +376,7 @@ impl Task<'_> {
         let has = fit.quality.has_uncertainty();
         Ok(Found {
             frames: vec![frame_entry("object", "points", &fit.frame, has)],
+            size: Size::of_points(&measured),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -464,7 +436,8 @@ impl Task<'_> {
         let uncertain = Stated { measured_mm: Vec::new(), ..self.uncertain.clone() };
         let poses = written.poses();
         let fit = tool_axes(&with(poses.clone()), &uncertain).map_err(|fault| self.fault(fault))?;
-        let changes = changes::of_orientations(&written, "flange").into_iter().filter_map(|(change, poses)| {
+        let own = changes::of_orientations(&written, "flange").into_iter().chain(changes::of_axes(&written, "flange"));
+        let changes = own.filter_map(|(change, poses)| {
             Some(AlternativeFit { change, quality: tool_axes(&with(poses), &uncertain).ok()?.quality })
         });
         self.refuse_slips(&fit.quality, changes.collect())?;
@@ -472,7 +445,8 @@ impl Task<'_> {
         Ok(Found {
             frames: vec![frame_entry("tool", "flange", &fit.tool, known)],
             points: vec![point_entry("fixed", "base", &fit.fixed, known)],
-            messages: Self::unit_warning(&poses, fit.tool.pose.translation_mm).into_iter().collect(),
+            messages: judgement::of_unit(&poses, fit.tool.pose.translation_mm).into_iter().collect(),
+            size: Size::of_poses(&poses, fit.tool.pose.translation_mm),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -506,6 +480,7 @@ impl Task<'_> {
 
     fn linear(&self, readings: &[AxisReading]) -> Result<Found> {
         let fit = linear_axis(readings, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let points: Vec<Vector> = readings.iter().map(|r| r.position_mm).collect();
         let known = fit.quality.has_uncertainty();
         Ok(Found {
             axis: Some(CellAxisEntry {
@@ -517,6 +492,7 @@ impl Task<'_> {
                 radius_mm: None,
             }),
             messages: scale_warning(fit.scale).into_iter().collect(),
+            size: Size::of_points(&points),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -524,6 +500,7 @@ impl Task<'_> {
 
     fn rotary(&self, readings: &[AxisReading]) -> Result<Found> {
         let fit = rotary_axis(readings, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let points: Vec<Vector> = readings.iter().map(|r| r.position_mm).collect();
         let known = fit.quality.has_uncertainty();
         Ok(Found {
             frames: vec![frame_entry("axis", "points", &fit.frame, known)],
@@ -536,6 +513,7 @@ impl Task<'_> {
                 radius_mm: Some(fit.radius_mm),
             }),
             messages: scale_warning(fit.ratio).into_iter().collect(),
+            size: Size::of_points(&points),
             quality: Some(fit.quality),
             ..Found::default()
         })

@@ -1,6 +1,7 @@
 //! Tables of `etalon cell`: poses of the flange, measured points or poses, known points, values of
 //! an external axis.
 
+use super::CellKind;
 use crate::stages::orientations::{self, AngleOrder, Written};
 use crate::stages::table_file::TableFile;
 use etalon_base::error;
@@ -120,6 +121,25 @@ impl WrittenPoses {
     /// Poses as they are written.
     pub fn poses(&self) -> Vec<Pose> {
         self.poses_with(self.order, |o| *o).unwrap_or_default()
+    }
+}
+
+/// `true` if a problem reads the column.
+pub(super) fn is_read(solve: CellKind, column: &str) -> bool {
+    use CellKind::{HandEye, LinearAxis, Object, RotaryAxis, ThreePoints, ToolAxes, ToolPoint, ToolReflector};
+    let is_axis = matches!(solve, LinearAxis | RotaryAxis);
+    let has_flange = matches!(solve, ToolPoint | ToolReflector | ToolAxes | HandEye);
+    let has_points = matches!(solve, ToolReflector | HandEye | Object | ThreePoints) || is_axis;
+    let of = |prefix: &str| column.starts_with(prefix);
+    match column {
+        "line" => true,
+        "point" => matches!(solve, ToolAxes | ThreePoints),
+        "target" => is_axis,
+        _ if of(FLANGE) => has_flange,
+        _ if of("nominal_") => solve == Object,
+        _ if of("axis_") => is_axis,
+        _ if ["x_", "y_", "z_", "ux_", "uy_", "uz_"].into_iter().any(of) => has_points,
+        _ => solve == HandEye && orientations::columns().any(|own| own == column),
     }
 }
 

@@ -77,6 +77,7 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
                 source.refused.sort_by_key(|r| r.line);
             }
         }
+        problems.0.extend(wholly_refused(campaign, rigid, &columns.points, &refused));
         let mut index = 0..;
         columns.points.retain(|_| index.next().is_some_and(|i| !refused.contains_key(&i)));
     }
@@ -213,6 +214,11 @@ fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usiz
         if off.is_empty() {
             continue;
         }
+        if let Some((a, b)) = exchanged(seen, &medians, rigid.tolerance_mm, &distance) {
+            let reason = phrase!("rigid-targets-exchanged", first = names[a], second = names[b]);
+            refused.extend([a, b].into_iter().filter_map(|k| Some((seen[k]?, reason.clone()))));
+            continue;
+        }
         // the target that all wrong distances share; all of them where there is no single one
         let shared: Vec<usize> = (0..names.len()).filter(|k| off.iter().all(|(a, b, _)| a == k || b == k)).collect();
         let involved: BTreeSet<usize> = off.iter().flat_map(|&(a, b, _)| [a, b]).collect();
@@ -228,6 +234,49 @@ fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usiz
         }
     }
     refused
+}
+
+/// Two targets whose exchange brings all distances of a group within the tolerance.
+fn exchanged(
+    seen: &[Option<usize>],
+    medians: &[((usize, usize), f64)],
+    tolerance_mm: f64,
+    distance: &impl Fn(&[Option<usize>], (usize, usize)) -> Option<f64>,
+) -> Option<(usize, usize)> {
+    let fits = |&(a, b): &(usize, usize)| {
+        let mut other = seen.to_vec();
+        other.swap(a, b);
+        // the exchange changes distances to other targets alone
+        let mut off = medians.iter().filter_map(|&(pair, median)| Some(distance(&other, pair)? - median));
+        seen[a].is_some() && seen[b].is_some() && off.all(|d| d.abs() <= tolerance_mm)
+    };
+    let measured = seen.iter().flatten().count();
+    let pairs = || (0..seen.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
+    let mut found = pairs().filter(fits);
+    // several exchanges, or a distance alone, name nobody
+    found.next().filter(|_| measured > 2 && found.next().is_none())
+}
+
+/// Errors for targets of a rigid part of which all rows are refused.
+fn wholly_refused(
+    campaign: &Campaign,
+    rigid: &Rigid,
+    points: &[Point],
+    refused: &BTreeMap<usize, Phrase>,
+) -> Vec<Message> {
+    let mut messages = Vec::new();
+    for target in &rigid.targets {
+        let name = target.get_ref();
+        let own = || points.iter().enumerate().filter(|(_, p)| p.target.as_deref() == Some(name.as_str()));
+        let Some((first, point)) = own().next() else { continue };
+        let Some(reason) = refused.get(&first).filter(|_| own().all(|(i, _)| refused.contains_key(&i))) else {
+            continue;
+        };
+        let (rows, file) = (own().count(), &*point.export);
+        let message = error!("rigid-target-refused", target = name, rows, file, line = point.line, reason);
+        messages.push(message.at(campaign.place(target)));
+    }
+    messages
 }
 
 /// Another target measured together with `point` within the tolerance of it.

@@ -85,9 +85,11 @@ pub(crate) fn identified(
     let square = |i: usize, j: usize| if i == j { u[i] * u[i] } else { 0.0 };
     let mut parameters = ParametersDocument {
         valid_until: None,
+        synthetic: None,
         schema: "etalon/parameters/2".to_owned(),
         robot: "prexyt".to_owned(),
         parameters: values.iter().zip(u).enumerate().map(entry).collect(),
+        reference_poses: Vec::new(),
         sketches: vec![],
         covariance: (0..n).map(|i| (0..n).map(|j| square(i, j)).collect()).collect(),
         covariance_without: Vec::new(),

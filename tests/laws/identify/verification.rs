@@ -177,6 +177,43 @@ fn verification_finds_what_its_power_states() {
     }
 }
 
+/// Noise that contradicts the parameters is no motion of a part: a part is named only where its own change is significant.
+#[test]
+fn a_false_alarm_names_no_part_whose_change_is_insignificant() {
+    for case in cases() {
+        let model = case.robot.model();
+        let alarms = (0..trials()).map(|trial| case.trial(&Change::Nothing, trial)).filter(Verification::is_changed);
+        let (alarms, mut of_rest): (Vec<Verification>, usize) = (alarms.collect(), 0);
+        for found in &alarms {
+            let is_of_rest = found.of_changes.p_value > 0.3;
+            of_rest += usize::from(is_of_rest);
+            let Some(cause) = found.cause() else { continue };
+            let z = cause.change[0] / cause.standard_uncertainty[0];
+            assert!(!matches!(cause.moved, Moved::Joint(_)) || z.abs() > 1.96, "{model}: {cause:?}");
+            assert!(!is_of_rest, "{model}: of changes p = {}: {cause:?}", found.of_changes.p_value);
+        }
+        println!("{model}: {} false alarms, {of_rest} without a sign of a change", alarms.len());
+        assert!(of_rest > 0, "{model}: no case");
+    }
+}
+
+/// A reflector that was mounted anew is named.
+#[test]
+fn a_target_that_moved_is_named() {
+    let case = &cases()[0];
+    let mut moved = case.truth.clone();
+    moved[case.robot.index("b_x").unwrap()] += 0.2;
+    let given =
+        GivenParameters { values: case.truth.clone(), free: case.free.clone(), covariance: case.covariance.clone() };
+    for trial in 0..trials().min(20) {
+        let mut noise = Noise::new(21, trial);
+        let observed = observe(case.robot.as_ref(), &moved, &case.joints, &Change::Nothing, Some(&mut noise));
+        let found = case.verify(&observed, &given);
+        let named = found.cause().map(|cause| cause.moved);
+        assert_eq!(named, Some(Moved::Target(1)), "{:?}", found.explanations);
+    }
+}
+
 #[test]
 fn verification_measures_the_change() {
     for case in cases() {

@@ -69,6 +69,9 @@ one-program-each = das Programm aufteilen: ein Programm für jedes
 
 state-pose-option = seine Pose angeben: --{ $option } x,y,z,qw,qx,qy,qz
 
+program-frame-other = das Programm gibt { $frame } an, --{ $option } eine andere Pose
+    .hint = die Pose des Programms angeben: --{ $option } { $pose }
+
 program-in-world = Ziele eines Programms sind nicht im Weltkoordinatensystem
     .hint = --object verwenden
 
@@ -435,9 +438,9 @@ axes-direction = {"  "}Richtung     { $direction }  (u = { $u } deg)
 axes-point = {"  "}Punkt        { $point }  (u = { $u } mm)
 axes-circle = {"  "}`{ $target }`  Radius { $radius } mm (u = { $u } mm), Bogen { $arc } deg
 axes-line = {"  "}`{ $target }`  Länge { $length } mm
-axes-error-motions = {"    "}radiale Bewegungsabweichung { $radial } µm, an der Stirnfläche { $face } µm
-axes-straightness = {"    "}Geradheit { $radial } µm und { $face } µm
-axes-axial-and-tilt = {"  "}axiale Bewegungsabweichung { $axial } µm, Kippbewegungsabweichung { $tilt } deg
+axes-error-motions = {"    "}radiale Bewegungsabweichung { $radial } µm (Rauschen allein { $radial_noise } µm), an der Stirnfläche { $face } µm (Rauschen allein { $face_noise } µm)
+axes-straightness = {"    "}Geradheit { $radial } µm (Rauschen allein { $radial_noise } µm) und { $face } µm (Rauschen allein { $face_noise } µm)
+axes-axial-and-tilt = {"  "}axiale Bewegungsabweichung { $axial } µm (Rauschen allein { $axial_noise } µm), Kippbewegungsabweichung { $tilt } deg (Rauschen allein { $tilt_noise } deg)
 axes-motion = {"  "}Bewegung     { $ratio } × Gelenkwert, Differenz { $rms } { $unit } (RMS)
 axes-base = Basis ({ $rule })
 axes-origin = {"  "}Ursprung     { $point }
@@ -531,3 +534,6 @@ parameters-expired = die Parameter gelten bis { $last }; heute ist der { $today 
 
 backlash-not-in-table = die Tabelle hat einen Wert für beide Richtungen; das Umkehrspiel von `{ $axis }`, bis { FIXED($backlash, 5) } { $unit }, ist nicht enthalten
     .hint = es als Umkehrspiel der Achse in der Steuerung angeben
+
+option-column-ambiguous = --column nennt für `{ $column }` sowohl `{ $first }` als auch `{ $second }`, und `{ $file }` hat beide
+    .hint = nur eine davon nennen

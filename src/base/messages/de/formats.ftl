@@ -522,3 +522,11 @@ temperature-invalid = `{ $column }` { $value ->
     }
     .expected = eine Temperatur in °C über dem absoluten Nullpunkt
     .hint = die Zelle korrigieren, oder die Zeile ausschließen
+
+approach-unknown = unbekannte Anfahrrichtung: { $visits }{ $count ->
+        [one] {""}
+       *[other] {""}; insgesamt { $count }
+    }; der Messwert der vorhergehenden Pose fehlt
+    .hint = falls der Roboter dazwischen keine andere Pose anfuhr, die Anfahrrichtungen in einer Spalte `approach` nennen
+
+visit-of-cycle = Pose { $pose } in Zyklus { $cycle }

@@ -149,11 +149,15 @@ reference-moved = ab Pose { $pose } sind die gemessenen Positionen gegenüber de
 
 parameters-weakly-identifiable = { $groups } sind aus diesen Posen nur schwach identifizierbar: Standardunsicherheiten { $uncertainties } (Korrelation { FIXED($correlation, 6) })
 
-parameter-groups-weakly-identifiable = { $count } Gruppen von Parametern sind aus diesen Posen nur schwach identifizierbar: { $groups }; ihre Standardunsicherheiten sind groß, und ihre Abweichungen heben sich in der Nähe dieser Posen auf
+parameter-groups-weakly-identifiable = { $count } Gruppen von Parametern sind aus diesen Posen nur schwach identifizierbar (größte Standardunsicherheiten: { $uncertainties }; innerhalb einer Gruppe heben sich die Abweichungen in der Nähe dieser Posen auf): { $groups }
 
 parameter-group = { $first } und { $second }
 
-separate-parameters = Posen messen, in denen diese Parameter verschieden wirken, oder einen davon festhalten
+parameter-groups = { $first }; { $others }
+
+separate-parameters = Posen messen, in denen diese Parameter verschieden wirken
+
+separate-parameters-by-joints = Posen über einen größeren Bereich von { $joints } messen, in denen diese Parameter verschieden wirken
 
 too-many-positions = { $positions } Positionen können nicht aus { $candidates } Kandidaten ausgewählt werden
     .expected = eine Zahl von 1 bis { $candidates }

@@ -30,6 +30,7 @@ ap-by-set = AP je Satz
 ap-interval-from = AP, 95 % von
 ap-interval-to = AP, 95 % bis
 ap-within-limit = AP innerhalb der Grenze
+approach-not-known = Anfahrrichtung unbekannt
 approached = angefahren
 approved-by = Freigegeben von
 arc = Bogen
@@ -1020,7 +1021,10 @@ relaxation-alone = Relaxation allein
 reliability-note = Zuverlässigkeit (Baarda 1968; Signifikanzniveau { $significance } %, Teststärke { $power } %). Kleinster aufdeckbarer Fehler einer Koordinate: Median { $median }, ungünstigster Messwert { $largest }; kleinste Redundanz { $redundancy }. Messwerte mit einem Residuum über { $factor } Standardabweichungen: { $beyond } von { $readings }.
 repeatability = Wiederholgenauigkeit
 repeatability-at-pose = Größter Wert der Pose-Wiederholgenauigkeit RP: { $repeatability } µm, an Pose { $pose }.
-repeatability-from-one-approach = Wiederholgenauigkeit bei einer einzigen Anfahrrichtung an Pose { $pose } ({ $approaches } Anfahrrichtungen): { $smallest } bis { $largest } µm; alle Anfahrrichtungen zusammen: { $together } µm.
+repeatability-from-one-approach = { $approaches ->
+        [one] Wiederholgenauigkeit bei der einzigen Anfahrrichtung mit mehreren Anfahrten an Pose { $pose }: { $largest } µm; alle Anfahrrichtungen zusammen: { $together } µm.
+       *[other] Wiederholgenauigkeit bei einer einzigen Anfahrrichtung an Pose { $pose } ({ $approaches } Anfahrrichtungen): { $smallest } bis { $largest } µm; alle Anfahrrichtungen zusammen: { $together } µm.
+    }
 repeatability-over-cycles = Pose-Wiederholgenauigkeit jeder Pose im Verlauf der Prüfung.
 repeatability-report = Bericht zur Pose-Wiederholgenauigkeit
 repeatability-title = Wiederholgenauigkeit
@@ -1321,7 +1325,6 @@ text = Text
 texts-of-campaign-note = Texte der Kampagne sind nicht übersetzt.
 the-campaign-fits-no-features = Die Kampagne enthält keine angepassten Geometrieelemente.
 the-campaign-states-no-limits = Es sind keine Grenzwerte angegeben: ein Urteil ist nicht möglich.
-the-first = die erste
 their-standard-deviation = Standardabweichung
 this-file-max = diese Datei, max.
 this-file-rms = diese Datei, RMS

@@ -5,6 +5,14 @@ rigid-distance-off = der Abstand { $first }-{ $second } ist { FIXED($off_mm, 3) 
        *[longer] länger
     } als sein Median (Toleranz { $limit_mm } mm)
 
+rigid-targets-exchanged = die Abstände passen, wenn `{ $first }` und `{ $second }` vertauscht sind
+
+rigid-target-refused = [[rigid]] lehnt { $rows ->
+        [one] die einzige Zeile
+       *[other] alle { $rows } Zeilen
+    } von `{ $target }` ab, die erste in `{ $file }`, Zeile { $line }: { $reason }
+    .hint = vertauschte Bezeichnungen oder `tolerance_mm` berichtigen, oder die Zielmarke aus [[rigid]] entfernen
+
 rigid-point-coincides = { $message }; der Punkt fällt mit `{ $other }` zusammen
 
 rigid-row-refused = `{ $target }` wird in Zeile { $row } abgelehnt: { $reason }
@@ -707,6 +715,15 @@ nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $state
     }
     .hint = prüfen, ob die Parameter zu diesem Roboter gehören
 
+robot-geometry-changed = robot.toml beschreibt eine andere Geometrie als die der Identifikation: { $case ->
+        [apart] bei gleichen Parametern liegen die Flansche { $distance_mm } mm auseinander
+       *[other] Gelenke oder Glieder sind andere
+    }
+    .hint = die robot.toml angeben, mit der die Parameter identifiziert wurden, oder neu identifizieren
+
+robot-geometry-unknown = robot.toml ist keine Datei der Identifikation, und parameters.json enthält keine Geometrie zum Vergleich
+    .hint = prüfen, ob robot.toml den identifizierten Roboter beschreibt, oder die Kampagne erneut ausführen
+
 calibration-without-residuals = aus der Kalibrierung ergibt sich keine Standardabweichung einer Koordinate
     .hint = mit angegebener Standardunsicherheit identifizieren
 
@@ -1022,7 +1039,7 @@ sweep-weak = die Richtung der Achse von `{ $joint }` hat eine Standardunsicherhe
     .hint = einen längeren Bogen, eine Zielmarke weiter von der Achse oder mehr Zielmarken messen
 
 sweep-unit = alle Zielmarken liegen innerhalb von { FIXED($radius_mm, 3) } mm um die Achsen: stimmt die Einheit der Koordinaten?
-    .hint = wo nicht, die Spalten berechnen: --column "x_mm=x*1000"
+    .hint = wo nicht, die Spalten berechnen, hier x: --column 'x_mm={ $source }*1000'
 
 sweep-few = die Messreihe von `{ $joint }` hat { $readings } Messwerte und braucht { $needed }
     .hint = mehr Messwerte aufnehmen; einige mehr als nötig ergeben eine Unsicherheit
@@ -1216,6 +1233,24 @@ cell-noise-larger-turned = die Residuen der Orientierungen betragen { FIXED($fou
 cell-no-uncertainty = die Unsicherheit ist unbekannt: die Messwerte haben keine Redundanz, und keine Unsicherheit ist angegeben
     .hint = mehr Messwerte aufnehmen oder `--standard-uncertainty-um` angeben
 
+cell-columns-unused = { $count ->
+        [one] die angegebene Spalte { $columns } wird
+       *[other] die angegebenen Spalten { $columns } werden
+    } von `{ $solve }` nicht verwendet
+    .hint = `etalon cell --help` nennt die Spalten jedes Problems
+
+cell-refuted = die Residuen der Positionen betragen { FIXED($found_mm, 3) } mm (Standardabweichung), mehr als jede plausible Unsicherheit erklärt: das Ergebnis ist widerlegt
+    .hint = Spalten, Vorzeichen, Einheiten und die Reihenfolge der Zeilen prüfen
+
+cell-refuted-turned = die Residuen der Orientierungen betragen { FIXED($found_deg, 2) } deg (Standardabweichung), mehr als jede plausible Unsicherheit erklärt: das Ergebnis ist widerlegt
+    .hint = Spalten, Vorzeichen, Einheiten und die Reihenfolge der Zeilen prüfen
+
+cell-data-withheld = Daten für { $maker } werden nicht geschrieben: das Ergebnis darf nicht geladen werden
+    .hint = berichtigen, was die Fehler nennen; `--force` schreibt die Daten
+
+cell-unit-large = der Flansch ist { FIXED($distance_m, 1) } m von der Basis entfernt, und das Werkzeug ist { FIXED($tool_m, 1) } m lang: die Positionen sind wahrscheinlich in Millimetern
+    .hint = `flange_x_mm`, `flange_y_mm`, `flange_z_mm` für Millimeter verwenden
+
 cell-unit = alle Positionen des Flansches liegen innerhalb von { FIXED($distance_mm, 3) } mm um die Basis, und das Werkzeug ist kürzer als 2 mm: die Positionen sind wahrscheinlich in Metern
     .hint = `flange_x_m`, `flange_y_m`, `flange_z_m` für Meter verwenden
 
@@ -1270,9 +1305,21 @@ cell-change-unit = die Positionen { $side ->
        *[measured] der gemessenen Punkte
     } sind in { $unit }
 
+cell-change-axes = { $first } und { $second } der Positionen { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } sind vertauscht
+
+cell-change-sign = { $axis } der Positionen { $side ->
+        [flange] des Flansches
+       *[measured] der gemessenen Posen
+    } hat das andere Vorzeichen
+
+cell-change-measured-mirrored = zwei Koordinaten der gemessenen Punkte sind vertauscht, oder eine hat das andere Vorzeichen
+
 cell-change-scale = die gemessenen Punkte sind mit { $factor } multipliziert
 
-cell-change-mirrored = die bekannten Punkte sind gespiegelt (eine Koordinate hat das andere Vorzeichen)
+cell-change-mirrored = die bekannten Punkte sind gespiegelt (zwei Koordinaten sind vertauscht, oder eine hat das andere Vorzeichen)
 
 cell-change-exchanged = die Punkte der Zeilen { $first } und { $second } sind vertauscht
 

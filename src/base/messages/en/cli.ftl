@@ -146,6 +146,13 @@ one-program-each = split the program: one program for each
 
 state-pose-option = state its pose: --{ $option } x,y,z,qw,qx,qy,qz
 
+# Means: The program states its tool or base in numbers, and the option states another pose.
+# Matters: Targets are poses of one of the two: the other compensation is wrong.
+# Do: State the pose of the program, or omit the option if it is the flange or the base.
+# Example: `$TOOL={X 0,Y 0,Z 150,A 0,B 0,C 0}` with `--tool 0,0,0`
+program-frame-other = the program states { $frame }, and --{ $option } states another pose
+    .hint = state the pose of the program: --{ $option } { $pose }
+
 # Means: `--frame world` is stated for a program.
 # Matters: Targets of a program are in the frame of its work object.
 # Do: State `--object`.
@@ -803,9 +810,9 @@ axes-direction = {"  "}direction    { $direction }  (u = { $u } deg)
 axes-point = {"  "}point        { $point }  (u = { $u } mm)
 axes-circle = {"  "}`{ $target }`  radius { $radius } mm (u = { $u } mm), arc { $arc } deg
 axes-line = {"  "}`{ $target }`  length { $length } mm
-axes-error-motions = {"    "}radial error motion { $radial } µm, face error motion { $face } µm
-axes-straightness = {"    "}straightness { $radial } µm and { $face } µm
-axes-axial-and-tilt = {"  "}axial error motion { $axial } µm, tilt error motion { $tilt } deg
+axes-error-motions = {"    "}radial error motion { $radial } µm (noise alone { $radial_noise } µm), face error motion { $face } µm (noise alone { $face_noise } µm)
+axes-straightness = {"    "}straightness { $radial } µm (noise alone { $radial_noise } µm) and { $face } µm (noise alone { $face_noise } µm)
+axes-axial-and-tilt = {"  "}axial error motion { $axial } µm (noise alone { $axial_noise } µm), tilt error motion { $tilt } deg (noise alone { $tilt_noise } deg)
 axes-motion = {"  "}motion       { $ratio } × joint value, difference { $rms } { $unit } (rms)
 axes-base = base ({ $rule })
 axes-origin = {"  "}origin       { $point }
@@ -911,3 +918,10 @@ parameters-expired = the parameters are valid until { $last }; today is { $today
 # Example: `etalon axis-table out/parameters.json --robot robot.toml --axis q1_mm=0:500:50 --to sinumerik`
 backlash-not-in-table = the table has one value for both directions; the backlash of `{ $axis }`, up to { FIXED($backlash, 5) } { $unit }, is not in it
     .hint = state it as the backlash of the axis in the control
+
+# Means: Two options `--column` name different headings for one column, and a table has both.
+# Matters: Only one of them can be the column.
+# Do: State the heading that is meant, or give the tables in files with different headings.
+# Example: `--column x_mm=X1 --column x_mm=X2` for a table with X1 and X2
+option-column-ambiguous = --column states both `{ $first }` and `{ $second }` for `{ $column }`, and `{ $file }` has both
+    .hint = state one of them

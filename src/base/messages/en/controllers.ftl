@@ -306,11 +306,11 @@ platform-out-of-reach = the platform does not reach the centre
 tower-order = the towers are not at 120 deg from each other, counterclockwise from above
     .hint = number them counterclockwise: `{ $format }` has them in this order
 
-# Means: A movement does not state all its coordinates.
-# Matters: The missing coordinates are those of the previous position, which depends on the course
-# of the program.
-# Do: State all coordinates of the movement.
-# Example: `MoveC X10` in Mecaprol, `PA 100` for two axes on a Galil controller
+# Means: A movement, or a tool or base, does not state all its coordinates.
+# Matters: The missing coordinates are those of the previous position or frame, which depends on the
+# course of the program.
+# Do: State all coordinates.
+# Example: `MoveC X10` in Mecaprol, `PA 100` for two axes on a Galil controller, `$TOOL={Z 150}` in KRL
 move-incomplete = `{ $command }` does not state { $coordinates }
     .hint = state all coordinates
 
@@ -327,10 +327,10 @@ pose-of-six = all of X, Y, Z, A, B and C
 working-mode-changes = the program changes the working mode
     .hint = give the targets of each working mode as a program of their own
 
-# Means: A block of the program is not a straight movement to absolute coordinates in mm.
-# Matters: Its target depends on other blocks, so that it cannot be compensated alone.
-# Do: Rewrite the block with absolute coordinates.
-# Example: `G91` (relative coordinates) in G-code, `PR 100` on a Galil controller
+# Means: A block of the program is an arc, or its coordinates are relative or not in mm.
+# Matters: Its path or target depends on other blocks, so that it cannot be compensated alone.
+# Do: Rewrite the block with absolute coordinates, and an arc as short straight movements.
+# Example: `G91` (relative coordinates) in G-code, `CIRC` and `LIN_REL` in KRL, `MoveC` in RAPID
 movement-not-compensated = `{ $command }` is not compensated
     .expected = straight movements to absolute coordinates
 

@@ -978,3 +978,17 @@ temperature-invalid = `{ $column }` is { $value ->
     }
     .expected = a temperature in °C, above absolute zero
     .hint = correct the cell, or exclude the row
+
+# Means: In a cycle the reading of a pose is missing that most cycles have. The table has no column
+# `approach`: it is unknown whether the robot passed the pose.
+# Matters: The next visit counts for AP and RP, but for no approach and not for vAP.
+# Do: Nothing, if a reading failed. If the robot took another path, name the approaches in a column
+# `approach`.
+# Example: cycle 17 has rows of poses 1, 2 and 4, all other cycles of poses 1 to 4
+approach-unknown = unknown approach of { $visits }{ $count ->
+        [one] {""}
+       *[other] {""}; { $count } in all
+    }: the reading of the previous pose is missing
+    .hint = if the robot passed no other pose in between, name the approaches in a column `approach`
+
+visit-of-cycle = pose { $pose } in cycle { $cycle }

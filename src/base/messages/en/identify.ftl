@@ -237,7 +237,9 @@ residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the inst
 # targets.
 # Matters: They are held at their nominal values; base and targets contain their deviations.
 # Predicted positions are unaffected.
-# Do: Nothing. To hold another parameter of a group, name it under `hold`.
+# Do: Nothing. To hold another parameter of a group, name it under `hold`. Where axes are nearly
+# parallel, as in a SCARA, a length is held and `base_z` floats: to identify the length, measure
+# the height of the base, state it as `base_z` under `[nominal]`, and hold `base_z`.
 # Example: the zero of the first joint and the rotation of the base
 parameters-fixed-by-frames = the data cannot separate { $count } parameters from base and targets; they are held at their nominal values: { $parameters }
 
@@ -311,21 +313,27 @@ reference-moved = from pose { $pose } on, measured positions are shifted by { FI
 # Means: The poses hardly separate a group of parameters.
 # Matters: Standard uncertainties of single parameters are large. Near the measured poses their
 # errors cancel.
-# Do: Measure poses in which the effects of these parameters differ, or hold one of them.
+# Do: Measure poses in which the effects of these parameters differ: over a wider range of their
+# joints. A held parameter only hides the error: it remains, and the stated uncertainty lacks it.
 # Example: a ball in four sockets whose distances were not measured
 parameters-weakly-identifiable = { $groups } are weakly identifiable from these poses: standard uncertainties { $uncertainties } (correlation { FIXED($correlation, 6) })
 
 # Means: The poses hardly separate several groups of parameters.
 # Matters: Standard uncertainties of single parameters are large. Near the measured poses their
 # errors cancel.
-# Do: Measure poses in which the effects of the parameters of a group differ, or hold one of each
-# group.
+# Do: Measure poses in which the effects of the parameters of a group differ: over a wider range of
+# their joints. A held parameter only hides the error: it remains, and the stated uncertainty lacks
+# it.
 # Example: all poses measured in a small region
-parameter-groups-weakly-identifiable = { $count } groups of parameters are weakly identifiable from these poses: { $groups }; their standard uncertainties are large, and their errors cancel near these poses
+parameter-groups-weakly-identifiable = { $count } groups of parameters are weakly identifiable from these poses (largest standard uncertainties: { $uncertainties }; errors within a group cancel near these poses): { $groups }
 
 parameter-group = { $first } and { $second }
 
-separate-parameters = measure poses in which the effects of these parameters differ, or hold one of them
+parameter-groups = { $first }; { $others }
+
+separate-parameters = measure poses in which the effects of these parameters differ
+
+separate-parameters-by-joints = measure poses over a wider range of { $joints }, in which the effects of these parameters differ
 
 # Means: The number of positions to choose is zero, or exceeds the number of candidates.
 # Matters: No plan of this size exists.

@@ -27,6 +27,7 @@ ap-by-set = AP by set
 ap-interval-from = AP, 95 % from
 ap-interval-to = AP, 95 % to
 ap-within-limit = AP within its limit
+approach-not-known = approach unknown
 approached = approached
 approved-by = Approved by
 arc = arc
@@ -969,7 +970,10 @@ relaxation-alone = relaxation alone
 reliability-note = Reliability (Baarda 1968; significance level { $significance } %, power { $power } %). Smallest detectable error of a coordinate: median { $median }, worst reading { $largest }; least redundancy { $redundancy }. Readings with a residual above { $factor } standard deviations: { $beyond } of { $readings }.
 repeatability = repeatability
 repeatability-at-pose = Largest pose repeatability RP: { $repeatability } µm, at pose { $pose }.
-repeatability-from-one-approach = Repeatability for a single approach at pose { $pose } ({ $approaches } approaches): { $smallest } to { $largest } µm; all approaches together: { $together } µm.
+repeatability-from-one-approach = { $approaches ->
+        [one] Repeatability for the only approach of pose { $pose } with several visits: { $largest } µm; all approaches together: { $together } µm.
+       *[other] Repeatability for a single approach at pose { $pose } ({ $approaches } approaches): { $smallest } to { $largest } µm; all approaches together: { $together } µm.
+    }
 repeatability-over-cycles = Pose repeatability of each pose during the test.
 repeatability-report = Repeatability report
 repeatability-title = Repeatability
@@ -1255,7 +1259,6 @@ text = text
 texts-of-campaign-note = Texts from the campaign are not translated.
 the-campaign-fits-no-features = The campaign has no fitted features.
 the-campaign-states-no-limits = No limits are stated: no verdict is possible.
-the-first = the first
 their-standard-deviation = standard deviation
 this-file-max = this file, max
 this-file-rms = this file, RMS

@@ -5,6 +5,19 @@ rigid-distance-off = the distance { $first }-{ $second } is { FIXED($off_mm, 3) 
        *[longer] longer
     } than its median (tolerance { $limit_mm } mm)
 
+rigid-targets-exchanged = the distances fit if `{ $first }` and `{ $second }` are exchanged
+
+# Means: The rule [[rigid]] refuses all rows of a target: their distances to the other targets differ
+# from the median by more than `tolerance_mm`.
+# Matters: The target has no position. The exports do contain it.
+# Do: Correct the labels of exchanged targets, or `tolerance_mm`, or remove the target from [[rigid]].
+# Example: two reflectors with each other's names at half of the poses
+rigid-target-refused = [[rigid]] refuses { $rows ->
+        [one] the only row
+       *[other] all { $rows } rows
+    } of `{ $target }`, the first in `{ $file }`, line { $line }: { $reason }
+    .hint = correct exchanged labels or `tolerance_mm`, or remove the target from [[rigid]]
+
 rigid-point-coincides = { $message }; the point coincides with `{ $other }`
 
 # Means: A distance between targets of a rigid part differs from its median by more than
@@ -1457,6 +1470,25 @@ nominal-value-changed = `{ $parameter }` is nominally { $stated }{ $unit ->
     } when the parameters were identified
     .hint = check that the parameters are those of this robot
 
+# Means: robot.toml describes another geometry than the robot whose parameters were identified: with
+# equal values of all parameters, the flanges of the two robots are apart.
+# Matters: The parameters are deviations of the identified robot. They do not correct this one.
+# Do: Name the robot.toml of the identification, or identify again with this one.
+# Example: a robot in screw axes (`poe`) whose fourth axis was moved by 10 mm after the run
+robot-geometry-changed = robot.toml describes another geometry than that of the identification: { $case ->
+        [apart] with equal parameters, the flanges are { $distance_mm } mm apart
+       *[other] joints or links differ
+    }
+    .hint = name the robot.toml with which the parameters were identified, or identify again
+
+# Means: robot.toml is not the file with which the parameters were identified, and parameters.json is
+# of an earlier version, which holds no positions of the flange.
+# Matters: Nominal geometry that is no parameter may differ, as in a robot in screw axes (`poe`).
+# Do: Run the campaign again: the new parameters.json is compared with robot.toml.
+# Example: parameters.json of version 0.1, and a robot.toml that was edited since
+robot-geometry-unknown = robot.toml is not a file of the identification, and parameters.json holds no geometry to compare it with
+    .hint = check that robot.toml describes the identified robot, or run the campaign again
+
 # Means: parameters.json states no standard uncertainty of a coordinate, and its residuals do not
 # determine one.
 # Matters: Expected deviations of new measurements are unknown.
@@ -2078,11 +2110,11 @@ sweep-weak = the direction of the axis of `{ $joint }` has a standard uncertaint
     .hint = measure a longer arc, a target farther from the axis, or more targets
 
 # Means: All targets are within a few millimetres of all axes.
-# Matters: The coordinates are probably in metres, and are read as millimetres.
-# Do: Check the unit of the coordinates.
+# Matters: The coordinates are probably in metres, and are read as millimetres. The exit code is 1, and robot.toml is not written.
+# Do: Check the unit of the coordinates, and convert all three columns. For a mechanism of this size use `--force`.
 # Example: coordinates in metres under the heading x_mm
 sweep-unit = all targets are within { FIXED($radius_mm, 3) } mm of the axes: the coordinates are probably in metres
-    .hint = check the unit, and convert the columns: --column "x_mm=x*1000"
+    .hint = check the unit, and convert the columns, here x: --column 'x_mm={ $source }*1000'
 
 # Means: A sweep has fewer readings than its axis and paths need.
 # Matters: The axis cannot be determined.
@@ -2405,6 +2437,16 @@ cell-loads-replaced = the entry of tool { $number } has zero mass and centre of 
 cell-axis-tilted = the axis along { $axis } is tilted by { FIXED($angle_deg, 4) } deg, and `{ $maker }` has no tilt: { FIXED($left_um, 1) } um at 100 mm from the axis
     .hint = align the axis, or accept this error
 
+# Means: Columns that `--column` states have no effect on this problem.
+# Matters: Measured values are perhaps under another name than meant.
+# Do: State the columns of the problem: `etalon cell --help` lists them.
+# Example: `--column x_mm=X` in place of `--column flange_x_mm=X` with `tool-point`
+cell-columns-unused = { $count ->
+        [one] the stated column { $columns } is
+       *[other] the stated columns { $columns } are
+    } not used by `{ $solve }`
+    .hint = `etalon cell --help` lists the columns of each problem
+
 # Means: Readings that contradict each other agree after a change of the input.
 # Matters: The frame would be wrong.
 # Do: Correct the input if the change is true; with several changes the readings do not decide between them.
@@ -2415,15 +2457,36 @@ cell-slip = readings contradict each other by { FIXED($stated_mm, 3) } mm (stand
     }
     .hint = correct the table or the options
 
-# Means: A reading fits the others less than noise explains once in a hundred tables.
-# Matters: It shifts the result. The residuals contain it, so uncertainties are larger.
+# Means: Residuals of positions exceed the stated uncertainty with 2 mm for the robot, or a tenth of the size of tool and motion.
+# Matters: Frames and uncertainties are wrong: the readings are not those of one rigid cell. The exit code is 1, and no data of a controller are written.
+# Do: Check columns, signs, units and the order of rows, and measure again. An uncertainty above 2 mm has to be stated.
+# Example: the columns of two robots exchanged
+cell-refuted = positions have residuals of { FIXED($found_mm, 3) } mm (standard deviation), more than any plausible uncertainty explains: the answer is refuted
+    .hint = check columns, signs, units and the order of the rows
+
+# Means: Residuals of orientations exceed the stated uncertainty with 2 deg for the robot, or a tenth of the rotations between poses.
+# Matters: Frames and uncertainties are wrong: the readings are not those of one rigid cell. The exit code is 1, and no data of a controller are written.
+# Do: Check columns, signs, units and the order of rows, and measure again. An uncertainty above 2 deg has to be stated.
+# Example: measured poses in the order of another recording
+cell-refuted-turned = orientations have residuals of { FIXED($found_deg, 2) } deg (standard deviation), more than any plausible uncertainty explains: the answer is refuted
+    .hint = check columns, signs, units and the order of the rows
+
+# Means: The answer has errors, so that the data of the controller are not printed.
+# Matters: Loaded, they could move the robot by a wrong tool or frame.
+# Do: Correct what the errors name, or write the data with `--force`; their header says so.
+# Example: `--controller kuka` of a table with a foreign reading
+cell-data-withheld = data for { $maker } are not written: the answer must not be loaded
+    .hint = correct what the errors name; `--force` writes the data
+
+# Means: A reading fits the others less than noise explains once in a thousand tables.
+# Matters: It shifts the result: the exit code is 1, and no data of a controller are written. The residuals contain it, so uncertainties are larger.
 # Do: Check the reading; leave it out with `--without` if it is wrong.
 # Example: one touch of the tip beside the fixed point
 cell-foreign = the reading of line { $line } does not fit the others: residual { FIXED($residual_mm, 4) } mm
     .hint = check the reading, and leave it out with `--without` if it is wrong
 
-# Means: An orientation fits the others less than noise explains once in a hundred tables.
-# Matters: It shifts the result.
+# Means: An orientation fits the others less than noise explains once in a thousand tables.
+# Matters: It shifts the result: the exit code is 1, and no data of a controller are written.
 # Do: Check the reading; leave it out with `--without` if it is wrong.
 # Example: one pose of a camera with exchanged corners
 cell-foreign-turned = the orientation of line { $line } does not fit the others: residual { FIXED($residual_deg, 4) } deg
@@ -2456,6 +2519,13 @@ cell-no-uncertainty = the uncertainty is unknown: the readings have no redundanc
 # Example: poses of a ROS topic in metres under `flange_x_mm`
 cell-unit = all positions of the flange are within { FIXED($distance_mm, 3) } mm of the base, and the tool is shorter than 2 mm: positions are probably in metres
     .hint = use `flange_x_m`, `flange_y_m`, `flange_z_m` for metres
+
+# Means: Poses are far beyond the reach of a robot, and the tool is longer than any.
+# Matters: Coordinates in millimetres under `_m` give a tool that is a thousand times too long.
+# Do: Use `flange_x_mm` .. for millimetres.
+# Example: poses of a KUKA in millimetres under `flange_x_m`
+cell-unit-large = the flange is { FIXED($distance_m, 1) } m from the base, and the tool is { FIXED($tool_m, 1) } m long: positions are probably in millimetres
+    .hint = use `flange_x_mm`, `flange_y_mm`, `flange_z_mm` for millimetres
 
 # Means: The tool centre point is at the origin of the poses, within its uncertainty.
 # Matters: The poses are probably those of an active tool, and the result is its correction.
@@ -2516,9 +2586,21 @@ cell-change-unit = the positions { $side ->
        *[measured] of the measured points
     } are in { $unit }
 
+cell-change-axes = { $first } and { $second } of the positions { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } are exchanged
+
+cell-change-sign = { $axis } of the positions { $side ->
+        [flange] of the flange
+       *[measured] of the measured poses
+    } has the other sign
+
+cell-change-measured-mirrored = two coordinates of the measured points are exchanged, or one has the other sign
+
 cell-change-scale = the measured points are multiplied by { $factor }
 
-cell-change-mirrored = the known points are mirrored (one coordinate has the other sign)
+cell-change-mirrored = the known points are mirrored (two coordinates are exchanged, or one has the other sign)
 
 cell-change-exchanged = the points of lines { $first } and { $second } are exchanged
 

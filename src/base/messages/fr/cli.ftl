@@ -69,6 +69,9 @@ one-program-each = diviser le programme : un programme pour chacun
 
 state-pose-option = indiquer sa pose : --{ $option } x,y,z,qw,qx,qy,qz
 
+program-frame-other = le programme indique { $frame }, et --{ $option } indique une autre pose
+    .hint = indiquer la pose du programme : --{ $option } { $pose }
+
 program-in-world = les cibles d’un programme ne sont pas dans le référentiel atelier
     .hint = utiliser --object
 
@@ -435,9 +438,9 @@ axes-direction = {"  "}direction    { $direction }  (u = { $u } deg)
 axes-point = {"  "}point        { $point }  (u = { $u } mm)
 axes-circle = {"  "}`{ $target }`  rayon { $radius } mm (u = { $u } mm), arc { $arc } deg
 axes-line = {"  "}`{ $target }`  longueur { $length } mm
-axes-error-motions = {"    "}mouvement d’erreur radial { $radial } µm, de face { $face } µm
-axes-straightness = {"    "}rectitude { $radial } µm et { $face } µm
-axes-axial-and-tilt = {"  "}mouvement d’erreur axial { $axial } µm, d’inclinaison { $tilt } deg
+axes-error-motions = {"    "}mouvement d’erreur radial { $radial } µm (bruit seul { $radial_noise } µm), de face { $face } µm (bruit seul { $face_noise } µm)
+axes-straightness = {"    "}rectitude { $radial } µm (bruit seul { $radial_noise } µm) et { $face } µm (bruit seul { $face_noise } µm)
+axes-axial-and-tilt = {"  "}mouvement d’erreur axial { $axial } µm (bruit seul { $axial_noise } µm), d’inclinaison { $tilt } deg (bruit seul { $tilt_noise } deg)
 axes-motion = {"  "}mouvement    { $ratio } × valeur articulaire, écart { $rms } { $unit } (RMS)
 axes-base = base ({ $rule })
 axes-origin = {"  "}origine      { $point }
@@ -531,3 +534,6 @@ parameters-expired = les paramètres sont valables jusqu’au { $last } ; nous
 
 backlash-not-in-table = la table a une valeur pour les deux sens ; le jeu de `{ $axis }`, jusqu’à { FIXED($backlash, 5) } { $unit }, n’y figure pas
     .hint = l’indiquer comme jeu de l’axe dans la commande
+
+option-column-ambiguous = --column indique `{ $first }` et `{ $second }` pour `{ $column }`, et `{ $file }` a les deux
+    .hint = n’en indiquer qu’un

@@ -522,3 +522,11 @@ temperature-invalid = `{ $column }` { $value ->
     }
     .expected = une température en °C, au-dessus du zéro absolu
     .hint = corriger la cellule, ou exclure la ligne
+
+approach-unknown = direction d’approche inconnue : { $visits }{ $count ->
+        [one] {""}
+       *[other] {""} ; { $count } en tout
+    } ; la lecture de la pose précédente manque
+    .hint = si le robot n’est passé par aucune autre pose, nommer les directions d’approche dans une colonne `approach`
+
+visit-of-cycle = pose { $pose } du cycle { $cycle }

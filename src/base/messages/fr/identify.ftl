@@ -149,11 +149,15 @@ reference-moved = à partir de la pose { $pose }, les positions mesurées sont d
 
 parameters-weakly-identifiable = { $groups } sont faiblement identifiables à partir de ces poses : incertitudes-types { $uncertainties } (corrélation { FIXED($correlation, 6) })
 
-parameter-groups-weakly-identifiable = { $count } groupes de paramètres sont faiblement identifiables à partir de ces poses : { $groups } ; leurs incertitudes-types sont grandes, et leurs erreurs se compensent au voisinage de ces poses
+parameter-groups-weakly-identifiable = { $count } groupes de paramètres sont faiblement identifiables à partir de ces poses (plus grandes incertitudes-types : { $uncertainties } ; au sein d’un groupe, les erreurs se compensent au voisinage de ces poses) : { $groups }
 
 parameter-group = { $first } et { $second }
 
-separate-parameters = mesurer des poses dans lesquelles ces paramètres agissent différemment, ou fixer l’un d’eux
+parameter-groups = { $first } ; { $others }
+
+separate-parameters = mesurer des poses dans lesquelles ces paramètres agissent différemment
+
+separate-parameters-by-joints = mesurer des poses sur une plus grande plage de { $joints }, dans lesquelles ces paramètres agissent différemment
 
 too-many-positions = impossible de choisir { $positions } positions parmi { $candidates } candidates
     .expected = un nombre de 1 à { $candidates }

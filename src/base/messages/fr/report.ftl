@@ -33,6 +33,7 @@ ap-by-set = AP par série
 ap-interval-from = AP, 95 %, de
 ap-interval-to = AP, 95 %, à
 ap-within-limit = AP dans sa limite
+approach-not-known = direction d’approche inconnue
 approached = approchée
 approved-by = Approuvé par
 arc = arc
@@ -1026,7 +1027,10 @@ relaxation-alone = relaxation seule
 reliability-note = Fiabilité (Baarda 1968 ; niveau de signification { $significance } %, puissance { $power } %). Plus petite erreur décelable d’une coordonnée : médiane { $median }, lecture la plus défavorable { $largest } ; redondance minimale { $redundancy }. Lectures dont le résidu dépasse { $factor } écarts-types : { $beyond } sur { $readings }.
 repeatability = répétabilité
 repeatability-at-pose = Plus grande valeur de la répétabilité de pose RP : { $repeatability } µm, à la pose { $pose }.
-repeatability-from-one-approach = Répétabilité pour une seule direction d’approche à la pose { $pose } ({ $approaches } directions) : { $smallest } à { $largest } µm ; toutes les directions ensemble : { $together } µm.
+repeatability-from-one-approach = { $approaches ->
+        [one] Répétabilité pour la seule direction d’approche à plusieurs positionnements à la pose { $pose } : { $largest } µm ; toutes les directions ensemble : { $together } µm.
+       *[other] Répétabilité pour une seule direction d’approche à la pose { $pose } ({ $approaches } directions) : { $smallest } à { $largest } µm ; toutes les directions ensemble : { $together } µm.
+    }
 repeatability-over-cycles = Répétabilité de pose de chaque pose au cours de l’essai.
 repeatability-report = Rapport de répétabilité de pose
 repeatability-title = Répétabilité
@@ -1327,7 +1331,6 @@ text = texte
 texts-of-campaign-note = Les textes de la campagne ne sont pas traduits.
 the-campaign-fits-no-features = La campagne n’ajuste aucun élément.
 the-campaign-states-no-limits = Aucune limite n’est indiquée : aucun verdict n’est possible.
-the-first = la première
 their-standard-deviation = écart-type
 this-file-max = ce fichier, max.
 this-file-rms = ce fichier, RMS

@@ -5,6 +5,14 @@ rigid-distance-off = la distance { $first }-{ $second } est { $side ->
        *[longer] plus longue
     } de { FIXED($off_mm, 3) } mm que sa médiane (tolérance { $limit_mm } mm)
 
+rigid-targets-exchanged = les distances concordent si `{ $first }` et `{ $second }` sont échangées
+
+rigid-target-refused = [[rigid]] rejette { $rows ->
+        [one] la seule ligne
+       *[other] toutes les { $rows } lignes
+    } de `{ $target }`, la première dans `{ $file }`, ligne { $line } : { $reason }
+    .hint = corriger les étiquettes échangées ou `tolerance_mm`, ou retirer la cible de [[rigid]]
+
 rigid-point-coincides = { $message } ; le point coïncide avec `{ $other }`
 
 rigid-row-refused = `{ $target }` est rejetée à la ligne { $row } : { $reason }
@@ -707,6 +715,15 @@ nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated }{ $un
     } lors de l’identification
     .hint = vérifier si les paramètres sont ceux de ce robot
 
+robot-geometry-changed = robot.toml décrit une autre géométrie que celle de l’identification : { $case ->
+        [apart] à paramètres égaux, les brides sont à { $distance_mm } mm l’une de l’autre
+       *[other] les articulations ou les segments diffèrent
+    }
+    .hint = indiquer le robot.toml avec lequel les paramètres ont été identifiés, ou identifier de nouveau
+
+robot-geometry-unknown = robot.toml n’est pas un fichier de l’identification, et parameters.json ne contient pas de géométrie à lui comparer
+    .hint = vérifier si robot.toml décrit le robot identifié, ou relancer la campagne
+
 calibration-without-residuals = l’étalonnage ne donne pas l’écart-type d’une coordonnée
     .hint = identifier en indiquant l’incertitude-type
 
@@ -1025,7 +1042,7 @@ sweep-weak = la direction de l’axe de `{ $joint }` a une incertitude-type de {
     .hint = mesurer un arc plus long, une cible plus éloignée de l’axe, ou plus de cibles
 
 sweep-unit = toutes les cibles sont à moins de { FIXED($radius_mm, 3) } mm des axes : l’unité des coordonnées est-elle juste ?
-    .hint = sinon, calculer les colonnes : --column "x_mm=x*1000"
+    .hint = sinon, calculer les colonnes, ici x : --column 'x_mm={ $source }*1000'
 
 sweep-few = le balayage de `{ $joint }` a { $readings } lectures, il en faut { $needed }
     .hint = prendre plus de lectures ; quelques lectures de plus qu’il n’en faut donnent une incertitude
@@ -1218,6 +1235,24 @@ cell-noise-larger-turned = les résidus des orientations sont de { FIXED($found_
 cell-no-uncertainty = l’incertitude est inconnue : les lectures n’ont pas de redondance, et aucune incertitude n’est indiquée
     .hint = prendre plus de lectures, ou indiquer `--standard-uncertainty-um`
 
+cell-columns-unused = { $count ->
+        [one] la colonne indiquée { $columns } n’est pas utilisée
+       *[other] les colonnes indiquées { $columns } ne sont pas utilisées
+    } par `{ $solve }`
+    .hint = `etalon cell --help` énumère les colonnes de chaque problème
+
+cell-refuted = les résidus des positions sont de { FIXED($found_mm, 3) } mm (écart-type), plus que n’explique toute incertitude plausible : le résultat est réfuté
+    .hint = vérifier les colonnes, les signes, les unités et l’ordre des lignes
+
+cell-refuted-turned = les résidus des orientations sont de { FIXED($found_deg, 2) } deg (écart-type), plus que n’explique toute incertitude plausible : le résultat est réfuté
+    .hint = vérifier les colonnes, les signes, les unités et l’ordre des lignes
+
+cell-data-withheld = les données pour { $maker } ne sont pas écrites : le résultat ne doit pas être chargé
+    .hint = corriger ce que nomment les erreurs ; `--force` écrit les données
+
+cell-unit-large = la bride est à { FIXED($distance_m, 1) } m de la base, et l’outil mesure { FIXED($tool_m, 1) } m : les positions sont probablement en millimètres
+    .hint = utiliser `flange_x_mm`, `flange_y_mm`, `flange_z_mm` pour des millimètres
+
 cell-unit = toutes les positions de la bride sont à moins de { FIXED($distance_mm, 3) } mm de la base, et l’outil mesure moins de 2 mm : les positions sont probablement en mètres
     .hint = utiliser `flange_x_m`, `flange_y_m`, `flange_z_m` pour des mètres
 
@@ -1272,9 +1307,21 @@ cell-change-unit = les positions { $side ->
        *[measured] des points mesurés
     } sont en { $unit }
 
+cell-change-axes = { $first } et { $second } des positions { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } sont échangés
+
+cell-change-sign = { $axis } des positions { $side ->
+        [flange] de la bride
+       *[measured] des poses mesurées
+    } a l’autre signe
+
+cell-change-measured-mirrored = deux coordonnées des points mesurés sont échangées, ou l’une a l’autre signe
+
 cell-change-scale = les points mesurés sont multipliés par { $factor }
 
-cell-change-mirrored = les points connus sont en miroir (une coordonnée a l’autre signe)
+cell-change-mirrored = les points connus sont en miroir (deux coordonnées sont échangées, ou l’une a l’autre signe)
 
 cell-change-exchanged = les points des lignes { $first } et { $second } sont échangés
 

@@ -28,6 +28,8 @@ pub struct Variation {
 pub struct PoseVariation {
     /// Name of the pose.
     pub pose: PoseName,
+    /// Barycentre of all visits of the pose.
+    pub mean_mm: Vector,
     /// vAP_p.
     pub vap_mm: f64,
     /// Approaches with the largest distance.
@@ -77,6 +79,7 @@ pub fn variations(test: &PoseTest) -> Result<Vec<PoseVariation>> {
         };
         Ok(PoseVariation {
             pose: p.pose,
+            mean_mm: mean_position(&p.positions_mm(|_| true)),
             vap_mm: found.vap_mm,
             between: [names[found.between.0].clone(), names[found.between.1].clone()],
             angles_rad: turned.collect(),

@@ -1,6 +1,7 @@
 //! Tests of poses (ISO 9283:1998 7): from attained poses to their characteristics.
 
 pub mod accuracy;
+pub mod approach;
 pub mod coplanarity;
 pub mod directions;
 pub mod distance;

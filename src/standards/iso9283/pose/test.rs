@@ -15,7 +15,8 @@ pub struct AttainedPose {
     pub position_mm: Vector,
     /// Attained angles, in the order of [`PoseTest::angles`].
     pub angles_rad: Vec<f64>,
-    /// Approach: value in the column `approach`, or the previous pose; `None` for the first row.
+    /// Approach: value in the column `approach`, or the previous pose of the path; `None` if
+    /// unknown: at the first row, or where the reading of the previous pose is missing.
     pub approach: Option<String>,
     /// Value in the column `robot`.
     pub robot: String,
