@@ -179,7 +179,7 @@ book:
 
 # the program of a package names its own components (`.dep-v0`, cargo-auditable)
 dist:
-	for tool in cargo-cyclonedx cargo-auditable; do [ -x $(TOOLS)/bin/$$tool ] || cargo install --quiet --locked --root $(TOOLS) $$tool; done
+	for tool in cargo-cyclonedx cargo-auditable; do [ -x $(TOOLS)/bin/$$tool ] || cargo install --quiet --locked --root $(TOOLS) $$tool || exit; done
 	PATH="$(TOOLS)/bin:$$PATH" cargo auditable build --profile $(PROFILE) --locked --bin etalon
 	PATH="$(TOOLS)/bin:$$PATH" .ci/dist $(ETALON) $(CARGO_TARGET_DIR)/dist $(TARGETS)
 

@@ -67,7 +67,7 @@ def test_the_error_before_identification_is_beside_the_one_after(arm):
     residuals = etalon.identify(robot, table, standard_uncertainty_um=10).residuals
     assert residuals.position_rms_before_mm > 5 * residuals.position_rms_mm
     # a robot whose parameters all keep their nominal values has one error
-    held = etalon.identify(robot, table, hold=["a_*", "alpha_*", "d_*", "theta_*"]).residuals
+    held = etalon.identify(robot, table, hold=["a_*", "alpha_*", "beta_*", "d_*", "theta_*"]).residuals
     assert held.position_rms_before_mm == pytest.approx(held.position_rms_mm, rel=1e-6)
     assert held.position_rms_before_mm == pytest.approx(residuals.position_rms_before_mm, rel=1e-6)
 

@@ -220,7 +220,12 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
 fn may_be(table: &DataFrame, name: &str, heading: &str) -> bool {
     let Some((stem, _)) = name.rsplit_once('_').filter(|_| is_own(name)) else { return true };
     let letter = stem.rsplit('_').next().filter(|last| ["x", "y", "z"].contains(last));
-    let is_number = table.column(heading).is_ok_and(|column| column.dtype() != &DataType::String);
+    // columns beside texts are texts as well
+    let holds_numbers = |texts: &StringChunked| {
+        let mut all = texts.iter().flatten().map(|text| text.trim().replace(',', "."));
+        all.all(|text| text.is_empty() || text.parse::<f64>().is_ok())
+    };
+    let is_number = table.column(heading).is_ok_and(|column| column.str().map_or(true, holds_numbers));
     is_number && letter.is_none_or(|letter| heading.to_lowercase().contains(letter))
 }
 
@@ -233,6 +238,8 @@ fn is_own(name: &str) -> bool {
     let unit = ["_mm", "_m", "_um", "_inch", "_deg", "_rad", "_ms", "_ns", "_mm2", "_direction"];
     [&OF_ROWS[..], &["force_n"], &TEXTS, &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
         || unit.iter().any(|unit| name.ends_with(unit))
+        // `flange_qw`
+        || name.rsplit_once('_').is_some_and(|(_, part)| QUATERNION.contains(&part) || MATRIX.contains(&part))
 }
 
 /// Cell of a table as CSV.

@@ -274,7 +274,7 @@ fn arms_of_universal_robots_are_known_by_their_axes() {
             [modified[i][0], modified[i][1]] = if i == 0 { [0.0; 2] } else { [rows[i - 1][0], rows[i - 1][1]] };
         }
         assert_eq!(of("mdh", &modified), None, "{name}");
-        slips(name, &rows, &of);
+        slips(name, &rows, of);
     }
     // arms of other makers
     let others: Vec<String> = arms
@@ -293,7 +293,7 @@ fn arms_of_universal_robots_are_known_by_their_axes() {
 }
 
 /// Slips in the table of an arm.
-fn slips(name: &str, rows: &[[f64; 4]], of: &dyn Fn(&str, &[[f64; 4]]) -> Option<String>) {
+fn slips(name: &str, rows: &[[f64; 4]], of: impl Fn(&str, &[[f64; 4]]) -> Option<String>) {
     let changed = |change: &dyn Fn(&mut Vec<[f64; 4]>)| {
         let mut rows = rows.to_vec();
         change(&mut rows);

@@ -250,7 +250,7 @@ fn a_file_that_is_hardly_better_than_nominal_says_so() {
     let yaml = std::fs::read_to_string(folder.join("out").join(SAMPLE_OF_FILE)).unwrap();
     let [nominal, file] = ["nominal ", "this file "].map(|words| stated(&yaml, words));
     assert!(0.9 * nominal < file && file < nominal, "{yaml}");
-    assert!(yaml.contains("# position error not clearly smaller than with nominal parameters"), "{yaml}");
+    assert!(yaml.contains("# the position error is not clearly smaller than with nominal parameters"), "{yaml}");
     // formats that hold gains are not meant, and both formats share a warning
     let near = |messages: &Value| -> Vec<Value> {
         let all = messages.as_array().unwrap().iter().filter(|m| m["id"] == "file-near-nominal");

@@ -62,8 +62,8 @@ fn a_predicted_position_has_the_covariance_of_its_parameters() {
         let terms = columns.iter().zip(&document.covariance);
         terms.flat_map(|(a, row)| columns.iter().zip(row).map(move |(b, c)| a[i] * c * b[j])).sum()
     };
-    for i in 0..3 {
-        assert!((found.position_mm[i] - position[i]).abs() < 1e-9, "{found:?}");
+    for (i, position) in position.iter().enumerate() {
+        assert!((found.position_mm[i] - position).abs() < 1e-9, "{found:?}");
         assert!(found.covariance_mm2[i][i] > 1e-6, "{found:?}");
         for j in 0..3 {
             let (ours, expected) = (found.covariance_mm2[i][j], covariance(i, j));

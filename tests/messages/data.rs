@@ -180,12 +180,7 @@ const IDENTIFIED: &[Case] = &[
         &[(C, "[identify]", "[identify]\nhold = [\"base_*\", \"SMR_*\"]")],
         RUN,
     ),
-    (
-        "parameters-weakly-identifiable",
-        "contacts",
-        &[(C, "file = \"observations.csv\"", "file = \"observations.csv\"\nwithout = { kind = [\"distance\"] }")],
-        RUN,
-    ),
+    ("parameters-weakly-identifiable", "warming-arm", &[(C, "[identify]", "[identify]\nhold = [\"q4_rz\"]")], RUN),
     (
         "scale-unobserved",
         "contacts",

@@ -106,7 +106,7 @@ fn text(name: &str, chains: &[TreeChain], links: &BTreeMap<usize, Vec<&Placed>>,
     }
     for target in open {
         let question = error!("target-on-no-branch", target);
-        let _ = write!(text, "\n# QUESTION: {}\n", printable(&question.to_string()));
+        let _ = write!(text, "\n# QUESTION: {}\n", printable(&question.what));
     }
     text
 }

@@ -151,6 +151,10 @@ parameters-weakly-identifiable = { $groups } sind aus diesen Posen nur schwach i
 
 parameter-groups-weakly-identifiable = { $count } Gruppen von Parametern sind aus diesen Posen nur schwach identifizierbar (größte Standardunsicherheiten: { $uncertainties }; innerhalb einer Gruppe heben sich die Abweichungen in der Nähe dieser Posen auf): { $groups }
 
+uncertainty-of-parameter = u({ $parameter }) = { FIXED($u, 3) } { $unit }
+
+uncertainty-of-ratio = u({ $parameter }) = { SCIENTIFIC($u, 1) }
+
 parameter-group = { $first } und { $second }
 
 parameter-groups = { $first }; { $others }

@@ -327,6 +327,10 @@ parameters-weakly-identifiable = { $groups } are weakly identifiable from these 
 # Example: all poses measured in a small region
 parameter-groups-weakly-identifiable = { $count } groups of parameters are weakly identifiable from these poses (largest standard uncertainties: { $uncertainties }; errors within a group cancel near these poses): { $groups }
 
+uncertainty-of-parameter = u({ $parameter }) = { FIXED($u, 3) } { $unit }
+
+uncertainty-of-ratio = u({ $parameter }) = { SCIENTIFIC($u, 1) }
+
 parameter-group = { $first } and { $second }
 
 parameter-groups = { $first }; { $others }

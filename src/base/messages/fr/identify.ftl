@@ -151,6 +151,10 @@ parameters-weakly-identifiable = { $groups } sont faiblement identifiables à pa
 
 parameter-groups-weakly-identifiable = { $count } groupes de paramètres sont faiblement identifiables à partir de ces poses (plus grandes incertitudes-types : { $uncertainties } ; au sein d’un groupe, les erreurs se compensent au voisinage de ces poses) : { $groups }
 
+uncertainty-of-parameter = u({ $parameter }) = { FIXED($u, 3) } { $unit }
+
+uncertainty-of-ratio = u({ $parameter }) = { SCIENTIFIC($u, 1) }
+
 parameter-group = { $first } et { $second }
 
 parameter-groups = { $first } ; { $others }
