@@ -111,7 +111,11 @@ mod tests {
         let changes = vec![(inches, Origin::Unit), (phrase!("slip-reversed", joint = "`q1`"), Origin::Named)];
         let set_up = SetUpError { changes, stated_mm: 9.0, changed_mm: 1.0 };
         let expected = etalon_documents::set_up_hint(&set_up);
-        assert_eq!(hint(Some(set_up)), expected);
+        let found = hint(Some(set_up));
+        for part in ["(`unit` of the export)", "`q1` reversed", "9.000 mm", "1.000 mm"] {
+            assert!(found.contains(part), "{found}");
+        }
+        assert_eq!(found, expected);
         assert_eq!(hint(None), phrase!("remedy", remedy = check(&cause)).to_string());
     }
 

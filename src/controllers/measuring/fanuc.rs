@@ -2,7 +2,7 @@
 //! controllers with the ASCII upload option load it. Layout of public programs: see
 //! `docs/planning.md`.
 
-use super::{ARM, MeasuringLanguage, MeasuringProgram, Output, identifier, lines, plain};
+use super::{ARM, MeasuringLanguage, MeasuringProgram, Output, identifier, lines, plain, rounded};
 use crate::decimals::fixed;
 use std::fmt::Write;
 
@@ -20,8 +20,7 @@ impl MeasuringLanguage for Fanuc {
     }
 
     fn attained(&self, value: f64, _: f64) -> f64 {
-        let unit = 10f64.powi(DECIMALS as i32);
-        (value * unit).round() / unit
+        rounded(value, DECIMALS)
     }
 
     fn text(&self, program: &MeasuringProgram) -> String {

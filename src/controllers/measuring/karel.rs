@@ -2,7 +2,8 @@
 //! `CNV_REL_JPOS`, and `MOVE TO`. Statements: FANUC KAREL Reference Manual MARRCRLRF04071E
 //! (`CNV_REL_JPOS`, `MOVE TO`, `DELAY`, `DOUT`).
 
-use super::{ARM, MeasuringLanguage, MeasuringProgram, Output, identifier, plain};
+use super::{ARM, MeasuringLanguage, MeasuringProgram, Output, identifier, plain, rounded};
+use crate::decimals::fixed;
 
 pub(super) struct Karel;
 
@@ -34,8 +35,7 @@ impl MeasuringLanguage for Karel {
     }
 
     fn attained(&self, value: f64, _: f64) -> f64 {
-        let unit = 10f64.powi(DECIMALS as i32);
-        (value * unit).round() / unit
+        rounded(value, DECIMALS)
     }
 
     fn text(&self, program: &MeasuringProgram) -> String {
@@ -49,8 +49,7 @@ impl MeasuringLanguage for Karel {
             let label = plain(&stop.label).replace('\'', "?");
             out.extend([format!("  -- pose {label}"), format!("  WRITE('pose {label}', CR)")]);
             for joints in stop.approach.iter().chain([&stop.joints]) {
-                let values: Vec<String> =
-                    joints.iter().take(ARM).map(|&q| format!("{:.DECIMALS$}", self.attained(q, 1.0) + 0.0)).collect();
+                let values: Vec<String> = joints.iter().take(ARM).map(|&q| fixed(q, DECIMALS)).collect();
                 out.push(format!("  drive({})", values.join(", ")));
             }
             let state = |is_on: bool| if is_on { "ON" } else { "OFF" };

@@ -236,6 +236,12 @@ fn lines(header: &[String], most: usize) -> impl Iterator<Item = String> {
     all.into_iter()
 }
 
+/// Nearest value with this number of decimals.
+fn rounded(value: f64, decimals: usize) -> f64 {
+    let unit = 10f64.powi(decimals as i32);
+    (value * unit).round() / unit
+}
+
 /// Decimal text of a joint value.
 fn decimal(value: f64) -> String {
     number_text(value, DECIMALS)
