@@ -12,6 +12,10 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Of the Franka Research 3: alpha and theta in degrees, a and d in mm, modified Denavit-Hartenberg.
 const FRANKA: [[f64; 4]; 7] = [
     [0.0, 0.0, 0.0, 333.0],

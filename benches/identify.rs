@@ -15,6 +15,10 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() {
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120");
     let campaign = Campaign::read(&sample).expect("sample");

@@ -14,6 +14,10 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const TIMES: usize = 3;
 
 fn main() {

@@ -13,6 +13,10 @@ use etalon::run::pipeline::{Wanted, run_for};
 use std::path::Path;
 use std::time::Instant;
 
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Targets at each pose.
 const AT_A_POSE: usize = 20;
 

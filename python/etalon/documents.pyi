@@ -3095,6 +3095,8 @@ class FieldDocument(Document):
     """Model of the robot."""
     schema: str
     """Schema and version: `etalon/field/1`."""
+    synthetic: str | None
+    """Explanation of synthetic data, as the campaign states it; absent for measured data."""
 
 class FitDocument(Document):
     """One fitted element."""

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use std::sync::{LazyLock, OnceLock};
+use std::sync::{OnceLock, PoisonError, RwLock, RwLockReadGuard};
 use unic_langid::LanguageIdentifier;
 
 macro_rules! files {
@@ -262,35 +262,71 @@ whole!(u8, u16, u32, u64, usize, i32, i64, i128);
 
 type Bundle = FluentBundle<FluentResource>;
 
-/// Texts of each file by language, parsed when one of them is needed: parsing all of them takes
-/// longer than the calibration of a robot.
-static BUNDLES: [[OnceLock<Bundle>; LANGUAGES.len()]; FILES.len()] =
-    [const { [const { OnceLock::new() }; LANGUAGES.len()] }; FILES.len()];
+/// Texts of a language.
+struct Texts {
+    /// Source of the Fluent entry of each id.
+    sources: BTreeMap<&'static str, &'static str>,
+    /// Entries that were needed so far: parsing all of them takes longer than the calibration of
+    /// a robot.
+    parsed: RwLock<Bundle>,
+}
 
-/// File of each id.
-static FILE_OF: LazyLock<BTreeMap<&'static str, usize>> = LazyLock::new(|| {
-    let ids = |(file, (_, texts)): (usize, &(_, [&'static str; LANGUAGES.len()]))| {
-        texts[0].lines().filter_map(id_of).map(move |id| (id, file))
-    };
-    FILES.iter().enumerate().flat_map(ids).collect()
-});
+/// Texts in the order of [`LANGUAGES`].
+static TEXTS: [OnceLock<Texts>; LANGUAGES.len()] = [const { OnceLock::new() }; LANGUAGES.len()];
+
+impl Texts {
+    fn new(language: usize) -> Self {
+        let sources = FILES.iter().flat_map(|(_, texts)| sources(texts[language])).collect();
+        Self { sources, parsed: RwLock::new(bundle(language)) }
+    }
+
+    /// Bundle with the entry of a known id.
+    fn with(&self, id: &str) -> Option<RwLockReadGuard<'_, Bundle>> {
+        let parsed = self.parsed.read().unwrap_or_else(PoisonError::into_inner);
+        if parsed.has_message(id) {
+            return Some(parsed);
+        }
+        drop(parsed);
+        let text = (*self.sources.get(id)?).to_owned();
+        let resource = FluentResource::try_new(text).unwrap_or_else(|(resource, _)| resource);
+        // an entry that another thread has added meanwhile is the same
+        let _ = self.parsed.write().unwrap_or_else(PoisonError::into_inner).add_resource(resource);
+        Some(self.parsed.read().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+/// Ids and sources of the entries of a file: an entry ends where another one or a comment begins.
+fn sources(text: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let is_continued = |line: &&str| line.starts_with([' ', '}', '\n', '\r']);
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        loop {
+            let line = rest.split_inclusive('\n').next()?;
+            let whole = rest;
+            rest = &rest[line.len()..];
+            if let Some(id) = id_of(line) {
+                let more: usize = rest.split_inclusive('\n').take_while(is_continued).map(str::len).sum();
+                rest = &rest[more..];
+                return Some((id, &whole[..line.len() + more]));
+            }
+        }
+    })
+}
 
 /// Id whose text begins on this line of a file.
 fn id_of(line: &str) -> Option<&str> {
-    let (id, _) = line.split_once(" =").filter(|_| line.starts_with(char::is_alphabetic))?;
+    let (id, _) = line.starts_with(|c: char| c.is_ascii_alphabetic()).then(|| line.split_once(" ="))??;
     (!id.contains(' ')).then_some(id)
 }
 
-fn bundle(file: usize, language: usize) -> Bundle {
+/// Bundle without entries.
+fn bundle(language: usize) -> Bundle {
     let identifier: LanguageIdentifier = LANGUAGES[language].parse().unwrap_or_default();
     let mut bundle = FluentBundle::new_concurrent(vec![identifier]);
     bundle.set_use_isolating(false);
     bundle.set_formatter(Some(if language == 0 { point } else { comma }));
     let _ = bundle.add_function("FIXED", fixed);
     let _ = bundle.add_function("SCIENTIFIC", move |positional, _| scientific(positional, LANGUAGES[language]));
-    let text = FILES[file].1[language].to_owned();
-    let resource = FluentResource::try_new(text).unwrap_or_else(|(resource, _)| resource);
-    let _ = bundle.add_resource(resource);
     bundle
 }
 
@@ -357,17 +393,17 @@ fn marked(text: String, language: &str) -> String {
 /// Text of an id, or of an attribute of it.
 pub(crate) fn render(id: &str, attribute: Option<&str>, arguments: &Arguments, language: &str) -> Option<String> {
     let index = LANGUAGES.iter().position(|known| *known == language).unwrap_or_default();
-    let file = *FILE_OF.get(id)?;
-    let bundle = BUNDLES[file][index].get_or_init(|| bundle(file, index));
+    // arguments that are phrases are rendered before the lock is held
+    let mut values = FluentArgs::with_capacity(arguments.len());
+    for (name, argument) in arguments {
+        values.set(name.as_str(), argument.value(LANGUAGES[index]));
+    }
+    let bundle = TEXTS[index].get_or_init(|| Texts::new(index)).with(id)?;
     let message = bundle.get_message(id)?;
     let pattern = match attribute {
         Some(name) => message.get_attribute(name)?.value(),
         None => message.value()?,
     };
-    let mut values = FluentArgs::with_capacity(arguments.len());
-    for (name, argument) in arguments {
-        values.set(name.as_str(), argument.value(LANGUAGES[index]));
-    }
     Some(bundle.format_pattern(pattern, Some(&values), &mut Vec::new()).into_owned())
 }
 
@@ -496,6 +532,18 @@ mod tests {
         let written = [1e300, 1e-300, 1e15, 0.000001, 0.0].map(step);
         let shown = ["1e300", "1e-300", "1000000000000000", "0.000001", "0"].map(|step| format!("x to {step} mm"));
         assert_eq!(written, shown);
+    }
+
+    #[test]
+    fn entries_read_one_by_one_are_those_of_the_files() {
+        for (file, texts) in &FILES {
+            for text in texts {
+                let whole = FluentResource::try_new((*text).to_owned()).expect(file);
+                let singles: Vec<FluentResource> =
+                    sources(text).map(|(id, source)| FluentResource::try_new(source.to_owned()).expect(id)).collect();
+                assert!(whole.entries().eq(singles.iter().flat_map(FluentResource::entries)), "{file}");
+            }
+        }
     }
 
     #[test]

@@ -210,6 +210,11 @@ pub struct Description<'a> {
     pub text: &'a str,
 }
 
+/// Statement that data are synthetic, with the campaign's explanation.
+pub(crate) fn of_synthetic(why: &str) -> String {
+    format!("SYNTHETIC DATA, not of a measured robot: {why}")
+}
+
 impl<'a> Given<'a> {
     /// Exports parameters only.
     pub fn parameters(parameters: &'a ParametersDocument) -> Self {
@@ -251,7 +256,7 @@ impl<'a> Given<'a> {
     pub fn synthetic(&self) -> Option<String> {
         let of_campaign = || self.summary.and_then(|summary| summary.synthetic.as_ref());
         let why = self.parameters.synthetic.as_ref().or_else(of_campaign)?;
-        Some(format!("SYNTHETIC DATA, not of a measured robot: {why}"))
+        Some(of_synthetic(why))
     }
 
     /// Warning of formats without header lines: failed checks, otherwise a file that is not clearly

@@ -39,6 +39,9 @@ pub struct FieldDocument {
     pub factor: f64,
     /// Standard deviation of a measured coordinate without the field's error (mm).
     pub noise_mm: f64,
+    /// Explanation of synthetic data, as the campaign states it; absent for measured data.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub synthetic: Option<String>,
     /// Origin of the numbers.
     pub provenance: Provenance,
 }
@@ -226,6 +229,7 @@ impl FieldDocument {
             covariance_of: field.free.iter().map(|&i| robot.parameters()[i].name.clone()).collect(),
             factor: field.factor,
             noise_mm: field.noise_mm,
+            synthetic: None,
             provenance: Provenance {
                 version: env!("CARGO_PKG_VERSION").to_owned(),
                 inputs: Default::default(),

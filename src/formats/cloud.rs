@@ -1,7 +1,7 @@
 //! Fast reader of plain tables: rows of an optional label and x, y, z, without other columns. The
 //! strict reader reads any other table, and reports each problem with its place.
 
-use super::exports::{Format, Plain};
+use super::exports::{Format, Plain, PlainRow};
 use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
 use super::points::{Line, Point, SharedText};
 use crate::dialect::Unit;
@@ -51,7 +51,9 @@ struct Part {
 /// Fails if the file cannot be read.
 pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
     let in_mm = |mut part: Part| {
-        part.xyz.iter_mut().flatten().for_each(|value| *value *= unit.in_mm());
+        if unit.in_mm() != 1.0 {
+            part.xyz.iter_mut().flatten().for_each(|value| *value *= unit.in_mm());
+        }
         part
     };
     read(path, format, unit, in_mm)?.map(together).transpose()
@@ -124,15 +126,20 @@ fn points(text: &SharedText, plain: Plain, unit: Unit) -> Option<Vec<Point>> {
         };
         Some((part.lines, part.angles, part.located.iter().enumerate().map(point).collect()))
     };
-    let parts: Vec<_> = (0..size.div_ceil(BLOCK)).into_par_iter().map(part).collect::<Option<_>>()?;
-    if plain.may_be_angles && parts.iter().all(|(_, angles, _)| *angles) {
-        return None;
+    let mut points = Vec::with_capacity(line_feeds(bytes) + 1);
+    let (mut before, mut all_angles) = (1, true);
+    // a few blocks at a time, so that no row is held twice
+    let (blocks, at_a_time) = (size.div_ceil(BLOCK), 2 * rayon::current_num_threads());
+    for first in (0..blocks).step_by(at_a_time) {
+        let some = first..blocks.min(first + at_a_time as u64);
+        for (lines, angles, part) in some.into_par_iter().map(part).collect::<Option<Vec<_>>>()? {
+            points.extend(part.into_iter().map(|point| Point { line: before + point.line, ..point }));
+            before += lines;
+            all_angles &= angles;
+        }
     }
-    let mut points = Vec::with_capacity(parts.iter().map(|(.., points)| points.len()).sum());
-    let mut before = 1;
-    for (lines, _, part) in parts {
-        points.extend(part.into_iter().map(|point| Point { line: before + point.line, ..point }));
-        before += lines;
+    if plain.may_be_angles && all_angles {
+        return None;
     }
     Some(points)
 }
@@ -188,10 +195,61 @@ fn read_block(path: &Path, start: u64, bytes: &mut Vec<u8>) -> std::io::Result<(
     Ok(())
 }
 
+/// A block that this machine reads with vector instructions; see [`Plain::part`].
+#[cfg(target_arch = "x86_64")]
+struct WideBlock<'a> {
+    machine: pulp::x86::V3,
+    bytes: &'a [u8],
+    place: [u64; 2],
+    how: (Unit, bool),
+    layout: Plain,
+}
+
+#[cfg(target_arch = "x86_64")]
+impl pulp::NullaryFnOnce for WideBlock<'_> {
+    type Output = Option<Part>;
+
+    #[inline(always)]
+    fn call(self) -> Option<Part> {
+        self.layout.part_with(
+            self.bytes,
+            self.place,
+            self.how,
+            #[inline(always)]
+            |at| super::wide::row(self.machine, self.bytes, at, self.layout),
+        )
+    }
+}
+
 impl Plain {
     /// Points of the lines that begin in the block from `start` of a file of `size` bytes; `None`
     /// if one of them is not plain.
-    fn part(self, bytes: &[u8], [start, size]: [u64; 2], unit: Unit, located: bool) -> Option<Part> {
+    fn part(self, bytes: &[u8], place: [u64; 2], unit: Unit, located: bool) -> Option<Part> {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(machine) = pulp::x86::V3::try_new() {
+            return machine.vectorize(WideBlock { machine, bytes, place, how: (unit, located), layout: self });
+        }
+        self.part_with(bytes, place, (unit, located), |_| None)
+    }
+
+    /// A row that the scanner reads; `None` for any other line.
+    #[inline]
+    fn scanned(self, bytes: &[u8], at: usize, last: bool) -> Option<PlainRow<'_>> {
+        let mut line = Scanner { bytes, at, delimiter: self.delimiter };
+        let label = if self.labelled { line.label()? } else { &b""[..] };
+        let xyz = [line.number()?, line.number()?, line.number()?];
+        line.end(last).then_some((label, xyz, line.at))
+    }
+
+    /// [`Self::part`] with a quicker reader of most rows.
+    #[inline(always)]
+    fn part_with<'a>(
+        self,
+        bytes: &'a [u8],
+        [start, size]: [u64; 2],
+        (unit, located): (Unit, bool),
+        quick: impl Fn(usize) -> Option<PlainRow<'a>>,
+    ) -> Option<Part> {
         let (from, in_mm) = (first_byte(start), unit.in_mm());
         let last = from + bytes.len() as u64 == size;
         let mut at = match start {
@@ -205,10 +263,7 @@ impl Plain {
         let mut known = Names::default();
         let mut before: (&[u8], u32) = (b"", u32::MAX);
         while at < end.min(bytes.len()) {
-            let mut line = Scanner { bytes, at, delimiter: self.delimiter };
-            let label = if self.labelled { line.label() } else { Some(&b""[..]) };
-            let row = label.and_then(|label| Some((label, [line.number()?, line.number()?, line.number()?])));
-            let Some((label, xyz)) = row.filter(|_| line.end(last)) else {
+            let Some((label, xyz, next)) = quick(at).or_else(|| self.scanned(bytes, at, last)) else {
                 // an empty line
                 let mut line = Scanner { bytes, at, delimiter: self.delimiter };
                 if !line.end(true) {
@@ -233,13 +288,13 @@ impl Plain {
                 column.push(value);
             }
             if located {
-                let text = &bytes[at..line.at];
+                let text = &bytes[at..next];
                 let text = text.strip_suffix(b"\n").unwrap_or(text);
                 let length = text.strip_suffix(b"\r").unwrap_or(text).len();
                 part.located.push([part.lines, at as u32, (at + length) as u32]);
             }
             part.lines += 1;
-            at = line.at;
+            at = next;
         }
         Some(part)
     }
@@ -392,12 +447,31 @@ mod tests {
             "a 1 2 1.2.3",
             "1 1 500",
             "a 1 2 0.30000000000000004",
+            "a 1.5 -2.25 3.0",
+            "a,1.5,-2.25,3.0",
+            "1.5;-2.25;3.0",
+            "a 1.5  2.5 3.5",
+            " a 1.5 2.5 3.5",
+            "a 1.5 2.5 3.5 ",
+            "a 1.5 2.5 3.5 4.5",
+            "a.b 1.5 2.5 3.5",
+            "\"a 1.5 2.5 3.5",
+            "\u{e9} 1.5 2.5 3.5",
+            "a 1.5 2.5 3.5\r",
+            "a 12345678.5 -0.0 3.12345678",
+            "a 123456789.5 2.5 3.123456789",
+            "a 99999999.99999999 2.5 3.5",
+            "a -.5 2.5 3.5",
+            "a 1. 2.5 3.5",
+            "a 1.-5 2.5 3.5",
+            "a 1.5x 2.5 3.5",
+            "a 1.5:2 2.5 3.5",
         ];
         let mut read = 0;
         for first in rows {
             for second in rows {
                 for format in formats() {
-                    let text = format!("{first}\n{second}\n{first}");
+                    let text = format!("{first}\n{second}\n").repeat(8) + first;
                     let (fast, strict) = both(&text, &format, Unit::Millimetre);
                     if let Some(fast) = fast {
                         read += usize::from(!fast.is_empty());

@@ -125,46 +125,74 @@ impl Pattern {
     /// the `known` one of the longest target with a named pose. A named pose is read only if it
     /// is `known`.
     pub fn read(&self, label: &str, known: impl Fn(&LabelNames) -> bool) -> Option<LabelNames> {
-        let numbers = readings(&self.0, label, false);
-        let first = || numbers.first().cloned();
-        let by_number = numbers.iter().find(|named| known(named)).cloned();
-        let by_text = || readings(&self.0, label, true).into_iter().rev().find(|named| known(named));
-        by_number.or_else(|| by_text().filter(|_| label.len() <= LONGEST)).or_else(first)
+        let mut first = None;
+        let mut by_number = None;
+        each_reading(&self.0, label, Texts::default(), &mut |texts| {
+            let Some(named) = texts.by_number() else { return false };
+            if known(&named) {
+                by_number = Some(named);
+                return true;
+            }
+            first.get_or_insert(named);
+            false
+        });
+        if by_number.is_some() || label.len() > LONGEST {
+            return by_number.or(first);
+        }
+        let mut by_text = None;
+        each_reading(&self.0, label, Texts { pose_is_text: true, ..Texts::default() }, &mut |texts| {
+            by_text = texts.by_text().filter(|named| known(named)).or(by_text.take());
+            false
+        });
+        by_text.or(first)
     }
 }
 
-/// All readings of a label, shortest target first. If `texts`, a pose is any text but a number.
-fn readings(parts: &[Part], label: &str, texts: bool) -> Vec<LabelNames> {
-    let Some((first, rest)) = parts.split_first() else {
-        return if label.is_empty() { vec![LabelNames::default()] } else { Vec::new() };
+/// Texts of a label that stand for target, pose and cycle.
+#[derive(Clone, Copy, Default)]
+struct Texts<'l> {
+    target: Option<&'l str>,
+    pose: Option<&'l str>,
+    cycle: Option<&'l str>,
+    /// `true` if the pose is a text that is not a number.
+    pose_is_text: bool,
+}
+
+impl Texts<'_> {
+    /// The names with this pose; `None` if a number is too large.
+    fn named(self, pose: Option<PoseName>) -> Option<LabelNames> {
+        let cycle = self.cycle.map(str::parse).transpose().ok()?;
+        Some(LabelNames { target: self.target.map(str::to_owned), pose, cycle })
+    }
+
+    fn by_number(self) -> Option<LabelNames> {
+        let pose = self.pose.map(str::parse::<i64>).transpose().ok()?;
+        self.named(pose.map(PoseName::from))
+    }
+
+    fn by_text(self) -> Option<LabelNames> {
+        let pose = self.pose.map(PoseName::new).transpose().ok()?;
+        self.named(pose).filter(|named| named.pose.is_none_or(|pose| pose.number().is_none()))
+    }
+}
+
+/// Passes the readings of a label to `found`, in the order of the lengths of their parts, until
+/// `found` returns `true`.
+fn each_reading<'l>(parts: &[Part], label: &'l str, read: Texts<'l>, found: &mut dyn FnMut(Texts<'l>) -> bool) -> bool {
+    let Some((first, rest)) = parts.split_first() else { return label.is_empty() && found(read) };
+    let mut up_to = |end: usize, with: &dyn Fn(&'l str) -> Texts<'l>| {
+        let (text, after) = label.split_at(end);
+        each_reading(rest, after, with(text), found)
     };
-    let digits = label.bytes().take_while(u8::is_ascii_digit).count();
-    // every part up to one of these places
-    let parted = |ends: &mut dyn Iterator<Item = usize>, set: &dyn Fn(&mut LabelNames, &str) -> Option<()>| {
-        let read = |end: usize| {
-            let all = label.get(end..).map_or_else(Vec::new, |after| readings(rest, after, texts));
-            all.into_iter().filter_map(move |mut named| set(&mut named, &label[..end]).map(|()| named))
-        };
-        ends.flat_map(read).collect()
-    };
+    let digits = || label.bytes().take_while(u8::is_ascii_digit).count();
     let anywhere = || label.char_indices().skip(1).map(|(i, _)| i).chain([label.len()]).filter(|end| *end > 0);
-    let number = |text: &str| text.parse::<i64>().ok();
+    let with_pose = |text| Texts { pose: Some(text), ..read };
     match first {
-        Part::Text(text) => {
-            label.strip_prefix(text.as_str()).map_or_else(Vec::new, |after| readings(rest, after, texts))
-        }
-        Part::Pose if texts => {
-            let pose = |text: &str| PoseName::new(text).ok().filter(|pose| pose.number().is_none());
-            parted(&mut anywhere(), &|named, text| pose(text).map(|pose| named.pose = Some(pose)))
-        }
-        Part::Pose => {
-            parted(&mut [digits].into_iter(), &|named, text| number(text).map(|n| named.pose = Some(n.into())))
-        }
-        Part::Cycle => parted(&mut [digits].into_iter(), &|named, text| number(text).map(|n| named.cycle = Some(n))),
-        Part::Target => parted(&mut anywhere(), &|named, text| {
-            named.target = Some(text.to_owned());
-            Some(())
-        }),
+        Part::Text(text) => label.starts_with(text.as_str()) && up_to(text.len(), &|_| read),
+        Part::Pose if read.pose_is_text => anywhere().any(|end| up_to(end, &with_pose)),
+        Part::Pose => digits() > 0 && up_to(digits(), &with_pose),
+        Part::Cycle => digits() > 0 && up_to(digits(), &|text| Texts { cycle: Some(text), ..read }),
+        Part::Target => anywhere().any(|end| up_to(end, &|text| Texts { target: Some(text), ..read })),
     }
 }
 

@@ -23,6 +23,8 @@ mod sqlite;
 pub mod table;
 pub mod tables;
 pub mod tracim;
+#[cfg(target_arch = "x86_64")]
+mod wide;
 mod workbook;
 pub mod xacro;
 pub mod xml;

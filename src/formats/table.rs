@@ -281,10 +281,22 @@ fn writer<W: Write>(into: W, rows: usize) -> ParquetWriter<W> {
     ParquetWriter::new(into).with_compression(ParquetCompression::Snappy).set_parallel(rows > 100_000)
 }
 
+/// Default number of rows of a row group of polars.
+const ROW_GROUP: usize = 512 * 512;
+
 /// Returns the table as Parquet.
 pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    writer(&mut bytes, table.height()).finish(table).map_err(failed)?;
+    let writer = writer(&mut bytes, table.height());
+    if table.height() >= ROW_GROUP {
+        writer.finish(table).map_err(failed)?;
+        return Ok(bytes);
+    }
+    // the same bytes; cutting into row groups fills 8 MB of zeros first
+    table.rechunk_mut();
+    let mut batched = writer.batched(table.schema()).map_err(failed)?;
+    batched.write_batch(table).map_err(failed)?;
+    batched.finish().map_err(failed)?;
     Ok(bytes)
 }
 

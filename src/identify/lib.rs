@@ -61,7 +61,7 @@ pub use warning::{Origin, SetUpError, Subject, Warning};
 
 use etalon_base::error;
 use etalon_base::pattern::matches_pattern;
-use etalon_math::{Factor, Linearised, Options, Termination, solve, solve_near, svd};
+use etalon_math::{Factor, Linearised, Options, Problem, Quadratic, Termination, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
 use solution::solver::solve_identifiable;
@@ -459,8 +459,13 @@ pub struct Repeated<'a> {
     stated: Vec<f64>,
     /// Linear part at the solution.
     linearised: Option<Linearised>,
-    /// Joint values of the linear part.
+    /// Second-order part there, if all readings are coordinates without covariances of their own.
+    quadratic: Option<Quadratic>,
+    /// Residuals at the solution.
+    residuals: Vec<f64>,
+    /// Joint values and measured coordinates of these residuals.
     joints: Vec<f64>,
+    coordinates: Vec<f64>,
 }
 
 /// Convergence tolerance: step length relative to the first step. The next step, at most a tenth of
@@ -480,11 +485,16 @@ impl<'a> Repeated<'a> {
         let linearised = problem.as_ref().map(|problem| Linearised::new(problem, &found.free_values()));
         let regular = |f: &Factor| svd(f).rank(RANK_TOLERANCE) == found.free.len();
         let stated = problem.as_ref().map_or_else(Vec::new, Residuals::stated);
+        let linearised = linearised.filter(|linearised| regular(&linearised.factor));
+        let plain = problem.as_ref().filter(|p| p.is_coordinates() && !p.is_weighted()).zip(linearised.as_ref());
+        let quadratic = plain.and_then(|(problem, at)| Quadratic::new(problem, &found.free_values(), at));
+        let mut residuals = vec![0.0; problem.as_ref().map_or(0, Problem::residual_count)];
+        problem.iter().for_each(|problem| problem.residuals(&found.free_values(), &mut residuals));
         let common = problem.and_then(|problem| problem.common);
         settings.common_uncertainty_mm = None;
         let joints = observations.iter().flat_map(|o| o.joints.iter().copied()).collect();
-        let linearised = linearised.filter(|linearised| regular(&linearised.factor));
-        Self { robot, settings, found, common, stated, linearised, joints }
+        let coordinates = coordinates(robot, observations);
+        Self { robot, settings, found, common, stated, linearised, quadratic, residuals, joints, coordinates }
     }
 
     /// Standard deviations of the rows beside coordinates of targets: conditions, shapes and known
@@ -497,13 +507,46 @@ impl<'a> Repeated<'a> {
     /// the errors of the rows beside coordinates.
     pub fn identify(&self, observations: &[Observation], drawn: Vec<f64>) -> Option<Vec<f64>> {
         let (found, x) = (self.found, self.found.free_values());
+        let is_same = observations.iter().flat_map(|o| &o.joints).eq(&self.joints);
+        if let (true, Some(linearised), Some(quadratic)) = (is_same, &self.linearised, &self.quadratic)
+            && let Some(residuals) = self.residuals_of(observations, &drawn)
+            && let Some(step) = quadratic.solve(linearised, &residuals, LAST_STEP)
+        {
+            let mut values = found.values.clone();
+            found.free.iter().zip(step).for_each(|(&i, step)| values[i] += step);
+            return Some(values);
+        }
         let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
         problem.common.clone_from(&self.common);
         problem.drawn = drawn;
-        let is_same = observations.iter().flat_map(|o| &o.joints).eq(&self.joints);
         let near = solve_near(&problem, &x, self.linearised.as_ref()?, is_same, LAST_STEP);
         near.map(|x| problem.all(&x)).or_else(|| solved_from(&problem, &x))
     }
+
+    /// Residuals of another measurement at the solution, with the joint values of the first one;
+    /// `None` if other targets were measured.
+    fn residuals_of(&self, observations: &[Observation], drawn: &[f64]) -> Option<Vec<f64>> {
+        let mut moved = coordinates(self.robot, observations);
+        if moved.len() != self.coordinates.len() {
+            return None;
+        }
+        let unit_mm = self.settings.standard_uncertainty_mm.unwrap_or(1.0);
+        moved.iter_mut().zip(&self.coordinates).for_each(|(new, before)| *new = (*new - before) / unit_mm);
+        self.common.iter().for_each(|common| common.whiten(&mut moved, 1));
+        moved.extend(drawn);
+        moved.resize(self.residuals.len(), 0.0);
+        moved.iter_mut().zip(&self.residuals).for_each(|(moved, before)| *moved = before - *moved);
+        Some(moved)
+    }
+}
+
+/// Measured coordinates of all targets, one after the other.
+fn coordinates(robot: &dyn Robot, observations: &[Observation]) -> Vec<f64> {
+    let dimension = robot.dimension();
+    let mut all = Vec::with_capacity(observations.len() * dimension * robot.targets().len());
+    let measured = observations.iter().flat_map(|o| o.targets.iter().flatten());
+    measured.for_each(|at| all.extend_from_slice(&at[..dimension]));
+    all
 }
 
 /// Parameters of the nominal robot with only base and targets fitted, wherever they are: the state

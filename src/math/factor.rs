@@ -45,10 +45,9 @@ impl Factor {
             for (rows, b) in rows.chunks(BLOCK_ROWS * n.max(1)).zip(b.chunks(BLOCK_ROWS)) {
                 let m = b.len();
                 columns.resize(m * (n + 1), 0.0);
-                for (i, row) in rows.chunks_exact(n).enumerate() {
-                    for j in 0..n {
-                        columns[j * m + i] = row[j] * inverse[j];
-                    }
+                for (j, column) in columns.chunks_exact_mut(m).take(n).enumerate() {
+                    let elements = rows[j..].iter().step_by(n);
+                    column.iter_mut().zip(elements).for_each(|(to, element)| *to = element * inverse[j]);
                 }
                 columns[n * m..].copy_from_slice(b);
                 factor.absorb(&mut columns, m);
@@ -107,6 +106,15 @@ impl Factor {
         self.absorb(&mut other.r, n);
         self.rest += other.rest;
         self
+    }
+
+    /// Factor of the same rows without blocks, with columns divided by their norms, and the norms.
+    pub fn normalised(mut self) -> (Self, Vec<f64>) {
+        let norms = self.column_norms();
+        for (column, norm) in self.r.chunks_exact_mut(self.n.max(1)).zip(&norms) {
+            column.iter_mut().for_each(|r| *r /= norm);
+        }
+        (self, norms)
     }
 
     /// Adds `m` rows, stored column by column with the right-hand side last.
@@ -455,7 +463,7 @@ fn inner(a: &[f64], b: &[f64]) -> f64 {
 
 /// Adds a multiple of `v` to `to`.
 #[inline(always)]
-fn add(to: &mut [f64], factor: f64, v: &[f64]) {
+pub(super) fn add(to: &mut [f64], factor: f64, v: &[f64]) {
     for k in 0..to.len().min(v.len()) {
         to[k] += factor * v[k];
     }

@@ -19,6 +19,12 @@ pub struct Solution {
     /// Factor of the Jacobian at `x`, with columns divided by `scale`; `None` if it could not be
     /// computed, or with a loss, whose weights would not match the residuals.
     pub factor: Option<Factor>,
+    /// Likewise of the rows before those of prior knowledge; `None` without such rows, or with
+    /// blocks.
+    pub measured: Option<Factor>,
+    /// Jacobian at `x`, or at a point within rounding of it, in the layout of
+    /// [`Problem::jacobian`].
+    pub jacobian: Vec<f64>,
     /// Norms of the columns of the Jacobian.
     pub scale: Vec<f64>,
     /// Number of steps.
@@ -65,6 +71,8 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
     Solution {
         cost: run.cost_of(&run.residuals),
         factor: run.factor.filter(|_| options.loss == Loss::Squares),
+        measured: run.measured.filter(|_| options.loss == Loss::Squares),
+        jacobian: run.jacobian,
         x: run.x,
         residuals: run.residuals,
         scale: run.scale,
@@ -253,7 +261,7 @@ fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
         }
     }
     // the current Jacobian is at the solution, or at a point within rounding of it
-    run.factorise(None).err().unwrap_or(termination)
+    run.factorise_apart().err().unwrap_or(termination)
 }
 
 /// Undamped step from the current factor in unscaled parameters, with the sign of a descent.
@@ -295,6 +303,8 @@ struct Run<'a, P> {
     weighed: Vec<f64>,
     /// Factor of the Jacobian at `x` or, near the end, at an earlier point.
     factor: Option<Factor>,
+    /// Factor of the rows before those of prior knowledge, at the end.
+    measured: Option<Factor>,
     scale: Vec<f64>,
     iterations: usize,
 }
@@ -313,6 +323,7 @@ impl<'a, P: Problem> Run<'a, P> {
             jacobian: vec![0.0; m * problem.blocks().map_or(n, Blocks::width)],
             weighed: Vec::new(),
             factor: None,
+            measured: None,
             scale: vec![1.0; n],
             iterations: 0,
         };
@@ -364,8 +375,28 @@ impl<'a, P: Problem> Run<'a, P> {
             largest.iter_mut().zip(&self.scale).for_each(|(kept, now)| *kept = f64::max(*kept, *now));
             self.scale.clone_from(largest);
         }
-        let factor = self.rows().factor(self.target(), &self.scale);
-        let is_finite = factor.is_finite();
+        self.take(self.rows().factor(self.target(), &self.scale))
+    }
+
+    /// Like [`Self::factorise`], and keeps the factor of the rows before those of prior knowledge.
+    fn factorise_apart(&mut self) -> Result<(), Termination> {
+        let prior = self.problem.prior_count();
+        if prior == 0 || self.problem.blocks().is_some() {
+            return self.factorise(None);
+        }
+        self.scale = self.rows().norms();
+        let first = self.residuals.len() - prior;
+        let (measured, known) = self.jacobian.split_at(first * self.x.len());
+        let (right, of_known) = self.target().split_at(first);
+        let measured = Factor::new(measured, right, &self.scale);
+        let factor = measured.clone().stack(Factor::new(known, of_known, &self.scale));
+        self.measured = Some(measured);
+        self.take(factor)
+    }
+
+    /// Takes over the factor of the current Jacobian; an error if an element is non-finite.
+    fn take(&mut self, factor: Factor) -> Result<(), Termination> {
+        let is_finite = factor.is_finite() && self.cost.is_finite();
         self.factor = Some(factor);
         if is_finite { Ok(()) } else { Err(Termination::NotANumber) }
     }

@@ -14,6 +14,7 @@ mod factor;
 mod least_squares;
 mod loss;
 mod priors;
+mod quadratic;
 pub mod statistics;
 mod svd;
 mod trust_region;
@@ -25,6 +26,7 @@ pub use least_squares::{Linearised, Solution, solve};
 pub use least_squares::{column_norms, covariance, factor_at, linearised_at, solve_near};
 pub use loss::Loss;
 pub use priors::{ParameterPrior, WithPriors};
+pub use quadratic::Quadratic;
 pub use svd::{Svd, svd};
 pub use trust_region::{TrustRegion, norm};
 

@@ -39,6 +39,96 @@ pub fn quantile(values: &mut [f64], share: f64) -> Option<f64> {
     Some(low + rank.fract() * (high - low))
 }
 
+/// Values about a quantile of sizes, and the largest size.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct UpperTail {
+    /// Order statistic at or below the quantile.
+    pub low: f64,
+    /// Next order statistic.
+    pub high: f64,
+    /// Weight of `high` in the quantile.
+    pub part: f64,
+    /// Largest size.
+    pub max: f64,
+}
+
+impl UpperTail {
+    /// Tail of the sizes (absolute values) of values in any order, as [`quantile`]; `None` without
+    /// values. Rearranges the values and removes their signs.
+    pub fn of_sizes(values: &mut [f64], share: f64) -> Option<Self> {
+        let rank = share * values.len().saturating_sub(1) as f64;
+        let at = rank.floor() as usize;
+        if at >= values.len() {
+            return None;
+        }
+        // bits of non-negative numbers are in the order of the numbers
+        values.iter_mut().for_each(|v| *v = v.abs());
+        let (_, &mut low, above) = values.select_nth_unstable_by_key(at, |v| v.to_bits());
+        let bits = || above.iter().map(|v| v.to_bits());
+        let of = |bits: Option<u64>| bits.map_or(low, f64::from_bits);
+        Some(Self { low, high: of(bits().min()), part: rank.fract(), max: of(bits().max()) })
+    }
+
+    /// The quantile.
+    pub fn quantile(&self) -> f64 {
+        self.low + self.part * (self.high - self.low)
+    }
+}
+
+/// Sums of sizes, for their mean and root mean square.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SizeSums {
+    count: usize,
+    sum: f64,
+    squares: f64,
+}
+
+impl SizeSums {
+    /// Adds the size of a value.
+    pub fn add(&mut self, value: f64) {
+        self.count += 1;
+        self.sum += value.abs();
+        self.squares += value * value;
+    }
+
+    /// Adds other sums.
+    pub fn join(&mut self, other: &Self) {
+        self.count += other.count;
+        self.sum += other.sum;
+        self.squares += other.squares;
+    }
+
+    /// Statistics of the sizes whose upper tail is `tail`.
+    pub fn statistics(&self, tail: UpperTail) -> SizeStatistics {
+        let count = self.count.max(1) as f64;
+        let (mean, rms) = (self.sum / count, (self.squares / count).sqrt());
+        SizeStatistics { mean, rms, p95: tail.quantile(), max: tail.max }
+    }
+}
+
+/// Mean, root mean square, 95th percentile and maximum of sizes; zeros without values.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SizeStatistics {
+    /// Mean.
+    pub mean: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// 95th percentile, as [`quantile`].
+    pub p95: f64,
+    /// Maximum.
+    pub max: f64,
+}
+
+impl SizeStatistics {
+    /// Statistics of the sizes of values in any order; rearranges the values and removes their
+    /// signs.
+    pub fn of(values: &mut [f64]) -> Self {
+        let mut sums = SizeSums::default();
+        values.iter().for_each(|value| sums.add(*value));
+        sums.statistics(UpperTail::of_sizes(values, 0.95).unwrap_or_default())
+    }
+}
+
 /// The two middle values in ascending order, equal for an odd number of values; `None` without
 /// values.
 pub fn middle_pair(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
@@ -87,6 +177,21 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sizes_have_the_quantile_of_their_absolute_values() {
+        let sign = |k: u32| if k.is_multiple_of(3) { -1.0 } else { 1.0 };
+        let s = SizeStatistics::of(&mut (1..=21u32).rev().map(|k| sign(k) * f64::from(k)).collect::<Vec<_>>());
+        assert_eq!((s.mean, s.rms, s.p95, s.max), (11.0, (3311.0f64 / 21.0).sqrt(), 20.0, 21.0));
+        assert_eq!(SizeStatistics::of(&mut []), SizeStatistics::default());
+        for count in 1..40u32 {
+            let values: Vec<f64> = (0..count).map(|k| sign(k) * f64::from(k * 7919 % 31)).collect();
+            let mut sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
+            let tail = UpperTail::of_sizes(&mut values.clone(), 0.95).unwrap();
+            assert_eq!(Some(tail.quantile()), quantile(&mut sizes, 0.95), "{count}");
+            assert_eq!(Some(tail.max), sizes.into_iter().max_by(f64::total_cmp));
+        }
+    }
 
     #[test]
     fn medians_by_hand() {

@@ -33,7 +33,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
     let mut open: Vec<String> = Vec::new();
     let mut want = |name: &Spanned<String>, among: &[&BTreeSet<&str>], unknown: &dyn Fn(&str) -> Message| {
         let text = name.get_ref();
-        let borne = |set: &&BTreeSet<&str>| set.iter().any(|l| matches_pattern(text, l));
+        let borne = |set: &&BTreeSet<&str>| set.contains(text.as_str()) || set.iter().any(|l| matches_pattern(text, l));
         if !among.iter().any(borne) {
             let message = unknown(text);
             if !complete && message.id != "feature-unknown" {

@@ -101,7 +101,8 @@ impl Output {
         self.json(PARAMETERS, &found.parameters)?;
         if let Some(field) = &found.field {
             let parameters_sha256 = self.sha256(PARAMETERS).unwrap_or_default().to_owned();
-            let field = FieldDocument { parameters_sha256, ..field.clone() };
+            let synthetic = found.parameters.synthetic.clone();
+            let field = FieldDocument { parameters_sha256, synthetic, ..field.clone() };
             self.json(FieldDocument::NAME, &field)?;
             for (name, bytes) in etalon_controllers::field_code(&field)? {
                 self.own(name, bytes);

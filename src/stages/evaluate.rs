@@ -20,7 +20,7 @@ use etalon_identify::{
     self as identify, Condition, DistanceErrors, FigureUncertainty, FrameError, JudgedErrors, Observation, Settings,
     Systematic,
 };
-use etalon_math::statistics::{mean, quantile, rms};
+use etalon_math::statistics::{SizeStatistics, rms};
 use etalon_robots::{Robot, State};
 use polars::prelude::{Column, DataFrame};
 use std::collections::{BTreeMap, BTreeSet};
@@ -395,12 +395,12 @@ fn distances(errors: DistanceErrors) -> DistanceStatistics {
     DistanceStatistics {
         from_mm: errors.range_mm[0],
         to_mm: errors.range_mm[1],
-        pairs: errors.after_mm.len(),
+        pairs: errors.pairs,
         expanded_rms_mm: expanded(0),
         expanded_p95_mm: expanded(1),
         expanded_max_mm: expanded(2),
-        before: summarise(errors.before_mm),
-        after: summarise(errors.after_mm),
+        before: documented(errors.sizes_mm[0]),
+        after: documented(errors.sizes_mm[1]),
     }
 }
 
@@ -559,10 +559,11 @@ fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size:
 /// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum
 /// of sizes.
 pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
-    let (mean, rms) = (mean(sizes.iter().copied()), rms(sizes.iter().copied()));
-    let (Some(p95), Some(max)) = (quantile(&mut sizes, 0.95), sizes.into_iter().max_by(f64::total_cmp)) else {
-        return Statistics::default();
-    };
+    documented(SizeStatistics::of(&mut sizes))
+}
+
+fn documented(sizes: SizeStatistics) -> Statistics {
+    let SizeStatistics { mean, rms, p95, max } = sizes;
     Statistics { mean, rms, p95, max }
 }
 
@@ -668,14 +669,6 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn statistics_of_known_sizes() {
-        let s = summarise((1..=21).map(f64::from).collect());
-        assert_eq!((s.mean, s.p95, s.max), (11.0, 20.0, 21.0));
-        assert!((s.rms - (3311.0f64 / 21.0).sqrt()).abs() < 1e-12);
-        assert_eq!(summarise(Vec::new()).max, 0.0);
-    }
 
     #[test]
     fn the_definition_of_errors_names_what_was_measured() {

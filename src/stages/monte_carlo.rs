@@ -49,6 +49,11 @@ const NORMAL_95: f64 = 1.959_963_985;
 /// standard deviations: √(p(1 − p)) / φ.
 const OF_END: f64 = 2.671;
 
+/// Length of a vector (mm). `hypot`, which avoids overflow, takes a tenth of the time of a draw.
+fn length([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
 /// Input of the draws of a campaign.
 pub struct Trials<'a> {
     campaign: &'a Campaign,
@@ -308,7 +313,7 @@ impl<'a> Trials<'a> {
             match (self.robot.platform(), &o.targets[..]) {
                 (Some(platform), [Some(k), Some(l)]) => {
                     let e = platform.pose_error(values, &o.joints, [[k[0], k[1]], [l[0], l[1]]]);
-                    sizes.push(e[0].hypot(e[1]));
+                    sizes.push(length([e[0], e[1]]));
                 }
                 (Some(_), _) => {}
                 (None, _) => {
@@ -316,7 +321,7 @@ impl<'a> Trials<'a> {
                     robot.positions(State { joints: &o.joints, loads: &loads }, &mut predicted);
                     let measured = predicted.chunks_exact(d).zip(&o.targets).filter_map(|(p, at)| Some((p, (*at)?)));
                     sizes.extend(measured.map(|(p, at)| match *p {
-                        [x, y] => (at[0] - x).hypot(at[1] - y),
+                        [x, y] => length([at[0] - x, at[1] - y]),
                         [x, y, z] => norm(minus(at, [x, y, z])),
                         _ => f64::NAN,
                     }));

@@ -27,44 +27,43 @@ const NAMED: usize = 5;
 
 /// Warnings about measured positions, or joint values, that are identical to the last digit at
 /// poses where the others differ: the reading belongs to another pose.
-pub fn stale(robot: &dyn Robot, observations: &[Observation]) -> Vec<Message> {
+pub fn stale<'o>(robot: &dyn Robot, observations: &'o [Observation]) -> Vec<Message> {
     let nominal = robot.nominal();
-    let mut at_place: BTreeMap<(usize, [u64; 3]), Vec<&Observation>> = BTreeMap::new();
-    let mut at_joints: BTreeMap<Vec<u64>, Vec<&Observation>> = BTreeMap::new();
-    for o in observations {
-        at_joints.entry(o.joints.iter().map(|q| q.to_bits()).collect()).or_default().push(o);
-        for (k, measured) in o.targets.iter().enumerate() {
-            let Some(measured) = measured else { continue };
-            at_place.entry((k, measured.map(f64::to_bits))).or_default().push(o);
-        }
-    }
-    let places = at_place.len();
-    let repeated: Vec<_> = at_place.into_iter().filter(|(_, all)| all.iter().any(|o| o.pose != all[0].pose)).collect();
+    let targets = |o: &'o Observation| (0..).zip(&o.targets).filter_map(|(k, at)| Some((k, (*at)?.map(f64::to_bits))));
+    let mut at_place: Vec<((usize, [u64; 3]), &Observation)> =
+        observations.iter().flat_map(|o| targets(o).map(move |place| (place, o))).collect();
+    at_place.sort_by_key(|(place, _)| *place);
+    let places = || at_place.chunk_by(|a, b| a.0 == b.0);
+    let repeated: Vec<_> = places().filter(|all| all.iter().any(|(_, o)| o.pose != all[0].1.pose)).collect();
     let mut points = Vec::new();
     // balls that are touched in several working modes are measured once, by design
-    if 2 * repeated.len() < places {
-        for ((k, _), all) in repeated {
-            let moved = |o: &&&Observation| {
-                let shift = minus(robot.position(&nominal, &o.joints, k), robot.position(&nominal, &all[0].joints, k));
-                o.pose != all[0].pose && norm(shift) > MOVED_MM
+    if 2 * repeated.len() < places().count() {
+        for all in repeated {
+            let ((k, _), first) = all[0];
+            let moved = |o: &&Observation| {
+                let shift = minus(robot.position(&nominal, &o.joints, k), robot.position(&nominal, &first.joints, k));
+                o.pose != first.pose && norm(shift) > MOVED_MM
             };
-            let pair = |o: &&Observation| {
-                phrase!("repeated-position", target = robot.targets()[k], first = all[0].pose, second = o.pose)
+            let pair = |o: &Observation| {
+                phrase!("repeated-position", target = robot.targets()[k], first = first.pose, second = o.pose)
             };
-            points.extend(all.iter().filter(moved).map(pair));
+            points.extend(all.iter().map(|(_, o)| *o).filter(moved).map(pair));
         }
     }
     let apart = |a: &Observation, b: &Observation| {
         let both = a.targets.iter().zip(&b.targets);
         both.filter_map(|(a, b)| Some(norm(minus((*a)?, (*b)?)))).fold(0.0, f64::max)
     };
-    let far = |all: &Vec<&Observation>| -> Vec<_> {
+    let joints = |o: &'o Observation| o.joints.iter().map(|q| q.to_bits());
+    let mut at_joints: Vec<&Observation> = observations.iter().collect();
+    at_joints.sort_by(|a, b| joints(a).cmp(joints(b)));
+    let far = |all: &[&Observation]| -> Vec<_> {
         let pair = |o: &&Observation| {
             phrase!("repeated-joints", first = all[0].pose, second = o.pose, apart_mm = apart(o, all[0]))
         };
         all.iter().filter(|o| o.pose != all[0].pose && apart(o, all[0]) > MOVED_MM).map(pair).collect()
     };
-    let logs: Vec<_> = at_joints.values().flat_map(far).collect();
+    let logs: Vec<_> = at_joints.chunk_by(|a, b| joints(a).eq(joints(b))).flat_map(far).collect();
     let mut messages = Vec::new();
     if !points.is_empty() {
         messages.push(warning!("positions-repeat", count = points.len(), pairs = shown(points, NAMED)));

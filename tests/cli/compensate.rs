@@ -389,6 +389,37 @@ fn a_tool_of_the_program_and_that_of_the_option_are_one() {
 }
 
 #[test]
+fn tool_data_of_a_rapid_program_and_the_tool_of_the_option_are_one() {
+    let real = Real::new("samples/abb-irb120/robot.toml");
+    let program = |declared: &str| {
+        format!(
+            "MODULE Main\n  {declared}\n  PROC main()\n    MoveL [[300,100,500],[0,0.70710678,0,0.70710678],[0,0,0,0],\
+             [9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]], v100, fine, tGrip;\n  ENDPROC\nENDMODULE\n"
+        )
+    };
+    let load = "[1,[0,0,50],[1,0,0,0],0,0,0]";
+    let ten = &["--tool", "0,0,10"][..];
+    for (declared, more, passes) in [
+        (format!("PERS tooldata tGrip:=[TRUE,[[0,0,10],[1,0,0,0]],{load}];"), ten, true),
+        // names have no case, and other tools are not those of the movement
+        (format!("TASK PERS ToolData TGRIP := [ true, [[0,0,10],[1,0,0,0]], {load} ];"), ten, true),
+        (format!("PERS tooldata tOther:=[TRUE,[[0,0,99],[1,0,0,0]],{load}];"), ten, true),
+        (format!("PERS tooldata tGrip:=[TRUE,[[0,0,0],[1,0,0,0]],{load}];"), &[], true),
+        // a tool that stands beside the robot has another meaning
+        (format!("PERS tooldata tGrip:=[FALSE,[[0,0,99],[1,0,0,0]],{load}];"), ten, true),
+        (format!("PERS tooldata tGrip:=[TRUE,[[0,0,100],[1,0,0,0]],{load}];"), ten, false),
+        (format!("PERS tooldata tGrip:=[TRUE,[[0,0,10],[0,1,0,0]],{load}];"), ten, false),
+    ] {
+        let text = program(&declared);
+        let (new, code, said) = real.compensate("a.mod", text.as_bytes(), more);
+        match passes {
+            true => assert!(code == Some(0) && !new.is_empty(), "{text}: {said}"),
+            false => assert!(code == Some(2) && said.says("error[program-frame-other] option=tool"), "{text}: {said}"),
+        }
+    }
+}
+
+#[test]
 fn programs_of_synthetic_parameters_say_so() {
     let real = Real::new("samples/abb-irb120/robot.toml");
     let (main, program, _) = &irb120_programs()[1];

@@ -64,9 +64,10 @@ impl CommandLanguage for Rapid {
         out + "ENDMODULE\n"
     }
 
-    fn targets(&self, program: &[u8], _freedoms: Freedoms) -> Result<Program> {
+    fn targets(&self, program: &[u8], freedoms: Freedoms) -> Result<Program> {
         let text = masked(program, b'!');
         let (mut found, mut at, mut problems) = (Program::default(), 0, Vec::new());
+        let mut tools = Vec::new();
         while let Some(next) = text[at..].iter().position(|b| *b == b'[').map(|i| at + i) {
             let Some((lists, end)) = lists(&text, next) else {
                 at = next + 1;
@@ -92,12 +93,21 @@ impl CommandLanguage for Rapid {
                     });
                 }
                 [6, 6] => found.joint_targets += 1,
+                [3, 4] => {
+                    let numbers: Vec<f64> = lists.concat().iter().map(|n| n.value).collect();
+                    tools.extend(tool_declared(&text[..next]).zip(Some(self.pose(&numbers, freedoms))));
+                }
                 _ => {}
             }
         }
         let arcs = super::refused_movements(&text, |word| ARCS.iter().any(|arc| word.eq_ignore_ascii_case(arc)));
         problems.extend(arcs);
         moves(&text, &mut found);
+        for (name, pose) in tools {
+            // names have no case
+            let named = found.tools.iter().find(|tool| tool.eq_ignore_ascii_case(&name));
+            found.known.extend(named.map(|tool| (tool.clone(), pose)));
+        }
         super::none(problems)?;
         Ok(found)
     }
@@ -116,6 +126,16 @@ fn lists(text: &[u8], at: usize) -> Option<(Vec<Vec<Number>>, usize)> {
             _ => return None,
         }
     }
+}
+
+/// Name of the tool on the robot whose `tooldata` is declared up to its frame.
+fn tool_declared(before: &[u8]) -> Option<String> {
+    let statement = before.rsplit(|b| *b == b';').next().and_then(|text| std::str::from_utf8(text).ok())?;
+    let (declared, value) = statement.split_once(":=")?;
+    let (kind, name) = declared.trim_end().rsplit_once(char::is_whitespace)?;
+    let is_tool = kind.trim_end().to_ascii_lowercase().ends_with("tooldata");
+    let is_held = value.split_whitespace().collect::<String>().eq_ignore_ascii_case("[TRUE,");
+    (is_tool && is_held).then(|| name.to_owned())
 }
 
 /// A line up to its comment; a text in quotes may contain an exclamation mark.

@@ -50,6 +50,7 @@ fn drawn(noise: &mut Noise) -> FieldDocument {
         covariance_of: vec![],
         factor: 1.0,
         noise_mm: 0.02,
+        synthetic: None,
         provenance: super::document(vec![]).provenance,
     }
 }
@@ -135,5 +136,22 @@ fn the_code_of_a_field_is_its_definition() {
         let apart = apart.fold(0.0, f64::max);
         // rounding of 400 mm
         assert!(apart < 1e-12, "{language}: {apart:e}");
+    }
+}
+
+#[test]
+fn code_of_a_synthetic_field_says_so() {
+    let measured = drawn(&mut Noise::new(45, 3));
+    let synthetic = FieldDocument { synthetic: Some("drawn */ *) \nwith seed 7".to_owned()), ..measured.clone() };
+    for (field, expected) in [(measured, 0), (synthetic, 1)] {
+        for (name, bytes) in field_code(&field).unwrap() {
+            let text = String::from_utf8(bytes).unwrap();
+            let head: String = text.lines().take(4).collect();
+            assert_eq!(
+                head.matches("SYNTHETIC DATA, not of a measured robot: drawn").count(),
+                expected,
+                "{name}: {text}"
+            );
+        }
     }
 }

@@ -106,6 +106,9 @@ pub(crate) struct Plain {
     pub may_be_angles: bool,
 }
 
+/// Label and coordinates of a plain row, and where the next row begins.
+pub(crate) type PlainRow<'a> = (&'a [u8], [f64; 3], usize);
+
 /// Name and properties of a format.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct About {

@@ -12,7 +12,6 @@ use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_base::{error, phrase};
 use etalon_documents::{Refused, Source};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 /// Plain delimited text: the campaign states everything.
 pub(super) struct Delimited;
@@ -78,7 +77,7 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     }
     source.rows_read = sheet.rows.len();
     log.kind().0.name_columns(&mut sheet, &mut problems);
-    let numbers: BTreeMap<usize, i64> = (1..).zip(&sheet.rows).map(|(number, row)| (row.line, number)).collect();
+    let lines: Vec<usize> = sheet.rows.iter().map(|row| row.line).collect();
     let is_filtered = !(log.only.is_empty() && log.without.is_empty());
     let mut left_out = if is_filtered { filtered(&mut sheet, log)? } else { Vec::new() };
     let mut placed: Vec<(Expression, &Wanted)> = Vec::new();
@@ -97,7 +96,8 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     let is_filtered = is_filtered || !left_out.is_empty();
     source.refused.extend(left_out);
     source.refused.sort_by_key(|refused| refused.line);
-    let of_row = |(number, row): (i64, &Row)| if is_filtered { numbers.get(&row.line).copied() } else { Some(number) };
+    let number = |row: &Row| lines.binary_search(&row.line).ok().map(|i| i as i64 + 1);
+    let of_row = |(i, row): (i64, &Row)| if is_filtered { number(row) } else { Some(i) };
     let mut columns = Columns {
         rows: (1..).zip(&sheet.rows).filter_map(of_row).collect(),
         lines: sheet.rows.iter().map(|row| row.line as i64).collect(),

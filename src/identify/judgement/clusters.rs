@@ -1,7 +1,7 @@
 //! Covariance from residuals with errors common to a cluster: a pose, a region of joint space, or a
 //! reading.
 
-use crate::model::elimination::carried;
+use crate::model::elimination::{carried, transposed_times};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rayon::prelude::*;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -64,7 +64,7 @@ impl ByCluster {
             let parts: Vec<Part> = some.par_iter().map(part).collect::<Option<_>>()?;
             for part in &parts {
                 steps.ger(1.0, &part.step, &part.step, 1.0);
-                squares.gemm_tr(1.0, &part.square_root, &part.square_root, 1.0);
+                squares += transposed_times(part.square_root.as_view(), part.square_root.as_view());
                 fourths += part.fourths;
                 expected += part.leverage;
                 own.iter_mut().zip(&part.own).for_each(|(own, more)| *own += more);
@@ -134,11 +134,11 @@ impl Part {
         let scaled = |by: fn(f64) -> f64, rows: &DMatrix<f64>| {
             DMatrix::from_fn(rows.nrows(), rows.ncols(), |i, j| by(eigenvalues[i].max(0.0)) * rows[(i, j)])
         };
-        let along = eigenvectors.tr_mul(&q);
+        let along = transposed_times(eigenvectors.as_view(), q.as_view());
         let of_parameters = &along * root.transpose();
         let less = |k: f64| 1.0 / (1.0 - k).sqrt();
         let residuals = eigenvectors.tr_mul(&r);
-        let weights = along.tr_mul(&scaled(less, &of_parameters));
+        let weights = transposed_times(along.as_view(), scaled(less, &of_parameters).as_view());
         let squares: f64 = eigenvalues.iter().map(|k| k * k - (k * k / (1.0 - k)).powi(2)).sum();
         let own = (0..root.nrows())
             .map(|i| of_parameters.column(i).norm_squared().powi(2) - weights.column(i).norm_squared().powi(2));

@@ -6,10 +6,10 @@
 //! The variances and the length ℓ are those of largest restricted likelihood (REML; Patterson &
 //! Thompson 1971; Harville 1977), in which the parameters that were identified are integrated out.
 
-use crate::model::elimination::{Remaining, carried};
+use crate::model::elimination::{Remaining, carried, transposed_times};
 use crate::model::residuals::Residuals;
 use etalon_robots::Quantity;
-use nalgebra::{Cholesky, DMatrix};
+use nalgebra::{Cholesky, DMatrix, DMatrixView, DVector, SymmetricEigen};
 use rayon::prelude::*;
 
 /// Candidate lengths ℓ (rad); for prismatic joints, shares of half their range.
@@ -26,6 +26,8 @@ const SIGNIFICANT: f64 = 9.21;
 /// Rise of −2 ln L up to which variance and length are compatible with the best ones, at a level of
 /// 0.1 % (chi-square of two).
 const AS_PROBABLE: f64 = 13.82;
+/// Maximum number of iterations per eigenvalue, for which two are usual.
+const EIGEN_STEPS: usize = 100;
 /// Minimum number of poses for a field.
 const FEWEST: usize = 8;
 
@@ -59,6 +61,8 @@ struct Estimate {
     white: f64,
     ratio: f64,
     length: f64,
+    /// Sum of the variances of the parameters from the field, relative to those of the columns.
+    spread: f64,
 }
 
 impl Field {
@@ -80,25 +84,24 @@ impl Field {
         let step = poses.len().div_ceil(SUMMED);
         let some: Vec<&Pose> = poses.iter().step_by(step).collect();
         // J F has orthogonal columns: sums of its squares keep the digits of all parameters
-        let white_jacobian = root.tr_mul(&DMatrix::from_column_slice(n, residuals.len(), jacobian));
-        let white_jacobian = white_jacobian.as_slice();
-        let rows = Rows { jacobian: white_jacobian, ..rows };
+        let white_jacobian = transposed_times(root.as_view(), DMatrixView::from_slice(jacobian, n, residuals.len()));
+        let rows = Rows { jacobian: white_jacobian.as_slice(), ..rows };
         let correlation = correlation(&some, found.length);
         let share = (poses.len() as f64 / some.len() as f64).powi(2);
         let mut of_field = DMatrix::zeros(n, n);
         for axis in rows.sums(&some, |_| 1.0).axes {
             let axis = axis.columns(0, n);
-            of_field += axis.tr_mul(&(&correlation * axis)) * (share * variance);
+            of_field += transposed_times(axis, (&correlation * axis).as_view()) * (share * variance);
         }
         // means of a pose have the white variance, differences from these their own
         let all: Vec<&Pose> = poses.iter().collect();
         let means = rows.sums(&all, |p| 1.0 / (p.readings as f64).sqrt());
         let count = problem.measured_count();
         let differences = rows.differences(&means, count).max(least);
-        let measured = DMatrix::from_row_slice(count, n, &white_jacobian[..count * n]);
+        let measured = white_jacobian.columns(0, count);
         let mut of_means = DMatrix::zeros(n, n);
-        means.axes.iter().for_each(|axis| of_means += axis.columns(0, n).tr_mul(&axis.columns(0, n)));
-        let of_rest = (measured.tr_mul(&measured) - &of_means) * differences + of_means * white;
+        means.axes.iter().for_each(|axis| of_means += transposed_times(axis.columns(0, n), axis.columns(0, n)));
+        let of_rest = (measured * measured.transpose() - &of_means) * differences + of_means * white;
         let degrees = degrees(&sample, &found, dimension, n);
         Some(Self { parts: [of_field, of_rest], degrees })
     }
@@ -161,11 +164,12 @@ fn distance(a: &Pose, b: &Pose) -> f64 {
 }
 
 fn correlation(poses: &[&Pose], length: f64) -> DMatrix<f64> {
-    let of = |i: usize, j: usize| {
+    let mut all = DMatrix::identity(poses.len(), poses.len());
+    for (i, j) in (0..poses.len()).flat_map(|j| (0..j).map(move |i| (i, j))) {
         let d = 3f64.sqrt() * distance(poses[i], poses[j]) / length;
-        (1.0 + d) * (-d).exp()
-    };
-    DMatrix::from_fn(poses.len(), poses.len(), of)
+        (all[(i, j)], all[(j, i)]) = ((1.0 + d) * (-d).exp(), (1.0 + d) * (-d).exp());
+    }
+    all
 }
 
 /// All residuals and their Jacobian.
@@ -215,52 +219,61 @@ impl Rows<'_> {
 /// The estimate of largest restricted likelihood; `None` if white residuals are equally probable.
 fn estimate(poses: &[&Pose], sums: &Sums, stated: &DMatrix<f64>) -> Option<Estimate> {
     let readings: Vec<f64> = poses.iter().map(|p| (p.readings as f64).sqrt()).collect();
-    let white = improbability(&DMatrix::zeros(poses.len(), poses.len()), sums, stated)?;
+    let white = improbability(&DVector::zeros(poses.len()), sums, stated)?;
+    let n = stated.ncols() - 1;
+    let squares: Vec<f64> = (0..n)
+        .map(|k| sums.axes.iter().map(|axis| axis.column(k).norm_squared()).sum::<f64>().max(f64::MIN_POSITIVE))
+        .collect();
     let of_length = |&length: &f64| {
         let correlation = correlation(poses, length);
+        let of_axis = |axis: &DMatrix<f64>| -> f64 {
+            let moved = &correlation * axis.columns(0, n);
+            (0..n).map(|k| moved.column(k).dot(&axis.column(k)) / squares[k]).sum()
+        };
+        let spread: f64 = sums.axes.iter().map(of_axis).sum();
         let shared = DMatrix::from_fn(poses.len(), poses.len(), |i, j| readings[i] * readings[j] * correlation[(i, j)]);
+        let most = EIGEN_STEPS * poses.len();
+        let Some(SymmetricEigen { eigenvectors, eigenvalues }) = SymmetricEigen::try_new(shared, f64::EPSILON, most)
+        else {
+            return Vec::new();
+        };
+        let turned = |axis: &DMatrix<f64>| transposed_times(eigenvectors.as_view(), axis.as_view());
+        let turned = Sums { axes: sums.axes.iter().map(turned).collect() };
         let of_ratio = |&ratio: &f64| {
-            let (improbability, white) = improbability(&(&shared * ratio), sums, stated)?;
-            Some(Estimate { improbability, white, ratio, length })
+            let (improbability, white) = improbability(&(&eigenvalues * ratio), &turned, stated)?;
+            Some(Estimate { improbability, white, ratio, length, spread: ratio * white * spread })
         };
         RATIOS.iter().filter_map(of_ratio).collect::<Vec<Estimate>>()
     };
     let all: Vec<Estimate> = LENGTHS.par_iter().flat_map_iter(of_length).collect();
     let best = all.iter().min_by(|a, b| a.improbability.total_cmp(&b.improbability))?;
-    let n = stated.ncols() - 1;
-    let squares: Vec<f64> = (0..n)
-        .map(|k| sums.axes.iter().map(|axis| axis.column(k).norm_squared()).sum::<f64>().max(f64::MIN_POSITIVE))
-        .collect();
     if white.0 - best.improbability <= SIGNIFICANT {
         return None;
     }
     // of those that are as probable but for chance, the one that leaves most uncertain
     let as_probable = all.iter().filter(|e| e.improbability <= best.improbability + AS_PROBABLE);
-    let spread = |e: &&Estimate| {
-        let correlation = correlation(poses, e.length);
-        let of_axis = |axis: &DMatrix<f64>| axis.columns(0, n).tr_mul(&(&correlation * axis.columns(0, n)));
-        let scaled = |m: DMatrix<f64>| (0..n).map(|k| m[(k, k)] / squares[k]).sum::<f64>();
-        e.ratio * e.white * sums.axes.iter().map(|axis| scaled(of_axis(axis))).sum::<f64>()
-    };
-    as_probable.max_by(|a, b| spread(a).total_cmp(&spread(b))).copied()
+    as_probable.max_by(|a, b| a.spread.total_cmp(&b.spread)).copied()
 }
 
 /// −2 ln of the restricted likelihood without a constant, and the variance of a white residual at
-/// its maximum, for the covariance `shared` of the field relative to this variance.
-fn improbability(shared: &DMatrix<f64>, sums: &Sums, stated: &DMatrix<f64>) -> Option<(f64, f64)> {
-    let (poses, n) = (shared.nrows(), stated.ncols() - 1);
-    let root = Cholesky::new(shared + DMatrix::identity(poses, poses))?;
-    let mut normal = stated.tr_mul(stated);
+/// its maximum. The rows of `sums` are along the eigenvectors of the covariance of the field;
+/// `shared` are its eigenvalues relative to the white variance.
+fn improbability(shared: &DVector<f64>, sums: &Sums, stated: &DMatrix<f64>) -> Option<(f64, f64)> {
+    let (poses, n) = (shared.len(), stated.ncols() - 1);
+    let variances = shared.map(|v| 1.0 + v.max(0.0));
+    let weights = variances.map(|v| 1.0 / v.sqrt());
+    let mut normal = transposed_times(stated.as_view(), stated.as_view());
     for axis in &sums.axes {
-        let white = root.l_dirty().solve_lower_triangular(axis)?;
-        normal.gemm_tr(1.0, &white, &white, 1.0);
+        let white = DMatrix::from_fn(poses, n + 1, |i, k| axis[(i, k)] * weights[i]);
+        normal += transposed_times(white.as_view(), white.as_view());
     }
     let information = Cholesky::new(normal.view((0, 0), (n, n)).into_owned())?;
     let right = normal.view((0, n), (n, 1)).into_owned();
     let squares = normal[(n, n)] - right.dot(&information.solve(&right));
     let degrees = (poses * sums.axes.len() + stated.nrows()) as f64 - n as f64;
-    let log = |root: &DMatrix<f64>| 2.0 * root.diagonal().iter().map(|v| v.ln()).sum::<f64>();
-    let determinants = sums.axes.len() as f64 * log(root.l_dirty()) + log(information.l_dirty());
+    let of_information = 2.0 * information.l_dirty().diagonal().iter().map(|v| v.ln()).sum::<f64>();
+    let of_field = variances.iter().map(|v| v.ln()).sum::<f64>();
+    let determinants = sums.axes.len() as f64 * of_field + of_information;
     let white = squares / degrees;
     (degrees >= 1.0 && white > 0.0).then(|| (degrees * white.ln() + determinants, white))
 }
@@ -293,7 +306,9 @@ mod tests {
         let sums = rows.sums(&all.iter().collect::<Vec<_>>(), |_| 1.0);
         let none = rows.stated(4);
         for (shared, determinants) in [(0.0, 4f64.ln()), (1.0, 5f64.ln() + 0.8f64.ln())] {
-            let (improbability, white) = improbability(&DMatrix::from_element(4, 4, shared), &sums, &none).unwrap();
+            let SymmetricEigen { eigenvectors, eigenvalues } = DMatrix::from_element(4, 4, shared).symmetric_eigen();
+            let turned = Sums { axes: sums.axes.iter().map(|axis| eigenvectors.tr_mul(axis)).collect() };
+            let (improbability, white) = improbability(&eigenvalues, &turned, &none).unwrap();
             assert!((white - 10.0 / 3.0).abs() < 1e-12, "{white}");
             assert!((improbability - 3.0 * (10f64 / 3.0).ln() - determinants).abs() < 1e-12, "{improbability}");
         }

@@ -8,9 +8,9 @@
 use super::figures::{JudgedErrors, Propagation};
 use crate::{Observation, Result, Settings, Systematic};
 use etalon_base::noise::Noise;
-use etalon_base::pose::{Vector, dot, minus};
+use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_math::statistics::rms;
+use etalon_math::statistics::{SizeStatistics, SizeSums, UpperTail};
 use etalon_robots::Robot;
 
 /// Maximum number of pairs; of more pairs, an even selection counts.
@@ -36,10 +36,10 @@ pub struct RelativeErrors {
 pub struct DistanceErrors {
     /// Range of the measured distances (mm): from the first value to below the second.
     pub range_mm: [f64; 2],
-    /// Sizes (mm) of the errors of each pair before and after, in one order.
-    pub before_mm: Vec<f64>,
-    /// See `before_mm`.
-    pub after_mm: Vec<f64>,
+    /// Number of pairs.
+    pub pairs: usize,
+    /// Sizes (mm) of the errors before and after.
+    pub sizes_mm: [SizeStatistics; 2],
     /// Standard uncertainties (mm) of root mean square, 95th percentile and maximum after; absent
     /// if no uncertainty is stated.
     pub standard_uncertainties_mm: Option<[f64; 3]>,
@@ -50,12 +50,25 @@ struct Reading {
     pose: PoseName,
     /// First of its residuals, and their number.
     rows: (usize, usize),
-    measured: [Vector; 2],
-    /// Positions predicted with the parameters before and after.
-    predicted: [Vector; 2],
+    /// Each coordinate (mm) of the [`POSITIONS`].
+    at: [[f64; POSITIONS]; 3],
+}
+
+/// Positions of a reading: measured and predicted, with the parameters before and after. Measured
+/// positions of a platform depend on the parameters.
+const POSITIONS: usize = 4;
+/// Measured position, with the parameters after.
+const MEASURED: usize = 1;
+
+impl Reading {
+    fn new(pose: PoseName, rows: (usize, usize), measured: [Vector; 2], predicted: [Vector; 2]) -> Self {
+        let at = [0, 1, 2].map(|axis| [measured[0], measured[1], predicted[0], predicted[1]].map(|at| at[axis]));
+        Self { pose, rows, at }
+    }
 }
 
 /// A pair of readings.
+#[derive(Clone, Copy)]
 struct Pair {
     readings: [u32; 2],
     distance_mm: f64,
@@ -78,38 +91,25 @@ impl JudgedErrors<'_> {
     ) -> Result<Option<RelativeErrors>> {
         let groups = self.readings_of_targets(before);
         let readings: Vec<&Reading> = groups.iter().flatten().collect();
-        let (all, available) = pairs(&groups, &readings);
+        let (pairs, available) = pairs(&groups, &readings);
         let finite = |p: &Pair| [p.distance_mm, p.error_mm[0], p.error_mm[1]].iter().all(|v| v.is_finite());
-        if all.is_empty() || !all.iter().all(finite) {
+        if pairs.is_empty() || !pairs.iter().all(finite) {
             return Ok(None);
         }
         let stated = settings.standard_uncertainty_mm.is_some();
         let propagation = stated.then(|| self.propagation(settings, systematic)).transpose()?;
-        let of = |range_mm: [f64; 2], pairs: &[&Pair], root: Option<&[f64]>| {
-            let [before_mm, after_mm] = [0, 1].map(|i| pairs.iter().map(|p| p.error_mm[i].abs()).collect::<Vec<f64>>());
-            let standard_uncertainties_mm = propagation
-                .as_ref()
-                .zip(root)
-                .map(|(propagation, root)| uncertainties(propagation, root, (pairs, &after_mm), &readings));
-            DistanceErrors { range_mm, before_mm, after_mm, standard_uncertainties_mm }
-        };
-        let all: Vec<&Pair> = all.iter().collect();
-        let largest = all.iter().map(|p| p.distance_mm).fold(0.0, f64::max);
-        let step = step(largest);
-        let by_step = by_step(&all, step);
-        let ends = |k: usize| [k as f64 * step, (k + 1) as f64 * step];
-        // the sum over all pairs is that of the steps
-        let mut root = propagation.as_ref().map(|propagation| vec![0.0; propagation.residual_count()]);
+        let step = step(pairs.iter().map(|p| p.distance_mm).fold(0.0, f64::max));
+        let (pairs, ends) = by_step(&pairs, step);
+        // sums and gradient of all pairs are those of the steps
+        let mut whole = Group::new(&pairs, propagation.as_ref());
         let mut steps = Vec::new();
-        for (k, pairs) in by_step.iter().enumerate().filter(|(_, pairs)| !pairs.is_empty()) {
-            let of_step = root.as_mut().map(|root| {
-                let of_step = squares_gradient(pairs, &readings, root.len());
-                root.iter_mut().zip(&of_step).for_each(|(sum, by)| *sum += by);
-                of_step
-            });
-            steps.push(of(ends(k), pairs, of_step.as_deref()));
+        for (k, [first, end]) in ends.iter().enumerate().filter(|(_, [first, end])| first < end) {
+            let mut of_step = Group::new(&pairs[*first..*end], propagation.as_ref());
+            of_step.sum(&readings);
+            whole.add(&of_step);
+            steps.push(of_step.errors([k, k + 1].map(|k| k as f64 * step), &readings));
         }
-        let all = of([0.0, ends(by_step.len().saturating_sub(1))[1]], &all, root.as_deref());
+        let all = whole.errors([0.0, ends.len() as f64 * step], &readings);
         Ok(Some(RelativeErrors { available, steps, all }))
     }
 
@@ -132,14 +132,14 @@ impl JudgedErrors<'_> {
                     let error = platform.pose_error(sides[i].1, &o.joints, pair);
                     [measured[i][0] + error[0], measured[i][1] + error[1], 0.0]
                 });
-                groups[0].push(Reading { pose: o.pose, rows: (row, 2), measured, predicted });
+                groups[0].push(Reading::new(o.pose, (row, 2), measured, predicted));
                 row += 3;
                 continue;
             }
             for (k, at) in measured_targets(o) {
                 let predicted = sides.map(|(robot, values)| robot.position(values, &o.joints, k));
                 let rows = (row, robot.dimension());
-                groups[k].push(Reading { pose: o.pose, rows, measured: [at; 2], predicted });
+                groups[k].push(Reading::new(o.pose, rows, [at; 2], predicted));
                 row += robot.dimension();
             }
         }
@@ -155,12 +155,12 @@ fn measured_targets(o: &Observation) -> impl Iterator<Item = (usize, Vector)> + 
 impl Pair {
     fn of(readings: [u32; 2], all: &[&Reading]) -> Self {
         let [a, b] = readings.map(|i| all[i as usize]);
-        let length = |from: [Vector; 2], to: [Vector; 2], i: usize| {
-            let across = minus(to[i], from[i]);
-            dot(across, across).sqrt()
-        };
-        let error = |i| length(a.predicted, b.predicted, i) - length(a.measured, b.measured, i);
-        Self { readings, distance_mm: length(a.measured, b.measured, 1), error_mm: [error(0), error(1)] }
+        let mut lengths = [0.0; POSITIONS];
+        for (from, to) in a.at.iter().zip(&b.at) {
+            lengths.iter_mut().zip(from.iter().zip(to)).for_each(|(sum, (from, to))| *sum += (to - from) * (to - from));
+        }
+        let [before, distance_mm, predicted_before, predicted] = lengths.map(f64::sqrt);
+        Self { readings, distance_mm, error_mm: [predicted_before - before, predicted - distance_mm] }
     }
 
     /// Adds the derivatives of `weight` times the error with respect to the residuals (predicted
@@ -169,7 +169,7 @@ impl Pair {
         let [a, b] = self.readings.map(|i| readings[i as usize]);
         if self.distance_mm > 0.0 {
             let per_mm = weight / self.distance_mm;
-            let across = minus(b.measured[1], a.measured[1]).map(|v| per_mm * v);
+            let across = [0, 1, 2].map(|axis| per_mm * (b.at[axis][MEASURED] - a.at[axis][MEASURED]));
             let [(to_a, rows), (to_b, _)] = [a.rows, b.rows];
             for i in 0..rows {
                 by[to_a + i] -= across[i];
@@ -179,24 +179,104 @@ impl Pair {
     }
 }
 
-/// Pairs by steps of the measured distance.
-fn by_step<'a>(pairs: &[&'a Pair], step: f64) -> Vec<Vec<&'a Pair>> {
-    let mut steps: Vec<Vec<&Pair>> = Vec::new();
+/// Pairs in the order of the steps of the measured distance, and the first pair and the end of each
+/// step.
+fn by_step(pairs: &[Pair], step_mm: f64) -> (Vec<Pair>, Vec<[usize; 2]>) {
+    let step = |pair: &Pair| (pair.distance_mm / step_mm) as usize;
+    let mut ends: Vec<[usize; 2]> = Vec::new();
     for pair in pairs {
-        let k = (pair.distance_mm / step) as usize;
-        if k >= steps.len() {
-            steps.resize_with(k + 1, Vec::new);
+        let k = step(pair);
+        if k >= ends.len() {
+            ends.resize(k + 1, [0; 2]);
         }
-        steps[k].push(pair);
+        ends[k][1] += 1;
     }
-    steps
+    let mut end = 0;
+    for [first, count] in &mut ends {
+        (*first, end) = (end, end + *count);
+        *count = *first;
+    }
+    let mut sorted = pairs.to_vec();
+    for pair in pairs {
+        let [_, next] = &mut ends[step(pair)];
+        sorted[*next] = *pair;
+        *next += 1;
+    }
+    (sorted, ends)
 }
 
-/// Derivatives of half the sum of the squared errors after with respect to `count` residuals.
-fn squares_gradient(pairs: &[&Pair], readings: &[&Reading], count: usize) -> Vec<f64> {
-    let mut by = vec![0.0; count];
-    pairs.iter().for_each(|pair| pair.add(pair.error_mm[1], readings, &mut by));
-    by
+/// Pairs whose errors are judged together.
+struct Group<'a> {
+    pairs: &'a [Pair],
+    propagation: Option<&'a Propagation>,
+    /// Sums of the sizes (mm) before and after.
+    sums: [SizeSums; 2],
+    /// Derivatives of half the sum of the squared errors after with respect to the residuals;
+    /// empty if no uncertainty is stated.
+    gradient: Vec<f64>,
+}
+
+impl<'a> Group<'a> {
+    /// Group without sums.
+    fn new(pairs: &'a [Pair], propagation: Option<&'a Propagation>) -> Self {
+        let gradient = vec![0.0; propagation.map_or(0, Propagation::residual_count)];
+        Self { pairs, propagation, sums: Default::default(), gradient }
+    }
+
+    fn sum(&mut self, readings: &[&Reading]) {
+        for pair in self.pairs {
+            let [before, after] = pair.error_mm;
+            self.sums[0].add(before);
+            self.sums[1].add(after);
+            if self.propagation.is_some() {
+                pair.add(after, readings, &mut self.gradient);
+            }
+        }
+    }
+
+    /// Adds the sums of some of its pairs.
+    fn add(&mut self, part: &Group) {
+        self.sums.iter_mut().zip(&part.sums).for_each(|(sum, by)| sum.join(by));
+        self.gradient.iter_mut().zip(&part.gradient).for_each(|(sum, by)| *sum += by);
+    }
+
+    fn errors(self, range_mm: [f64; 2], readings: &[&Reading]) -> DistanceErrors {
+        let mut sizes = Vec::with_capacity(self.pairs.len());
+        let [before, after] = [0, 1].map(|side| {
+            sizes.clear();
+            sizes.extend(self.pairs.iter().map(|pair| pair.error_mm[side]));
+            UpperTail::of_sizes(&mut sizes, 0.95).unwrap_or_default()
+        });
+        DistanceErrors {
+            range_mm,
+            pairs: self.pairs.len(),
+            sizes_mm: [self.sums[0].statistics(before), self.sums[1].statistics(after)],
+            standard_uncertainties_mm: self.propagation.map(|p| self.uncertainties(p, after, readings)),
+        }
+    }
+
+    /// Standard uncertainties (mm) of root mean square, 95th percentile and maximum of the errors
+    /// after.
+    fn uncertainties(&self, propagation: &Propagation, after: UpperTail, readings: &[&Reading]) -> [f64; 3] {
+        let rms = self.sums[1].statistics(after).rms;
+        let mut by = self.gradient.clone();
+        if rms > 0.0 {
+            by.iter_mut().for_each(|by| *by /= rms * self.pairs.len() as f64);
+        }
+        let of = |by: &[f64]| propagation.variances(by).iter().map(|(_, variance)| variance).sum::<f64>().sqrt();
+        let of_rms = of(&by);
+        let mut of_errors = |errors: &[(f64, f64)]| {
+            by.fill(0.0);
+            for (size, weight) in errors {
+                if let Some(pair) = self.pairs.iter().find(|pair| pair.error_mm[1].abs() == *size) {
+                    pair.add(weight * pair.error_mm[1].signum(), readings, &mut by);
+                }
+            }
+            of(&by)
+        };
+        let of_p95 = of_errors(&[(after.low, 1.0 - after.part), (after.high, after.part)]);
+        [of_rms, of_p95, of_errors(&[(after.max, 1.0)])]
+    }
 }
 
 /// Pairs of readings of one target at different poses: all of them, or an even selection. Also the
@@ -211,12 +291,19 @@ fn pairs(groups: &[Vec<Reading>], readings: &[&Reading]) -> (Vec<Pair>, usize) {
         poses.sort_unstable();
         available -= poses.chunk_by(|a, b| a == b).map(|same| pairs_of(same.len())).sum::<usize>();
         let end = start + pairs_of(group.len());
-        let mut j = 1;
-        while let Some(index) = indices.next_if(|index| *index < end) {
-            let i;
-            [i, j] = pair_at(index - start, j);
+        let mut add = |[i, j]: [usize; 2]| {
             if group[i].pose != group[j].pose {
                 chosen.push(Pair::of([i, j].map(|k| (first + k) as u32), readings));
+            }
+        };
+        if count <= MOST_PAIRS {
+            (1..group.len()).flat_map(|j| (0..j).map(move |i| [i, j])).for_each(add);
+        } else {
+            let mut j = 1;
+            while let Some(index) = indices.next_if(|index| *index < end) {
+                let pair = pair_at(index - start, j);
+                j = pair[1];
+                add(pair);
             }
         }
         first += group.len();
@@ -258,41 +345,6 @@ fn step(largest_mm: f64) -> f64 {
     let least = (largest_mm / STEPS).max(f64::MIN_POSITIVE);
     let decade = 10f64.powf(least.log10().floor());
     [5.0, 2.0, 1.0].into_iter().map(|m| m * decade).find(|step| *step <= least).unwrap_or(decade)
-}
-
-/// Standard uncertainties (mm) of root mean square, 95th percentile and maximum of the errors
-/// after, whose sizes stand beside the pairs. `root` is their [`squares_gradient`].
-fn uncertainties(
-    propagation: &Propagation,
-    root: &[f64],
-    (pairs, sizes_mm): (&[&Pair], &[f64]),
-    readings: &[&Reading],
-) -> [f64; 3] {
-    let all = rms(sizes_mm.iter().copied());
-    let mut by: Vec<f64> = root.to_vec();
-    if all > 0.0 {
-        by.iter_mut().for_each(|by| *by /= all * pairs.len() as f64);
-    }
-    let of = |by: &[f64]| propagation.variances(by).iter().map(|(_, variance)| variance).sum::<f64>().sqrt();
-    let of_root = of(&by);
-    // a quantile lies between two errors in their order
-    let mut sizes = sizes_mm.to_vec();
-    let rank = 0.95 * sizes.len().saturating_sub(1) as f64;
-    let (_, &mut low, above) = sizes.select_nth_unstable_by(rank.floor() as usize, f64::total_cmp);
-    let next = above.iter().copied().min_by(f64::total_cmp).unwrap_or(low);
-    let last = above.iter().copied().max_by(f64::total_cmp).unwrap_or(low);
-    let mut of_errors = |errors: &[(f64, f64)]| {
-        by.fill(0.0);
-        for (size, weight) in errors {
-            let found = pairs.iter().zip(sizes_mm).find(|(_, other)| *other == size);
-            if let Some((pair, _)) = found {
-                pair.add(weight * pair.error_mm[1].signum(), readings, &mut by);
-            }
-        }
-        of(&by)
-    };
-    let part = rank.fract();
-    [of_root, of_errors(&[(low, 1.0 - part), (next, part)]), of_errors(&[(last, 1.0)])]
 }
 
 #[cfg(test)]

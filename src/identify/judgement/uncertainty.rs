@@ -18,7 +18,7 @@ use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{phrase, warning};
 use etalon_math::statistics::{median, rms};
-use etalon_math::{Factor, Solution, column_norms, factor_at};
+use etalon_math::{Factor, Problem, Solution, column_norms, factor_at};
 use etalon_robots::{Robot, Role};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
 use std::collections::BTreeMap;
@@ -60,21 +60,21 @@ pub(crate) fn with_uncertainty(
     let solution = &solution;
     let n = problem.free.len();
     let dof = problem.degrees_of_freedom(solution).round() as usize;
-    let jacobian = problem.jacobian_at(&solution.x);
+    let jacobian = &solution.jacobian[..];
 
     let frames = &systematic.frames;
     let placed: BTreeMap<(PoseName, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
-    let stated = from_instrument((problem, solution, &jacobian), settings, &placed);
+    let stated = from_instrument((problem, solution, jacobian), settings, &placed);
     let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
     let instrument = stated.map(|s| s.0);
     let rejected = chi_square.filter(|&chi| exceeds(chi, dof));
     let apart = settings.kind == ResidualKind::Targets && placed.is_empty() && !problem.is_whitened();
     let found = match &instrument {
         Some(instrument) if rejected.is_none() => {
-            let clusters = (apart && dof > 0).then(|| shared(problem, solution, &jacobian)).flatten();
+            let clusters = (apart && dof > 0).then(|| shared(problem, solution, jacobian)).flatten();
             clusters.unwrap_or_else(|| Found::new(UncertaintyFrom::Instrument, Some(instrument.clone())))
         }
-        _ => from_residuals((problem, solution, &jacobian), instrument.as_deref(), chi_square),
+        _ => from_residuals((problem, solution, jacobian), instrument.as_deref(), chi_square),
     };
     let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning } = found;
     let mut warnings: Vec<Warning> = warning.into_iter().map(Into::into).collect();
@@ -83,7 +83,7 @@ pub(crate) fn with_uncertainty(
         .flatten();
     let mut budget = Budget::default();
     if let Some(total) = &mut covariance {
-        let all = (problem, solution, &jacobian[..]);
+        let all = (problem, solution, jacobian);
         budget = Budget::new(all, instrument.as_deref(), total, settings, replicates.as_ref());
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise
         // above
@@ -177,7 +177,14 @@ fn observability(
         (Prior::Tolerances { .. }, _) if shown.free.is_empty() => None,
         (Prior::Tolerances { .. }, _) => {
             let data = problem.of_others(&plain, &shown.free, &values)?;
-            let (factor, scale) = factor_at(&data, &shown.x);
+            let whole = solution.measured.as_ref().filter(|_| data.prior_count() == 0 && data.free == problem.free);
+            let (factor, scale) = match whole {
+                Some(factor) => {
+                    let (factor, norms) = factor.clone().normalised();
+                    (factor, norms.iter().zip(&solution.scale).map(|(norm, scale)| norm * scale).collect())
+                }
+                None => factor_at(&data, &shown.x),
+            };
             observe(&data, &shown.x, &factor, &scale, shown.covariance.as_deref())
         }
     };

@@ -6,7 +6,7 @@ use crate::model::prior::Prior;
 use crate::{Observation, Settings};
 use etalon_math::{Blocks, OWN, Rows, Solution};
 use etalon_robots::{FreeBase, Robot};
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DMatrixView, DVector, SymmetricEigen};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -154,6 +154,11 @@ pub(crate) fn carried(root: &DMatrix<f64>, middle: &DMatrix<f64>) -> DMatrix<f64
     let mut all = root * middle * root.transpose();
     all.fill_lower_triangle_with_upper_triangle();
     all
+}
+
+/// Aᵀ B with the vector instructions of the machine, which `tr_mul` does not use.
+pub(crate) fn transposed_times(a: DMatrixView<f64>, b: DMatrixView<f64>) -> DMatrix<f64> {
+    a.transpose() * b
 }
 
 /// The unknowns to eliminate: those of targets, or those fixed in the world, whichever are more.

@@ -693,11 +693,15 @@ impl Residuals<'_> {
             let mut first = vec![0; self.robot.targets().len()];
             for (o, state) in observations {
                 let measured: Vec<usize> = (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).collect();
-                measured.iter().enumerate().for_each(|(k, &target)| first[target] = 3 * k);
+                measured.iter().enumerate().for_each(|(k, &target)| first[target] = 3 * k * width);
                 let (here, rest) = out.split_at_mut(3 * measured.len() * width);
                 robot.target_derivatives(state, &measured, &mut |target, parameter, moved| {
                     let Some(place) = places[parameter] else { return };
-                    (0..3).for_each(|i| here[(first[target] + i) * width + place] += moved[i] / self.unit);
+                    let (x, rest) = here[first[target]..].split_at_mut(width);
+                    let (y, z) = rest.split_at_mut(width);
+                    x[place] += moved[0] / self.unit;
+                    y[place] += moved[1] / self.unit;
+                    z[place] += moved[2] / self.unit;
                 });
                 out = rest;
             }
@@ -815,7 +819,7 @@ impl Common {
     }
 
     /// Whitens rows of `width` numbers that were divided by u.
-    fn whiten(&self, rows: &mut [f64], width: usize) {
+    pub fn whiten(&self, rows: &mut [f64], width: usize) {
         let length = self.dimension * width;
         let mut common = vec![0.0; length];
         for (reading, shrink) in &self.readings {

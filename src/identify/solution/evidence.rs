@@ -3,7 +3,7 @@
 
 use crate::model::prior::{Nominal, Prior};
 use crate::model::residuals::Residuals;
-use etalon_math::{Problem, linearised_at};
+use etalon_math::{Problem, Solution, linearised_at};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Candidate scales: 1, 1/√2, 1/2 ... 1/64.
@@ -41,13 +41,19 @@ struct Linearised {
 }
 
 impl Linearised {
-    /// Evidence of residuals without nominal values at `x`; `start` are expected values of unknowns
-    /// without tolerance.
-    fn new(data: &Residuals, x: &[f64], start: &[f64]) -> Self {
+    /// Evidence of residuals without nominal values at a solution with them; `start` are expected
+    /// values of unknowns without tolerance.
+    fn new(data: &Residuals, solution: &Solution, start: &[f64]) -> Self {
+        let x = &solution.x;
         let rows = Nominal::rows(data.robot, Prior::TOLERANCES, &data.free, start);
-        let mut residuals = vec![0.0; data.residual_count()];
-        data.residuals(x, &mut residuals);
-        let (factor, norms) = linearised_at(data, x, &residuals);
+        let (factor, norms) = match &solution.measured {
+            Some(factor) if data.prior_count() == 0 => (factor.clone(), solution.scale.clone()),
+            _ => {
+                let mut residuals = vec![0.0; data.residual_count()];
+                data.residuals(x, &mut residuals);
+                linearised_at(data, x, &residuals)
+            }
+        };
         let common = factor.common();
         let n = common.len();
         let r = DMatrix::from_fn(n, n, |i, k| if i <= k { factor.r(i, k) } else { 0.0 });
@@ -56,7 +62,7 @@ impl Linearised {
             rest: factor.rest,
             normal: r.tr_mul(&r),
             gradient: r.tr_mul(&right),
-            residuals: residuals.len() as f64,
+            residuals: data.residual_count() as f64,
             derivatives: DVector::from_fn(n, |k, _| rows[common[k]].derivative() / norms[common[k]]),
             off: DVector::from_fn(n, |k, _| (x[common[k]] - rows[common[k]].value) * norms[common[k]]),
             scales: common.iter().map(|&j| data.robot.parameters()[data.free[j]].scales()).collect(),
@@ -83,17 +89,17 @@ impl Linearised {
 }
 
 /// Values that maximise the probability of the measurements. `data` are the residuals without
-/// nominal values at the solution `x`, `start` the expected values of unknowns without tolerance,
+/// nominal values at the `solution`, `start` the expected values of unknowns without tolerance,
 /// `shown` the standard deviation of the residuals. If nominal values determine much, smaller
 /// standard deviations down to `least` are tried, because nominal values may keep the residuals
 /// large.
 pub(crate) fn most_probable(
     (data, start): (&Residuals, &[f64]),
-    x: &[f64],
+    solution: &Solution,
     [least, shown]: [f64; 2],
     by_nominal: bool,
 ) -> MostProbable {
-    let problem = Linearised::new(data, x, start);
+    let problem = Linearised::new(data, solution, start);
     let steps = if problem.scales.contains(&true) { STEPS } else { 1 };
     let scales = |noise: f64| -> Vec<(f64, f64)> {
         let tried = (0..steps).map(|k| 0.5f64.powf(0.5 * f64::from(k)));

@@ -199,16 +199,20 @@ struct Independent {
 
 /// Relative difference below which effects are alike.
 const ALIKE: f64 = 1e-6;
+/// Distance above which one pass of Gram-Schmidt keeps enough digits to compare effects.
+const CLEAR: f64 = 1e-4;
 
 /// Takes columns by their `effect` relative to the previous ones, the largest first, and in their
 /// order if the effect is infinite or alike.
 fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool, effect: impl Fn(usize) -> f64) -> Independent {
     let mut found = Independent { basis: Vec::new(), dependent: Vec::new() };
     let mut left: Vec<usize> = (0..columns.len()).collect();
+    let mut rests = columns.to_vec();
     while !left.is_empty() {
-        let size = |&j: &usize| {
-            let effect = effect(j);
-            if effect.is_infinite() { effect } else { effect * norm(&split(&columns[j], &found.basis).1) }
+        let size = |&j: &usize| match (effect(j), norm(&rests[j])) {
+            (effect, _) if effect.is_infinite() => effect,
+            (effect, distance) if distance > CLEAR => effect * distance,
+            (effect, _) => effect * norm(&split(&columns[j], &found.basis).1),
         };
         let first = left.iter().enumerate().map(|(k, j)| (k, size(j)));
         let first = first.reduce(|a, b| if b.1 > a.1 * (1.0 + ALIKE) { b } else { a }).map_or(0, |first| first.0);
@@ -221,7 +225,9 @@ fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool, effect: imp
         let (shares, rest) = split(column, &found.basis);
         let distance = norm(&rest);
         if distance > RANK_TOLERANCE {
-            found.basis.push((j, rest.into_iter().map(|v| v / distance).collect()));
+            let along: Vec<f64> = rest.into_iter().map(|v| v / distance).collect();
+            left.iter().filter(|&&k| effect(k).is_finite()).for_each(|&k| _ = remove(&along, &mut rests[k]));
+            found.basis.push((j, along));
             continue;
         }
         let weights = weights(&shares, &found.basis, columns);
@@ -272,13 +278,16 @@ fn split(column: &[f64], basis: &[(usize, Vec<f64>)]) -> (Vec<f64>, Vec<f64>) {
     let mut rest = column.to_vec();
     let mut shares = vec![0.0; basis.len()];
     for _ in 0..2 {
-        for ((_, q), share) in basis.iter().zip(&mut shares) {
-            let along: f64 = q.iter().zip(&rest).map(|(q, r)| q * r).sum();
-            rest.iter_mut().zip(q).for_each(|(r, q)| *r -= along * q);
-            *share += along;
-        }
+        basis.iter().zip(&mut shares).for_each(|((_, q), share)| *share += remove(q, &mut rest));
     }
     (shares, rest)
+}
+
+/// Removes the component along the unit vector `q` from `rest`, and returns it.
+fn remove(q: &[f64], rest: &mut [f64]) -> f64 {
+    let along: f64 = q.iter().zip(&*rest).map(|(q, r)| q * r).sum();
+    rest.iter_mut().zip(q).for_each(|(r, q)| *r -= along * q);
+    along
 }
 
 /// This column as a sum of the columns of the basis: back substitution in their triangular matrix.

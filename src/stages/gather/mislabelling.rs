@@ -16,6 +16,8 @@ const FEWEST: usize = 3;
 /// Fewest points of one name that can be a scan, and the number of points that are looked at.
 const FEWEST_OF_SCAN: usize = 20;
 const MOST_OF_SCAN: usize = 1000;
+/// Maximum number of points whose cells are compared before the points are.
+const FEW: usize = 100_000;
 
 /// Largest distance of two readings of one point: ten times the instrument's expanded uncertainty,
 /// from 0.1 to 1 mm.
@@ -34,6 +36,9 @@ fn name(point: &Point) -> &str {
 /// the same points.
 pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let near = near_mm(campaign);
+    if points.len() <= FEW && !names_meet(points, near) {
+        return Vec::new();
+    }
     let mut same: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
     points.iter().for_each(|p| same.entry(name(p)).or_default().push(p));
     let mut usual = BTreeMap::new();
@@ -78,6 +83,24 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         Some(message.to_decide().at(first.place()))
     };
     found.into_iter().filter_map(warning).collect()
+}
+
+/// `true` if points of different names may be neighbours: their cells are equal or adjacent.
+fn names_meet(points: &[Point], near: f64) -> bool {
+    let cell = |p: &Point| p.xyz_mm.map(|v| (v / (2.0 * near)).floor() as i64);
+    let mut cells: Vec<([i64; 3], &str)> = points.iter().map(|p| (cell(p), name(p))).collect();
+    cells.sort_unstable();
+    cells.dedup();
+    let meets = |(cell, own): &([i64; 3], &str)| {
+        (0..9).any(|side| {
+            let [x, y, z] = *cell;
+            let beside = |z| [x.saturating_add(side / 3 - 1), y.saturating_add(side % 3 - 1), z];
+            let [low, high] = [-1, 1].map(|step| beside(z.saturating_add(step)));
+            let from = cells.partition_point(|(other, _)| *other < low);
+            cells[from..].iter().take_while(|(other, _)| *other <= high).any(|(_, name)| name != own)
+        })
+    };
+    cells.iter().any(meets)
 }
 
 /// Returns pairs of neighbouring points with different names. Cells are twice as wide as `near`, so

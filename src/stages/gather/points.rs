@@ -8,6 +8,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, JoinBy};
 use etalon_documents::{Refused, Source};
 use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point, SharedText};
+use indexmap::IndexMap;
 use std::collections::BTreeSet;
 
 /// A point in the frame of a further station of the instrument.
@@ -56,7 +57,7 @@ impl PointColumns {
         // targets that carry a world frame measured once need no pose
         let world = campaign.file.world().filter(|world| world.each.is_none());
         let frame_targets = world.and_then(|world| world.targets.as_deref()).unwrap_or_default();
-        let targets = known_targets(campaign);
+        let targets = if pattern.is_some() { known_targets(campaign) } else { BTreeSet::new() };
         let known = |named: &LabelNames| named.target.as_ref().is_none_or(|target| targets.contains(target));
         let file: SharedText = export.file.get_ref().as_str().into();
         let mut shared = Names::default();
@@ -120,7 +121,7 @@ impl PointColumns {
 
     /// Errors about points with the same target, pose and cycle as a previous one.
     pub fn measured_twice(&self, campaign: &Campaign) -> Vec<Message> {
-        let mut first = std::collections::BTreeMap::new();
+        let mut first = IndexMap::new();
         let mut errors = Vec::new();
         let stationed = self.stationed.iter().map(|of| (Some(&of.station), &of.point));
         for (station, point) in self.points.iter().map(|point| (None, point)).chain(stationed) {
@@ -152,10 +153,9 @@ impl PointColumns {
         let forms: Vec<Pattern> = geometric.chain(visits).filter_map(|p| Pattern::parse(p.get_ref()).ok()).collect();
         // a join by label reports which points are not touched
         let joined = campaign.file.join_by() == Some(JoinBy::Label);
-        let idle = |p: &&Point| {
-            let used = joined || used.iter().any(|u| matches_pattern(u, &p.label));
-            p.target.is_none() && !used && !forms.iter().any(|f| f.read(&p.label, |_| false).is_some())
-        };
+        let is_used = |p: &Point| joined || used.iter().any(|u| matches_pattern(u, &p.label));
+        let has_form = |p: &Point| forms.iter().any(|f| f.read(&p.label, |_| false).is_some());
+        let idle = |p: &&Point| p.target.is_none() && !is_used(p) && !has_form(p);
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return Vec::new() };
         let message = warning!("labels-unused", count = idle.len(), label = &*first.label);

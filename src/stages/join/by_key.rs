@@ -8,12 +8,36 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::Unmatched;
 use etalon_formats::JointLog;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Maximum number of names of poses in a message, and of numbers.
 type Key = [Option<PoseName>; 2];
-/// Indices of rows by their key.
-type Keys = BTreeMap<Key, Vec<usize>>;
+/// Rows of one key, with the key.
+type Group<'k> = &'k [(Key, usize)];
+
+/// Rows by their keys.
+struct Keys {
+    /// Keys with the indices of their rows, sorted.
+    rows: Vec<(Key, usize)>,
+}
+
+impl Keys {
+    /// Rows with equal keys, key by key.
+    fn groups(&self) -> impl Iterator<Item = Group<'_>> + Clone {
+        self.rows.chunk_by(|a, b| a.0 == b.0)
+    }
+
+    /// The first row of a key.
+    fn first(&self, key: &Key) -> Option<usize> {
+        let at = self.rows.partition_point(|(other, _)| other < key);
+        self.rows.get(at).filter(|(other, _)| other == key).map(|(_, row)| *row)
+    }
+
+    /// The rows whose keys have no row there, key by key.
+    fn without<'k>(&'k self, there: &Keys) -> Vec<Group<'k>> {
+        self.groups().filter(|rows| there.first(&rows[0].0).is_none()).collect()
+    }
+}
 
 /// Maximum number of keys without a partner in a message.
 const SHOWN: usize = 8;
@@ -37,41 +61,40 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     let logged =
         collected(keys, &log.rows, |row, key| number(key, [row.row, row.file.unwrap_or(0)], row.pose, row.cycle))?;
     let name = &log.name;
-    let twice = logged.iter().filter(|(_, rows)| rows.len() > 1).map(|(key, rows)| {
-        let lines: Vec<usize> = rows.iter().map(|&row| log.rows[row].line).collect();
-        phrase!("key-in-lines", key = in_words(keys, key), lines)
+    let twice = logged.groups().filter(|rows| rows.len() > 1).map(|rows| {
+        let lines: Vec<usize> = rows.iter().map(|&(_, row)| log.rows[row].line).collect();
+        phrase!("key-in-lines", key = in_words(keys, &rows[0].0), lines)
     });
     let twice: Vec<_> = twice.collect();
     if !twice.is_empty() {
         return Err(error!("log-key-twice", log = name, count = twice.len(), keys = twice).into());
     }
-    misspelt(keys, (targets, &measured), (log, &logged))?;
-    let mut report =
-        |of: &str, at: &dyn Fn(usize, String, &Phrase) -> Unmatched, here: &Keys, there: &Keys, reason: Phrase| {
-            let alone: Vec<&Key> = here.keys().filter(|key| !there.contains_key(*key)).collect();
-            if !alone.is_empty() {
-                let mut shown: Vec<String> = alone.iter().take(SHOWN).map(|k| format!("[{}]", listed(k))).collect();
-                shown.extend((alone.len() > SHOWN).then(|| "...".to_owned()));
-                let message = warning!(
-                    "keys-unmatched",
-                    count = alone.len(),
-                    of,
-                    log = name,
-                    columns = keys.join(", "),
-                    keys = shown
-                );
-                remarks.messages.push(message.routine());
-            }
-            for key in alone {
-                remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), &reason)));
-            }
-        };
+    let alone = [measured.without(&logged), logged.without(&measured)];
+    misspelt(keys, (targets, &measured, &alone[0]), (log, &logged, &alone[1]))?;
+    let mut report = |of: &str, at: &dyn Fn(usize, String, &Phrase) -> Unmatched, alone: &[Group], reason: Phrase| {
+        if !alone.is_empty() {
+            let shown = alone.iter().take(SHOWN).map(|rows| format!("[{}]", listed(&rows[0].0)));
+            let mut shown: Vec<String> = shown.collect();
+            shown.extend((alone.len() > SHOWN).then(|| "...".to_owned()));
+            let message = warning!(
+                "keys-unmatched",
+                count = alone.len(),
+                of,
+                log = name,
+                columns = keys.join(", "),
+                keys = shown
+            );
+            remarks.messages.push(message.routine());
+        }
+        let rows = alone.iter().copied().flatten();
+        remarks.unmatched.extend(rows.map(|(key, row)| at(*row, in_words(keys, key), &reason)));
+    };
     let point = |i: usize, key, reason: &Phrase| At::point(targets[i].point).unmatched(key, reason);
-    report("points", &point, &measured, &logged, phrase!("no-row-of-key", log = name));
+    report("points", &point, &alone[0], phrase!("no-row-of-key", log = name));
     let row = |i: usize, key, reason: &Phrase| At::log(log, &log.rows[i]).unmatched(key, reason);
-    report("log", &row, &logged, &measured, phrase!("no-point-of-key"));
-    let met = measured.iter().filter_map(|(key, rows)| Some((rows, &log.rows[*logged.get(key)?.first()?])));
-    let pairs = met.flat_map(|(rows, met)| rows.iter().map(move |&i| (&targets[i], met)));
+    report("log", &row, &alone[1], phrase!("no-point-of-key"));
+    let met = measured.groups().filter_map(|rows| Some((rows, &log.rows[logged.first(&rows[0].0)?])));
+    let pairs = met.flat_map(|(rows, met)| rows.iter().map(move |&(_, i)| (&targets[i], met)));
     if keys[0] == "row" {
         contradictions(log, pairs.clone().map(|(target, met)| (target.point, met)))?;
     }
@@ -80,17 +103,21 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
 
 /// Returns an error if measured points and the log both have keys without a partner, and one of
 /// these is a pose with a text that the other lacks: a misspelling.
-fn misspelt(keys: &[&str], (targets, measured): (&[Target], &Keys), (log, logged): (&JointLog, &Keys)) -> Result<()> {
-    let alone = |here: &Keys, there: &Keys| -> Vec<(PoseName, usize)> {
-        let lone = here.iter().filter(|(key, _)| !there.contains_key(*key));
-        lone.filter_map(|(key, rows)| Some((key[0]?, *rows.first()?))).collect()
+fn misspelt(
+    keys: &[&str],
+    (targets, measured, lone_targets): (&[Target], &Keys, &[Group]),
+    (log, logged, lone_rows): (&JointLog, &Keys, &[Group]),
+) -> Result<()> {
+    let posed = |lone: &[Group]| -> Vec<(PoseName, usize)> {
+        lone.iter().filter_map(|rows| Some((rows[0].0[0]?, rows[0].1))).collect()
     };
-    let (here, there) = (alone(measured, logged), alone(logged, measured));
+    let (here, there) = (posed(lone_targets), posed(lone_rows));
     if keys[0] != "pose" || here.is_empty() || there.is_empty() {
         return Ok(());
     }
     let wrong = |alone: &[(PoseName, usize)], other: &Keys| {
-        let unknown = |pose: PoseName| pose.number().is_none() && other.keys().all(|key| key[0] != Some(pose));
+        let unknown =
+            |pose: PoseName| pose.number().is_none() && other.rows.iter().all(|(key, _)| key[0] != Some(pose));
         alone.iter().copied().find(|(pose, _)| unknown(*pose))
     };
     let (of, pose, place, others) = match (wrong(&there, measured), wrong(&here, logged)) {
@@ -105,16 +132,15 @@ fn misspelt(keys: &[&str], (targets, measured): (&[Target], &Keys), (log, logged
 
 /// Rows by their keys, which all rows must have.
 fn collected<T>(keys: &[&str], rows: &[T], number: impl Fn(&T, &str) -> Option<PoseName>) -> Result<Keys> {
-    let mut all = Keys::new();
     for key in keys {
         if rows.iter().any(|row| number(row, key).is_none()) {
             return Err(Problems::from(error!("join-key-missing", key)));
         }
     }
-    for (i, row) in rows.iter().enumerate() {
-        all.entry(std::array::from_fn(|k| number(row, keys.get(k)?))).or_default().push(i);
-    }
-    Ok(all)
+    let key = |row: &T| std::array::from_fn(|k| number(row, keys.get(k)?));
+    let mut rows: Vec<(Key, usize)> = rows.iter().enumerate().map(|(i, row)| (key(row), i)).collect();
+    rows.sort_unstable();
+    Ok(Keys { rows })
 }
 
 fn listed(key: &Key) -> String {

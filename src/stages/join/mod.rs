@@ -468,9 +468,10 @@ fn check_stated(log: &JointLog, robot: &dyn Robot) -> Result<()> {
 }
 
 /// The rows without those before the first motion of a joint with backlash.
-fn leave_out_unknown(rows: Vec<Row>, log: &JointLog, remarks: &mut Remarks) -> Vec<Row> {
-    let (rows, lost): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.joints.iter().all(|q| !q.is_nan()));
-    if !lost.is_empty() {
+fn leave_out_unknown(mut rows: Vec<Row>, log: &JointLog, remarks: &mut Remarks) -> Vec<Row> {
+    let is_known = |row: &Row| row.joints.iter().all(|q| !q.is_nan());
+    if !rows.iter().all(is_known) {
+        let lost: Vec<Row> = rows.extract_if(.., |row| !is_known(row)).collect();
         let poses: BTreeSet<PoseName> = lost.iter().filter_map(|row| row.pose).collect();
         remarks.messages.push(warning!("backlash-direction-unknown", log = log.name, poses = listed(&poses)));
     }

@@ -13,7 +13,7 @@ use etalon_formats::{JointLog, SharedText};
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
 use polars::prelude::{Column, DataFrame};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Observations with one log, or of a table.
 #[derive(Clone, Debug)]
@@ -237,13 +237,11 @@ impl JoinedLog {
     /// Returns a warning if some poses lack a target that others have. The cause may be a file of
     /// several targets whose rows are numbered as poses.
     pub(super) fn incomplete(&self, of_rows: Option<&str>) -> Option<Message> {
-        let mut seen: BTreeMap<(PoseName, i64), usize> = BTreeMap::new();
-        for m in &self.measured {
-            *seen.entry((m.pose, m.cycle)).or_default() += 1;
-        }
-        let lacking = |(_, n): &(&(PoseName, i64), &usize)| **n < self.targets.len();
-        let poses: BTreeSet<PoseName> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
-        let alone = seen.values().all(|count| *count == 1);
+        // sorted by pose and cycle
+        let seen = || self.measured.chunk_by(|a, b| (a.pose, a.cycle) == (b.pose, b.cycle));
+        let lacking = seen().filter(|of| of.len() < self.targets.len());
+        let poses: BTreeSet<PoseName> = lacking.map(|of| of[0].pose).collect();
+        let alone = seen().all(|of| of.len() == 1);
         let message =
             (!poses.is_empty()).then(|| warning!("targets-missing", count = poses.len(), poses = listed(&poses)))?;
         Some(match of_rows.filter(|_| alone) {

@@ -8,6 +8,7 @@ use etalon::identify::{
     DistanceErrors, JudgedErrors, Observation, RelativeErrors, Settings, Systematic, fit_frames, refit_frames,
     wanted_frames,
 };
+use etalon::math::statistics::SizeStatistics;
 use etalon::robots::{Prexyt, Quantity, Robot, Role};
 
 const U_MM: f64 = 0.002;
@@ -93,13 +94,20 @@ fn settings() -> Settings {
 }
 
 fn figures(errors: &DistanceErrors) -> [f64; 3] {
-    let mut sizes = errors.after_mm.clone();
+    let [_, after] = errors.sizes_mm;
+    [after.rms, after.p95, after.max]
+}
+
+/// Number of sizes, their mean, root mean square, 95th percentile and maximum.
+fn by_hand(mut sizes: Vec<f64>) -> (usize, [f64; 4]) {
     sizes.sort_by(f64::total_cmp);
-    let rank = 0.95 * (sizes.len() - 1) as f64;
+    let count = sizes.len();
+    let rank = 0.95 * (count - 1) as f64;
     let low = sizes[rank.floor() as usize];
     let p95 = low + rank.fract() * (sizes[rank.floor() as usize + 1] - low);
-    let rms = (sizes.iter().map(|e| e * e).sum::<f64>() / sizes.len() as f64).sqrt();
-    [rms, p95, sizes[sizes.len() - 1]]
+    let mean = sizes.iter().sum::<f64>() / count as f64;
+    let rms = (sizes.iter().map(|e| e * e).sum::<f64>() / count as f64).sqrt();
+    (count, [mean, rms, p95, sizes[count - 1]])
 }
 
 #[test]
@@ -122,16 +130,16 @@ fn distances_are_those_of_the_positions_and_the_base_has_no_effect() {
                     }
                 }
             }
-            sizes
+            by_hand(sizes)
         };
-        let close = |a: &[f64], b: &[f64]| {
-            assert_eq!(a.len(), b.len());
-            let worst = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            assert!(worst < 1e-9, "{} {worst}", robot.model());
+        let close = |errors: &DistanceErrors, side: usize, (count, expected): (usize, [f64; 4])| {
+            let SizeStatistics { mean, rms, p95, max } = errors.sizes_mm[side];
+            let worst = [mean, rms, p95, max].iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(errors.pairs == count && worst < 1e-9, "{} {worst}", robot.model());
         };
-        close(&found.all.after_mm, &of(&case.truth));
-        close(&found.all.before_mm, &of(&before));
-        assert_eq!(found.steps.iter().map(|s| s.after_mm.len()).sum::<usize>(), found.available);
+        close(&found.all, 0, of(&before));
+        close(&found.all, 1, of(&case.truth));
+        assert_eq!(found.steps.iter().map(|s| s.pairs).sum::<usize>(), found.available);
         let mut elsewhere = case.truth.clone();
         for (value, p) in elsewhere.iter_mut().zip(robot.parameters()) {
             if p.role == Role::Base {
@@ -139,7 +147,7 @@ fn distances_are_those_of_the_positions_and_the_base_has_no_effect() {
             }
         }
         assert_ne!(elsewhere, case.truth);
-        close(&case.distances(&measured, &before, &elsewhere).expect("distances").all.after_mm, &found.all.after_mm);
+        close(&case.distances(&measured, &before, &elsewhere).expect("distances").all, 1, of(&case.truth));
         // repeats of one pose are no distance
         let again: Vec<Observation> = measured[..24].iter().chain(&measured[..2]).cloned().collect();
         assert!(case.distances(&again, &before, &case.truth).is_none(), "the two readings measure one pose");
