@@ -592,7 +592,7 @@ mod tests {
         assert_eq!(stated.targets_or("tool"), ["SMR", "ball"]);
         let robot = stated.build(&stated.targets_or("tool")).unwrap();
         assert_eq!(robot.parameters()[robot.index("SMR_x").unwrap()].nominal, 80.0);
-        // a misspelt parameter is no target
+        // a misspelt parameter is not taken for a target
         for slip in ["bas_x = 80", "thta_1 = 2", "_x = 1"] {
             let file = read(&format!("[nominal]\n{slip}\n"));
             assert_eq!(file.targets_or("tool"), ["tool"], "{slip}");

@@ -41,7 +41,7 @@ impl ReferencePose {
 
     /// Largest distance (mm) between these points and those of a robot with the nominal values of
     /// the document. Infinite if the robot lacks the branch, the joints or the pose; zero for a
-    /// branch of which this robot has no target.
+    /// branch without targets.
     fn distance_mm(&self, robot: &dyn Robot, nominal: &[f64], with_varied: bool) -> f64 {
         let branch = match &self.branch {
             Some(link) => robot.branches().iter().position(|known| known == link),

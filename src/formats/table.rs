@@ -275,28 +275,27 @@ pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
     writer.into_inner().map_err(failed)
 }
 
-/// Returns a writer for this number of rows. For small tables, waking threads and setting up zstd
-/// would take longer than writing.
-fn writer<W: Write>(into: W, rows: usize) -> ParquetWriter<W> {
-    ParquetWriter::new(into).with_compression(ParquetCompression::Snappy).set_parallel(rows > 100_000)
+/// Returns a writer on one thread. For small tables, waking threads and setting up zstd would take
+/// longer than writing.
+fn writer<W: Write>(into: W) -> ParquetWriter<W> {
+    ParquetWriter::new(into).with_compression(ParquetCompression::Snappy).set_parallel(false)
 }
 
-/// Default number of rows of a row group of polars.
-const ROW_GROUP: usize = 512 * 512;
+/// Number of rows above which a table is written in row groups and in parallel.
+const LARGE: usize = 100_000;
 
 /// Returns the table as Parquet.
 pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let writer = writer(&mut bytes, table.height());
-    if table.height() >= ROW_GROUP {
-        writer.finish(table).map_err(failed)?;
+    if table.height() > LARGE {
+        writer(&mut bytes).set_parallel(true).finish(table).map_err(failed)?;
         return Ok(bytes);
     }
     // the same bytes; cutting into row groups fills 8 MB of zeros first
     table.rechunk_mut();
-    let mut batched = writer.batched(table.schema()).map_err(failed)?;
-    batched.write_batch(table).map_err(failed)?;
-    batched.finish().map_err(failed)?;
+    let mut groups = RowGroups::new(&mut bytes, table)?;
+    groups.add(table)?;
+    groups.finish()?;
     Ok(bytes)
 }
 
@@ -306,7 +305,7 @@ pub struct RowGroups<W: Write + Send>(BatchedWriter<W>);
 impl<W: Write + Send> RowGroups<W> {
     /// Starts a table with the columns of `like`.
     pub fn new(into: W, like: &DataFrame) -> Result<Self> {
-        writer(into, 0).batched(like.schema()).map(Self).map_err(failed)
+        writer(into).batched(like.schema()).map(Self).map_err(failed)
     }
 
     /// Adds the rows of a table.

@@ -29,14 +29,18 @@ pub fn standard_deviation(values: &[f64]) -> f64 {
 /// Quantile of values in any order, interpolated linearly between order statistics (definition 7 of
 /// Hyndman & Fan 1996, as in spreadsheets); `None` without values. Rearranges the values.
 pub fn quantile(values: &mut [f64], share: f64) -> Option<f64> {
-    let rank = share * values.len().saturating_sub(1) as f64;
-    let at = rank.floor() as usize;
-    if at >= values.len() {
-        return None;
-    }
+    let (at, part) = rank(values.len(), share)?;
     let (_, &mut low, above) = values.select_nth_unstable_by(at, f64::total_cmp);
     let high = above.iter().copied().min_by(f64::total_cmp).unwrap_or(low);
-    Some(low + rank.fract() * (high - low))
+    Some(low + part * (high - low))
+}
+
+/// Index of the order statistic at or below a quantile of `count` values, and the weight of the
+/// next one; `None` without values.
+fn rank(count: usize, share: f64) -> Option<(usize, f64)> {
+    let rank = share * count.saturating_sub(1) as f64;
+    let at = rank.floor() as usize;
+    (at < count).then(|| (at, rank.fract()))
 }
 
 /// Values about a quantile of sizes, and the largest size.
@@ -56,17 +60,13 @@ impl UpperTail {
     /// Tail of the sizes (absolute values) of values in any order, as [`quantile`]; `None` without
     /// values. Rearranges the values and removes their signs.
     pub fn of_sizes(values: &mut [f64], share: f64) -> Option<Self> {
-        let rank = share * values.len().saturating_sub(1) as f64;
-        let at = rank.floor() as usize;
-        if at >= values.len() {
-            return None;
-        }
+        let (at, part) = rank(values.len(), share)?;
         // bits of non-negative numbers are in the order of the numbers
         values.iter_mut().for_each(|v| *v = v.abs());
         let (_, &mut low, above) = values.select_nth_unstable_by_key(at, |v| v.to_bits());
         let bits = || above.iter().map(|v| v.to_bits());
         let of = |bits: Option<u64>| bits.map_or(low, f64::from_bits);
-        Some(Self { low, high: of(bits().min()), part: rank.fract(), max: of(bits().max()) })
+        Some(Self { low, high: of(bits().min()), part, max: of(bits().max()) })
     }
 
     /// The quantile.

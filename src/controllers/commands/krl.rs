@@ -130,8 +130,8 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     None
 }
 
-/// Collects tools and bases of a program; returns errors for tools and bases of which it states a
-/// part.
+/// Collects the tools and bases of a program; returns an error for each tool or base with missing
+/// coordinates.
 fn frames(text: &[u8], found: &mut Program) -> Vec<Message> {
     let text = String::from_utf8_lossy(text).to_ascii_uppercase();
     for (key, into) in [("TOOL_NO ", &mut found.tools), ("BASE_NO ", &mut found.objects)] {

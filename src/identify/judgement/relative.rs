@@ -291,19 +291,12 @@ fn pairs(groups: &[Vec<Reading>], readings: &[&Reading]) -> (Vec<Pair>, usize) {
         poses.sort_unstable();
         available -= poses.chunk_by(|a, b| a == b).map(|same| pairs_of(same.len())).sum::<usize>();
         let end = start + pairs_of(group.len());
-        let mut add = |[i, j]: [usize; 2]| {
+        let mut j = 1;
+        while let Some(index) = indices.next_if(|index| *index < end) {
+            let i;
+            [i, j] = pair_at(index - start, j);
             if group[i].pose != group[j].pose {
                 chosen.push(Pair::of([i, j].map(|k| (first + k) as u32), readings));
-            }
-        };
-        if count <= MOST_PAIRS {
-            (1..group.len()).flat_map(|j| (0..j).map(move |i| [i, j])).for_each(add);
-        } else {
-            let mut j = 1;
-            while let Some(index) = indices.next_if(|index| *index < end) {
-                let pair = pair_at(index - start, j);
-                j = pair[1];
-                add(pair);
             }
         }
         first += group.len();

@@ -79,7 +79,7 @@ pub struct Explanation {
 
 impl Explanation {
     /// `true` if the change is significant, and the remaining residuals agree with the parameters.
-    /// Noise in the remaining residuals alone is no change of a part.
+    /// Remaining residuals that are only noise do not prove that a part changed.
     pub fn suffices(&self) -> bool {
         self.p_left > EXPLAINED && self.is_significant()
     }

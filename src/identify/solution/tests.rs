@@ -1,5 +1,5 @@
-//! Tests of arms whose axes are parallel or antiparallel, of which some slide: the same residuals
-//! in each convention, sound covariances, and the right minimum with a held length.
+//! Tests of arms with parallel or antiparallel axes and prismatic joints: equal residuals in each
+//! convention, sound covariances, and the right minimum with a held length.
 
 use crate::{Effects, Observation, Prior, Settings, Status, identify};
 use etalon_base::noise::Noise;

@@ -257,7 +257,7 @@ fn exchanged(
     found.next().filter(|_| measured > 2 && found.next().is_none())
 }
 
-/// Errors for targets of a rigid part of which all rows are refused.
+/// Errors for targets of a rigid part whose rows are all rejected.
 fn wholly_refused(
     campaign: &Campaign,
     rigid: &Rigid,

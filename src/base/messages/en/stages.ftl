@@ -1481,9 +1481,9 @@ robot-geometry-changed = robot.toml describes another geometry than that of the 
     }
     .hint = name the robot.toml with which the parameters were identified, or identify again
 
-# Means: robot.toml is not the file with which the parameters were identified, and parameters.json is
-# of an earlier version, which holds no positions of the flange.
-# Matters: Nominal geometry that is no parameter may differ, as in a robot in screw axes (`poe`).
+# Means: robot.toml differs from the file that the identification used. parameters.json is from an
+# earlier version and stores no flange positions to compare.
+# Matters: Nominal geometry outside the parameters may differ, for example screw axes (`poe`).
 # Do: Run the campaign again: the new parameters.json is compared with robot.toml.
 # Example: parameters.json of version 0.1, and a robot.toml that was edited since
 robot-geometry-unknown = robot.toml is not a file of the identification, and parameters.json holds no geometry to compare it with
