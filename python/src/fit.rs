@@ -4,7 +4,7 @@ use crate::errors::{json, refused};
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_documents::FitDocument;
-use etalon_fit::{CircleMethod, Element, Fit, FitSettings, Probe, Side};
+use etalon_fit::{CircleMethod, Element, Fit, FitSettings, Probe, Side, Source};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -77,8 +77,13 @@ pub fn fit(
     let weights = options.weights.as_ref().map(|weights| weights.as_slice()).transpose()?;
     let circle = if options.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
     let settings = FitSettings { weights, radius_mm: options.radius_mm, axis: options.axis, circle, probe };
-    let found = py.detach(|| etalon_fit::element(element, points, &settings)).map_err(refused)?;
-    Ok((json(&FitDocument::new(None, &found))?, Some(Fitted(found))))
+    let fitted = py.detach(|| {
+        let found = etalon_fit::element(element, points, &settings)?;
+        let messages = etalon_fit::warnings(&found, &Source::from(points), &settings);
+        Ok((FitDocument::new(None, &found).with_messages(messages), found))
+    });
+    let (document, found) = fitted.map_err(refused)?;
+    Ok((json(&document)?, Some(Fitted(found))))
 }
 
 impl Options<'_> {

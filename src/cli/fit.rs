@@ -274,8 +274,8 @@ impl FitCommand {
                     return Ok(FitDocument::robust(label, &etalon_fit::robust_element(element, &all(), &settings)?));
                 }
                 let fit = etalon_fit::element(element, points.clone(), &settings)?;
-                let foreign = etalon_fit::foreign_points(&fit, &points, &settings);
-                Ok(FitDocument::new(label, &fit).with_foreign(foreign.as_ref()))
+                let messages = etalon_fit::warnings(&fit, &points, &settings);
+                Ok(FitDocument::new(label, &fit).with_messages(messages))
             }
         }
     }

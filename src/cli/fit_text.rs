@@ -17,16 +17,19 @@ pub(super) fn as_text(document: &FitDocument) -> String {
     let mut line = |name: Phrase, value: Option<String>, unit: &str, u: Option<f64>| {
         if let Some(value) = value {
             let name = name.to_string();
+            // a direction is a unit vector, its uncertainty an angle
+            let unit_of_u = if unit.is_empty() { "deg" } else { unit };
             let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-            let u = u.map(|u| format!("  (u = {}{unit})", small(u))).unwrap_or_default();
+            let u = u.map(|u| format!("  (u = {} {unit_of_u})", small(u))).unwrap_or_default();
             let _ = writeln!(text, "  {name:<12} {value}{unit}{u}");
         }
     };
     let point = document.center_mm.as_ref().or(document.point_mm.as_ref());
     let point_name = if document.center_mm.is_some() { phrase!("fit-center") } else { phrase!("fit-point") };
     line(point_name, point.map(vector), "mm", u.map(|u| u.point_mm));
-    line(phrase!("fit-normal"), document.normal.as_ref().map(vector), "", None);
-    line(phrase!("fit-axis"), document.axis.as_ref().map(vector), "", None);
+    let direction_u = u.and_then(|u| u.direction_deg);
+    line(phrase!("fit-normal"), document.normal.as_ref().map(vector), "", direction_u);
+    line(phrase!("fit-axis"), document.axis.as_ref().map(vector), "", direction_u);
     line(phrase!("fit-radius"), document.radius_mm.map(|r| format!("{r:.6}")), "mm", u.and_then(|u| u.radius_mm));
     line(
         phrase!("fit-minor-radius"),

@@ -5,7 +5,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{phrase, warning};
-use etalon_fit::{Compensation, Element, Enclosing, Fit, ForeignPoints, MinimumZone, RobustElement, Side};
+use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, RobustElement, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -46,11 +46,13 @@ pub struct FitDocument {
     /// Full angle of a cone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub apex_angle_deg: Option<f64>,
-    /// Root mean square of the orthogonal distances.
+    /// Root mean square of the orthogonal distances; for a circle in space by projection, of the
+    /// distances within its plane.
     pub rms_mm: f64,
-    /// Largest orthogonal distance.
+    /// Largest of these distances.
     pub max_mm: f64,
-    /// Form deviation, peak to valley.
+    /// Form deviation, peak to valley; for a line in space, or a circle by orthogonal distances,
+    /// the diameter of the enclosing tube.
     pub form_mm: f64,
     /// Arc of the circumference that is covered by points.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -187,15 +189,6 @@ pub struct FitSolver {
     pub condition: Option<f64>,
 }
 
-/// Numbers of points in a message.
-fn listed(numbers: &[usize]) -> String {
-    let shown: Vec<String> = numbers.iter().take(MOST_LISTED).map(usize::to_string).collect();
-    shown.join(", ") + if numbers.len() > MOST_LISTED { ", ..." } else { "" }
-}
-
-/// Largest number of points that a message lists.
-const MOST_LISTED: usize = 20;
-
 impl FitDocument {
     /// Creates the document of a least-squares fit.
     pub fn new(label: Option<String>, fit: &Fit) -> Self {
@@ -249,22 +242,14 @@ impl FitDocument {
         let numbers: Vec<usize> = found.set_aside.iter().map(|i| i + 1).collect();
         let mut document = Self::new(label, &found.fit);
         document.points += numbers.len();
-        if !numbers.is_empty() {
-            let listed = listed(&numbers);
-            document.messages.push(warning!("points-set-aside", count = numbers.len(), points = listed));
-        }
+        document.messages.extend(found.warning());
         document.set_aside = Some(numbers);
         document
     }
 
-    /// Adds the warning that foreign points shift the fit.
-    pub fn with_foreign(mut self, foreign: Option<&ForeignPoints>) -> Self {
-        if let Some(foreign) = foreign {
-            let numbers: Vec<usize> = foreign.points.iter().map(|i| i + 1).collect();
-            let (count, points, shift) = (numbers.len(), listed(&numbers), foreign.shift);
-            self.messages.push(warning!("foreign-points", count, points, shift));
-        }
-        self
+    /// Replaces the warnings by all warnings about the points and the element.
+    pub fn with_messages(self, messages: Vec<Message>) -> Self {
+        Self { messages, ..self }
     }
 
     /// Creates the document of a smallest enclosing circle or sphere. Residuals are distances from
@@ -309,7 +294,7 @@ impl FitDocument {
                 .plane
                 .as_deref()
                 .map(|plane| FitFlatness { flatness_mm: plane.form_mm, contacts: FitContacts::new(plane) }),
-            messages: (!found.verified).then(unproved).into_iter().collect(),
+            messages: found.warnings.iter().cloned().chain((!found.verified).then(unproved)).collect(),
             contacts: Some(contacts),
             ..Self::of_extremes(
                 found.element.name(),

@@ -6,7 +6,7 @@ use super::cloud::{Cloud, Gather, SAMPLE, Source};
 use super::coverage::{Arc, Cap};
 use super::element::{CircleMethod, Element, FitSettings};
 use super::f64x8::{F64x8, Points, along, less, square};
-use super::line_and_plane::{diagonal_matrix, plane_variances};
+use super::line_and_plane::{diagonal_matrix, normal_uncertainty, plane_variances};
 use super::result::{ElementCovariance, Fit, QUANTITIES, Residuals, largest_component_positive, propagate};
 use super::solver::{Refined, Surface, refine};
 use etalon_base::message::Result;
@@ -90,7 +90,7 @@ pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit>
     let held = settings.check(Element::Circle3d)?;
     let cloud = Cloud::new(Element::Circle3d, points, settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
-    let heights = Residuals::of(&cloud, |q| [along(q, normal)]);
+    let heights = Residuals::of(&cloud, |q| along(q, normal));
     let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), heights.squares);
     let circle = refine_circle(&cloud, chart, settings);
     let [a, b, radius] = circle.x;
@@ -103,6 +103,7 @@ pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit>
     fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, [a, b], cloud.scale_mm));
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
     fit.method = phrase!("method-circle-in-plane");
+    fit.principal_rad = normal_uncertainty(&cloud).filter(|_| held.is_none());
     fit.direction = Some(normal);
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.finished(settings)
@@ -146,6 +147,11 @@ impl Surface<6, 2> for Ring {
         [(at.rho - x[5], widen(at.d_rho, -1.0)), (at.t, widen(at.d_t, 0.0))]
     }
 
+    #[inline(always)]
+    fn residual([within, above]: [F64x8; 2]) -> F64x8 {
+        (within * within + above * above).sqrt()
+    }
+
     fn recharted(&self, x: &[f64; 6]) -> (Self, [f64; 6]) {
         let (chart, x) = self.chart.moved(x);
         (Self { chart }, x)
@@ -171,7 +177,9 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
     let mut fit = refined.to_fit(Element::Circle3d, cloud, centre, Arc::about(&chart, centre))?;
     // largest component positive, whatever the orientation of the chart
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
-    let heights = Residuals::of(cloud, |q| [chart.seen(q, [a, b, h])[2]]);
+    let heights = Residuals::of(cloud, |q| chart.seen(q, [a, b, h])[2]);
+    fit.circle = CircleMethod::Orthogonal;
+    fit.principal_rad = normal_uncertainty(cloud).filter(|_| !axis_held);
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
     fit.radius_mm = Some(radius * cloud.scale_mm);
     fit.finished(settings)

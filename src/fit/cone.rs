@@ -7,12 +7,12 @@ use super::element::{Element, FitSettings};
 use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES};
 use super::search::{Axial, no_start, rival_warning, search};
-use super::solver::{Refined, Surface, refine};
+use super::solver::{ITERATIONS, Refined, Surface, descend, refine};
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::warning;
 use nalgebra::{Matrix5, Vector5};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Fits a cone to at least six non-coplanar points.
 ///
@@ -30,7 +30,16 @@ pub(super) fn cone_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let upright = |funnel, x| Some(widening(funnel, x)).filter(|(_, x): &(Funnel, [f64; 7])| x[5] > 0.0);
     let found = search(&cloud, held, free, |few, chart| vec![cone_along(few, chart)], upright);
     let found = found.ok_or_else(|| no_start(Element::Cone))?;
-    let mut fit = finished(&cloud, &refine(found.surface, &cloud, found.start, free), settings)?;
+    let mut refined = refine(found.surface, &cloud, found.start, free);
+    if !(0.0..=FRAC_PI_2).contains(&refined.x[6]) {
+        // a cone close to a plane or cylinder has widened or narrowed beyond it
+        let (funnel, x) = widening(refined.surface, refined.x);
+        refined = descend(funnel, &cloud, x, free, ITERATIONS);
+    }
+    if refined.x[5] <= 0.0 {
+        return Err(no_start(Element::Cone));
+    }
+    let mut fit = finished(&cloud, &refined, settings)?;
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cone)));
     Ok(fit)
 }
@@ -46,6 +55,9 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings)
     let uncertain = fit.standard_uncertainty().and_then(|u| u.apex_angle_rad);
     if uncertain.is_some_and(|u| u > half_angle.abs()) {
         fit.warnings.push(warning!("cone-is-cylinder"));
+    }
+    if uncertain.is_some_and(|u| u > FRAC_PI_2 - half_angle.abs()) {
+        fit.warnings.push(warning!("cone-is-plane"));
     }
     fit.finished(settings)
 }
@@ -169,7 +181,6 @@ impl Axial<7, 1> for Funnel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn a_cone_turned_to_widen_is_the_same_cone() {

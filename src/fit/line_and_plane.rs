@@ -5,7 +5,7 @@ use super::chart::Chart;
 use super::cloud::{Cloud, Source};
 use super::element::{Element, FitSettings};
 use super::f64x8::along;
-use super::result::{Fit, Residuals, largest_component_positive, propagate};
+use super::result::{Fit, Residuals, largest_component_positive, principal_uncertainty, propagate};
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus};
 
@@ -36,22 +36,24 @@ pub(super) fn fit(element: Element, points: Source, settings: &FitSettings) -> R
     };
     let residuals = Residuals::of(&cloud, |q| {
         let [x, y, _] = chart.seen(q, [0.0; 3]);
-        [if flat { y } else { (x * x + y * y).sqrt() }]
+        if flat { y } else { (x * x + y * y).sqrt() }
     });
     let (n, squares) = (cloud.len(), residuals.squares);
     let equations = if flat { n } else { 2 * n };
     let parameters = (if flat { 1 } else { 2 }) * (if held.is_some() { 1 } else { 2 });
     let degrees_of_freedom = equations - parameters;
+    let [longest, across, _] = cloud.spread;
     let mut fit = Fit::new(element, &cloud, [0.0; 3], residuals);
     fit.direction = Some(direction);
     fit.degrees_of_freedom = degrees_of_freedom;
     if degrees_of_freedom > 0 {
         let variance = squares / degrees_of_freedom as f64;
         let place = variance / n as f64;
-        let tilt = if held.is_some() { 0.0 } else { variance / (cloud.spread[0] * cloud.spread[0]) };
+        let tilt = if held.is_some() { 0.0 } else { variance / (longest * longest) };
         // in the plane nothing moves along e1 = z
         let diagonal = if flat { [0.0, place, 0.0, 0.0, tilt] } else { [place, place, 0.0, tilt, tilt] };
         fit.covariance = Some(propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm));
+        fit.principal_rad = principal_uncertainty(longest, across, n - 2).filter(|_| held.is_none());
     }
     fit.finished(settings)
 }
@@ -97,18 +99,26 @@ pub(super) fn plane_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Plane)?;
     let cloud = Cloud::new(Element::Plane, points, settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
-    let residuals = Residuals::of(&cloud, |q| [along(q, normal)]);
+    let residuals = Residuals::of(&cloud, |q| along(q, normal));
     let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), residuals.squares);
     let degrees_of_freedom = cloud.len() - if held.is_some() { 1 } else { 3 };
     let mut fit = Fit::new(Element::Plane, &cloud, [0.0; 3], residuals);
     fit.direction = Some(normal);
     fit.degrees_of_freedom = degrees_of_freedom;
     fit.condition = if held.is_some() { 1.0 } else { cloud.spread[0] / cloud.spread[1] };
+    fit.principal_rad = normal_uncertainty(&cloud).filter(|_| held.is_none());
     fit.covariance = variances.map(|diagonal| {
         // only height moves the plane; its point may slide sideways
         propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm)
     });
     fit.finished(settings)
+}
+
+/// Standard uncertainty (rad) of the normal that separates the two smallest spreads of points;
+/// `None` without redundancy.
+pub(super) fn normal_uncertainty(cloud: &Cloud) -> Option<f64> {
+    let [_, across, height] = cloud.spread;
+    principal_uncertainty(across, height, cloud.len().saturating_sub(3))
 }
 
 /// Variances of (a, b, h, u, v) of a plane in a chart along the principal axes of the points. As

@@ -15,7 +15,7 @@ use super::result::largest_component_positive;
 use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
 use super::zone::{FARTHEST, MinimumZone, SLACK, sides};
 use etalon_base::error;
-use etalon_base::message::Result;
+use etalon_base::message::{Message, Result, Severity};
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -23,8 +23,21 @@ use std::rc::Rc;
 /// Finds the minimum zone of an element; for a line or circle in the plane, z of the points is
 /// ignored.
 ///
+/// Its warnings are those of the least-squares fit of the same points.
+///
 /// Fails for a line in space and a torus, and if the points do not determine the element uniquely.
 pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> {
+    let zone = narrowest(element, points)?;
+    let settings = FitSettings::default();
+    let warnings = match super::element(element, points, &settings) {
+        Ok(fit) => super::warnings(&fit, &Source::from(points), &settings),
+        // extreme points determine a zone where all points together determine no element
+        Err(problems) => problems.0.into_iter().map(|m| Message { severity: Severity::Warning, ..m }).collect(),
+    };
+    Ok(MinimumZone { warnings, ..zone })
+}
+
+fn narrowest(element: Element, points: &[Vector]) -> Result<MinimumZone> {
     let flat = || points.iter().map(|p| [p[0], p[1]]).collect::<Vec<_>>();
     match element {
         Element::Line2d => line2d(&flat()),

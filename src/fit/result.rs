@@ -8,7 +8,7 @@
 //! unchanged, and the result equals a fit to the contact points.
 
 use super::cloud::{Cloud, Gather};
-use super::element::{Element, FitSettings, Probe, Side};
+use super::element::{CircleMethod, Element, FitSettings, Probe, Side};
 use super::f64x8::{F64x8, Points};
 use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::{Message, Problems, Result};
@@ -77,15 +77,25 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// Residuals of all points from their `K` distances; the first distance is the residual.
-    pub(super) fn of<const K: usize>(cloud: &Cloud, distances: impl Fn(Points) -> [F64x8; K] + Sync) -> Self {
-        Self::and(cloud, distances, ()).0
+    /// Residuals of all points from their distances.
+    pub(super) fn of(cloud: &Cloud, distance: impl Fn(Points) -> F64x8 + Sync) -> Self {
+        Self::and(
+            cloud,
+            #[inline(always)]
+            |q| {
+                let distance = distance(q);
+                (distance, [distance])
+            },
+            (),
+        )
+        .0
     }
 
-    /// Computes [`Residuals::of`] and another accumulator in one pass over the points.
+    /// Residuals of all points, whose `K` minimised distances are beside the residual, and another
+    /// accumulator in one pass over the points.
     pub(super) fn and<const K: usize, G: Gather>(
         cloud: &Cloud,
-        distances: impl Fn(Points) -> [F64x8; K] + Sync,
+        distances: impl Fn(Points) -> (F64x8, [F64x8; K]) + Sync,
         other: G,
     ) -> (Self, G::Sum) {
         let (zero, least, most) = (F64x8::default(), F64x8::all(f64::INFINITY), F64x8::all(f64::NEG_INFINITY));
@@ -105,7 +115,7 @@ impl Residuals {
 }
 
 /// Accumulates weighted squares of all distances of a point, and squares, minimum and maximum of
-/// the first distance.
+/// its residual.
 struct Remaining<'a, F> {
     distances: &'a F,
     squares: F64x8,
@@ -120,18 +130,18 @@ impl<F> Clone for Remaining<'_, F> {
     }
 }
 
-impl<const K: usize, F: Fn(Points) -> [F64x8; K] + Sync> Gather for Remaining<'_, F> {
+impl<const K: usize, F: Fn(Points) -> (F64x8, [F64x8; K]) + Sync> Gather for Remaining<'_, F> {
     type Sum = [f64; 4];
 
     #[inline(always)]
     fn take(&mut self, q: Points, w: F64x8) {
-        let distances = (self.distances)(q);
+        let (residual, distances) = (self.distances)(q);
         for d in distances {
             self.squares = self.squares.plus(w * d, d);
         }
-        self.plain = self.plain.plus(w.presence() * distances[0], distances[0]);
-        self.least = self.least.min(distances[0]);
-        self.most = self.most.max(distances[0]);
+        self.plain = self.plain.plus(w.presence() * residual, residual);
+        self.least = self.least.min(residual);
+        self.most = self.most.max(residual);
     }
 
     fn close(self) -> [f64; 4] {
@@ -148,6 +158,8 @@ impl<const K: usize, F: Fn(Points) -> [F64x8; K] + Sync> Gather for Remaining<'_
 pub struct Fit {
     /// Fitted element.
     pub element: Element,
+    /// Method of a circle in space, which determines its residuals.
+    pub circle: CircleMethod,
     /// Centre of a circle, sphere or torus; centroid of the points for a plane or line; foot of the
     /// centroid on the axis for a cylinder or cone.
     pub point_mm: Vector,
@@ -187,13 +199,35 @@ pub struct Fit {
     pub termination: Termination,
     /// Warnings for users of the numbers.
     pub warnings: Vec<Message>,
+    /// Standard uncertainty (rad) of a direction that is a principal direction of the points, by
+    /// [`principal_uncertainty`].
+    pub(super) principal_rad: Option<f64>,
 }
+
+/// Standard uncertainty (rad) of the direction that separates two principal spreads of points:
+/// √(ρ/ν) / (ρ − 1) for the ratio ρ of their squares and ν degrees of freedom of the smaller one
+/// (Anderson 1963, Ann. Math. Statist. 34, 122, 2.11). As ln ρ has the standard uncertainty 2/√ν, it
+/// is the relative uncertainty of the ratio over twice its distance from one, and infinite where
+/// both spreads are alike. `None` without redundancy.
+pub(super) fn principal_uncertainty(larger: f64, smaller: f64, degrees_of_freedom: usize) -> Option<f64> {
+    let apart = (larger - smaller) * (larger + smaller);
+    let root = (degrees_of_freedom as f64).sqrt();
+    (degrees_of_freedom > 0).then(|| if apart > 0.0 { larger * smaller / (root * apart) } else { f64::INFINITY })
+}
+
+/// Standard uncertainty (rad) of a principal direction from which the ratio of both spreads is not
+/// distinguishable from one (k = 2).
+const ALIKE: f64 = 0.25;
+/// Largest expanded uncertainty (k = 2) of a radius, relative to the radius, and of a direction
+/// (rad) without a warning.
+const UNRELIABLE: f64 = 0.1;
 
 impl Fit {
     /// Creates a closed-form fit with its point only; `residuals` are in normalised units.
     pub(super) fn new(element: Element, cloud: &Cloud, point: Vector, residuals: Residuals) -> Self {
         Self {
             element,
+            circle: CircleMethod::Projected,
             point_mm: cloud.to_mm(point),
             direction: None,
             radius_mm: None,
@@ -211,13 +245,15 @@ impl Fit {
             iterations: 0,
             termination: Termination::StepVanished,
             warnings: Vec::new(),
+            principal_rad: None,
         }
     }
 
     /// Orthogonal distance of a point: positive outside (circle, sphere, cylinder, cone, torus), on
     /// the side of the normal (plane), or to the left (line in the plane); unsigned for a line in
-    /// space. For a circle in space, the distance from the circle within its plane; in the plane z
-    /// is ignored. For a compensated fit, the distance from the touched surface.
+    /// space. For a circle in space, the distance within its plane from the circle; if it was fitted by
+    /// orthogonal distances, the unsigned distance from the curve. In the plane z is ignored. For a
+    /// compensated fit, the distance from the touched surface.
     pub fn residual_mm(&self, point_mm: Vector) -> f64 {
         let mut w = minus(point_mm, self.point_mm);
         if matches!(self.element, Element::Line2d | Element::Circle2d) {
@@ -230,6 +266,7 @@ impl Fit {
             Element::Line2d => d[0] * w[1] - d[1] * w[0],
             Element::Plane => t,
             Element::Sphere => norm(w) - radius,
+            Element::Circle3d if self.circle == CircleMethod::Orthogonal => (rho - radius).hypot(t),
             Element::Line | Element::Circle2d | Element::Circle3d | Element::Cylinder => rho - radius,
             Element::Cone => {
                 let (sin, cos) = (self.apex_angle_rad.unwrap_or(0.0) / 2.0).sin_cos();
@@ -249,10 +286,11 @@ impl Fit {
         self.residuals.most.max(-self.residuals.least)
     }
 
-    /// Form deviation, peak to valley: largest minus smallest residual; for a line in space the
-    /// diameter of the enclosing cylinder about it.
+    /// Form deviation, peak to valley: largest minus smallest residual; for a line in space, or a
+    /// circle by orthogonal distances, the diameter of the enclosing tube about it.
     pub fn form_mm(&self) -> f64 {
-        if self.element == Element::Line {
+        let unsigned = self.element == Element::Circle3d && self.circle == CircleMethod::Orthogonal;
+        if self.element == Element::Line || unsigned {
             return 2.0 * self.max_mm();
         }
         self.residuals.most - self.residuals.least
@@ -309,18 +347,26 @@ impl Fit {
         Ok(self.compensated(settings.probe)?.with_warnings())
     }
 
-    /// Adds warnings about redundancy and the uncertainty of the radius.
+    /// Adds warnings about redundancy and the uncertainties of radius and direction.
     fn with_warnings(mut self) -> Self {
+        let element = self.element;
         if self.degrees_of_freedom == 0 {
-            self.warnings.push(warning!("element-without-redundancy", element = self.element));
+            self.warnings.push(warning!("element-without-redundancy", element));
         }
-        let uncertain = self.standard_uncertainty().and_then(|u| Some((u.radius_mm?, self.radius_mm?)));
-        // U (k = 2, 95 %) above a tenth of the radius: the size is unreliable
-        if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > 0.1 * radius) {
+        let uncertainty = self.standard_uncertainty();
+        let direction = self.principal_rad.or_else(|| uncertainty.as_ref().and_then(|u| u.direction_rad));
+        let expanded_deg = 2.0 * direction.unwrap_or_default().to_degrees();
+        if self.principal_rad.is_some_and(|u| u >= ALIKE) {
+            self.warnings.push(warning!("element-ambiguous", element));
+        } else if expanded_deg.to_radians() > UNRELIABLE {
+            self.warnings.push(warning!("element-direction-uncertain", element, expanded_deg));
+        }
+        let uncertain = uncertainty.and_then(|u| Some((u.radius_mm?, self.radius_mm?)));
+        if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > UNRELIABLE * radius) {
             let covered_deg = self.coverage_deg().map_or("none".argument(), |d| d.round().argument());
             self.warnings.push(warning!(
                 "radius-uncertain",
-                element = self.element,
+                element,
                 radius_mm = radius,
                 expanded_mm = 2.0 * u,
                 covered_deg,

@@ -1,31 +1,15 @@
-//! Elements of points among which some are foreign: trimmed least squares.
+//! Fits without foreign points: trimmed least squares over the points that one element explains.
 //!
-//! The start is the element through few points that leaves the smallest median distance (least
-//! median of squares: Rousseeuw 1984). From the nearest three quarters of the points the fit grows
-//! to all that noise explains. The result is the least-squares element of these, with its usual
-//! covariance: so few sound points are lost that they do not change it.
+//! The result is the least-squares element of these points, with its usual covariance: so few sound
+//! points are lost that they do not change it.
 
+use super::growth::{BEGIN, Search, reduction, studentised};
+use super::prediction::equations;
 use super::{CircleMethod, Element, Fit, FitSettings, Source, element};
-use etalon_base::error;
-use etalon_base::message::Result;
-use etalon_base::noise::Noise;
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
+use etalon_base::{error, warning};
 
-/// Starts that are tried.
-const STARTS: u64 = 60;
-/// Largest number of points by which starts are compared.
-const COMPARED: usize = 500;
-/// Points of a start beyond the minimum.
-const MORE: usize = 1;
-/// Steps of the growth.
-const STEPS: usize = 40;
-/// Expected number of sound points that are set aside in a fit.
-const LOST: f64 = 1e-3;
-/// Share of the points with which the growth begins.
-const BEGIN: f64 = 0.75;
-/// Ratio of the standard deviation of three quarters of normal deviates, the smallest ones, to that
-/// of all.
-const OF_BEGIN: f64 = 0.6;
 /// Fewest points by minimum number of points of the element among which foreign ones can be told.
 const FEWEST: usize = 3;
 /// Residuals below this share of the size of the element are rounding.
@@ -56,119 +40,31 @@ pub struct ForeignPoints {
     pub shift: f64,
 }
 
-/// Distances of a point that the fit minimises: one, or two for a line or circle in space.
-fn distance(fit: &Fit, point: Vector) -> f64 {
-    let along = |d: Vector| dot(minus(point, fit.point_mm), d);
-    match (fit.element, fit.direction) {
-        (Element::Circle3d, Some(d)) => fit.residual_mm(point).hypot(along(d)),
-        (Element::Line, Some(d)) => norm(cross(d, minus(point, fit.point_mm))),
-        _ => fit.residual_mm(point).abs(),
+impl RobustElement {
+    /// Warning that lists the points that are set aside, if any.
+    pub fn warning(&self) -> Option<Message> {
+        let (count, points) = (self.set_aside.len(), listed(&self.set_aside));
+        (count > 0).then(|| warning!("points-set-aside", count, points))
     }
 }
 
-/// Number of distances of a point.
-fn equations(element: Element) -> usize {
-    if matches!(element, Element::Circle3d | Element::Line) { 2 } else { 1 }
+/// Numbers, from 1, of points in a message.
+fn listed(indices: &[usize]) -> String {
+    let shown: Vec<String> = indices.iter().take(MOST_LISTED).map(|i| (i + 1).to_string()).collect();
+    shown.join(", ") + if indices.len() > MOST_LISTED { ", ..." } else { "" }
 }
 
-/// Parameters of an element, without those that are held.
-fn parameters(element: Element, settings: &FitSettings) -> usize {
-    let all = match element {
-        Element::Line2d => 2,
-        Element::Plane | Element::Circle2d => 3,
-        Element::Line | Element::Sphere => 4,
-        Element::Cylinder => 5,
-        Element::Circle3d | Element::Cone => 6,
-        Element::Torus => 7,
-    };
-    let held = usize::from(settings.radius_mm.is_some()) + 2 * usize::from(settings.axis.is_some());
-    all - held.min(all - 1)
-}
+/// Largest number of points that a message lists.
+const MOST_LISTED: usize = 20;
 
-/// Points with their settings for the search, which knows no probe.
-struct Search<'a> {
-    element: Element,
-    points: &'a [Vector],
-    settings: FitSettings<'a>,
-}
-
-impl Search<'_> {
-    /// Fit of some points.
-    fn of(&self, chosen: &[usize]) -> Option<Fit> {
-        let points: Vec<Vector> = chosen.iter().map(|i| self.points[*i]).collect();
-        let weights: Option<Vec<f64>> = self.settings.weights.map(|w| chosen.iter().map(|i| w[*i]).collect());
-        let settings = FitSettings { weights: weights.as_deref(), ..self.settings };
-        element(self.element, &points, &settings).ok()
-    }
-
-    /// Distances of all points over the standard deviation that their weights state.
-    fn distances(&self, fit: &Fit) -> Vec<f64> {
-        let weight = |i: usize| self.settings.weights.map_or(1.0, |w| w[i].sqrt());
-        self.points.iter().enumerate().map(|(i, p)| distance(fit, *p) * weight(i)).collect()
-    }
-
-    /// The best start by the median distance of a sample.
-    fn start(&self) -> Option<Fit> {
-        let count = (self.element.minimum_points() + MORE).min(self.points.len());
-        let step = self.points.len().div_ceil(COMPARED).max(1);
-        let mut best: Option<(f64, Fit)> = None;
-        for trial in 0..STARTS {
-            let mut noise = Noise::new(self.points.len() as u64, trial);
-            // draws of indices that differ
-            let mut chosen: Vec<usize> = Vec::new();
-            while chosen.len() < count {
-                let at = (0.5 * (1.0 + noise.uniform(1.0)) * self.points.len() as f64) as usize;
-                let at = at.min(self.points.len() - 1);
-                if !chosen.contains(&at) {
-                    chosen.push(at);
-                }
-            }
-            let Some(fit) = self.of(&chosen) else { continue };
-            let sample = self.points.iter().step_by(step).map(|p| distance(&fit, *p));
-            let median = etalon_math::statistics::median(sample).unwrap_or(f64::INFINITY);
-            if best.as_ref().is_none_or(|(least, _)| median < *least) {
-                best = Some((median, fit));
-            }
-        }
-        Some(best?.1)
-    }
-
-    /// Points that noise explains, from the start on.
-    fn explained(&self) -> Option<Vec<usize>> {
-        let n = self.points.len();
-        let mut fit = self.start()?;
-        let begin = ((BEGIN * n as f64) as usize).max(self.element.minimum_points() + MORE).min(n);
-        let mut order: Vec<usize> = (0..n).collect();
-        let distances = self.distances(&fit);
-        order.sort_by(|a, b| distances[*a].total_cmp(&distances[*b]));
-        let mut used = order[..begin].to_vec();
-        used.sort_unstable();
-        let mut reduced = OF_BEGIN;
-        for _ in 0..STEPS {
-            fit = self.of(&used)?;
-            let distances = self.distances(&fit);
-            let dof = (equations(self.element) * used.len()).saturating_sub(parameters(self.element, &self.settings));
-            let squares: f64 = used.iter().map(|i| distances[*i].powi(2)).sum();
-            let deviation = (squares / dof.max(1) as f64).sqrt() / reduced;
-            let largest = largest(n, dof) * deviation;
-            let size = norm(fit.point_mm) + fit.radius_mm.unwrap_or_default();
-            let near: Vec<usize> = (0..n).filter(|i| distances[*i] <= largest.max(ROUNDING * size)).collect();
-            if near == used {
-                return Some(used);
-            }
-            (used, reduced) = (near, 1.0);
-        }
-        Some(used)
-    }
-}
-
-/// Largest residual in standard deviations that noise leaves among `n` points, once in 1 / [`LOST`]
-/// fits at most: the tail of a normal distribution is below exp(−k²/2), that of t with `dof`
-/// degrees of freedom below (1 + k²/dof)^(−(dof + 1)/2).
-fn largest(n: usize, dof: usize) -> f64 {
-    let square = 2.0 * (n as f64 / LOST).ln();
-    let dof = dof.max(1) as f64;
-    (dof * ((square / (dof + 1.0)).exp() - 1.0)).sqrt()
+/// All warnings about an element and its points, whichever fit is asked for: of the least-squares fit
+/// `fit`, and about foreign points among up to 20,000.
+pub fn warnings(fit: &Fit, points: &Source, settings: &FitSettings) -> Vec<Message> {
+    let foreign = foreign_points(fit, points, settings).map(|foreign| {
+        let (count, points) = (foreign.points.len(), listed(&foreign.points));
+        warning!("foreign-points", count, points, shift = foreign.shift)
+    });
+    fit.warnings.iter().cloned().chain(foreign).collect()
 }
 
 /// Fits an element without the points that are far from all others.
@@ -182,7 +78,7 @@ pub fn robust_element(kind: Element, points: &[Vector], settings: &FitSettings) 
     }
     // errors of the points themselves are those of the plain fit
     let all = element(kind, points, settings)?;
-    let search = Search { element: kind, points, settings: searching(settings) };
+    let search = Search::new(kind, points, searching(settings));
     let Some(used) = search.explained().filter(|used| used.len() < points.len()) else {
         return Ok(RobustElement { fit: all, set_aside: Vec::new() });
     };
@@ -196,7 +92,7 @@ pub fn robust_element(kind: Element, points: &[Vector], settings: &FitSettings) 
 /// Settings of the search: the centres of a probe are fitted as measured, circles in space by
 /// orthogonal distances.
 fn searching<'a>(settings: &FitSettings<'a>) -> FitSettings<'a> {
-    FitSettings { radius_mm: settings.held_radius_mm(), probe: None, circle: CircleMethod::Projected, ..*settings }
+    FitSettings { radius_mm: settings.held_radius_mm(), probe: None, circle: CircleMethod::Orthogonal, ..*settings }
 }
 
 /// Foreign points that shift a fit of all points beyond its uncertainty; `None` where there are
@@ -207,7 +103,7 @@ pub fn foreign_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Opt
         return None;
     }
     let all: Vec<Vector> = (0..n).map(|i| points.at(i)).collect();
-    if fit.compensation.is_none() && plausible(fit, &all) {
+    if fit.compensation.is_none() && plausible(fit, &all, settings.weights) {
         return None;
     }
     let robust = robust_element(fit.element, &all, settings).ok()?;
@@ -216,14 +112,17 @@ pub fn foreign_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Opt
     (shift > SHIFTED).then_some(ForeignPoints { points: robust.set_aside, shift })
 }
 
-/// `true` if the distances of all points are those of noise by the spread of the nearest three
-/// quarters.
-fn plausible(fit: &Fit, points: &[Vector]) -> bool {
-    let mut distances: Vec<f64> = points.iter().map(|p| distance(fit, *p)).collect();
+/// `true` if the distances of all points are those of noise by the spread of the nearest ones.
+fn plausible(fit: &Fit, points: &[Vector], weights: Option<&[f64]>) -> bool {
+    let mean = weights.map_or(1.0, |w| w.iter().sum::<f64>() / w.len().max(1) as f64);
+    let weight = |i: usize| weights.map_or(1.0, |w| w[i] / mean);
+    let mut distances: Vec<f64> = points.iter().enumerate().map(|(i, p)| studentised(fit, *p, weight(i))).collect();
     distances.sort_by(f64::total_cmp);
     let begin = ((BEGIN * points.len() as f64) as usize).max(1);
     let squares: f64 = distances.iter().take(begin).map(|d| d * d).sum();
-    let deviation = (squares / (begin * equations(fit.element)) as f64).sqrt() / OF_BEGIN;
+    let equations = equations(fit.element);
+    let reduced = reduction(begin as f64 / points.len() as f64, equations);
+    let deviation = (squares / (begin * equations) as f64).sqrt() / reduced;
     let size = norm(fit.point_mm) + fit.radius_mm.unwrap_or_default();
     let most = distances.last().copied().unwrap_or_default();
     most <= (CLEAN * deviation).max(ROUNDING * size)
@@ -257,6 +156,7 @@ fn shift(all: &Fit, robust: &Fit) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::noise::Noise;
     use etalon_base::pose::Pose;
 
     const U_MM: f64 = 0.01;
@@ -303,7 +203,7 @@ mod tests {
                 let clean = element(kind, &points[5..], &FitSettings::default()).unwrap();
                 for (i, p) in points.iter_mut().take(5).enumerate() {
                     // off the element by 0.5 mm or more
-                    let far = |p: Vector| distance(&clean, p) > 0.5;
+                    let far = |p: Vector| clean.offsets(p).length() > 0.5;
                     let start = *p;
                     while !far(*p) {
                         *p = [0, 1, 2].map(|k| start[k] + noise.uniform(1.0 + 3.0 * i as f64));

@@ -39,6 +39,12 @@ pub(super) trait Surface<const N: usize, const K: usize>: Copy + Sync {
     /// Centres the chart on the element.
     fn recharted(&self, x: &[f64; N]) -> (Self, [f64; N]);
 
+    /// Residual of points with these distances: the first, unless all together are one distance.
+    #[inline(always)]
+    fn residual(distances: [F64x8; K]) -> F64x8 {
+        distances[0]
+    }
+
     /// Derivatives of point, direction, radius, minor radius and apex angle with respect to each
     /// parameter (order of [`ElementCovariance`]).
     fn quantities(&self, x: &[f64; N]) -> [[f64; QUANTITIES]; N];
@@ -231,7 +237,10 @@ impl<S, const N: usize> Refined<S, N> {
         let (residuals, covered) = Residuals::and(
             cloud,
             #[inline(always)]
-            |q| self.surface.distances(&self.x, q).map(|(d, _)| d),
+            |q| {
+                let distances = self.surface.distances(&self.x, q).map(|(d, _)| d);
+                (S::residual(distances), distances)
+            },
             coverage,
         );
         if !(residuals.squares * cloud.scale_mm).is_finite() {

@@ -1,6 +1,7 @@
 //! Common result of all minimum zones.
 
 use super::element::Element;
+use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 
 /// A minimum zone and its contact points.
@@ -38,6 +39,8 @@ pub struct MinimumZone {
     pub plane: Option<Box<MinimumZone>>,
     /// Number of zones examined.
     pub iterations: usize,
+    /// Warnings about the points and the element, as of a least-squares fit.
+    pub warnings: Vec<Message>,
 }
 
 /// Lagrange multipliers of the contact points: non-negative with sum one on each side, and with
@@ -87,6 +90,7 @@ impl MinimumZone {
             multipliers: None,
             plane: None,
             iterations: 0,
+            warnings: Vec::new(),
         };
         (zone, middle)
     }

@@ -49,7 +49,8 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
                 continue;
             }
         };
-        messages.extend(fitted.warnings.iter().map(|w| w.clone().within(phrase!("in-feature", name))));
+        let all = etalon_fit::warnings(&fitted, &etalon_fit::Source::from(&chosen), &settings);
+        messages.extend(all.into_iter().map(|warning| warning.within(phrase!("in-feature", name))));
         let direction_deg = fitted.standard_uncertainty().and_then(|u| u.direction_rad).unwrap_or(0.0).to_degrees();
         if direction_deg > DIRECTION_UNKNOWN_DEG {
             let message = error!("direction-undetermined", direction_deg, limit_deg = DIRECTION_UNKNOWN_DEG);

@@ -5,7 +5,7 @@ use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
 use etalon_base::{error, phrase};
 use etalon_documents::{FitDocument, FitStated};
-use etalon_fit::{Element, Fit, FitSettings, Probe, Side};
+use etalon_fit::{Element, Fit, FitSettings, Probe, Side, Source};
 use etalon_formats::qif::{FeatureGeometry, MeasuredFeature, Touch};
 
 /// Statements of the user about the probe, which replace those of the file.
@@ -37,9 +37,10 @@ pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStat
     let in_plane = feature.stated.direction.filter(|d| element == Element::Circle3d && is_coordinate_axis(*d));
     let settings = FitSettings { axis: settings.axis.or(in_plane), probe: None, ..*settings };
     let centres = etalon_fit::element(element, &feature.points_mm, &settings).map_err(named)?;
+    let messages = etalon_fit::warnings(&centres, &Source::from(&feature.points_mm), &settings);
     let (probe, side_from) = probe_of(feature, &centres, probe)?.unzip();
     let fit = centres.compensated(probe).map_err(named)?;
-    let mut document = FitDocument::new(Some(label.to_owned()), &fit);
+    let mut document = FitDocument::new(Some(label.to_owned()), &fit).with_messages(messages);
     if let Some(probe) = &mut document.probe {
         probe.side_from = side_from.as_ref().map(Phrase::to_string);
         probe.side_from_phrase = side_from;

@@ -262,3 +262,78 @@ fn foreign_points_are_named_and_set_aside_on_request() {
     assert_eq!(run(&[]).messages, []);
     assert_eq!(run(&["--robust"]).set_aside, Some(Vec::new()));
 }
+
+/// Answer of a fit of points in `tests/cli/points`, as a document and as text.
+fn fitted(points: &str, rest: &[&str]) -> (FitDocument, String) {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("p.txt"), points).unwrap();
+    let run = |more: &[&str]| {
+        let output = etalon(folder.path(), &[&["fit", rest[0], "p.txt", "--unit", "mm"], &rest[1..], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{rest:?}: {}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    (serde_json::from_str(&run(&["--json"])).unwrap(), run(&[]))
+}
+
+fn ids(document: &FitDocument) -> Vec<&str> {
+    document.messages.iter().map(|m| m.id.as_str()).collect()
+}
+
+const ARC_AND_TWO_FAR: &str = include_str!("points/circle-arc-and-two-far.txt");
+const CLUSTER_AND_TWO_FAR: &str = include_str!("points/line-cluster-and-two-far.txt");
+const FIVE: &str = include_str!("points/cylinder-five.txt");
+const CUBE: &str = include_str!("points/cube.txt");
+const CROSS: &str = include_str!("points/cross.txt");
+const STRIP: &str = include_str!("points/strip.txt");
+
+#[test]
+fn points_far_from_all_others_are_sound_if_one_element_explains_all() {
+    let (circle, _) = fitted(ARC_AND_TWO_FAR, &["circle3d", "--robust"]);
+    assert_eq!((circle.set_aside.as_deref(), circle.points), (Some(&[][..]), 60));
+    // without `--robust` 99.99998 mm, standard uncertainty 0.0008 mm
+    assert!((circle.radius_mm.unwrap() - 99.99998).abs() < 1e-5, "{circle:?}");
+    let (line, _) = fitted(CLUSTER_AND_TWO_FAR, &["line", "--robust"]);
+    assert_eq!(line.set_aside.as_deref(), Some(&[][..]));
+    // 0.05 mm off, 25 times the noise, where the arc and the other far point determine the circle
+    let mut moved: Vec<String> = ARC_AND_TWO_FAR.lines().map(str::to_owned).collect();
+    let row: Vec<f64> = moved[20].split_whitespace().map(|v| v.parse().unwrap()).collect();
+    moved[20] = format!("{} {} {}", row[0] * 1.0005, row[1] * 1.0005, row[2]);
+    let (circle, _) = fitted(&(moved.join("\n") + "\n"), &["circle3d", "--robust"]);
+    assert_eq!(circle.set_aside, Some(vec![21]));
+}
+
+#[test]
+fn a_minimum_zone_has_the_warnings_of_the_least_squares_fit_of_the_same_points() {
+    let mut outlier: String = (0..40).map(|i| format!("{} {} 0.00{}\n", i % 7 * 10, i % 9 * 8, i * 7 % 5)).collect();
+    outlier += "31 22 0.9\n";
+    for (element, points, expected) in [
+        ("cylinder", FIVE, &["element-ambiguous", "element-without-redundancy"][..]),
+        ("cylinder", CUBE, &["element-ambiguous"]),
+        ("plane", CUBE, &["element-ambiguous"]),
+        ("plane", outlier.as_str(), &["foreign-points"]),
+    ] {
+        let (squares, _) = fitted(points, &[element]);
+        let (zone, _) = fitted(points, &[element, "--minimum-zone"]);
+        let [squares, zone] = [ids(&squares), ids(&zone)];
+        assert!(expected.iter().all(|id| squares.contains(id)), "{element}: {squares:?}");
+        assert!(squares.iter().all(|id| zone.contains(id)), "{element}: {squares:?} {zone:?}");
+    }
+}
+
+#[test]
+fn a_direction_that_points_do_not_determine_is_named_with_its_uncertainty() {
+    for (element, points, id, name) in [
+        ("plane", CUBE, "element-ambiguous", "normal"),
+        ("line", CROSS, "element-ambiguous", "axis"),
+        ("plane", STRIP, "element-direction-uncertain", "normal"),
+        ("circle3d", CUBE, "element-ambiguous", "normal"),
+    ] {
+        let (document, shown) = fitted(points, &[element]);
+        assert!(ids(&document).contains(&id), "{element}: {:?}", document.messages);
+        let line = shown.lines().find(|line| line.trim_start().starts_with(name)).unwrap();
+        assert!(line.contains("(u = ") && line.ends_with(" deg)"), "{shown}");
+    }
+    // a plate of 100 mm with noise of 0.01 mm has a normal
+    let plate: String = (0..25).map(|i| format!("{} {} 0.0{}\n", i % 5 * 25, i / 5 * 25, i * 7 % 3)).collect();
+    assert_eq!(ids(&fitted(&plate, &["plane"]).0), [""; 0]);
+}

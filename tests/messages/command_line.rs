@@ -4,6 +4,11 @@ use super::{Case, hold};
 
 const POSES: &str = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n";
 const POINTS: &str = "1 0 0\n0 1 0\n-1 0 0\n0 -1 0.1\n";
+/// A plate of 40 mm with noise of 0.01 mm.
+const PLATE: &str = "-20 -20 0.001\n-20 -10 0.013\n-20 0 -0.009\n-20 10 0.010\n-20 20 -0.003\n-10 -20 -0.003\n-10 -10 0.019\n-10 0 0.002\n-10 10 -0.000\n-10 20 0.007\n0 -20 0.011\n0 -10 -0.000\n0 0 0.006\n0 10 -0.010\n0 20 -0.004\n10 -20 -0.004\n10 -10 -0.013\n10 0 -0.015\n10 10 -0.016\n10 20 -0.002\n20 -20 -0.002\n20 -10 -0.003\n20 0 0.001\n20 10 -0.013\n20 20 -0.001\n";
+/// A strip 0.1 mm wide with noise of 0.01 mm.
+const STRIP: &str = "0 0.05 0.002\n10 -0.05 0.008\n20 0.05 -0.008\n30 -0.05 -0.004\n40 0.05 -0.020\n50 -0.05 -0.005\n60 0.05 -0.022\n70 -0.05 -0.014\n80 0.05 0.011\n90 -0.05 -0.022\n100 0.05 0.008\n110 -0.05 0.003\n";
+const CROSS: &str = "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n";
 const FLAT: &str = "0 0 0.001\n1 0 0\n0 1 0\n1 1 0.001\n2 0 0\n0 2 0.001\n2 2 0\n1 2 0\n2 1 0.001\n";
 const CELL_FEW: &str =
     "flange_x_mm,flange_y_mm,flange_z_mm,flange_qw,flange_qx,flange_qy,flange_qz\n1,2,3,1,0,0,0\n2,3,4,0,1,0,0\n";
@@ -469,6 +474,9 @@ const FITS: &[Case] = &[
         "fit circle3d @/p.txt --unit mm",
     ),
     ("cone-is-cylinder", "", &[("p.txt", "", CYLINDER)], "fit cone @/p.txt --unit mm"),
+    ("cone-is-plane", "", &[("p.txt", "", PLATE)], "fit cone @/p.txt --unit mm"),
+    ("element-direction-uncertain element=plane", "", &[("p.txt", "", STRIP)], "fit plane @/p.txt --unit mm"),
+    ("element-ambiguous element=line", "", &[("p.txt", "", CROSS)], "fit line @/p.txt --unit mm"),
 ];
 
 #[test]

@@ -257,3 +257,49 @@ fn no_start_ends_in_a_worse_minimum_than_the_truth() {
         }
     }
 }
+
+#[test]
+fn residuals_of_a_circle_by_orthogonal_distances_are_distances_from_the_curve() {
+    let mut noise = Noise::new(14, 0);
+    let points: Vec<Vector> = (0..400)
+        .map(|_| {
+            let (sin, cos) = noise.uniform(PI).sin_cos();
+            [20.0 * cos + noise.gaussian(0.001), 20.0 * sin + noise.gaussian(0.001), noise.gaussian(0.1)]
+        })
+        .collect();
+    let settings = FitSettings { circle: CircleMethod::Orthogonal, ..FitSettings::default() };
+    let circle = fit::element(Element::Circle3d, &points, &settings).unwrap();
+    let (n, radius) = (circle.direction.unwrap(), circle.radius_mm.unwrap());
+    let distances = points.iter().map(|&p| {
+        let w = minus(p, circle.point_mm);
+        (norm(cross(n, w)) - radius).hypot(dot(n, w))
+    });
+    let (squares, most) = distances.fold((0.0, 0.0f64), |(squares, most), d| (squares + d * d, most.max(d)));
+    assert!(
+        (circle.rms_mm() - (squares / 400.0).sqrt()).abs() < 1e-12 && circle.rms_mm() > 0.09,
+        "{}",
+        circle.rms_mm()
+    );
+    assert!((circle.max_mm() - most).abs() < 1e-12 && (circle.form_mm() - 2.0 * most).abs() < 1e-12);
+    assert!((circle.residual_mm([0.0, 0.0, 30.0]) - 36.0).abs() < 0.1);
+}
+
+#[test]
+fn a_cone_of_points_of_a_plane_is_below_180_deg_and_is_said_to_be_a_plane() {
+    let mut planes = 0;
+    for trial in 0..60 {
+        let mut noise = Noise::new(15, trial);
+        let turn = Pose::from_xyz_rpy([10.0, -20.0, 30.0], [0; 3].map(|_| noise.uniform(3.0)));
+        let points: Vec<Vector> = (0..50 + 10 * trial)
+            .map(|_| turn.apply([noise.uniform(50.0), noise.uniform(40.0), noise.gaussian(0.005)]))
+            .collect();
+        let Ok(cone) = fit::element(Element::Cone, &points, &FitSettings::default()) else { continue };
+        let (angle, axis) = (cone.apex_angle_rad.unwrap(), cone.direction.unwrap());
+        assert!(angle > 0.0 && angle < PI && cone.radius_mm.unwrap() > 0.0, "{trial}: {cone:?}");
+        // one micrometre along the axis the section is larger
+        let inside = [0, 1, 2].map(|k| cone.point_mm[k] + 1e-3 * axis[k]);
+        assert!(cone.residual_mm(inside) < cone.residual_mm(cone.point_mm), "{trial}");
+        planes += usize::from(cone.warnings.iter().any(|w| w.id == "cone-is-plane"));
+    }
+    assert!(planes > 40, "{planes}");
+}

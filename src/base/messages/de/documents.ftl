@@ -72,17 +72,6 @@ set-up-origin = { $origin ->
 
 check-rigid-part = Einheit und Namen in `places_mm` prüfen und ob das Teil seit ihrer Bestimmung verändert wurde
 
-points-set-aside = { $count ->
-        [one] 1 Punkt ist ausgeschlossen
-       *[other] { $count } Punkte sind ausgeschlossen
-    }: { $points }
-    .hint = sie liegen weiter vom Element der anderen Punkte entfernt, als das Rauschen erklärt
-
-foreign-points = { $count ->
-        [one] 1 Punkt liegt weit vom Element der anderen Punkte ({ $points }) und verschiebt
-       *[other] { $count } Punkte liegen weit vom Element der anderen Punkte ({ $points }) und verschieben
-    } die Anpassung um { FIXED($shift, 1) } Standardunsicherheiten
-    .hint = sie prüfen; `--robust` schließt sie aus
 plan-cube = { $shape ->
         [square] das größte Quadrat
        *[cube] der größte Würfel

@@ -132,8 +132,26 @@ radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $eleme
     }
     .hint = einen längeren Bogen messen oder den Radius auf dem Nennwert festhalten
 
+element-direction-uncertain = die Richtung des Elements { $element } hat eine erweiterte Messunsicherheit von { FIXED($expanded_deg, 1) } deg (k = 2)
+    .hint = weiter auseinanderliegende Punkte messen, bei einer Ebene in beiden Richtungen, oder die Richtung festhalten
+
 cone-is-cylinder = der Kegelwinkel ist nicht signifikant von null verschieden (k = 2)
     .hint = einen Zylinder anpassen
+
+cone-is-plane = der Kegelwinkel ist nicht signifikant von 180 deg verschieden (k = 2): der Kegel ist eine Ebene
+    .hint = eine Ebene anpassen
+
+points-set-aside = { $count ->
+        [one] 1 Punkt ist ausgeschlossen
+       *[other] { $count } Punkte sind ausgeschlossen
+    }: { $points }
+    .hint = sie liegen weiter vom Element der anderen Punkte entfernt, als das Rauschen erklärt
+
+foreign-points = { $count ->
+        [one] 1 Punkt liegt weit vom Element der anderen Punkte ({ $points }) und verschiebt
+       *[other] { $count } Punkte liegen weit vom Element der anderen Punkte ({ $points }) und verschieben
+    } die Anpassung um { FIXED($shift, 1) } Standardunsicherheiten
+    .hint = sie prüfen; `--robust` schließt sie aus
 
 robust-few-points = eine robuste Anpassung des Elements { $element } braucht { $needed } Punkte, nicht { $points }
     .hint = mehr Punkte messen oder an alle anpassen, ohne Punkte auszuschließen

@@ -131,27 +131,6 @@ set-up-origin = { $origin ->
 
 check-rigid-part = check unit and names in `places_mm`, and whether the part was changed since they were determined
 
-# Means: Points are farther from the element of all others than noise explains, and are not used.
-# Matters: The element and its uncertainty are those of the other points.
-# Do: Look at these points; remove them where the cause is known.
-# Example: dust under the probe at one of 60 points
-points-set-aside = { $count ->
-        [one] 1 point is set aside
-       *[other] { $count } points are set aside
-    }: { $points }
-    .hint = they are farther from the element of all others than noise explains
-
-# Means: Some points are far from the element of all others, and shift the fit by more than its
-# uncertainty.
-# Matters: Least squares spreads the error of a foreign point over the element; form and uncertainty
-# are those of the foreign points.
-# Do: Look at these points. Fit with `--robust`, which sets them aside and lists them, or remove them.
-# Example: one point of the edge among those of a plane
-foreign-points = { $count ->
-        [one] 1 point is
-       *[other] { $count } points are
-    } far from the element of all others ({ $points }): the fit is shifted by { FIXED($shift, 1) } standard uncertainties
-    .hint = look at them; `--robust` sets them aside
 plan-cube = the largest { $shape } in the stated workspace, edges parallel to the axes; C1 to C4 from the smallest x and y
 plan-poses = P1: centre; P2 to P5: on the diagonals, at 10 % of their length from the corners of the test plane, in the order of the corners
 plan-clauses = P1 to P5, loads, velocities and 30 cycles follow the standard's text; paths, other counts and the order of the corners were not compared with a bought copy

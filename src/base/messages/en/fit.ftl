@@ -232,12 +232,50 @@ radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } ha
     }
     .hint = measure a longer arc, or hold the radius at its nominal value
 
+# Means: The direction of the element has an expanded uncertainty of more than a tenth of a radian.
+# Matters: The points barely determine it: they are as wide across the direction as their noise, or
+# too short along it. Whatever is aligned with it turns by as much.
+# Do: Measure points farther apart along a line, or over both directions of a plane; or hold the
+# direction.
+# Example: a plane through a strip 0.1 mm wide with noise of 0.02 mm
+element-direction-uncertain = the direction of the { $element } has an expanded uncertainty of { FIXED($expanded_deg, 1) } deg (k = 2)
+    .hint = measure points farther apart, over both directions of a plane, or hold the direction
+
 # Means: The apex angle of the cone is smaller than its expanded uncertainty.
 # Matters: Apex and angle are not determined.
 # Do: Fit a cylinder.
 # Example: a cone through points of a cylinder
 cone-is-cylinder = the apex angle of the cone is not distinguishable from zero (k = 2)
     .hint = fit a cylinder
+
+# Means: The apex angle of the cone differs from 180 deg by less than its expanded uncertainty.
+# Matters: Apex, radius and the direction in which the cone widens are not determined.
+# Do: Fit a plane.
+# Example: a cone through points of a plane
+cone-is-plane = the apex angle of the cone is not distinguishable from 180 deg (k = 2): the cone is a plane
+    .hint = fit a plane
+
+# Means: Points are farther from the element of all others than noise explains, and are not used.
+# Matters: The element and its uncertainty are those of the other points.
+# Do: Look at these points; remove them where the cause is known.
+# Example: dust under the probe at one of 60 points
+points-set-aside = { $count ->
+        [one] 1 point is set aside
+       *[other] { $count } points are set aside
+    }: { $points }
+    .hint = they are farther from the element of all others than noise explains
+
+# Means: Some points are far from the element of all others, and shift the fit by more than its
+# uncertainty.
+# Matters: Least squares spreads the error of a foreign point over the element; form and uncertainty
+# are those of the foreign points.
+# Do: Look at these points. Fit with `--robust`, which sets them aside and lists them, or remove them.
+# Example: one point of the edge among those of a plane
+foreign-points = { $count ->
+        [one] 1 point is
+       *[other] { $count } points are
+    } far from the element of all others ({ $points }): the fit is shifted by { FIXED($shift, 1) } standard uncertainties
+    .hint = look at them; `--robust` sets them aside
 
 # Means: A robust fit has fewer points than three times the minimum of the element.
 # Matters: Which points are foreign cannot be told from so few.

@@ -72,17 +72,6 @@ set-up-origin = { $origin ->
 
 check-rigid-part = vérifier l’unité et les noms dans `places_mm`, et si la pièce a été modifiée depuis leur détermination
 
-points-set-aside = { $count ->
-        [one] 1 point est écarté
-       *[other] { $count } points sont écartés
-    } : { $points }
-    .hint = ils s’éloignent de l’élément ajusté à tous les autres plus que le bruit ne l’explique
-
-foreign-points = { $count ->
-        [one] 1 point est loin de l’élément ajusté à tous les autres ({ $points }) et décale
-       *[other] { $count } points sont loin de l’élément ajusté à tous les autres ({ $points }) et décalent
-    } l’ajustement de { FIXED($shift, 1) } incertitudes-types
-    .hint = les examiner ; `--robust` les écarte
 plan-cube = le plus grand { $shape ->
         [square] carré
        *[cube] cube

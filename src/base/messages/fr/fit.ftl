@@ -132,8 +132,26 @@ radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $ele
     }
     .hint = mesurer un arc plus long, ou fixer le rayon à sa valeur nominale
 
+element-direction-uncertain = la direction de l’élément { $element } a une incertitude élargie de { FIXED($expanded_deg, 1) } deg (k = 2)
+    .hint = mesurer des points plus éloignés, dans les deux directions d’un plan, ou fixer la direction
+
 cone-is-cylinder = l’angle au sommet du cône n’est pas significativement différent de zéro (k = 2)
     .hint = ajuster un cylindre
+
+cone-is-plane = l’angle au sommet du cône n’est pas significativement différent de 180 deg (k = 2) : le cône est un plan
+    .hint = ajuster un plan
+
+points-set-aside = { $count ->
+        [one] 1 point est écarté
+       *[other] { $count } points sont écartés
+    } : { $points }
+    .hint = ils s’éloignent de l’élément ajusté à tous les autres plus que le bruit ne l’explique
+
+foreign-points = { $count ->
+        [one] 1 point est loin de l’élément ajusté à tous les autres ({ $points }) et décale
+       *[other] { $count } points sont loin de l’élément ajusté à tous les autres ({ $points }) et décalent
+    } l’ajustement de { FIXED($shift, 1) } incertitudes-types
+    .hint = les examiner ; `--robust` les écarte
 
 robust-few-points = un ajustement robuste de l’élément { $element } exige { $needed } points, et non { $points }
     .hint = mesurer plus de points, ou les ajuster tous sans en écarter
