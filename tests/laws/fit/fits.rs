@@ -4,7 +4,8 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm};
-use etalon::fit::{self, Element, Fit, FitSettings};
+use etalon::fit::{self, CircleMethod, Element, Fit, FitSettings};
+use std::f64::consts::PI;
 
 /// Points on an element about z through the origin, seen over `turn_rad`, and its true sizes.
 pub(super) fn points_on(element: Element, turn_rad: f64) -> Vec<Vector> {
