@@ -31,7 +31,8 @@ class Fit(FitDocument):
 
     @property
     def residuals_mm(self) -> NDArray[np.float64] | None:
-        """Signed orthogonal distances of the points, ``(n,)``, mm, computed from the array of points as it is at the first call."""
+        """Signed orthogonal distances of the points, ``(n,)``, mm, computed from the array of points as it is at the first call; unsigned for
+        a line and for a circle by orthogonal distances."""
         if self._residuals is None and self._given is not None:
             fitted, points = self._given
             object.__setattr__(self, "_residuals", fitted.residuals(points))

@@ -94,3 +94,25 @@ def test_a_rigid_transform_is_found():
     assert found.matrix[:3, :3] == pytest.approx(turn, abs=1e-12)
     assert found(points) == pytest.approx(points @ turn.T + [1.0, 2.0, 3.0], abs=1e-10)
     assert found.rms_mm < 1e-10
+
+
+def test_residuals_of_a_circle_by_orthogonal_distances_are_distances_from_the_curve():
+    drawn = np.random.default_rng(5)
+    angle = drawn.uniform(0, 2 * np.pi, 400)
+    points = np.column_stack([20 * np.cos(angle), 20 * np.sin(angle), drawn.normal(0, 0.1, 400)])
+    points[:, :2] += drawn.normal(0, 0.001, (400, 2))
+    found = fit.circle(points, orthogonal=True)
+    offset = points - found.center_mm
+    along = offset @ found.normal
+    across = np.linalg.norm(offset - np.outer(along, found.normal), axis=1) - found.radius_mm
+    distance = np.hypot(along, across)
+    assert found.rms_mm == pytest.approx(np.sqrt(np.mean(distance**2)), rel=1e-9)
+    assert found.max_mm == pytest.approx(distance.max(), rel=1e-9)
+    assert found.residuals_mm == pytest.approx(distance, abs=1e-9)
+
+
+def test_a_minimum_zone_has_the_warnings_of_least_squares():
+    corners = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+    for minimum_zone in (False, True):
+        found = fit.plane(corners, minimum_zone=minimum_zone)
+        assert "element-ambiguous" in [message.id for message in found.messages]
