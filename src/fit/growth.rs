@@ -18,7 +18,7 @@ use super::{Element, Fit, FitSettings, element};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, norm};
 use statrs::distribution::{ContinuousCDF, Normal};
-use statrs::function::{beta::beta_reg, gamma::ln_gamma};
+use statrs::function::{beta::checked_beta_reg, gamma::ln_gamma};
 
 /// Starts that are tried.
 const STARTS: u64 = 60;
@@ -288,11 +288,12 @@ fn normalised(offsets: &Offsets, shares: [[f64; 2]; 2], sign: f64) -> Option<f64
 /// Chernoff's bound.
 fn ln_tail(squares: f64, added: usize, degrees_of_freedom: usize) -> f64 {
     let (a, d) = (added as f64, degrees_of_freedom as f64);
-    if added == 0 || degrees_of_freedom == 0 || squares <= 0.0 {
+    // squares beyond the range of numbers explain everything
+    if added == 0 || degrees_of_freedom == 0 || squares <= 0.0 || squares.is_nan() {
         return 0.0;
     }
     let ratio = squares / d;
-    let exact = beta_reg(0.5 * d, 0.5 * a, 1.0 / (1.0 + ratio));
+    let exact = checked_beta_reg(0.5 * d, 0.5 * a, 1.0 / (1.0 + ratio)).unwrap_or(1.0);
     if exact > 1e-280 {
         return exact.ln();
     }
@@ -327,11 +328,11 @@ fn resolution(points: &[Vector], coordinates: usize) -> f64 {
     let range =
         |k: usize| points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, p| [r[0].min(p[k]), r[1].max(p[k])]);
     let extent = (0..coordinates).map(range).fold(0.0f64, |m, [low, high]| m.max(high - low));
-    let steps = (0..8).flat_map(|k| [25.4, 1.0].map(|unit| unit * 10f64.powi(-k)));
+    let mut steps = (0..8).flat_map(|k| [25.4, 1.0].map(|unit| unit * 10f64.powi(-k)));
     let multiple = |x: f64, step: f64| {
         let count = (x / step).round();
         (x - count * step).abs() <= 4.0 * f64::EPSILON * x.abs()
     };
     let fits = |step: &f64| *step <= COARSEST * extent && all().all(|x| multiple(*x, *step));
-    steps.into_iter().find(fits).unwrap_or(0.0)
+    steps.find(fits).unwrap_or(0.0)
 }

@@ -95,7 +95,7 @@ fn built(kind: Element, build: Build, n: usize, noise: &mut Noise) -> Vec<Vector
     for i in 0..n {
         let (a, b, t, y) = match i >= n - far {
             true => {
-                (3.14 + noise.uniform(0.5), 100.0 + noise.uniform(20.0), noise.uniform(1.2), noise.uniform(40.0) - 80.0)
+                (3.0 + noise.uniform(0.5), 100.0 + noise.uniform(20.0), noise.uniform(1.2), noise.uniform(40.0) - 80.0)
             }
             false => {
                 (noise.uniform(half), noise.uniform(length_mm), noise.uniform(half.min(1.2)), noise.uniform(length_mm))
