@@ -18,12 +18,13 @@ const ENDS: [&str; 3] = ["END", "EOF", "End"];
 const DELIMITERS: [Delimiter; 5] =
     [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Bar, Delimiter::Comma, Delimiter::Blank];
 /// Decimal and thousands marks that are tried.
-const MARKS: [(Decimal, Option<Thousands>); 7] = [
+const MARKS: [(Decimal, Option<Thousands>); 8] = [
     (Decimal::Point, None),
     (Decimal::Comma, None),
     (Decimal::Point, Some(Thousands::Comma)),
     (Decimal::Comma, Some(Thousands::Point)),
     (Decimal::Point, Some(Thousands::Apostrophe)),
+    (Decimal::Comma, Some(Thousands::Apostrophe)),
     (Decimal::Point, Some(Thousands::Blank)),
     (Decimal::Comma, Some(Thousands::Blank)),
 ];
@@ -125,6 +126,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let (all, _) = split("", sample, &dialect);
     let missing = Missing::default();
     let is_number = |field: &Cow<str>| parsed(field, dialect.decimal, dialect.thousands).is_some();
+    let is_plain = |field: &Cow<str>| parsed(field, dialect.decimal, None).is_some();
     let numbers = |row: &Row| row.fields.iter().filter(|f| is_number(f)).count();
     let header = all.iter().position(|row| numbers(row) >= 2)?;
     let end = dialect.end.as_ref().and_then(|end| all.iter().position(|row| row.field(0) == end));
@@ -152,7 +154,11 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     };
     let threes = used.iter().filter(three).count();
     // a dialect that splits decimal numbers in two finds whole numbers only: prefer fractions
-    let plain = if dialect.thousands.is_some() { 0.95 } else { 1.0 };
+    let grouped = dialect.thousands.is_some() && used.iter().any(|field| !is_plain(field));
+    let plain = if dialect.thousands.is_some() && !grouped { 0.95 } else { 1.0 };
+    // a number in other marks contradicts these marks
+    let contradicted = good.iter().flat_map(|row| &row.fields).filter(|f| has_marks(f) && !is_number(f)).count();
+    let plain = plain * used.len() as f64 / (used.len() + contradicted).max(1) as f64;
     // rows with numbers before the data may be data
     let worded = |row: &&Row| {
         !row.fields.iter().any(|f| f.trim_start_matches(['+', '-', '.']).starts_with(|c: char| c.is_ascii_digit()))
@@ -186,6 +192,15 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
         score,
         dialect,
     })
+}
+
+/// `true` for a number in some marks: digits with marks between them, and a sign.
+fn has_marks(field: &str) -> bool {
+    let digits = field.trim_start_matches(['+', '-', '\u{2212}']);
+    let is_mark = |c: char| MARKS.iter().filter_map(|marks| marks.1).any(|mark| mark.is(c));
+    let ends = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let inside = digits.chars().all(|c| c.is_ascii_digit() || is_mark(c));
+    inside && digits.contains(is_mark) && ends(digits.chars().next()) && ends(digits.chars().next_back())
 }
 
 /// Returns the last comment before the data, if it has a word for each column.

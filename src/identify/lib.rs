@@ -18,7 +18,7 @@ pub use field::{Component, Corrected, FieldInput, FieldRefusal, FieldTrial, Held
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
-pub use judgement::excitation::left_to_tolerances;
+pub use judgement::excitation::{Unmoved, left_to_tolerances, unmoved};
 pub use judgement::figures::{ErrorKind, FigureUncertainty, JudgedErrors};
 pub use judgement::loads::{LoadContradiction, LoadSlip, load_slips};
 pub use judgement::logs::{LogComparison, compare_logs};
@@ -55,7 +55,10 @@ pub use solution::apart::{Placement, place_apart};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
 pub use solution::related::condition_slip;
-pub use solution::set_up::{allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
+pub use solution::scatter::shown_noise_mm;
+pub use solution::set_up::{
+    allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem, tolerance_effect_mm,
+};
 pub use solution::start::NOISE_DISTANCE;
 pub use warning::{Origin, SetUpError, Subject, Warning};
 

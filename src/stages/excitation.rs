@@ -2,10 +2,10 @@
 //! their tolerances.
 
 use crate::stages::shown;
-use etalon_base::message::Message;
-use etalon_base::warning;
+use etalon_base::message::{Message, Result};
+use etalon_base::{error, phrase, warning};
 use etalon_documents::JointTravel;
-use etalon_identify::{Observation, Settings, fit_frames, left_to_tolerances};
+use etalon_identify::{Observation, Settings, Unmoved, fit_frames, left_to_tolerances};
 use etalon_robots::{Quantity, Robot};
 
 /// Minimum motion (rad) of a revolute joint.
@@ -30,6 +30,28 @@ pub(super) fn travels(robot: &dyn Robot, observations: &[Observation], settings:
 fn ends(observations: &[Observation], settings: &Settings, joint: usize) -> Option<[f64; 2]> {
     let poses = observations.iter().map(|o| &o.joints).chain(settings.conditions.iter().map(|c| &c.joints));
     poses.map(|joints| [joints[joint]; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+}
+
+/// Returns an error if no joint moves and the observations therefore show no parameter of the
+/// robot. Without `values`, base and targets located, only joints at rest are known to show none.
+pub(super) fn unmoved(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    values: Option<&[f64]>,
+) -> Result<()> {
+    let Some(Unmoved { rows, range_deg, range_mm, scatter_mm }) =
+        etalon_identify::unmoved(robot, observations, settings, values)?
+    else {
+        return Ok(());
+    };
+    let motion = match (range_deg > 0.0, range_mm > 0.0) {
+        (false, false) => phrase!("motion-none"),
+        (true, false) => phrase!("motion-within-angle", range_deg),
+        (false, true) => phrase!("motion-within-length", range_mm),
+        (true, true) => phrase!("motion-within-both", range_deg, range_mm),
+    };
+    Err(error!("joints-do-not-move", rows, motion, scatter_mm).into())
 }
 
 /// Warnings about joints that do not move, if parameters then remain at their tolerances.

@@ -8,7 +8,7 @@ use crate::stages::controlled::base_elsewhere;
 use crate::stages::cross_validation::{proven, undescribed_bending, unused};
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Judged, Sets};
-use crate::stages::excitation::{still_joints, travels};
+use crate::stages::excitation::{still_joints, travels, unmoved};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::field;
 use crate::stages::first_tilt;
@@ -247,7 +247,9 @@ fn would_prove(proof: &EffectProof) -> Option<Message> {
 impl Solved {
     /// Identifies from the calibration observations.
     pub fn new(robot: &dyn Robot, sets: &Sets, settings: &Settings, systematic: &Systematic) -> Result<Self> {
+        unmoved(robot, &sets.calibration, settings, None)?;
         let before = etalon_identify::fit_frames(robot, &sets.calibration, settings).map_err(remedied)?;
+        unmoved(robot, &sets.calibration, settings, Some(&before))?;
         let found = etalon_identify::identify_with(robot, &sets.calibration, settings, &before, systematic);
         Ok(Self { before, found: found.map_err(remedied)? })
     }
@@ -407,6 +409,7 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
     messages.extend(hold_constant(robot, &sets, &mut settings));
     if messages.iter().all(|message| message.severity != Severity::Error) {
+        messages.extend(unmoved(robot, &sets.calibration, &settings, None).err().unwrap_or_default().0);
         messages.extend(still_joints(robot, &sets.calibration, &settings));
     }
     let joints = travels(robot, &sets.calibration, &settings);

@@ -179,3 +179,120 @@ fn a_missing_reading_is_no_approach() {
     expected[3].iter_mut().filter(|(name, _)| name == "from pose 3").for_each(|(_, count)| *count -= 1);
     assert_eq!(found, expected);
 }
+
+/// Six arms' flanges stand so: the middle angle at a right angle. Thirty cycles with 0.005° of noise about each axis; the
+/// first and the last angle are as a controller finds them.
+fn poses_of_flange(middle_deg: f64) -> [String; 2] {
+    use etalon::base::noise::Noise;
+    use etalon::base::pose::Pose;
+    let mut noise = Noise::new(59, 6);
+    let cube = [[400.0, 0.0, 350.0], [500.0, 100.0, 450.0], [300.0, -100.0, 250.0]];
+    let [mut attained, mut commanded] =
+        ["pose,cycle", "pose"].map(|key| format!("{key},x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n"));
+    for (pose, [x, y, z]) in (1..).zip(cube) {
+        commanded += &format!("{pose},{x},{y},{z},30,{middle_deg},170\n");
+        let turned = Pose::from_xyz_rpy([0.0; 3], [30.0, middle_deg, 170.0].map(f64::to_radians));
+        for cycle in 1..=30 {
+            let off = [0, 1, 2].map(|_| noise.gaussian(0.005f64.to_radians()));
+            // at a pitch of a right angle yaw is arbitrary, and roll follows it
+            let [a, b, c] = Pose::from_rotation_vector(off).then(&turned).rpy_rad().map(f64::to_degrees);
+            let [x, y, z] = [x, y, z].map(|v| v + noise.gaussian(0.01));
+            attained += &format!("{pose},{cycle},{x},{y},{z},{a},{b},{c}\n");
+        }
+    }
+    [attained, commanded]
+}
+
+/// With the middle angle at a right angle the angles of the other two are noise: no path reports them, each says so, and
+/// with a stated order rotation vectors have the true scatter.
+#[test]
+fn angles_at_a_right_angle_are_not_reported_on_any_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let write = |middle_deg: f64| {
+        let [attained, commanded] = poses_of_flange(middle_deg);
+        std::fs::write(here.join("poses.csv"), attained).unwrap();
+        std::fs::write(here.join("commanded.csv"), commanded).unwrap();
+    };
+    let answer = |options: &[&str]| -> (Iso9283Document, String) {
+        let line = [&["iso9283", "pose", "poses.csv", "--all", "--json"], options].concat();
+        let output = super::etalon(here, &line);
+        assert_eq!(output.status.code(), Some(0), "{}", text_of(&output));
+        (serde_json::from_slice(&output.stdout).unwrap(), text_of(&output))
+    };
+    let (order, of) = (["--rotation-order", "Rz(c) Ry(b) Rx(a)"], ["--commanded", "commanded.csv"]);
+    for middle_deg in [90.0, -90.0, 89.99] {
+        write(middle_deg);
+        for options in [vec![], of.to_vec(), order.to_vec(), [of, order].concat()] {
+            let (document, said) = answer(&options);
+            assert!(said.contains("warning[angles-not-separable]"), "{options:?}: {said}");
+            for p in &document.poses {
+                let angles = [p.ap_a_deg, p.ap_b_deg, p.ap_c_deg, p.rp_a_deg, p.rp_b_deg, p.rp_c_deg];
+                assert_eq!(angles, [None; 6], "{options:?}");
+                assert_eq!(p.rp_rotation_deg.is_some(), options.contains(&order[0]), "{options:?}");
+                let rp = p.rp_rotation_deg.iter().flatten();
+                assert!(rp.into_iter().all(|rp| (0.008..0.024).contains(rp)), "{:?}", p.rp_rotation_deg);
+                let ap = p.ap_rotation_deg.iter().flatten();
+                assert!(ap.into_iter().all(|ap| ap.abs() < 4.0 * 0.005 / 30f64.sqrt()), "{:?}", p.ap_rotation_deg);
+            }
+            assert!(document.distances.iter().all(|d| d.ad_angles_deg.is_empty() && d.rd_angles_deg.is_empty()));
+            assert!(document.distances.iter().filter_map(|d| d.ad_rotation_deg).all(|ad| ad.abs() < 0.03));
+        }
+    }
+    // the reference targets moved: their compensation needs no angles that are separable
+    write(90.0);
+    let nests =
+        "cycle,target,x_mm,y_mm,z_mm\n1,A,0,0,0\n1,B,900,0,0\n1,C,0,700,50\n2,A,0,0,0\n2,B,900,0,0\n2,C,0,700,50.001\n";
+    std::fs::write(here.join("nests.csv"), nests).unwrap();
+    let (document, said) = answer(&[&of[..], &order, &["--reference", "nests.csv"]].concat());
+    assert!(said.contains("warning[angles-not-separable]") && document.poses[0].rp_rotation_deg.is_some(), "{said}");
+    // away from the right angle, angles are reported
+    write(45.0);
+    let (document, said) = answer(&[of, order].concat());
+    assert!(!said.contains("angles-not-separable") && document.poses[0].rp_a_deg.is_some(), "{said}");
+}
+
+/// Tables in metres are refused by name on every path, tables in another frame are told.
+#[test]
+fn metres_in_a_column_of_millimetres_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let write = |name: &str, text: &str| std::fs::write(here.join(name), text).unwrap();
+    let cube = [[400.0, 0.0, 350.0], [500.0, 100.0, 450.0], [300.0, 100.0, 450.0], [300.0, -100.0, 250.0]];
+    let attained = |factor: f64, robot: &str| -> String {
+        let row = |(pose, cycle): (usize, usize)| {
+            let [x, y, z] = cube[pose].map(|v| (v + 0.01 * cycle as f64) * factor);
+            format!("{},{cycle},{robot},{x},{y},{z}\n", pose + 1)
+        };
+        (0..4).flat_map(|pose| (0..5).map(move |cycle| (pose, cycle))).map(row).collect()
+    };
+    let head = "pose,cycle,robot,x_mm,y_mm,z_mm\n";
+    let commanded: String = (1..).zip(cube).map(|(pose, [x, y, z])| format!("{pose},{x},{y},{z}\n")).collect();
+    write("commanded.csv", &format!("pose,x_mm,y_mm,z_mm\n{commanded}"));
+    let line = "iso9283 pose poses.csv --commanded commanded.csv";
+    for (text, code, said) in [
+        (attained(1.0, "A"), 0, "AP"),
+        (attained(1e-3, "A"), 2, "error[positions-in-other-unit] table=attained unit=m"),
+        (attained(1.0 / 25.4, "A"), 2, "error[positions-in-other-unit] table=attained unit=inch"),
+        (attained(1e3, "A"), 2, "error[positions-in-other-unit] table=commanded unit=m"),
+        (attained(1.0, "A") + &attained(1e-3, "B"), 2, "error[positions-in-other-unit] table=robot robot=B unit=m"),
+    ] {
+        write("poses.csv", &format!("{head}{text}"));
+        let output = run(here, line);
+        assert_eq!(output.status.code(), Some(code), "{said}: {}", text_of(&output));
+        assert!(text_of(&output).says(said), "{said}: {}", text_of(&output));
+    }
+    // robots among each other, without commanded poses
+    let output = run(here, "iso9283 pose poses.csv");
+    assert!(text_of(&output).says("error[positions-in-other-unit] table=robot robot=B"), "{}", text_of(&output));
+    // a recording in metres: of a path, and of poses
+    let row = |i: usize| format!("{},{},0.1,0.2\n", i as f64 / 100.0, 0.001 * i as f64);
+    write("motion.csv", &format!("time_s,x_mm,y_mm,z_mm\n{}", (0..400).map(row).collect::<String>()));
+    write("path.csv", "x_mm,y_mm,z_mm\n50,100,200\n350,100,200\n");
+    write("places.csv", "pose,x_mm,y_mm,z_mm\n1,100,100,200\n2,300,100,200\n");
+    for options in ["--path path.csv", "--commanded places.csv", "--path path.csv --commanded places.csv"] {
+        let output = run(here, &format!("iso9283 path motion.csv {options}"));
+        assert_eq!(output.status.code(), Some(2), "{options}: {}", text_of(&output));
+        assert!(text_of(&output).says("error[positions-in-other-unit] table=attained unit=m"), "{}", text_of(&output));
+    }
+}

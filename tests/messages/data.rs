@@ -370,6 +370,26 @@ const TABLES: &[Case] = &[
         "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1",
     ),
     (
+        "coordinates-of-rows-missing axes=x rows=3",
+        "surfaces",
+        &[(
+            "t.csv",
+            "",
+            "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n1,A,0,0,0,0,0,0,374,0,630\n2,A,10,0,0,0,0,0,nan,65,630\n",
+        )],
+        "identify --robot @/robot.toml --observations @/t.csv",
+    ),
+    (
+        "joints-do-not-move rows=2",
+        "surfaces",
+        &[(
+            "t.csv",
+            "",
+            "pose,cycle,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n1,1,A,0,0,0,0,0,0,374,0,630\n1,2,A,0,0,0,0,0,0,374.01,0,630\n",
+        )],
+        "identify --robot @/robot.toml --observations @/t.csv",
+    ),
+    (
         "arms-apart",
         "dextar",
         &[("t.csv", "", "pose,target,theta1_deg,theta2_deg,x_mm,y_mm\n1,tool,180,0,0,0\n")],

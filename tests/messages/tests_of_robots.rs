@@ -87,15 +87,35 @@ const CASES: &[Case] = &[
     (
         "angles-not-separable",
         "",
+        &[("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n1,1,0,0,0,10,90,20\n1,2,0,0,0.1,10,90,20\n")],
+        "iso9283 pose @/t.csv --rotation-order Rz(c)~Ry(b)~Rx(a)",
+    ),
+    (
+        "positions-in-other-unit table=attained unit=m",
+        "",
         &[
-            ("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n1,1,0,0,0,10,90,20\n1,2,0,0,0.1,10,90,20\n"),
-            (
-                "r.csv",
-                "",
-                "cycle,target,x_mm,y_mm,z_mm\n1,A,0,0,0\n1,B,1000,0,0\n1,C,0,1000,0\n2,A,0,0,0\n2,B,1000,0,0\n2,C,0,1000,0.5\n",
-            ),
+            ("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,0.4,0.1,0.35\n1,2,0.4,0.1,0.35001\n"),
+            ("c.csv", "", "pose,x_mm,y_mm,z_mm\n1,400,100,350\n"),
         ],
-        "iso9283 pose @/t.csv --reference @/r.csv --rotation-order Rz(c)~Ry(b)~Rx(a)",
+        "iso9283 pose @/t.csv --commanded @/c.csv",
+    ),
+    (
+        "poses-in-other-frame turned=shifted",
+        "",
+        &[
+            ("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,900,0,0\n2,1,1000,0,0\n3,1,900,100,0\n"),
+            ("c.csv", "", "pose,x_mm,y_mm,z_mm\n1,0,0,50\n2,100,0,50\n3,0,100,50\n"),
+        ],
+        "iso9283 pose @/t.csv --commanded @/c.csv",
+    ),
+    (
+        "deviation-as-large-as-test",
+        "",
+        &[
+            ("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,0,0,0\n2,1,100,0,0\n3,1,0,150,0\n"),
+            ("c.csv", "", "pose,x_mm,y_mm,z_mm\n1,0,0,0\n2,0,150,0\n3,100,0,0\n"),
+        ],
+        "iso9283 pose @/t.csv --commanded @/c.csv",
     ),
     ("data-rows-missing", "", &[("t.csv", "", "position_mm,measured_mm,direction\n")], "iso230 @/t.csv"),
     ("iso230-few-runs", "", &[("t.csv", "", "position_mm,measured_mm,direction\n0,0.001,1\n")], "iso230 @/t.csv"),

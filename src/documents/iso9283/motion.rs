@@ -1,11 +1,13 @@
 //! Recorded motions (ISO 9283:1998 7.4, 7.5, 9).
 
+use super::pose::{misplacement, not_separable};
 use super::{Iso9283Path, Iso9283Weaving, all, degrees};
 use crate::mirror::mirror;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
+use etalon_standards::iso9283::misplacement::misplaced_motion;
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{MotionSettings, Standing, standing};
@@ -95,7 +97,8 @@ mirror! {
         samples: usize = s.standstill.samples.len(),
         /// Mean position of the middle half: x, y and, if measured, z.
         mean_mm: Vec<f64>,
-        /// Means of the measured angles, in the order a, b, c.
+        /// Means of the measured angles, in the order a, b, c; angles of the middle sample if two of
+        /// them are not separable.
         mean_deg: Vec<f64> = degrees(&s.standstill.angles_rad),
         /// Noise of instrument and hold: mean radius plus three standard deviations of the samples
         /// of the middle half.
@@ -176,12 +179,20 @@ impl Iso9283StreamDocument {
             path: None,
             weaving: None,
         };
+        if let Some(found) = misplaced_motion(recording, settings) {
+            document.messages.push(misplacement(&found)?);
+        }
         if let Some(path) = &settings.path {
             let driven =
                 Driven::new(recording, path, settings.near_mm).map_err(|e| without_pass(e, settings.near_mm))?;
             match &path.weave {
                 Some(weave) => document.weaving = Some(driven.weaving(weave)?.into()),
-                None => document.path = Some(driven.characteristics(settings.band_mm, settings.seed)?.into()),
+                None => {
+                    let found = driven.characteristics(settings.band_mm, settings.seed)?;
+                    let place = phrase!("angles-of-path");
+                    document.messages.extend(found.inseparable.map(|angles| not_separable(angles, false, place)));
+                    document.path = Some(found.into());
+                }
             }
             document.messages.extend(path_messages(&driven, path));
         }
@@ -207,6 +218,12 @@ fn messages(recording: &Recording, settings: &MotionSettings, standing: &[Standi
     }
     if settings.path.as_ref().is_some_and(|p| p.weave.is_some() && p.velocity_mm_s.is_some()) {
         messages.push(warning!("weave-velocity-not-compared"));
+    }
+    let locked: Vec<(f64, [usize; 2])> =
+        standing.iter().filter_map(|s| Some(((1e3 * s.from_s).round() / 1e3, s.standstill.inseparable?))).collect();
+    if let Some((_, angles)) = locked.first() {
+        let times_s: Vec<f64> = locked.iter().take(10).map(|(from_s, _)| *from_s).collect();
+        messages.push(not_separable(*angles, false, phrase!("angles-of-standstills", count = locked.len(), times_s)));
     }
     let begins = |s: &&Standing| s.arrival.is_none() && s.standstill.samples.start > 0;
     let unsettled = standing.iter().filter(begins).map(|s| (1e3 * s.from_s).round() / 1e3);

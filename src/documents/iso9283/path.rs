@@ -25,7 +25,7 @@ mirror! {
         at_interval: Option<Iso9283Interval> = p.at_interval.map(Into::into),
         /// Position of AT_p along the path.
         at_along_mm: f64 = p.points[p.accuracy.worst].along_mm,
-        /// AT of the measured angles, in the order a, b, c.
+        /// AT of the measured angles, in the order a, b, c; empty if two of them are not separable.
         at_angles_deg: Vec<f64> = degrees(&p.angle_accuracy_rad),
         /// RT_p (8.3): largest mean radius plus three standard deviations; null with a single pass.
         rt_mm: Option<f64> = p.repeatability.as_ref().map(|r| r.rt_mm),
@@ -35,7 +35,8 @@ mirror! {
         rt_interval: Option<Iso9283Interval> = p.rt_interval.map(Into::into),
         /// Position of RT_p along the path.
         rt_along_mm: Option<f64> = p.repeatability.as_ref().map(|r| p.points[r.worst].along_mm),
-        /// RT of the measured angles; empty with a single pass.
+        /// RT of the measured angles; empty with a single pass, and if two of them are not
+        /// separable.
         rt_angles_deg: Vec<f64> = degrees(&p.angle_repeatability_rad),
         /// Velocity, if the commanded velocity is stated.
         velocity: Option<Iso9283Velocity> = p.velocity.map(Into::into),

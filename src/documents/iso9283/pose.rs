@@ -9,6 +9,7 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_standards::decision::DecisionRule;
+use etalon_standards::iso9283::misplacement::{Misplacement, TestTable, misplaced_poses};
 use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
 use etalon_standards::iso9283::pose::distance::{PairDistance, distances};
@@ -78,6 +79,7 @@ impl Iso9283Document {
         if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
             return Err(error!("limits-for-several-robots", robots = count).into());
         }
+        let placed = misplaced_poses(robots).map(|found| misplacement(&found)).transpose()?;
         let test = &robots.of_first_robot();
         let poses: Vec<Iso9283Pose> = all(characteristics(test, settings)?);
         let conventions = conventions(robots, settings);
@@ -99,7 +101,7 @@ impl Iso9283Document {
             visits: Vec::new(),
             limits: Vec::new(),
             reference: Vec::new(),
-            messages: messages(test, &poses),
+            messages: placed.into_iter().chain(messages(test, &poses)).collect(),
             poses,
         })
     }
@@ -235,6 +237,17 @@ mirror! {
         /// RP_c.
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_c_deg: Option<f64> = p.angle_repeatability_rad[2].map(f64::to_degrees),
+        /// Rotation from the commanded to the mean orientation about x, y and z of the table, as a
+        /// rotation vector; instead of AP_a, AP_b and AP_c where two rotations have nearly the same
+        /// axis and their order is stated.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        ap_rotation_deg: Option<Vector> =
+            p.rotation.and_then(|r| r.deviation_rad).map(|v| v.map(f64::to_degrees)),
+        /// Three standard deviations of the rotations from the mean orientation about x, y and z of
+        /// the table, instead of RP_a, RP_b and RP_c.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        rp_rotation_deg: Option<Vector> =
+            p.rotation.and_then(|r| r.repeatability_rad).map(|v| v.map(f64::to_degrees)),
         /// 95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if
         /// stated; null with fewer than three visits.
         ap_interval: Option<Iso9283Interval> = p.ap.interval.map(Into::into),
@@ -335,10 +348,18 @@ mirror! {
         rd_mm: f64 = d.position.rd_mm,
         /// RD_x, RD_y and, if spatial, RD_z.
         rd_axes_mm: Vec<f64> = d.coordinates(d.position.rd_axis_mm),
-        /// AD of the measured angles, in the order a, b, c.
+        /// AD of the measured angles, in the order a, b, c; empty if those of a pose are not
+        /// separable.
         ad_angles_deg: Vec<f64> = degrees(&d.ad_angles_rad),
         /// RD of the measured angles.
         rd_angles_deg: Vec<f64> = degrees(&d.rd_angles_rad),
+        /// AD of the angle between the two orientations, where angles are not separable and their
+        /// order is stated.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        ad_rotation_deg: Option<f64> = d.rotation_rad.map(|[ad, _]| ad.to_degrees()),
+        /// RD of this angle.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        rd_rotation_deg: Option<f64> = d.rotation_rad.map(|[_, rd]| rd.to_degrees()),
     }
 }
 
@@ -354,8 +375,12 @@ mirror! {
         vap_mm: f64,
         /// Approaches with the largest distance.
         between: [String; 2],
-        /// vAP of the measured angles, in the order a, b, c.
+        /// vAP of the measured angles, in the order a, b, c; empty if they are not separable.
         vap_angles_deg: Vec<f64> = degrees(&v.angles_rad),
+        /// Largest angle between the mean orientations of two approaches, where angles are not
+        /// separable and their order is stated.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        vap_rotation_deg: Option<f64> = v.rotation_rad.map(f64::to_degrees),
         /// Characteristics of each approach.
         approaches: Vec<Iso9283Approach> = all(v.approaches),
     }
@@ -413,6 +438,7 @@ impl Iso9283Drift {
 fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
     let mut messages = test.warnings.clone();
     messages.extend(several_ways(test));
+    messages.extend(inseparable(test));
     let named = |wanted: fn(&Iso9283Pose) -> bool| {
         let names: Vec<PoseName> = poses.iter().filter(|p| wanted(p)).map(|p| p.pose).collect();
         (!names.is_empty()).then_some(names)
@@ -424,6 +450,52 @@ fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
         messages.push(warning!("instrument-too-coarse", count = coarse.len(), poses = coarse));
     }
     messages
+}
+
+/// Warnings of poses whose angles are not separable, one for each two angles.
+fn inseparable(test: &PoseTest) -> Vec<Message> {
+    let mut named: BTreeMap<([usize; 2], bool), Vec<PoseName>> = BTreeMap::new();
+    for p in &test.poses {
+        if let Some(found) = test.inseparable(p) {
+            named.entry((found.angles, found.is_stated)).or_default().push(p.pose);
+        }
+    }
+    let place = |poses: Vec<PoseName>| phrase!("angles-of-poses", count = poses.len(), poses);
+    named.into_iter().map(|((angles, stated), poses)| not_separable(angles, stated, place(poses))).collect()
+}
+
+/// Warning of a deviation as large as the test.
+///
+/// # Errors
+/// A table in another unit is an error: no characteristic of it is true.
+pub(super) fn misplacement(found: &Misplacement) -> Result<Message> {
+    match found {
+        Misplacement::Unit { table, axes, unit, length_mm } => {
+            let axes: Vec<&str> = axes.iter().map(|&k| ["x", "y", "z"][k]).collect();
+            let (table, robot) = match table {
+                TestTable::Attained(robot) if robot.is_empty() => ("attained", String::new()),
+                TestTable::Attained(robot) => ("robot", one_line(robot)),
+                TestTable::Commanded => ("commanded", String::new()),
+            };
+            let (count, unit) = (axes.len(), *unit);
+            Err(error!("positions-in-other-unit", axes, count, table, robot, unit, length_mm).into())
+        }
+        Misplacement::Frame { deviation_mm, shift_mm, turn_rad, left_mm } => {
+            let turn_deg = turn_rad.unwrap_or(0.0).to_degrees();
+            let (turned, [x_mm, y_mm, z_mm]) = (if turn_rad.is_some() { "turned" } else { "shifted" }, *shift_mm);
+            Ok(warning!("poses-in-other-frame", deviation_mm, turned, turn_deg, x_mm, y_mm, z_mm, left_mm).to_decide())
+        }
+        Misplacement::Large { deviation_mm, extent_mm, poses } => {
+            Ok(warning!("deviation-as-large-as-test", deviation_mm, extent_mm, poses).to_decide())
+        }
+    }
+}
+
+/// Warning that two angles are not separable at a place of the test.
+pub(super) fn not_separable(angles: [usize; 2], is_stated: bool, place: Phrase) -> Message {
+    let [first, second] = angles.map(|k| ["a", "b", "c"][k]);
+    let order = if is_stated { "stated" } else { "unknown" };
+    warning!("angles-not-separable", first, second, place, order)
 }
 
 /// Texts of the approaches that are named after the pose before.
@@ -465,6 +537,9 @@ fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<Phrase> {
             Some(order) => phrase!("convention-angles", order),
             None => phrase!("convention-angles-of-unknown-order"),
         });
+        if visits.order().is_some() && visits.poses.iter().any(|p| visits.inseparable(p).is_some()) {
+            conventions.push(phrase!("convention-rotation-vectors"));
+        }
     }
     conventions
 }

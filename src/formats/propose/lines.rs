@@ -473,6 +473,9 @@ impl Proposal<'_> {
             (None, delimiter) => {
                 let delimiter = delimiter.map_or(",", Delimiter::name);
                 let _ = writeln!(out, "delimiter = {delimiter:?}\ndecimal = {:?}", dialect.decimal.name());
+                if let Some(thousands) = dialect.thousands {
+                    let _ = writeln!(out, "thousands = {:?}", thousands.name());
+                }
             }
         }
         if let Some(comment) = &dialect.comment {

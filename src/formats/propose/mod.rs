@@ -614,4 +614,42 @@ mod tests {
         let thousands = propose("p.txt", "a;1.234,50;-2.345,25;3,75\nb;4.125,00;5,50;6,25\n").toml;
         assert!(thousands.contains("decimal = \",\", thousands = \".\""), "{thousands}");
     }
+
+    /// Points of which a few exceed a metre, in every pair of marks; the marks are proposed and x, y
+    /// and z are found, with one number in groups of three as with many. A text that two pairs of
+    /// marks read is in doubt.
+    #[test]
+    fn groups_of_three_digits_are_proposed_with_their_mark() {
+        let rows = |decimal: &str, group: &str, large: usize| -> String {
+            let row = |i: usize| {
+                let z =
+                    if i < large { format!("1{group}0{i:02}{decimal}1369") } else { format!("9{i:02}{decimal}9525") };
+                format!("A_{i}_1;-{i}91{decimal}2391;140{decimal}39{i:02};{z}\r\n")
+            };
+            (10..40).map(row).collect()
+        };
+        for (decimal, group, key) in [
+            (",", ".", "."),
+            (".", ",", ","),
+            (".", "'", "'"),
+            (".", "\u{2019}", "'"),
+            (",", "'", "'"),
+            (",", " ", " "),
+            (",", "\u{a0}", " "),
+            (".", "\u{202f}", " "),
+        ] {
+            for large in [11, 15, 40] {
+                let text = format!("\u{feff}Name;X [mm];Y [mm];Z [mm]\r\n{}", rows(decimal, group, large));
+                let document = propose("p.csv", text.trim_start_matches('\u{feff}'));
+                let wanted = format!("decimal = {decimal:?}, thousands = {key:?}");
+                assert!(document.toml.contains(&wanted), "{decimal} {group} {large}: {}", document.toml);
+                assert_eq!(document.readings[0].columns, ["label", "x", "y", "z"], "{decimal} {group} {large}");
+                assert!(document.doubts.is_empty(), "{decimal} {group} {large}: {:?}", document.doubts);
+            }
+            let plain = propose("p.csv", &rows(decimal, "", 40));
+            assert!(!plain.toml.contains("thousands"), "{}", plain.toml);
+        }
+        let ambiguous = propose("p.csv", "a;1,234;2,345;3,456\nb;4,567;5,678;6,789\nc;4,367;5,278;6,189\n");
+        assert!(ambiguous.doubts.iter().any(|d| d.contains("it may be a thousands mark")), "{:?}", ambiguous.doubts);
+    }
 }

@@ -25,7 +25,9 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
     let placed = has("x_mm") && has("y_mm");
     let file = quoted(proposal.file);
     let dialect = &proposal.best.dialect;
-    let plain = dialect.delimiter == Some(Delimiter::Comma) && dialect.decimal == Decimal::Point;
+    let plain =
+        dialect.delimiter == Some(Delimiter::Comma) && dialect.decimal == Decimal::Point && dialect.thousands.is_none();
+    let thousands = dialect.thousands.map_or(String::new(), |mark| format!("thousands = {:?}\n", mark.name()));
     let own = |kind: &'static str, what: Phrase, lines: String| Some(Own { kind, what, lines, question: None });
     let joint = |i: &usize| meaning(names[*i]).is_some() && names[*i].rsplit_once('_').is_some();
     let observed = placed || has("distance_mm") || has("socket") || has("kind");
@@ -34,7 +36,7 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
             (Some(sheet), _) => format!("sheet = {}\n", quoted(sheet)),
             (None, true) => String::new(),
             (None, false) => format!(
-                "delimiter = {:?}\ndecimal = {:?}\n",
+                "delimiter = {:?}\ndecimal = {:?}\n{thousands}",
                 dialect.delimiter.map_or(",", Delimiter::name),
                 dialect.decimal.name()
             ),

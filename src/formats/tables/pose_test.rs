@@ -6,6 +6,7 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_standards::iso9283::pose::approach::{CameFrom, came_from};
+use etalon_standards::iso9283::pose::rotations::RotationOrder;
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,8 +23,13 @@ struct Rows {
 ///
 /// Columns of attained poses: `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, optionally
 /// `approach`, `robot` and `reading`; commanded poses have no cycle. Rows of one visit with a
-/// `reading` are averaged. Without commanded poses only repeatability is evaluated.
-pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<PoseTest> {
+/// `reading` are averaged. Without commanded poses only repeatability is evaluated. The order of
+/// the rotations a, b, c is `None` if it is not stated.
+pub fn pose_test(
+    attained: NamedTable,
+    commanded: Option<NamedTable>,
+    rotation_order: Option<RotationOrder>,
+) -> Result<PoseTest> {
     let mut problems = Problems::default();
     let mut read = |table: NamedTable| problems.keep(rows(table));
     let a = read(attained);
@@ -85,7 +91,7 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
     if poses.is_empty() {
         return Err(error!("no-pose-measured").at(Place::file(attained.file)).into());
     }
-    Ok(PoseTest { poses, spatial: a.spatial, angles: a.angles, warnings })
+    Ok(PoseTest { poses, spatial: a.spatial, angles: a.angles, rotation_order, warnings })
 }
 
 /// Attained poses of all rows, and a warning of visits with unknown approach.
@@ -119,6 +125,7 @@ fn attained_poses(table: NamedTable, rows: &Rows) -> Result<Attained> {
         },
         robot: robot(i).to_owned(),
         readings_mm: vec![rows.positions_mm[i]],
+        readings_rad: vec![rows.angles_rad[i].clone()],
     };
     Ok(Attained { visits: (0..rows.poses.len()).map(visit).collect(), unknown })
 }

@@ -23,16 +23,11 @@ pub struct SetupDrift {
 /// `cycle,target,x_mm,y_mm[,z_mm]`. Targets measured in a cycle apply from this cycle until they
 /// are measured again.
 ///
-/// Orientations are compensated if `rotation_order` states the order of all angles a, b, c (see
-/// [`RotationOrder::parse`]), or for c of a planar robot. Otherwise angles are unchanged, with a
-/// warning.
-pub fn compensate_setup_drift(
-    test: &mut PoseTest,
-    table: NamedTable,
-    rotation_order: Option<&str>,
-) -> Result<SetupDrift> {
+/// Orientations are compensated if the test states the order of all angles a, b, c, or for c of a
+/// planar robot. Otherwise angles are unchanged, with a warning.
+pub fn compensate_setup_drift(test: &mut PoseTest, table: NamedTable) -> Result<SetupDrift> {
     let (cycles, epochs) = read(table)?;
-    let turning = turning(test, rotation_order);
+    let turning = turning(test);
     let angles = test.angles.clone();
     for p in &mut test.poses {
         // of all angles of an orientation, those nearest to the commanded ones are taken
@@ -43,12 +38,13 @@ pub fn compensate_setup_drift(
             attained.position_mm = epoch.first_T_now.apply(attained.position_mm);
             attained.readings_mm.iter_mut().for_each(|p| *p = epoch.first_T_now.apply(*p));
             let Some(order) = turning.filter(|_| epoch.moved_mm > 0.0) else { continue };
-            let pose = order.pose(all_three(&angles, &attained.angles_rad));
-            let Some(turned) = order.angles_rad(&epoch.first_T_now.then(&pose), start_rad) else {
-                let pose = p.pose.to_string();
-                return Err(error!("angles-not-separable", pose, cycle = attained.cycle).into());
+            let turn = |read: &mut Vec<f64>| {
+                let pose = order.pose(all_three(&angles, read));
+                let turned = order.angles_rad(&epoch.first_T_now.then(&pose), start_rad);
+                *read = angles.iter().map(|&k| turned[k]).collect();
             };
-            attained.angles_rad = angles.iter().map(|&k| turned[k]).collect();
+            turn(&mut attained.angles_rad);
+            attained.readings_rad.iter_mut().for_each(turn);
         }
     }
     let told = |(&cycle, e): (&i64, &Epoch)| Iso9283Epoch { cycle, moved_mm: e.moved_mm, rms_mm: e.rms_mm };
@@ -56,11 +52,11 @@ pub fn compensate_setup_drift(
 }
 
 /// Returns the order of rotations; adds a warning if there are angles and their order is unknown.
-fn turning(test: &mut PoseTest, rotation_order: Option<&str>) -> Option<RotationOrder> {
+fn turning(test: &mut PoseTest) -> Option<RotationOrder> {
     let planar = !test.spatial && test.angles == [2];
     let order = match planar {
         true => RotationOrder::parse("Rz(c) Ry(b) Rx(a)"),
-        false => rotation_order.and_then(RotationOrder::parse).filter(|_| test.angles.len() == 3),
+        false => test.order(),
     };
     if order.is_none() && !test.angles.is_empty() {
         test.warnings.push(warning!("angles-not-compensated"));

@@ -139,11 +139,13 @@ impl Fitted {
     }
 
     /// `true` if the hypothesis explains the observations, and `stated`, the one without a change,
-    /// cannot.
+    /// cannot. Residuals must fall relative to the spread of the positions as well: a smaller unit
+    /// makes all lengths small, and explains nothing.
     pub fn explains_what(&self, stated: &Fitted) -> bool {
         let (per_row, stated_per_row) = (self.cost / self.rows as f64, stated.cost / stated.rows as f64);
         let falls = stated.cost - self.cost > FALLS_BY && stated_per_row > per_row;
-        let residuals = stated_per_row > CONTRADICTED * per_row.max(1.0);
+        let nearer = self.share < stated.share / CONTRADICTED.sqrt();
+        let residuals = nearer && stated_per_row > CONTRADICTED * per_row.max(1.0);
         self.explains() && falls && (residuals || stated.off > OFF)
     }
 

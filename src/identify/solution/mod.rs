@@ -9,6 +9,7 @@ pub(crate) mod identifiability;
 pub(crate) mod observability;
 pub(crate) mod placing;
 pub(crate) mod related;
+pub(crate) mod scatter;
 pub(crate) mod set_up;
 pub(crate) mod slips;
 pub(crate) mod solver;

@@ -7,6 +7,7 @@ use crate::Observation;
 use crate::model::residuals::Residuals;
 use crate::solution::hypotheses::{Fitted, Hypothesis, LEAST_MM};
 use crate::solution::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
+use crate::solution::scatter::shown_noise_mm;
 use crate::solution::slips::{Change, changes, shifted};
 use crate::warning::{Origin, SetUpError, Subject, Warning};
 use etalon_base::catalogue::Phrase;
@@ -53,10 +54,21 @@ pub(crate) fn explained(message: Message, robot: &dyn Robot, observations: &[Obs
 /// tolerances, taken as half-widths of rectangular distributions (GUM 4.3.7), allow; base and
 /// targets, at `values`, absorb as much as they can.
 ///
-/// `noise_mm` is the standard uncertainty of a coordinate. What is allowed is never more than a
+/// `noise_mm` is the stated standard uncertainty of a coordinate; the noise that the observations
+/// show counts if it is larger. What is allowed is never more than a
 /// tenth of the spread of the measurements: with nominal values that are wrong themselves the
 /// Jacobian allows anything.
 pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64], noise_mm: f64) -> Option<f64> {
+    let effect_mm = tolerance_effect_mm(robot, observations, values)?;
+    let noise_mm = shown_noise_mm(robot, observations, noise_mm);
+    let noise = robot.dimension() as f64 * (NOISE_COORDINATE * noise_mm).powi(2);
+    let most = (UNEXPLAINED * spread_mm(observations)).max(noise.sqrt());
+    Some((effect_mm.powi(2) + noise).sqrt().min(most)).filter(|v| v.is_finite())
+}
+
+/// Root mean square effect (mm) on the positions of parameters that deviate from nominal as their
+/// tolerances allow, as far as base and targets, at `values`, do not absorb it.
+pub fn tolerance_effect_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
     let of = |role: fn(Role) -> bool| (0..values.len()).filter(move |&i| role(robot.parameters()[i].role));
     let places: Vec<usize> = of(|role| role != Role::Robot).collect();
     let free: Vec<usize> = places.iter().copied().chain(of(|role| role == Role::Robot)).collect();
@@ -70,9 +82,7 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
     let variance = |k: usize| left(k) * robot.parameters()[free[common[k]]].tolerance.powi(2) / 3.0;
     let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
     let sum: f64 = (first..common.len()).map(variance).sum();
-    let noise = robot.dimension() as f64 * (NOISE_COORDINATE * noise_mm).powi(2);
-    let most = (UNEXPLAINED * spread_mm(observations)).max(noise.sqrt());
-    Some((sum / points.max(1) as f64 + noise).sqrt().min(most)).filter(|v| v.is_finite())
+    Some((sum / points.max(1) as f64).sqrt()).filter(|v| v.is_finite())
 }
 
 /// Returns an error if no position of base and targets brings the nominal robot as near to the
@@ -84,7 +94,8 @@ pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm:
     let nominal = robot.nominal();
     let stated = misfit(robot, &subset, &nominal, false);
     let [stated_mm, median_mm] = stated.map_or([f64::INFINITY; 2], |m| [m.rms_mm, m.median_mm]);
-    let allowed_mm = allowed_mm(robot, &subset, &nominal, noise_mm)?;
+    // all observations show the noise; a few of them have no repeats
+    let allowed_mm = allowed_mm(robot, &subset, &nominal, shown_noise_mm(robot, observations, noise_mm))?;
     (median_mm > allowed_mm).then(|| far_from_nominal(robot, observations, [stated_mm, allowed_mm], noise_mm))
 }
 
@@ -113,7 +124,7 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
         return None;
     }
     let subset = spread_over(observations, SUBSET);
-    let least_mm = noise_mm.max(LEAST_MM);
+    let least_mm = shown_noise_mm(robot, observations, noise_mm).max(LEAST_MM);
     let stated = Case::placed(robot, &subset, false);
     let stated_mm = stated.as_ref().map_or(f64::INFINITY, |case| case.left_mm);
     let as_stated = stated.as_ref().and_then(|case| case.fit(robot, least_mm, None));
@@ -538,6 +549,38 @@ mod tests {
             *p = [noise.uniform(200.0), noise.uniform(200.0), 0.0];
         }
         assert_eq!(set_up_error(&robot, &observations, 0.003), None);
+    }
+
+    /// Thirty repeats of one pose, or poses within a few micrometres, are noise about any robot: no
+    /// unit, sign or order explains them, and the nominal robot is not far from them. The same robot
+    /// in the wrong unit over its full range is named, with repeats that show the noise.
+    #[test]
+    fn noise_is_no_misfit_and_no_unit_explains_it() {
+        let robot = Prexyt::default();
+        let nominal = robot.nominal();
+        for range in [0.0, 0.005, 80.0] {
+            let mut noise = Noise::new(16, 9);
+            let mut joints = |i: i64| (i, [85.0, 150.0, 150.0].map(|q| q + noise.uniform(range)).to_vec());
+            let poses: Vec<(i64, Vec<f64>)> = (1..=30).map(&mut joints).collect();
+            let observe = |(i, joints): &(i64, Vec<f64>), cycle: i64, noise: &mut Noise| {
+                let mut seen = |[x, y]: [f64; 2]| Some([x + noise.gaussian(0.015), y + noise.gaussian(0.015), 0.0]);
+                let targets = robot.balls(&nominal, joints).map(&mut seen).to_vec();
+                Observation { pose: (*i).into(), cycle, joints: joints.clone(), targets, ..Observation::default() }
+            };
+            let mut observations: Vec<Observation> = (1..=2)
+                .flat_map(|cycle| poses.iter().map(|p| observe(p, cycle, &mut noise)).collect::<Vec<_>>())
+                .collect();
+            assert_eq!(set_up_problem(&robot, &observations, 0.0), None, "{range}");
+            assert_eq!(set_up_error(&robot, &observations, 0.0), None, "{range}");
+            for p in observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()) {
+                *p = p.map(|v| v * 1e-3);
+            }
+            if range > 1.0 {
+                let found = set_up_error(&robot, &observations, 0.0).expect("a slip");
+                assert_eq!(found.changes[0].0, phrase!("slip-unit", quantity = "points", slip = "m-mm"));
+                assert!(set_up_problem(&robot, &observations, 0.0).is_some());
+            }
+        }
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::solution::fixtures::place_fixtures;
 use crate::solution::placing::{
     MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, readings, spread_mm, spread_over,
 };
+use crate::solution::scatter::shown_noise_mm;
 use crate::solution::set_up::{explained, far_from_nominal};
 use crate::{Observation, Settings};
 use etalon_base::error;
@@ -70,7 +71,7 @@ fn by_points(
     }
     let spread = spread_mm(&subset);
     // where poses are near each other, noise is a large share of their spread
-    if rms_mm > (UNEXPLAINED * spread).max(NOISE_DISTANCE * noise_mm) {
+    if rms_mm > (UNEXPLAINED * spread).max(NOISE_DISTANCE * shown_noise_mm(robot, observations, noise_mm)) {
         let message = error!("placement-unexplained", left_mm = rms_mm, spread_mm = spread);
         return Err(explained(message, robot, observations, noise_mm).into());
     }

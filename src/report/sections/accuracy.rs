@@ -54,8 +54,10 @@ pub(super) fn positions(poses: &[Named], words: &Words) -> Table {
 
 fn orientation(poses: &[Named], words: &Words) -> Table {
     let angles = |p: &Iso9283Pose| [p.ap_a_deg, p.ap_b_deg, p.ap_c_deg, p.rp_a_deg, p.rp_b_deg, p.rp_c_deg];
-    let shown = ["pose", "AP a", "AP b", "AP c", "RP a", "RP b", "RP c"];
-    let turned = poses.iter().filter(|n| angles(n.pose).iter().any(Option::is_some));
+    let rotations = |p: &Iso9283Pose| p.ap_rotation_deg.or(p.rp_rotation_deg).is_some();
+    let mut shown = vec!["pose", "AP a", "AP b", "AP c", "RP a", "RP b", "RP c"];
+    shown.extend(["AP rx", "AP ry", "AP rz", "RP rx", "RP ry", "RP rz"]);
+    let turned = poses.iter().filter(|n| rotations(n.pose) || angles(n.pose).iter().any(Option::is_some));
     Table::of(words, turned, Columns::new().page_of(columns(words), &shown)).without_empty_columns()
 }
 
@@ -74,7 +76,9 @@ fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
         .micrometres("RD y", |d| d.rd_axes_mm.get(1).copied())
         .micrometres("RD z", |d| d.rd_axes_mm.get(2).copied())
         .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-ad", axis)), "deg", |d| &d.ad_angles_deg)
-        .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-rd", axis)), "deg", |d| &d.rd_angles_deg);
+        .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-rd", axis)), "deg", |d| &d.rd_angles_deg)
+        .both("AD r", "deg", |d| fixed(d.ad_rotation_deg, 4))
+        .both("RD r", "deg", |d| fixed(d.rd_rotation_deg, 4));
     let table = Table::of(words, &document.distances, columns).without_empty_columns();
     table.showing(DISTANCES).on(phrase!("sheet-iso9283-distances"))
 }

@@ -191,6 +191,12 @@ pub(super) fn columns<'a>(words: &'a Words) -> Columns<'a, Named<'a>> {
         .both("RP a", "deg", |n| fixed(n.pose.rp_a_deg, 4))
         .both("RP b", "deg", |n| fixed(n.pose.rp_b_deg, 4))
         .both("RP c", "deg", |n| fixed(n.pose.rp_c_deg, 4))
+        .both("AP rx", "deg", |n| fixed(n.pose.ap_rotation_deg.map(|v| v[0]), 4))
+        .both("AP ry", "deg", |n| fixed(n.pose.ap_rotation_deg.map(|v| v[1]), 4))
+        .both("AP rz", "deg", |n| fixed(n.pose.ap_rotation_deg.map(|v| v[2]), 4))
+        .both("RP rx", "deg", |n| fixed(n.pose.rp_rotation_deg.map(|v| v[0]), 4))
+        .both("RP ry", "deg", |n| fixed(n.pose.rp_rotation_deg.map(|v| v[1]), 4))
+        .both("RP rz", "deg", |n| fixed(n.pose.rp_rotation_deg.map(|v| v[2]), 4))
         .sheet(phrase!("noise-of-reading-x"), "mm", |n| n.pose.noise_mm.map(|n| n[0]))
         .sheet(phrase!("noise-of-reading-y"), "mm", |n| n.pose.noise_mm.map(|n| n[1]))
         .sheet(phrase!("noise-of-reading-z"), "mm", |n| n.pose.noise_mm.map(|n| n[2]))
@@ -231,7 +237,8 @@ fn by_approach(document: &Iso9283Document, words: &Words) -> Vec<Block> {
         .sheet("vAP", "mm", |v| v.vap_mm)
         .sheet(phrase!("head-between"), "", |v| v.between[0].as_str())
         .sheet(phrase!("head-and"), "", |v| v.between[1].as_str())
-        .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-vap", axis)), "deg", |v| &v.vap_angles_deg);
+        .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-vap", axis)), "deg", |v| &v.vap_angles_deg)
+        .sheet("vAP r", "deg", |v| v.vap_rotation_deg);
     let variation = Table::of(words, &document.approaches, columns).on(phrase!("sheet-iso9283-variation"));
     section.push(Block::Table(variation.without_empty_columns()));
     section.blocks.extend(section.data.into_iter().map(Block::Table));

@@ -33,6 +33,7 @@ pub(crate) fn whole() -> Characteristics {
         rd_axes_mm: vec![0.015, 0.02, 0.008],
         ad_angles_deg: vec![0.001],
         rd_angles_deg: vec![0.006],
+        ..Iso9283Distance::default()
     }];
     poses.approaches[0].vap_angles_deg = vec![0.0021];
     poses.drifts = vec![Iso9283Drift {
@@ -112,6 +113,7 @@ pub(crate) fn iso9283() -> Iso9283Document {
             vap_mm: 0.0123,
             between: ["from pose 2".to_owned(), "from pose 3".to_owned()],
             vap_angles_deg: vec![],
+            vap_rotation_deg: None,
             approaches: vec![
                 approach("from pose 2", [100.0, 50.006, 0.0]),
                 approach("from pose 3", [100.0, 49.994, 0.0]),

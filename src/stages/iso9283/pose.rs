@@ -11,6 +11,7 @@ use etalon_formats::tables::pose_test::pose_test;
 use etalon_formats::tables::reference_targets::{SetupDrift, compensate_setup_drift};
 use etalon_standards::iso9283::pose::PoseTestSettings;
 use etalon_standards::iso9283::pose::drift::drifts;
+use etalon_standards::iso9283::pose::rotations::RotationOrder;
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
 use std::path::Path;
 
@@ -71,13 +72,14 @@ impl PoseTables {
             let problems = attained.place(problems);
             if let Some(commanded) = commanded { commanded.place(problems) } else { problems }
         };
-        let mut test = pose_test(attained.named(), commanded.map(TableFile::named)).map_err(in_texts)?;
+        let order = rotation_order.and_then(RotationOrder::parse);
+        let mut test = pose_test(attained.named(), commanded.map(TableFile::named), order).map_err(in_texts)?;
+        test.settle_solutions();
         let drift = match &self.reference {
             None => SetupDrift::default(),
             Some(targets) => {
                 let before_mm = scatter_mm(&test);
-                let drift =
-                    compensate_setup_drift(&mut test, targets.named(), rotation_order).map_err(|p| targets.place(p))?;
+                let drift = compensate_setup_drift(&mut test, targets.named()).map_err(|p| targets.place(p))?;
                 test.warnings.extend(worse(before_mm, scatter_mm(&test)));
                 drift
             }

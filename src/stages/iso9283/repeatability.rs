@@ -240,10 +240,17 @@ fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> PoseTest {
             approach: v.approach.clone(),
             robot: String::new(),
             readings_mm: vec![v.attained_mm],
+            readings_rad: vec![Vec::new()],
         });
     }
     let of_pose = |(pose, attained)| TestedPose { pose, commanded_mm: None, commanded_rad: Vec::new(), attained };
-    PoseTest { poses: poses.into_iter().map(of_pose).collect(), spatial: true, angles: Vec::new(), warnings }
+    PoseTest {
+        poses: poses.into_iter().map(of_pose).collect(),
+        spatial: true,
+        angles: Vec::new(),
+        rotation_order: None,
+        warnings,
+    }
 }
 
 fn out_of_plane(

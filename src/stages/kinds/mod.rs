@@ -222,24 +222,65 @@ impl<'a> Unstated<'a> {
         Problems(others)
     }
 
-    /// One message for each column, with the number of rows and the first three.
+    /// One message for each column, with the number of rows and the first three; rows without some
+    /// of their coordinates are named as such.
     fn messages(&self) -> Vec<Message> {
-        let message = |(column, rows): (&&'static str, &Vec<&Row>)| {
-            let by = if rows.iter().all(|row| row.line.is_some()) { "line" } else { "pose" };
-            let name = |row: &&Row| match by {
-                "line" => row.line.map(|line| line.to_string()),
-                _ => row.pose.map(|pose| pose.to_string()),
+        let of_column = |(column, rows): (&&'static str, &Vec<&'a Row>)| {
+            let mut by_missing: BTreeMap<Vec<&str>, Vec<&Row>> = BTreeMap::new();
+            rows.iter().for_each(|row| by_missing.entry(row.missing_axes()).or_default().push(row));
+            let message = |(axes, rows): (Vec<&str>, Vec<&Row>)| {
+                let NamedRows { by, rows: named, more } = NamedRows::new(&rows);
+                let place = rows.first().map(|row| row.place()).unwrap_or_default();
+                let (count, missing) = (rows.len(), axes.len());
+                match axes.is_empty() {
+                    true => error!("uncertainty-missing", column = *column, count, by, rows = named, more),
+                    false => error!("coordinates-of-rows-missing", axes, missing, by, rows = named, more),
+                }
+                .at(place)
             };
-            let mut named: Vec<String> = rows.iter().filter_map(name).collect();
-            named.dedup();
-            let more = named.len().saturating_sub(FIRST_ROWS);
-            named.truncate(FIRST_ROWS);
-            let place = rows.first().map(|row| row.place()).unwrap_or_default();
-            error!("uncertainty-missing", column = *column, count = rows.len(), by, rows = named, more).at(place)
+            by_missing.into_iter().map(message).collect::<Vec<_>>()
         };
-        self.0.iter().map(message).collect()
+        self.0.iter().flat_map(of_column).collect()
     }
 }
+
+/// The first rows of several, by their lines, or by their poses if lines are unknown.
+struct NamedRows {
+    by: &'static str,
+    rows: Vec<String>,
+    more: usize,
+}
+
+impl NamedRows {
+    fn new(rows: &[&Row]) -> Self {
+        let by = if rows.iter().all(|row| row.line.is_some()) { "line" } else { "pose" };
+        let name = |row: &&Row| match by {
+            "line" => row.line.map(|line| line.to_string()),
+            _ => row.pose.map(|pose| pose.to_string()),
+        };
+        let mut named: Vec<String> = rows.iter().filter_map(name).collect();
+        named.dedup();
+        let more = named.len().saturating_sub(FIRST_ROWS);
+        named.truncate(FIRST_ROWS);
+        Self { by, rows: named, more }
+    }
+}
+
+/// Remark on rows with single coordinates of a target; a warning if they are few among rows with
+/// whole positions, which are then more probably gaps.
+fn partial_remark(rows: &[Row]) -> Option<Message> {
+    let partial: Vec<&Row> = rows.iter().filter(|row| row.is_partial).collect();
+    let whole = rows.iter().filter(|row| row.has_position()).count();
+    if partial.is_empty() {
+        return None;
+    }
+    let NamedRows { by, rows, more } = NamedRows::new(&partial);
+    let message = warning!("partial-coordinates", count = partial.len(), by, rows, more);
+    Some(if FEW_AMONG * partial.len() > whole { message.routine() } else { message })
+}
+
+/// Rows with whole positions for each row with single coordinates that is probably a gap.
+const FEW_AMONG: usize = 10;
 
 /// Id of the message about a row without uncertainty.
 const UNCERTAINTY_MISSING: &str = "uncertainty-missing";
@@ -288,10 +329,7 @@ pub fn observed(
     if let Some((_, p)) = names.iter().enumerate().find(|(i, p)| names[..*i].iter().any(|other| other.name == p.name)) {
         return Err(error!("parameter-name-doubled", name = p.name).hint(phrase!("names-of-fixed-things")).into());
     }
-    let partial = rows.iter().filter(|row| row.is_partial).count();
-    if partial > 0 {
-        messages.push(warning!("partial-coordinates", count = partial).routine());
-    }
+    messages.extend(partial_remark(&rows));
     let has_position = BooleanChunked::from_iter_values("position".into(), rows.iter().map(Row::has_position));
     let observations = match has_position.any() {
         true => {

@@ -75,6 +75,12 @@ fn cells(observations: &DataFrame) -> Result<Vec<ByColumn>> {
 }
 
 impl Row {
+    /// Axes of the target's coordinates that the row lacks, if it has others.
+    pub(super) fn missing_axes(&self) -> Vec<&'static str> {
+        let axes = ["x", "y", "z"].into_iter().zip(self.xyz_mm);
+        axes.filter(|(_, value)| self.is_partial && value.is_nan()).map(|(axis, _)| axis).collect()
+    }
+
     /// The rows of a table.
     pub fn read(robot: &dyn Robot, observations: &DataFrame, without: RowDefaults) -> Result<Vec<Self>> {
         let cells = cells(observations)?;

@@ -43,6 +43,7 @@
 //! test may straddle ±180°.
 
 pub mod load;
+pub mod misplacement;
 pub mod motion;
 pub mod path;
 pub mod plan;

@@ -32,6 +32,49 @@ several-approaches = mehrere Anfahrrichtungen { $count ->
     }: AP, RP und ihre Intervalle gelten für alle Anfahrten zusammen
     .hint = die Werte jeder Anfahrrichtung verwenden: die Werte aller Anfahrten zusammen enthalten vAP, und ihre Streuung ist nicht normalverteilt
 
+positions-in-other-unit = { $axes } der { $table ->
+        [commanded] Sollpositionen
+        [robot] Positionen des Roboters { $robot }
+       *[attained] Istpositionen
+    } { $count ->
+        [one] ist
+       *[other] sind
+    } in { $unit }, nicht in mm: mal { $length_mm } { $count ->
+        [one] stimmt
+       *[other] stimmen
+    } sie mit der anderen Tabelle überein
+    .hint = die Spalten nach ihrer Einheit benennen (`x_m`) oder in mm umrechnen
+
+poses-in-other-frame = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen, weil die Tabellen in verschiedenen Koordinatensystemen sind: nach einer Verschiebung der Mitte um ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}und einer Drehung um { FIXED($turn_deg, 1) } deg
+       *[shifted] {""}
+    } bleiben { FIXED($left_mm, 3) } mm
+    .hint = beide Tabellen in einem Koordinatensystem angeben; AP und AT enthalten den Abstand der Koordinatensysteme, RP und RT nicht
+
+deviation-as-large-as-test = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen, so weit wie die Prüfung groß ist ({ FIXED($extent_mm, 1) } mm); am weitesten: { $poses }
+    .hint = die Namen der Posen und die Spalten beider Tabellen prüfen
+
+angles-not-separable = die Winkel { $first } und { $second } { $place } { $order ->
+        [stated] sind nicht trennbar: ihre Drehungen haben fast dieselbe Achse, und jeder Winkel allein sagt nichts aus
+       *[unknown] ändern sich gemeinsam, weit mehr als ihre Summe oder Differenz: ihre Drehungen haben fast dieselbe Achse, und jeder Winkel allein sagt nichts aus
+    }
+    .hint = { $order ->
+        [stated] die Drehvektoren verwenden (AP rx bis RP rz), oder die Winkel in einer anderen Reihenfolge der Drehungen aufzeichnen
+       *[unknown] die Reihenfolge der drei Winkel der Posen angeben (`--rotation-order "Rz(c) Ry(b) Rx(a)"`, in einer Kampagne `rotation_order`): dann werden Drehvektoren ausgewertet; oder die Winkel in einer anderen Reihenfolge aufzeichnen
+    }
+
+angles-of-poses = { $count ->
+        [one] an Pose { $poses }
+       *[other] an den Posen { $poses }
+    }
+
+angles-of-path = auf der Bahn
+
+angles-of-standstills = { $count ->
+        [one] am Stillstand ab { $times_s } s
+       *[other] an { $count } Stillständen (ab { $times_s } s)
+    }
+
 path-without-pass = die Aufzeichnung enthält keinen Durchlauf der Sollbahn
     .expected = eine Bewegung durch { $planes } Ebenen, jeweils höchstens { $near_mm } mm von der Bahn entfernt
     .hint = Koordinatensystem und Richtung von Aufzeichnung und Bahn prüfen; `--near-mm` erlaubt größere Abweichungen

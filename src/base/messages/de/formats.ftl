@@ -337,9 +337,6 @@ angles-not-compensated = die Drift der Winkel wird nicht durch die Referenzmarke
     .expected = a_deg, b_deg und c_deg (bei einem ebenen Roboter nur c_deg) und die Reihenfolge ihrer Drehungen
     .hint = die Reihenfolge angeben: `--rotation-order "Rz(c) Ry(b) Rx(a)"`, in einer Kampagne `rotation_order`
 
-angles-not-separable = die Winkel von Pose { $pose }, Zyklus { $cycle } sind unbestimmt: zwei Drehungen haben dieselbe Achse
-    .hint = eine andere Reihenfolge der Drehungen angeben
-
 cycle-before-reference-targets = Zyklus { $cycle } wurde vor allen Referenzmarken gemessen
     .hint = die Referenzmarken vor der Prüfung messen; die ersten gehören zu Zyklus { $first }
 

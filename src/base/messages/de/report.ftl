@@ -279,6 +279,7 @@ convention-path-velocities = Geschwindigkeiten zwischen den Ebenen in den mittle
 convention-planar = die Sollpositionen haben kein z: alle Kenngrößen außer der Koplanarität gelten in der Ebene xy
 convention-positions-drift-compensated = die Drift der Positionen ist durch die Referenzmarken korrigiert
 convention-readings-averaged = die Messwerte einer Anfahrt sind gemittelt; ihre Streuung ist das Rauschen des Messgeräts
+convention-rotation-vectors = AP rx bis rz: Drehvektor von der Soll- zur mittleren Orientierung um x, y, z der Tabelle; RP rx bis rz: drei Standardabweichungen der Drehungen von der mittleren Orientierung; AD r, RD r, vAP r: Winkel zwischen Orientierungen
 convention-rp-clause = RP folgt dem Text der Norm (7.2.2); die anderen Abschnitte wurden nicht mit einem gekauften Exemplar verglichen
 convention-rp-ratio = RP: F-Test des Verhältnisses, mit den Freiheitsgraden des Intervalls in geschlossener Form (normalverteilte Streuung)
 convention-set-up = die Parameter von Basis und Zielmarken ändern sich mit jedem Aufbau: eine Änderung dort kommt nicht unbedingt vom Roboter

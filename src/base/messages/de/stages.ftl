@@ -339,7 +339,13 @@ names-of-fixed-things = Zielmarken, Punkten und Ebenen verschiedene Namen geben
 partial-coordinates = { $count ->
         [one] 1 Zeile gibt
        *[other] { $count } Zeilen geben
-    } eine oder zwei Koordinaten einer Zielmarke an: jede Koordinate zählt einzeln
+    } eine oder zwei Koordinaten einer Zielmarke an: jede Koordinate zählt einzeln ({ $by ->
+        [line] Zeile
+       *[pose] Pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weitere
+    })
 
 station-missing = die Spalte `station` ist hier leer, obwohl andere Punkte eine Station angeben
     .hint = die Station nennen: Zeilen ohne Station gehören zur Station des Weltkoordinatensystems, die den Roboter an mindestens { $least } Posen sehen muss
@@ -365,6 +371,18 @@ station-join-by-label = die Punkte der Station `{ $station }` werden nach Bezeic
 
 uncertainty-not-positive = `{ $column }` = { $value } ist keine Standardunsicherheit
     .expected = eine positive Zahl
+
+coordinates-of-rows-missing = { $axes } { $missing ->
+        [one] fehlt
+       *[other] fehlen
+    } in { $by ->
+        [line] Zeile
+       *[pose] Pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weiteren
+    }
+    .hint = die Zeile vervollständigen oder weglassen; wenn nur die anderen Koordinaten gemessen wurden, deren Standardunsicherheit angeben: eine Spalte `u_mm`, `expanded_uncertainty_um` in [instrument], oder --standard-uncertainty-um bei `etalon identify` und `etalon verify`
 
 uncertainty-missing = { $count ->
         [one] eine Zeile hat
@@ -618,6 +636,17 @@ error-quantity-unknown = `{ $name }` ist keine Größe einer Abweichung
 
 pose-set-unknown = `{ $name }` ist keine Gruppe von Posen
     .expected = calibration oder validation
+
+joints-do-not-move = die Gelenke bewegen sich nicht: alle { $rows } Zeilen liegen { $motion }; sie zeigen keinen Parameter des Roboters (Streuung der gemessenen Punkte: { FIXED($scatter_mm, 3) } mm)
+    .hint = Posen mit verschiedenen Werten jedes Gelenks messen; wenn sich der Roboter doch bewegt hat, sind die Gelenkwerte aus falschen Spalten oder aus einer veralteten Datei gelesen
+
+motion-none = an einer Pose
+
+motion-within-angle = innerhalb von { FIXED($range_deg, 3) } deg jedes Gelenks
+
+motion-within-length = innerhalb von { FIXED($range_mm, 3) } mm jedes Gelenks
+
+motion-within-both = innerhalb von { FIXED($range_deg, 3) } deg und { FIXED($range_mm, 3) } mm jedes Gelenks
 
 joint-does-not-move = `{ $joint }` bewegt sich nicht: mangels Daten { $count ->
         [one] bleibt 1 Parameter nur bis auf seine Toleranz bekannt

@@ -54,6 +54,70 @@ several-approaches = several approaches at { $count ->
     }: AP, RP and their intervals include all visits
     .hint = use the values of each approach: values of all visits contain vAP, and their scatter is not Gaussian
 
+# Means: In another unit the coordinates agree with those of the other table: they are not in mm.
+# Matters: AP, AD, AT and all other characteristics would be those of the unit.
+# Do: Name the columns by their unit (`x_m`), or convert them to mm.
+# Example: `x_mm` = 0.4 at a pose that is commanded to x = 400 mm
+positions-in-other-unit = { $axes } of the { $table ->
+        [commanded] commanded positions
+        [robot] positions of the robot { $robot }
+       *[attained] attained positions
+    } { $count ->
+        [one] is
+       *[other] are
+    } in { $unit }, not in mm: times { $length_mm } { $count ->
+        [one] it agrees
+       *[other] they agree
+    } with the other table
+    .hint = name the columns by their unit (`x_m`), or convert them to mm
+
+# Means: The attained positions are as far from the commanded ones as the test is large, and one motion
+# brings them together: the tables are in different frames.
+# Matters: AP and AT contain the distance of the frames; RP, AD and RT do not.
+# Do: Express both tables in one frame, e.g. that of the robot's base.
+# Example: commanded poses in a work object, attained poses in the tracker's frame
+poses-in-other-frame = the attained positions are { FIXED($deviation_mm, 1) } mm from the commanded ones, because the tables are in different frames: after a shift of the centre by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}and a rotation by { FIXED($turn_deg, 1) } deg
+       *[shifted] {""}
+    }, { FIXED($left_mm, 3) } mm remain
+    .hint = express both tables in one frame; AP and AT contain the distance of the frames, RP and RT do not
+
+# Means: The attained positions are as far from the commanded ones as the test is large; neither another
+# unit nor another frame explains it.
+# Matters: No robot has such errors: the tables do not belong together.
+# Do: Check the names of the poses, and the columns, in both tables.
+# Example: two poses exchanged in the table of commanded poses
+deviation-as-large-as-test = the attained positions are { FIXED($deviation_mm, 1) } mm from the commanded ones, as far as the test is large ({ FIXED($extent_mm, 1) } mm); farthest: { $poses }
+    .hint = check the names of the poses and the columns in both tables
+
+# Means: Two of the three rotations have nearly the same axis there: only the sum or the difference of
+# their angles is determined, and noise of the orientation is amplified in each.
+# Matters: AP and RP of the angles would be meaningless; they are not given. With a stated order,
+# rotation vectors replace them.
+# Do: State the order of the rotations, or record the angles in an order whose middle rotation is far
+# from this angle.
+# Example: b = 90 deg with the order Rz(c) Ry(b) Rx(a), as at the flange of many arms
+angles-not-separable = the angles { $first } and { $second } { $place } { $order ->
+        [stated] are not separable: their rotations have nearly the same axis, and each angle alone means nothing
+       *[unknown] vary together, by far more than their sum or difference: their rotations have nearly the same axis, and each angle alone means nothing
+    }
+    .hint = { $order ->
+        [stated] use the rotation vectors (AP rx to RP rz), or record the angles in another order of rotations
+       *[unknown] state the order of all three angles of poses (`--rotation-order "Rz(c) Ry(b) Rx(a)"`, in a campaign `rotation_order`): rotation vectors are then evaluated; or record the angles in another order
+    }
+
+angles-of-poses = at { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    }
+
+angles-of-path = on the path
+
+angles-of-standstills = at { $count ->
+        [one] the standstill from { $times_s } s
+       *[other] { $count } standstills (from { $times_s } s)
+    }
+
 # Means: The recording has no complete pass of the commanded path.
 # Matters: AT, RT and velocities cannot be evaluated.
 # Do: Check that recording and path are in the same frame and direction; `--near-mm` allows larger

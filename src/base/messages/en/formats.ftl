@@ -649,13 +649,6 @@ angles-not-compensated = angles are not compensated for drift by the reference t
     .expected = all of a_deg, b_deg, c_deg (for a planar robot c_deg) and the order of their rotations
     .hint = state the order: `--rotation-order "Rz(c) Ry(b) Rx(a)"`, in a campaign `rotation_order`
 
-# Means: At this orientation, two of the three rotations have the same axis.
-# Matters: The angles after compensation of the drift are undefined.
-# Do: State another order of rotations.
-# Example: b = 90 deg with the order Rz(c) Ry(b) Rx(a)
-angles-not-separable = angles of pose { $pose }, cycle { $cycle } are undefined: two rotations have the same axis
-    .hint = state another order of rotations
-
 # Means: A cycle was measured before the first measurement of the reference targets.
 # Matters: Its drift is unknown.
 # Do: Measure the reference targets before the test.

@@ -267,6 +267,7 @@ convention-path-velocities = velocities between the planes in the central { $per
 convention-planar = commanded positions have no z: all characteristics except coplanarity are evaluated in the xy plane
 convention-positions-drift-compensated = drift of positions is compensated by reference targets
 convention-readings-averaged = readings of one visit are averaged; their scatter is the instrument's noise
+convention-rotation-vectors = AP rx to rz: rotation vector from the commanded to the mean orientation about x, y, z of the table; RP rx to rz: three standard deviations of the rotations from the mean orientation; AD r, RD r, vAP r: angles between orientations
 convention-rp-clause = RP follows the standard's text (7.2.2); the other clauses were not compared with a bought copy
 convention-rp-ratio = RP: F test of the ratio, with the degrees of freedom of the interval in closed form (Gaussian scatter)
 convention-set-up = parameters of base and targets change with every set-up: their change need not be a change of the robot

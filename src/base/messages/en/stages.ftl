@@ -688,7 +688,13 @@ names-of-fixed-things = give targets, points and planes different names
 partial-coordinates = { $count ->
         [one] 1 row gives
        *[other] { $count } rows give
-    } one or two coordinates of a target: each coordinate counts as a separate observation
+    } one or two coordinates of a target: each coordinate counts as a separate observation ({ $by ->
+        [line] line
+       *[pose] pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    })
 
 # Means: A few rows have an empty column `station`, but many rows have a station.
 # Matters: Rows without a station belong to the station of the world, which must observe the robot
@@ -746,6 +752,24 @@ station-join-by-label = points of station `{ $station }` are joined by label
 # Example: `u_mm = 0`
 uncertainty-not-positive = `{ $column }` = { $value } is not a standard uncertainty
     .expected = a positive number
+
+# Means: Some coordinates of a target are missing. Such a row may be meant as single coordinates, each
+# an observation, and then needs its standard uncertainty.
+# Matters: A gap in a table of positions is not a measurement of single coordinates.
+# Do: Complete the row, or leave it out; if only some coordinates were measured, state their
+# uncertainty.
+# Example: `nan` as the x of one row
+coordinates-of-rows-missing = { $axes } { $missing ->
+        [one] is
+       *[other] are
+    } missing in { $by ->
+        [line] line
+       *[pose] pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    }
+    .hint = complete the row or leave it out; if only the other coordinates were measured, state their standard uncertainty: a column `u_mm`, `expanded_uncertainty_um` in [instrument], or --standard-uncertainty-um of `etalon identify` and `etalon verify`
 
 # Means: A row has no standard uncertainty, and no uncertainty is stated for all rows.
 # Matters: The weight of the row depends on its uncertainty.
@@ -1269,6 +1293,23 @@ error-quantity-unknown = `{ $name }` is not a quantity of errors
 # Example: `set` is `control`
 pose-set-unknown = `{ $name }` is not a set of poses
     .expected = calibration or validation
+
+# Means: All rows were measured at the same joint values, or at values so near to each other that the
+# noise hides the effect of every parameter of the robot.
+# Matters: Repeats of one pose show the noise alone: no parameter of the robot can be identified.
+# Do: Measure poses with different values of every joint; check that the joint values are read from
+# the right columns.
+# Example: one pose measured thirty times
+joints-do-not-move = the joints do not move: all { $rows } rows are { $motion }; they show no parameter of the robot (scatter of the measured points: { FIXED($scatter_mm, 3) } mm)
+    .hint = measure poses with different values of every joint; if the robot did move, the joint values are read from wrong columns or a stale file
+
+motion-none = at one pose
+
+motion-within-angle = within { FIXED($range_deg, 3) } deg in every joint
+
+motion-within-length = within { FIXED($range_mm, 3) } mm in every joint
+
+motion-within-both = within { FIXED($range_deg, 3) } deg and { FIXED($range_mm, 3) } mm in every joint
 
 # Means: A joint has the same value at all calibration poses. Parameters that only its motion would
 # determine keep their nominal values.
@@ -2139,7 +2180,7 @@ sweep-joint-missing = { $count ->
         [one] joint { $joints } has no sweep
        *[other] joints { $joints } have no sweep
     }: robot.toml is not written
-    .hint = measure a sweep of each joint
+    .hint = measure a sweep in every joint
 
 # Means: The first readings of a target differ between sweeps, although sweeps without joint values
 # must start from the same pose.

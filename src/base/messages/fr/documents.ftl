@@ -32,6 +32,46 @@ several-approaches = plusieurs directions d’approche { $count ->
     } : AP, RP et leurs intervalles valent pour l’ensemble des positionnements
     .hint = utiliser les valeurs de chaque direction d’approche : celles de l’ensemble contiennent vAP, et leur dispersion n’est pas gaussienne
 
+positions-in-other-unit = { $axes } des positions { $table ->
+        [commanded] commandées
+        [robot] du robot { $robot }
+       *[attained] atteintes
+    } { $count ->
+        [one] est
+       *[other] sont
+    } en { $unit }, et non en mm : multiplié par { $length_mm }, l’accord avec l’autre tableau est obtenu
+    .hint = nommer les colonnes par leur unité (`x_m`), ou les convertir en mm
+
+poses-in-other-frame = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, car les tableaux sont dans des référentiels différents : après un décalage du centre de ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}et une rotation de { FIXED($turn_deg, 1) } deg
+       *[shifted] {""}
+    }, il reste { FIXED($left_mm, 3) } mm
+    .hint = exprimer les deux tableaux dans un même référentiel ; AP et AT contiennent l’écart des référentiels, RP et RT non
+
+deviation-as-large-as-test = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, autant que l’étendue de l’essai ({ FIXED($extent_mm, 1) } mm) ; les plus éloignées : { $poses }
+    .hint = vérifier les noms des poses et les colonnes des deux tableaux
+
+angles-not-separable = les angles { $first } et { $second } { $place } { $order ->
+        [stated] ne sont pas séparables : leurs rotations ont presque le même axe, et chaque angle seul ne signifie rien
+       *[unknown] varient ensemble, bien plus que leur somme ou leur différence : leurs rotations ont presque le même axe, et chaque angle seul ne signifie rien
+    }
+    .hint = { $order ->
+        [stated] utiliser les vecteurs de rotation (AP rx à RP rz), ou enregistrer les angles dans un autre ordre de rotations
+       *[unknown] indiquer l’ordre des trois angles des poses (`--rotation-order "Rz(c) Ry(b) Rx(a)"`, dans une campagne `rotation_order`) : les vecteurs de rotation sont alors évalués ; ou enregistrer les angles dans un autre ordre
+    }
+
+angles-of-poses = { $count ->
+        [one] à la pose { $poses }
+       *[other] aux poses { $poses }
+    }
+
+angles-of-path = sur la trajectoire
+
+angles-of-standstills = { $count ->
+        [one] à l’arrêt commençant à { $times_s } s
+       *[other] à { $count } arrêts (commençant à { $times_s } s)
+    }
+
 path-without-pass = l’enregistrement ne contient aucun passage de la trajectoire commandée
     .expected = un mouvement à travers { $planes } plans, chacun à moins de { $near_mm } mm de la trajectoire
     .hint = vérifier le référentiel et le sens de l’enregistrement et de la trajectoire ; `--near-mm` admet de plus grands écarts

@@ -337,9 +337,6 @@ angles-not-compensated = les cibles de référence ne corrigent pas la dérive d
     .expected = a_deg, b_deg et c_deg (c_deg seul pour un robot plan) et l’ordre de leurs rotations
     .hint = indiquer l’ordre : `--rotation-order "Rz(c) Ry(b) Rx(a)"`, dans une campagne `rotation_order`
 
-angles-not-separable = les angles de la pose { $pose }, cycle { $cycle }, sont indéterminés : deux rotations ont le même axe
-    .hint = indiquer un autre ordre des rotations
-
 cycle-before-reference-targets = le cycle { $cycle } a été mesuré avant toute cible de référence
     .hint = mesurer les cibles de référence avant l’essai ; les premières sont du cycle { $first }
 

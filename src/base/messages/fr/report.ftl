@@ -282,6 +282,7 @@ convention-path-velocities = vitesses entre les plans dans les { $percent } % 
 convention-planar = les positions commandées n’ont pas de z : toutes les caractéristiques, sauf la coplanarité, sont dans le plan xy
 convention-positions-drift-compensated = la dérive des positions est corrigée par les cibles de référence
 convention-readings-averaged = les lectures d’un positionnement sont moyennées ; leur dispersion est le bruit de l’instrument
+convention-rotation-vectors = AP rx à rz : vecteur de rotation de l’orientation commandée à l’orientation moyenne, autour de x, y, z du tableau ; RP rx à rz : trois écarts-types des rotations par rapport à l’orientation moyenne ; AD r, RD r, vAP r : angles entre orientations
 convention-rp-clause = RP suit le texte de la norme (7.2.2) ; les autres articles n’ont pas été comparés à un exemplaire acheté
 convention-rp-ratio = RP : test F du rapport, avec les degrés de liberté de l’intervalle en forme explicite (dispersion gaussienne)
 convention-set-up = les paramètres de la base et des cibles changent à chaque installation : un changement n’y vient pas forcément du robot

@@ -339,7 +339,13 @@ names-of-fixed-things = donner aux cibles, aux points et aux plans des noms diff
 partial-coordinates = { $count ->
         [one] { $count } ligne donne
        *[other] { $count } lignes donnent
-    } une ou deux coordonnées d’une cible : chaque coordonnée compte séparément
+    } une ou deux coordonnées d’une cible : chaque coordonnée compte séparément ({ $by ->
+        [line] ligne
+       *[pose] pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } autres
+    })
 
 station-missing = la colonne `station` est vide ici, alors que d’autres points en indiquent une
     .hint = indiquer la station : les lignes sans station sont celles de la station du référentiel atelier, qui doit voir le robot à au moins { $least } poses
@@ -365,6 +371,18 @@ station-join-by-label = les points de la station `{ $station }` sont reliés par
 
 uncertainty-not-positive = `{ $column }` = { $value } n’est pas une incertitude-type
     .expected = un nombre positif
+
+coordinates-of-rows-missing = { $axes } { $missing ->
+        [one] manque
+       *[other] manquent
+    } : { $by ->
+        [line] ligne
+       *[pose] pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } autres
+    }
+    .hint = compléter la ligne ou l’omettre ; si seules les autres coordonnées ont été mesurées, indiquer leur incertitude-type : une colonne `u_mm`, `expanded_uncertainty_um` dans [instrument], ou --standard-uncertainty-um pour `etalon identify` et `etalon verify`
 
 uncertainty-missing = { $count ->
         [one] une ligne n’a pas
@@ -618,6 +636,17 @@ error-quantity-unknown = `{ $name }` n’est pas une grandeur d’erreur
 
 pose-set-unknown = `{ $name }` n’est pas un ensemble de poses
     .expected = calibration ou validation
+
+joints-do-not-move = les articulations ne bougent pas : les { $rows } lignes sont { $motion } ; elles ne montrent aucun paramètre du robot (dispersion des points mesurés : { FIXED($scatter_mm, 3) } mm)
+    .hint = mesurer des poses où chaque articulation prend plusieurs valeurs ; si le robot a bougé, les valeurs articulaires proviennent de colonnes fausses ou d’un fichier périmé
+
+motion-none = à une seule pose
+
+motion-within-angle = à moins de { FIXED($range_deg, 3) } deg l’une de l’autre pour chaque articulation
+
+motion-within-length = à moins de { FIXED($range_mm, 3) } mm l’une de l’autre pour chaque articulation
+
+motion-within-both = à moins de { FIXED($range_deg, 3) } deg et de { FIXED($range_mm, 3) } mm l’une de l’autre pour chaque articulation
 
 joint-does-not-move = `{ $joint }` ne bouge pas : faute de données, { $count ->
         [one] { $count } paramètre reste connu à sa tolérance près

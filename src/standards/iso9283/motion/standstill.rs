@@ -3,7 +3,8 @@
 //! are therefore set by the user and reported.
 
 use crate::iso9283::motion::stream::Stream;
-use crate::iso9283::statistics::sample::{mean_position, spread};
+use crate::iso9283::pose::orientation::seen_together;
+use crate::iso9283::statistics::sample::{mean_position, spread, wrapped};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
@@ -26,16 +27,26 @@ pub struct Standstill {
     pub samples: Range<usize>,
     /// Mean position of the middle half of the samples, which excludes arrival and departure.
     pub mean_mm: Vector,
-    /// Mean of each angle over the middle half of the samples.
+    /// Mean of each angle over the middle half of the samples, within half a turn; angles of the
+    /// middle sample if two of them are not separable.
     pub angles_rad: Vec<f64>,
+    /// Angles that are seen to vary together and are not separable: two of 0, 1, 2 for a, b, c.
+    pub inseparable: Option<[usize; 2]>,
 }
 
 impl Standstill {
     fn new(stream: &Stream, samples: Range<usize>) -> Self {
         let middle = middle(&samples);
+        let angles: Vec<Vec<f64>> = stream.angles_rad().iter().map(|a| a[middle.clone()].to_vec()).collect();
+        let inseparable = seen_together(&angles, &[]);
+        let means = angles.iter().map(|a| wrapped(spread(a).mean));
         Self {
             mean_mm: mean_position(&stream.positions_mm()[middle.clone()]),
-            angles_rad: stream.angles_rad().iter().map(|a| spread(&a[middle.clone()]).mean).collect(),
+            angles_rad: match inseparable {
+                None => means.collect(),
+                Some(_) => angles.iter().map(|a| wrapped(a[a.len() / 2])).collect(),
+            },
+            inseparable,
             samples,
         }
     }

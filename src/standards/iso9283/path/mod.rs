@@ -16,10 +16,11 @@ use crate::iso9283::path::accuracy::{
 use crate::iso9283::path::bootstrap::PathBootstrap;
 use crate::iso9283::path::commanded::{CommandPoint, CommandedPath, Corner};
 use crate::iso9283::path::cornering::{Cornering, cornering};
-use crate::iso9283::path::passes::{Pass, Passes, passes};
+use crate::iso9283::path::passes::{Pass, Passes, angles_at, passes};
 use crate::iso9283::path::repeatability::{PathRepeatability, path_angle_repeatability_rad, path_repeatability};
 use crate::iso9283::path::velocity::{PathVelocity, central, path_velocity};
 use crate::iso9283::path::weaving::{Weave, WeaveCharacteristics, weaving};
+use crate::iso9283::pose::orientation::seen_together;
 use crate::iso9283::statistics::interval::Interval;
 use crate::iso9283::statistics::sample::coordinates;
 use etalon_base::message::{Problems, Result};
@@ -58,14 +59,16 @@ pub struct PathCharacteristics {
     pub reorientation: bool,
     /// AT; by 8.4 if commanded angles change along the path.
     pub accuracy: PathAccuracy,
-    /// AT of each angle.
+    /// AT of each angle; empty if two angles are not separable.
     pub angle_accuracy_rad: Vec<f64>,
     /// Interval of AT; absent with fewer than three passes.
     pub at_interval: Option<Interval>,
     /// RT; absent with a single pass.
     pub repeatability: Option<PathRepeatability>,
-    /// RT of each angle; empty with a single pass.
+    /// RT of each angle; empty with a single pass, and if two angles are not separable.
     pub angle_repeatability_rad: Vec<f64>,
+    /// Angles that are seen to vary together at a command point: two of 0, 1, 2 for a, b, c.
+    pub inseparable: Option<[usize; 2]>,
     /// Interval of RT; absent with fewer than three passes.
     pub rt_interval: Option<Interval>,
     /// Velocity, if commanded.
@@ -172,7 +175,11 @@ impl<'a> Driven<'a> {
             }
             None => (None, None),
         };
-        let angles = self.recording.angles.len();
+        let inseparable = points.iter().enumerate().find_map(|(i, point)| {
+            let attained: Vec<Vec<f64>> = (0..self.recording.angles.len()).map(|k| angles_at(passes, i, k)).collect();
+            seen_together(&attained, &point.angles_rad)
+        });
+        let angles = if inseparable.is_some() { 0 } else { self.recording.angles.len() };
         let rt = |k: usize| path_angle_repeatability_rad(passes, points, k);
         let velocity = |commanded| path_velocity(passes, points, commanded, self.settings.central);
         let there = |p: Vector| coordinates(p, self.recording.spatial);
@@ -196,6 +203,7 @@ impl<'a> Driven<'a> {
             angle_accuracy_rad: (0..angles).map(|k| path_angle_accuracy_rad(passes, points, k)).collect(),
             angle_repeatability_rad: repeatability.iter().flat_map(|_| (0..angles).map(rt)).collect(),
             accuracy,
+            inseparable,
             at_interval,
             repeatability,
             rt_interval,

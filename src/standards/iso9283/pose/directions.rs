@@ -34,8 +34,10 @@ pub struct PoseVariation {
     pub vap_mm: f64,
     /// Approaches with the largest distance.
     pub between: [String; 2],
-    /// vAP of each angle of the test.
+    /// vAP of each angle of the test; empty if they are not separable.
     pub angles_rad: Vec<f64>,
+    /// vAP of the orientation, if angles are not separable and their order is stated.
+    pub rotation_rad: Option<f64>,
     /// Characteristics of each approach.
     pub approaches: Vec<Approach>,
 }
@@ -65,7 +67,8 @@ pub fn variations(test: &PoseTest) -> Result<Vec<PoseVariation>> {
         let by = |name: &String| p.positions_mm(|v| v.approach.as_ref() == Some(name));
         let groups: Vec<Vec<Vector>> = names.iter().map(by).collect();
         let found = variation(&groups)?;
-        let turned = (0..test.angles.len()).map(|k| {
+        let is_inseparable = test.inseparable(p).is_some();
+        let turned = (0..if is_inseparable { 0 } else { test.angles.len() }).map(|k| {
             let by = |name: &String| p.angles_rad(k, |v| v.approach.as_ref() == Some(name));
             angle_variation_rad(&names.iter().map(by).collect::<Vec<_>>())
         });
@@ -83,6 +86,7 @@ pub fn variations(test: &PoseTest) -> Result<Vec<PoseVariation>> {
             vap_mm: found.vap_mm,
             between: [names[found.between.0].clone(), names[found.between.1].clone()],
             angles_rad: turned.collect(),
+            rotation_rad: is_inseparable.then(|| test.rotation_variation_rad(p, &names)).flatten(),
             approaches: names.iter().enumerate().map(approach).collect(),
         })
     };

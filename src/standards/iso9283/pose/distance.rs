@@ -32,10 +32,13 @@ pub struct PairDistance {
     pub cycles: usize,
     /// AD and RD of the position.
     pub position: DistanceAccuracy,
-    /// AD of each angle of the test.
+    /// AD of each angle of the test; empty if angles of a pose are not separable.
     pub ad_angles_rad: Vec<f64>,
     /// RD of each angle of the test.
     pub rd_angles_rad: Vec<f64>,
+    /// AD and RD of the angle between the orientations, if angles of a pose are not separable and
+    /// their order is stated.
+    pub rotation_rad: Option<[f64; 2]>,
     spatial: bool,
 }
 
@@ -60,14 +63,17 @@ pub fn distances(test: &PoseTest) -> Result<Vec<PairDistance>> {
             let positions = |of: fn(&PosePair) -> Vector| pairs.iter().map(of).collect::<Vec<_>>();
             let (first, second) = (positions(|v| v.from.position_mm), positions(|v| v.to.position_mm));
             let position = distance(&first, &second, [from, to])?;
-            let turned = (0..test.angles.len()).map(|k| {
+            let is_inseparable = [p, q].iter().any(|pose| test.inseparable(pose).is_some());
+            let separable = if is_inseparable { 0 } else { test.angles.len() };
+            let rotation_rad = is_inseparable.then(|| test.rotation_distance_rad(p, q)).flatten();
+            let turned = (0..separable).map(|k| {
                 let (a, b): (Vec<f64>, Vec<f64>) =
                     pairs.iter().map(|v| (v.from.angles_rad[k], v.to.angles_rad[k])).unzip();
                 angle_distance_rad(&a, &b, [p.commanded_rad[k], q.commanded_rad[k]])
             });
             let (ad_angles_rad, rd_angles_rad) = turned.unzip();
             let (poses, cycles, spatial) = ([p.pose, q.pose], pairs.len(), test.spatial);
-            all.push(PairDistance { poses, cycles, position, ad_angles_rad, rd_angles_rad, spatial });
+            all.push(PairDistance { poses, cycles, position, ad_angles_rad, rd_angles_rad, rotation_rad, spatial });
         }
     }
     Ok(all)

@@ -9,6 +9,7 @@ pub mod drift;
 pub mod ellipsoid;
 pub mod exchangeability;
 pub mod noise_free;
+pub mod orientation;
 pub mod reference;
 pub mod repeatability;
 pub mod rotations;
@@ -17,6 +18,7 @@ pub mod test;
 use self::accuracy::{PoseAccuracy, angle_accuracy_rad, pose_accuracy};
 use self::ellipsoid::{Ellipsoid, ellipsoid};
 use self::noise_free::NoiseFree;
+use self::orientation::{Inseparable, RotationCharacteristics};
 use self::repeatability::{PoseRepeatability, angle_repeatability_rad, pose_repeatability};
 use self::test::{PoseTest, TestedPose};
 use crate::decision::{Conformity, DecisionRule};
@@ -73,6 +75,10 @@ pub struct PoseCharacteristics {
     pub repeatability: Option<PoseRepeatability>,
     /// RP_a, RP_b, RP_c.
     pub angle_repeatability_rad: [Option<f64>; 3],
+    /// Angles that are not separable; AP and RP of all angles are then absent.
+    pub inseparable: Option<Inseparable>,
+    /// Orientation by rotation vectors, where angles are not separable and their order is stated.
+    pub rotation: Option<RotationCharacteristics>,
     /// Assessment of AP.
     pub ap: Assessed,
     /// Assessment of RP.
@@ -122,11 +128,10 @@ fn of_pose(
         ..PoseCharacteristics::default()
     };
     pose.accuracy = p.commanded_mm.map(|commanded| pose_accuracy(&positions, commanded)).transpose()?;
-    for (k, &axis) in test.angles.iter().enumerate() {
-        let attained = p.angles_rad(k, |_| true);
-        let commanded = p.commanded_rad.get(k);
-        pose.angle_accuracy_rad[axis] = commanded.map(|commanded| angle_accuracy_rad(&attained, *commanded));
-        pose.angle_repeatability_rad[axis] = Some(angle_repeatability_rad(&attained)).filter(|rp| rp.is_finite());
+    pose.inseparable = test.inseparable(p);
+    match pose.inseparable {
+        Some(_) => pose.rotation = test.rotation(p),
+        None => pose.angles(test, p),
     }
     pose.repeatability = (n >= 2).then(|| pose_repeatability(&positions)).transpose()?;
     if n >= 3 && settings.draws > 0 {
@@ -151,6 +156,16 @@ fn of_pose(
 }
 
 impl PoseCharacteristics {
+    /// Evaluates AP and RP of each angle.
+    fn angles(&mut self, test: &PoseTest, p: &TestedPose) {
+        for (k, &axis) in test.angles.iter().enumerate() {
+            let attained = p.angles_rad(k, |_| true);
+            let commanded = p.commanded_rad.get(k);
+            self.angle_accuracy_rad[axis] = commanded.map(|commanded| angle_accuracy_rad(&attained, *commanded));
+            self.angle_repeatability_rad[axis] = Some(angle_repeatability_rad(&attained)).filter(|rp| rp.is_finite());
+        }
+    }
+
     fn intervals(&mut self, positions: &[Vector], bootstrap: &Bootstrap) -> Result<()> {
         if let Some(found) = &self.accuracy {
             self.ap.interval = Some(bootstrap.accuracy(positions, found)?);

@@ -1,7 +1,9 @@
 //! Orientations as three successive rotations (not in the standard, which leaves their order to the
 //! robot).
 
-use etalon_base::pose::{Pose, Vector, cross, dot, norm};
+use crate::iso9283::statistics::sample::wrapped;
+use etalon_base::pose::{Pose, Vector, minus, norm};
+use std::f64::consts::PI;
 
 /// Order of three rotations, multiplied from left to right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,63 +30,60 @@ impl RotationOrder {
 
     /// Orientation with angles a, b, c (rad).
     pub fn pose(&self, angles_rad: Vector) -> Pose {
-        self.steps.iter().fold(Pose::identity(), |pose, (axis, angle)| match axis {
-            0 => pose.turn_x(angles_rad[*angle]),
-            1 => pose.turn_y(angles_rad[*angle]),
-            _ => pose.turn_z(angles_rad[*angle]),
-        })
+        self.steps.iter().fold(Pose::identity(), |pose, (axis, angle)| pose.turn(*axis, angles_rad[*angle]))
     }
 
-    /// Angles a, b, c of an orientation by Newton's method from `start_rad`; `None` in gimbal lock,
-    /// where two angles cannot be separated.
-    pub fn angles_rad(&self, wanted: &Pose, start_rad: Vector) -> Option<Vector> {
-        let mut angles = start_rad;
-        for _ in 0..50 {
-            let rest = rotation_vector(&self.pose(angles).inverse().then(wanted));
-            if norm(rest) < 1e-14 {
-                break;
+    /// Letters (0, 1, 2 for a, b, c) of the first, the middle and the last rotation.
+    pub fn letters(&self) -> [usize; 3] {
+        self.steps.map(|(_, angle)| angle)
+    }
+
+    /// Sine of the angle between the axes of the first and the last rotation. The inverse is the
+    /// factor by which an error of the orientation is amplified in these two angles; at zero only
+    /// their sum or difference is determined.
+    pub fn separation(&self, orientation: &Pose) -> f64 {
+        let (first, last) = (self.steps[0].0, orientation.axis(self.steps[2].0));
+        last[(first + 1) % 3].hypot(last[(first + 2) % 3])
+    }
+
+    /// Angles a, b, c (rad) of an orientation: those nearest to `near_rad` of all that reach it. If
+    /// the axes of the first and the last rotation coincide, the last angle is that of `near_rad`.
+    pub fn angles_rad(&self, wanted: &Pose, near_rad: Vector) -> Vector {
+        let [(i, _), (j, _), (k, last)] = self.steps;
+        let third = 3 - i - j;
+        let hand = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
+        // R3ᵀ R2ᵀ of the first axis: its part across the last axis shows the last angle
+        let first = wanted.inverse().axis(i);
+        let [along, across] = if i == k { [hand * first[third], first[j]] } else { [first[i], -hand * first[j]] };
+        let is_locked = along.hypot(across) < SAME_AXIS;
+        let last_rad = if is_locked { near_rad[last] } else { across.atan2(along) };
+        let with_last = |last_rad: f64| {
+            let two = wanted.then(&Pose::identity().turn(k, last_rad).inverse());
+            // the first rotation alone turns the middle axis
+            let turned = two.axis(j);
+            let first_rad = (hand * turned[third]).atan2(turned[j]);
+            let turned = Pose::identity().turn(i, first_rad).inverse().rotate(two.axis(i));
+            let middle_rad = (-hand * turned[third]).atan2(turned[i]);
+            let mut angles = near_rad;
+            for ((_, letter), value) in self.steps.iter().zip([first_rad, middle_rad, last_rad]) {
+                angles[*letter] += wrapped(value - near_rad[*letter]);
             }
-            // axes in the frame of the rotated body
-            let mut after = Pose::identity();
-            let mut axes = [[0.0; 3]; 3];
-            for (axis, angle) in self.steps.iter().rev() {
-                let mut e = [0.0; 3];
-                e[*axis] = 1.0;
-                axes[*angle] = after.inverse().rotate(e);
-                let turned = match axis {
-                    0 => Pose::identity().turn_x(angles[*angle]),
-                    1 => Pose::identity().turn_y(angles[*angle]),
-                    _ => Pose::identity().turn_z(angles[*angle]),
-                };
-                after = turned.then(&after);
-            }
-            let [u, v, w] = axes;
-            let volume = dot(u, cross(v, w));
-            if volume.abs() < 1e-9 {
-                return None;
-            }
-            let steps = [dot(rest, cross(v, w)), dot(rest, cross(w, u)), dot(rest, cross(u, v))];
-            angles = [0, 1, 2].map(|k| angles[k] + steps[k] / volume);
-        }
-        let left = norm(rotation_vector(&self.pose(angles).inverse().then(wanted)));
-        (left < 1e-9).then_some(angles)
+            angles
+        };
+        let [one, other] = [last_rad, last_rad + if is_locked { 0.0 } else { PI }].map(with_last);
+        let away = |angles: Vector| norm(minus(angles, near_rad));
+        if away(other) < away(one) { other } else { one }
     }
 }
 
-/// Axis times angle of a rotation of less than half a turn.
-fn rotation_vector(pose: &Pose) -> Vector {
-    let r = &pose.rotation;
-    let twice_sine = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
-    let sine = 0.5 * norm(twice_sine);
-    let cosine = 0.5 * (r[0][0] + r[1][1] + r[2][2] - 1.0);
-    let factor = if sine > 0.0 { 0.5 * sine.atan2(cosine) / sine } else { 0.5 };
-    twice_sine.map(|v| factor * v)
-}
+/// Sine of the angle between two axes below which they coincide.
+const SAME_AXIS: f64 = 1e-9;
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use etalon_base::noise::Noise;
+    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn only_orders_that_reach_every_orientation_are_read() {
@@ -112,15 +111,21 @@ mod tests {
                         let middle = if i == k { 1.2 } else { 0.0 };
                         let angles = [middle + noise.uniform(0.9), noise.uniform(3.0), noise.uniform(3.0)];
                         let start = angles.map(|a| a + noise.uniform(0.1));
-                        let found = order.angles_rad(&order.pose(angles), start).unwrap();
+                        let found = order.angles_rad(&order.pose(angles), start);
                         assert!((0..3).all(|n| (found[n] - angles[n]).abs() < 1e-9), "{order:?} {angles:?} {found:?}");
+                    }
+                    // at the singularity and near it the angles still reach the orientation
+                    let locked = if i == k { 0.0 } else { FRAC_PI_2 };
+                    for off in [0.0, 1e-12, 1e-6, 1e-3] {
+                        let pose = order.pose([locked + off, 0.4, -2.9]);
+                        let found = order.angles_rad(&pose, [locked, 1.0, 1.0]);
+                        let left = order.pose(found).inverse().then(&pose).angle_rad();
+                        assert!(left < 1e-8, "{order:?} {off} {left}");
+                        assert!((order.separation(&pose) - f64::sin(off)).abs() < 1e-9);
                     }
                 }
             }
         }
         assert_eq!(orders, 12);
-        let locked = RotationOrder::parse("Rz(c) Ry(b) Rx(a)").unwrap();
-        let quarter = [0.1, std::f64::consts::FRAC_PI_2, 0.2];
-        assert!(locked.angles_rad(&locked.pose([0.3, 1.5, 0.2]), quarter).is_none());
     }
 }

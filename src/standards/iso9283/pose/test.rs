@@ -1,5 +1,6 @@
 //! Attained and commanded poses of a test (ISO 9283:1998 7.2), and their grouping.
 
+use crate::iso9283::pose::rotations::RotationOrder;
 use crate::iso9283::statistics::sample::wrapped;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, centroid};
@@ -22,6 +23,8 @@ pub struct AttainedPose {
     pub robot: String,
     /// Readings whose mean is the position; a single one if it was read once.
     pub readings_mm: Vec<Vector>,
+    /// Angles of each reading.
+    pub readings_rad: Vec<Vec<f64>>,
 }
 
 /// A commanded pose.
@@ -55,6 +58,8 @@ pub struct PoseTest {
     pub spatial: bool,
     /// Measured angles: 0, 1, 2 for a, b, c.
     pub angles: Vec<usize>,
+    /// Order of the rotations a, b, c, if stated.
+    pub rotation_order: Option<RotationOrder>,
     /// Warnings about unusual data.
     pub warnings: Vec<Message>,
 }
@@ -63,6 +68,7 @@ impl AttainedPose {
     /// Adds another reading of the same visit to the means.
     pub fn read_again(&mut self, reading: &Self) {
         self.readings_mm.push(reading.position_mm);
+        self.readings_rad.push(reading.angles_rad.clone());
         let n = self.readings_mm.len() as f64;
         self.position_mm = centroid(&self.readings_mm).unwrap_or(self.position_mm);
         for (mean, angle) in self.angles_rad.iter_mut().zip(&reading.angles_rad) {

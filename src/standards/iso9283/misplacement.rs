@@ -1,0 +1,302 @@
+//! Attained positions that do not belong to the commanded ones: another unit, or another frame (not
+//! in the standard). Errors of a robot are a small share of the extent of its test; a deviation as
+//! large as the extent is an error of the tables.
+
+use crate::iso9283::motion::MotionSettings;
+use crate::iso9283::motion::stream::Recording;
+use crate::iso9283::pose::test::PoseTest;
+use crate::iso9283::statistics::sample::mean_position;
+use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_fit::rigid;
+use etalon_math::statistics::rms;
+
+/// Units that are taken for millimetres, with their length in mm.
+const UNITS: [(&str, f64); 3] = [("m", 1000.0), ("cm", 10.0), ("inch", 25.4)];
+/// Maximum deviation, as a share of the commanded coordinates, in the right unit.
+const IN_UNIT: f64 = 0.05;
+/// Minimum root mean square of one coordinate, as a share of that of all coordinates, whose unit is
+/// judged.
+const LARGE: f64 = 0.1;
+/// Deviation as a share of the extent that no robot has.
+const AS_LARGE: f64 = 0.5;
+/// Maximum deviation after a motion of the frame, as a share of the deviation before.
+const BY_FRAME: f64 = 0.1;
+
+/// A table of a test.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TestTable {
+    /// Attained positions; of the robot with this name if there are several.
+    Attained(String),
+    /// Commanded positions.
+    Commanded,
+}
+
+/// Reason why attained positions are not near the commanded positions.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Misplacement {
+    /// A table is in another unit than mm.
+    Unit {
+        /// The table.
+        table: TestTable,
+        /// The coordinates in the other unit: 0, 1, 2 for x, y, z.
+        axes: Vec<usize>,
+        /// The unit: m, cm or inch.
+        unit: &'static str,
+        /// Length of the unit (mm).
+        length_mm: f64,
+    },
+    /// One motion brings the attained positions to the commanded ones.
+    Frame {
+        /// Root mean square deviation (mm).
+        deviation_mm: f64,
+        /// Shift (mm) of the centre of the positions.
+        shift_mm: Vector,
+        /// Angle (rad) of the rotation, if enough poses show it.
+        turn_rad: Option<f64>,
+        /// Root mean square deviation (mm) after the motion.
+        left_mm: f64,
+    },
+    /// The deviation is as large as the extent of the test.
+    Large {
+        /// Root mean square deviation (mm).
+        deviation_mm: f64,
+        /// Root mean square distance (mm) of the commanded positions from their centre, of a single
+        /// position from the origin.
+        extent_mm: f64,
+        /// The poses with the largest deviations, largest first.
+        poses: Vec<PoseName>,
+    },
+}
+
+/// Positions of one pose or of one robot, and what they should be.
+#[derive(Clone, Copy)]
+struct Pair {
+    attained_mm: Vector,
+    commanded_mm: Vector,
+}
+
+/// Returns the reason why the attained positions of a test are far from the commanded positions, or
+/// those of a robot from those of the first; `None` if they are near, or not comparable.
+pub fn misplaced_poses(test: &PoseTest) -> Option<Misplacement> {
+    let robots: Vec<String> = test.robots().into_iter().map(str::to_owned).collect();
+    let mean = |pose: usize, robot: &str| {
+        let positions = test.poses[pose].positions_mm(|v| v.robot == robot);
+        (!positions.is_empty()).then(|| mean_position(&positions))
+    };
+    let first = robots.first()?;
+    for robot in &robots {
+        let table = TestTable::Attained(if robots.len() > 1 { robot.clone() } else { String::new() });
+        let pair = |i: usize| {
+            let reference = test.poses[i].commanded_mm.or_else(|| mean(i, first).filter(|_| robot != first))?;
+            Some((test.poses[i].pose, Pair { attained_mm: mean(i, robot)?, commanded_mm: reference }))
+        };
+        let pairs: Vec<(PoseName, Pair)> = (0..test.poses.len()).filter_map(pair).collect();
+        if let Some(found) = other_unit(&pairs, table) {
+            return Some(found);
+        }
+        if test.poses.iter().any(|p| p.commanded_mm.is_some())
+            && let Some(found) = elsewhere(&pairs)
+        {
+            return Some(found);
+        }
+    }
+    None
+}
+
+/// A unit in which all coordinates, or some of them, agree with the commanded ones.
+fn other_unit(pairs: &[(PoseName, Pair)], attained: TestTable) -> Option<Misplacement> {
+    let all = rms(pairs.iter().flat_map(|(_, p)| p.attained_mm.into_iter().chain(p.commanded_mm)));
+    for (unit, length_mm) in UNITS {
+        for (table, of_attained) in [(attained.clone(), true), (TestTable::Commanded, false)] {
+            let judged = |&k: &usize| {
+                let sides = pairs.iter().map(|(_, p)| match of_attained {
+                    true => [p.attained_mm[k], p.commanded_mm[k]],
+                    false => [p.commanded_mm[k], p.attained_mm[k]],
+                });
+                let size = rms(sides.clone().map(|[_, right]| right));
+                let off = rms(sides.map(|[small, right]| length_mm * small - right));
+                size > LARGE * all && off <= IN_UNIT * size
+            };
+            let axes: Vec<usize> = (0..3).filter(judged).collect();
+            if !axes.is_empty() {
+                return Some(Misplacement::Unit { table, axes, unit, length_mm });
+            }
+        }
+    }
+    scaled_elsewhere(pairs, attained)
+}
+
+/// A unit in which the distances between all positions agree, wherever the frame is.
+fn scaled_elsewhere(pairs: &[(PoseName, Pair)], attained: TestTable) -> Option<Misplacement> {
+    let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().map(|(_, p)| (p.attained_mm, p.commanded_mm)).unzip();
+    if pairs.len() < 3 {
+        return None;
+    }
+    for (unit, length_mm) in UNITS {
+        for (table, factor) in [(attained.clone(), length_mm), (TestTable::Commanded, 1.0 / length_mm)] {
+            let scaled: Vec<Vector> = from.iter().map(|p| p.map(|v| v * factor)).collect();
+            let Ok(fit) = rigid(&scaled, &to) else { continue };
+            if fit.rms_mm() <= IN_UNIT * spread(&to) {
+                return Some(Misplacement::Unit { table, axes: vec![0, 1, 2], unit, length_mm });
+            }
+        }
+    }
+    None
+}
+
+/// Root mean square distance from the centre.
+fn spread(points: &[Vector]) -> f64 {
+    let middle = centroid(points).unwrap_or_default();
+    rms(points.iter().map(|p| norm(minus(*p, middle))))
+}
+
+/// A deviation as large as the extent, and the motion of the frame that explains it.
+fn elsewhere(pairs: &[(PoseName, Pair)]) -> Option<Misplacement> {
+    let off: Vec<Vector> = pairs.iter().map(|(_, p)| minus(p.attained_mm, p.commanded_mm)).collect();
+    let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().map(|(_, p)| (p.attained_mm, p.commanded_mm)).unzip();
+    let deviation_mm = rms(off.iter().map(|d| norm(*d)));
+    let extent_mm = if to.len() > 1 { spread(&to) } else { norm(*to.first()?) };
+    if extent_mm == 0.0 || deviation_mm < AS_LARGE * extent_mm {
+        return None;
+    }
+    let shift_mm = centroid(&off)?;
+    let frame = |turn_rad, left_mm| Misplacement::Frame { deviation_mm, shift_mm, turn_rad, left_mm };
+    let most = BY_FRAME * deviation_mm;
+    let left_mm = rms(off.iter().map(|d| norm(minus(*d, shift_mm))));
+    if to.len() > 1 && left_mm <= most {
+        return Some(frame(None, left_mm));
+    }
+    // a rotation fits three positions of one distance each: it takes a fourth to show it
+    if let Some(fit) = rigid(&to, &from).ok().filter(|fit| to.len() > 3 && fit.rms_mm() <= most) {
+        return Some(frame(Some(fit.to_T_from.angle_rad()), fit.rms_mm()));
+    }
+    let mut largest: Vec<usize> = (0..off.len()).collect();
+    largest.sort_by(|&i, &j| norm(off[j]).total_cmp(&norm(off[i])));
+    let poses = largest.into_iter().take(3).map(|i| pairs[i].0).collect();
+    Some(Misplacement::Large { deviation_mm, extent_mm, poses })
+}
+
+/// Returns the unit in which a recording passes the commanded poses or the commanded path, if it
+/// does not in mm.
+pub fn misplaced_motion(recording: &Recording, settings: &MotionSettings) -> Option<Misplacement> {
+    let poses = settings.poses.iter().flatten().map(|p| p.position_mm);
+    let path = settings.path.iter().flat_map(|p| p.path.command_points(PATH_POINTS)).map(|p| p.position_mm);
+    let commanded: Vec<Vector> = poses.chain(path).collect();
+    let step = recording.stream.len().div_ceil(SAMPLES).max(1);
+    let samples: Vec<Vector> = recording.stream.positions_mm().iter().step_by(step).copied().collect();
+    let size = rms(commanded.iter().map(|p| norm(*p)));
+    // distance of the commanded positions from the samples in a unit
+    let away = |of_samples: f64, of_commanded: f64| {
+        let nearest = |p: &Vector| {
+            let p = p.map(|v| v * of_commanded);
+            let away = samples.iter().map(|q| norm(minus(q.map(|v| v * of_samples), p)));
+            away.fold(f64::INFINITY, f64::min)
+        };
+        rms(commanded.iter().map(nearest))
+    };
+    if commanded.is_empty() || away(1.0, 1.0) <= AS_LARGE * size {
+        return None;
+    }
+    for (unit, length_mm) in UNITS {
+        let axes = vec![0, 1, 2];
+        if away(length_mm, 1.0) <= IN_UNIT * size {
+            let table = TestTable::Attained(String::new());
+            return Some(Misplacement::Unit { table, axes, unit, length_mm });
+        }
+        if away(1.0, length_mm) <= IN_UNIT * size * length_mm {
+            return Some(Misplacement::Unit { table: TestTable::Commanded, axes, unit, length_mm });
+        }
+    }
+    None
+}
+
+/// Number of points of a commanded path that are compared.
+const PATH_POINTS: usize = 20;
+/// Maximum number of samples that are compared.
+const SAMPLES: usize = 2000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::iso9283::pose::test::{AttainedPose, TestedPose};
+
+    const CUBE: [Vector; 5] = [
+        [400.0, 0.0, 350.0],
+        [500.0, 100.0, 450.0],
+        [300.0, 100.0, 450.0],
+        [300.0, -100.0, 250.0],
+        [500.0, -100.0, 250.0],
+    ];
+
+    /// Three cycles of the poses of a cube, 0.1 mm off.
+    fn test_of(attained: impl Fn(Vector) -> Vector, commanded: impl Fn(Vector) -> Vector) -> PoseTest {
+        let visit = |cycle: i64, p: Vector| AttainedPose {
+            cycle,
+            position_mm: p,
+            angles_rad: Vec::new(),
+            approach: None,
+            robot: String::new(),
+            readings_mm: vec![p],
+            readings_rad: vec![Vec::new()],
+        };
+        let pose = |(i, p): (usize, &Vector)| TestedPose {
+            pose: (i as i64 + 1).into(),
+            commanded_mm: Some(commanded(*p)),
+            commanded_rad: Vec::new(),
+            attained: (1..4).map(|c| visit(c, attained([p[0] + 0.1, p[1], p[2] - 0.01 * c as f64]))).collect(),
+        };
+        let poses = CUBE.iter().enumerate().map(pose).collect();
+        PoseTest { poses, spatial: true, angles: Vec::new(), rotation_order: None, warnings: Vec::new() }
+    }
+
+    #[test]
+    fn a_unit_is_named_with_its_table_and_its_columns() {
+        let same = |p: Vector| p;
+        for (unit, length_mm) in UNITS {
+            let small = |p: Vector| p.map(|v| v / length_mm);
+            let found = misplaced_poses(&test_of(small, same));
+            let expected = |table, axes| Some(Misplacement::Unit { table, axes, unit, length_mm });
+            assert_eq!(found, expected(TestTable::Attained(String::new()), vec![0, 1, 2]));
+            assert_eq!(misplaced_poses(&test_of(same, small)), expected(TestTable::Commanded, vec![0, 1, 2]));
+            let one = |p: Vector| [p[0], p[1], p[2] / length_mm];
+            assert_eq!(misplaced_poses(&test_of(one, same)), expected(TestTable::Attained(String::new()), vec![2]));
+            // in another frame as well
+            let moved = |p: Vector| [(p[1] - 900.0) / length_mm, (-p[0] + 70.0) / length_mm, p[2] / length_mm];
+            let found = misplaced_poses(&test_of(moved, same));
+            assert!(matches!(&found, Some(Misplacement::Unit { unit: u, .. }) if *u == unit), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_frame_is_named_and_sound_tests_are_not() {
+        let same = |p: Vector| p;
+        assert_eq!(misplaced_poses(&test_of(same, same)), None);
+        // a robot with an error of 5 mm, and one whose frame is a little off
+        assert_eq!(misplaced_poses(&test_of(|p| [p[0] + 5.0, p[1], p[2]], same)), None);
+        let shifted = misplaced_poses(&test_of(|p| [p[0] + 600.0, p[1], p[2] - 200.0], same)).unwrap();
+        assert!(
+            matches!(shifted, Misplacement::Frame { turn_rad: None, shift_mm, .. } if (shift_mm[0] - 600.1).abs() < 1e-9)
+        );
+        let turned = misplaced_poses(&test_of(|p| [-p[1], p[0], p[2]], same)).unwrap();
+        let Misplacement::Frame { turn_rad: Some(turn), left_mm, .. } = turned else { panic!("{turned:?}") };
+        assert!((turn.to_degrees() - 90.0).abs() < 0.1 && left_mm < 0.2, "{turn} {left_mm}");
+        // two poses exchanged
+        let exchanged = |p: Vector| {
+            if p == CUBE[1] {
+                CUBE[3]
+            } else if p == CUBE[3] {
+                CUBE[1]
+            } else {
+                p
+            }
+        };
+        let found = misplaced_poses(&test_of(same, exchanged)).unwrap();
+        let Misplacement::Large { poses, .. } = found else { panic!("{found:?}") };
+        assert!(poses.contains(&2.into()) && poses.contains(&4.into()), "{poses:?}");
+        // repeats alone, without commanded poses
+        let mut alone = test_of(same, same);
+        alone.poses.iter_mut().for_each(|p| p.commanded_mm = None);
+        assert_eq!(misplaced_poses(&alone), None);
+    }
+}
