@@ -1,6 +1,7 @@
 //! Excitation: the range of each joint in the calibration poses, and the parameters that remain at
 //! their tolerances.
 
+use crate::stages::remedies::remedied;
 use crate::stages::shown;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase, warning};
@@ -41,7 +42,7 @@ pub(super) fn unmoved(
     values: Option<&[f64]>,
 ) -> Result<()> {
     let Some(Unmoved { rows, range_deg, range_mm, scatter_mm }) =
-        etalon_identify::unmoved(robot, observations, settings, values)?
+        etalon_identify::unmoved(robot, observations, settings, values).map_err(remedied)?
     else {
         return Ok(());
     };
