@@ -48,7 +48,7 @@ fn poses() -> String {
             let turned = [0, 1, 2].map(|k| COMMANDED_DEG[k] + OFF_DEG[k] + noise.gaussian(SCATTER_DEG));
             let stands = Pose { translation_mm: at, ..order.pose(turned.map(f64::to_radians)) };
             let seen = moved(cycle).then(&stands);
-            let angles = order.angles_rad(&seen, turned.map(f64::to_radians)).unwrap().map(f64::to_degrees);
+            let angles = order.angles_rad(&seen, turned.map(f64::to_radians)).map(f64::to_degrees);
             for reading in 1..=2 {
                 let [x, y, z] = seen.translation_mm.map(|v| v + noise.gaussian(READING_MM));
                 let [a, b, c] = angles.map(|v| v + noise.gaussian(READING_DEG));
