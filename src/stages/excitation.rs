@@ -52,7 +52,8 @@ pub(super) fn unmoved(
         (false, true) => phrase!("motion-within-length", range_mm),
         (true, true) => phrase!("motion-within-both", range_deg, range_mm),
     };
-    Err(error!("joints-do-not-move", rows, motion, scatter_mm).into())
+    let points: usize = observations.iter().map(|o| o.targets.iter().flatten().count()).sum();
+    Err(error!("joints-do-not-move", rows, motion, points, scatter_mm).into())
 }
 
 /// Warnings about joints that do not move, if parameters then remain at their tolerances.

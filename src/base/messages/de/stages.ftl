@@ -637,7 +637,10 @@ error-quantity-unknown = `{ $name }` ist keine Größe einer Abweichung
 pose-set-unknown = `{ $name }` ist keine Gruppe von Posen
     .expected = calibration oder validation
 
-joints-do-not-move = die Gelenke bewegen sich nicht: alle { $rows } Zeilen liegen { $motion }; sie zeigen keinen Parameter des Roboters (Streuung der gemessenen Punkte: { FIXED($scatter_mm, 3) } mm)
+joints-do-not-move = die Gelenke bewegen sich nicht: alle { $rows } Beobachtungen liegen { $motion }; sie zeigen keinen Parameter des Roboters{ $points ->
+        [0] {""}
+       *[other] {" "}(Streuung der gemessenen Punkte: { FIXED($scatter_mm, 3) } mm)
+    }
     .hint = Posen mit verschiedenen Werten jedes Gelenks messen; wenn sich der Roboter doch bewegt hat, sind die Gelenkwerte aus falschen Spalten oder aus einer veralteten Datei gelesen
 
 motion-none = an einer Pose

@@ -1300,7 +1300,10 @@ pose-set-unknown = `{ $name }` is not a set of poses
 # Do: Measure poses with different values of every joint; check that the joint values are read from
 # the right columns.
 # Example: one pose measured thirty times
-joints-do-not-move = the joints do not move: all { $rows } rows are { $motion }; they show no parameter of the robot (scatter of the measured points: { FIXED($scatter_mm, 3) } mm)
+joints-do-not-move = the joints do not move: all { $rows } observations are { $motion }; they show no parameter of the robot{ $points ->
+        [0] {""}
+       *[other] {" "}(scatter of the measured points: { FIXED($scatter_mm, 3) } mm)
+    }
     .hint = measure poses with different values of every joint; if the robot did move, the joint values are read from wrong columns or a stale file
 
 motion-none = at one pose

@@ -637,7 +637,10 @@ error-quantity-unknown = `{ $name }` n’est pas une grandeur d’erreur
 pose-set-unknown = `{ $name }` n’est pas un ensemble de poses
     .expected = calibration ou validation
 
-joints-do-not-move = les articulations ne bougent pas : les { $rows } lignes sont { $motion } ; elles ne montrent aucun paramètre du robot (dispersion des points mesurés : { FIXED($scatter_mm, 3) } mm)
+joints-do-not-move = les articulations ne bougent pas : les { $rows } observations sont { $motion } ; elles ne montrent aucun paramètre du robot{ $points ->
+        [0] {""}
+       *[other] {" "}(dispersion des points mesurés : { FIXED($scatter_mm, 3) } mm)
+    }
     .hint = mesurer des poses où chaque articulation prend plusieurs valeurs ; si le robot a bougé, les valeurs articulaires proviennent de colonnes fausses ou d’un fichier périmé
 
 motion-none = à une seule pose
