@@ -6,7 +6,6 @@ use etalon::cli::in_memory::set_parameters;
 use etalon::run::documents::parse_parameters;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems};
-use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_robots::{Kinematics, Robot as Model};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
@@ -133,10 +132,7 @@ fn solve(
         if !all {
             return Ok(vec![arm.nearest_joints(&nominal, &pose, near)?]);
         }
-        let found = arm.all_joints(&nominal, &pose);
-        let forbidden = found.iter().find_map(|q| arm.limit_violation(&nominal, q));
-        let within: Vec<Vec<f64>> = found.into_iter().filter(|q| arm.limit_violation(&nominal, q).is_none()).collect();
-        if within.is_empty() { Err(forbidden.unwrap_or_else(|| phrase!("out-of-reach"))) } else { Ok(within) }
+        arm.solutions(&nominal, &pose, near)
     };
     let mut answers = Vec::new();
     for (row, pose) in poses.iter().enumerate() {

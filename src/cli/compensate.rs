@@ -33,7 +33,7 @@ use std::path::PathBuf;
   program  RAPID (.mod, .prg), KRL (.src, .dat), URScript (.script), G-code (.ngc, .nc, .gcode), Mecaprol (.mp), Galil (.dmc): printed with
            compensated targets
 
-Exit code 1 if a target is out of reach or in another configuration. A program or list with a target out of reach is not written (exit code 2).")]
+Exit code 1 if a target is out of reach or in another configuration. A program or list with such a target is not written (exit code 2).")]
 pub struct Compensate {
     /// Table of targets (CSV), or a program.
     targets: PathBuf,
@@ -134,6 +134,16 @@ struct ProgramSource {
     program: Program,
 }
 
+/// A command as a controller carries it out.
+struct Executed {
+    /// Command as written.
+    command: Pose,
+    /// Joint values of the controller.
+    joints: Vec<f64>,
+    /// Pose of the identified robot.
+    pose: Pose,
+}
+
 /// Converter of targets to commands.
 struct Compensator<'a> {
     robot: Calibrated<'a>,
@@ -165,22 +175,20 @@ impl Compensate {
         let format = self.format.map_or_else(|| Format::from_str(written, false), Ok).map_err(anyhow::Error::msg)?;
         let compensator = self.compensator(robot, format)?;
         let (commands, answer) = compensator.answer(&source.targets);
+        let changed = answer.targets.iter().filter(|t| !t.same_configuration);
+        let changed = changed.map(|t| error!("configuration-changed", target = t.target));
+        let refused: Vec<Message> = answer.unreachable.iter().map(unreachable).chain(changed).collect();
         let data = match (self.json, format, &source.program) {
             (true, ..) => to_json(&answer)?,
             (_, Format::Csv | Format::Joints, _) => csv(&answer, format).into_bytes(),
             _ => {
-                let refused = answer.unreachable.iter().map(unreachable);
+                let refused = refused.iter().cloned();
                 let refused = refused.map(|m| Message { severity: Severity::Error, rank: Rank::Decide, ..m });
                 Problems(refused.collect()).check()?;
                 compensator.program(&given, &commands, &answer, source.program.as_ref())?
             }
         };
-        let changed = answer
-            .targets
-            .iter()
-            .filter(|t| !t.same_configuration)
-            .map(|t| warning!("configuration-changed", target = t.target));
-        remark(&answer.unreachable.iter().map(unreachable).chain(changed).collect::<Vec<_>>());
+        remark(&refused);
         remark(&compensator.beyond_field(&answer).into_iter().collect::<Vec<_>>());
         if let Some(ProgramSource { program, .. }) = &source.program {
             say(phrase!("targets-compensated", count = answer.targets.len(), left = program.joint_targets));
@@ -189,8 +197,7 @@ impl Compensate {
                 remark(&[warning!("poses-computed-by-program", names)]);
             }
         }
-        let met = answer.unreachable.is_empty() && answer.targets.iter().all(|t| t.same_configuration);
-        print_with(data, Verdict::of(met))
+        print_with(data, Verdict::of(refused.is_empty()))
     }
 
     /// Reads the targets of the table or program.
@@ -393,9 +400,11 @@ impl Compensator<'_> {
         let from = from.map_or_else(|| self.robot.uncompensated(&wanted, near), Ok)?;
         let found = self.robot.compensate(&wanted, &from)?;
         let deg = |q: &[f64]| -> Vec<f64> { arm.joints().iter().zip(q).map(|(j, &q)| j.quantity.outward(q)).collect() };
-        let kept = target.configuration.is_none_or(|c| c.fits(&deg(&found.joints)) || !c.fits(&deg(&from)));
         let seen = commands.inverse().then(&found.command).then(&self.tool);
-        let (command, attained) = self.carried_out(&seen, &found.joints)?;
+        let Executed { command, joints, pose: attained } = self.carried_out(&seen, &found.joints, &from)?;
+        // the configuration is that of the command as written
+        let kept = target.configuration.is_none_or(|c| c.fits(&deg(&joints)) || !c.fits(&deg(&from)));
+        let same_configuration = kept && self.robot.same_configuration(&from, &joints);
         let angle = if self.freedoms == Freedoms::Point { 0.0 } else { wanted.inverse().then(&attained).angle_rad() };
         let modes = found.joints.get(arm.joints().len()).copied();
         last.clone_from(&found.joints);
@@ -410,7 +419,7 @@ impl Compensator<'_> {
                 joints: deg(&found.joints).into_iter().chain(modes).collect(),
                 residual_mm: norm(minus(attained.translation_mm, wanted.translation_mm)),
                 residual_deg: angle.to_degrees(),
-                same_configuration: found.same_configuration && kept,
+                same_configuration,
             },
         ))
     }
@@ -425,8 +434,9 @@ impl Compensator<'_> {
         within.min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
-    /// Command as written, and pose of the identified robot with this command.
-    fn carried_out(&self, command: &Pose, joints: &[f64]) -> std::result::Result<(Pose, Pose), Phrase> {
+    /// Execution of a command as written by a controller at the joint values `from`; `joints` are
+    /// the joint values of the command.
+    fn carried_out(&self, command: &Pose, joints: &[f64], from: &[f64]) -> std::result::Result<Executed, Phrase> {
         let units = |q: &[f64], out: bool| -> Vec<f64> {
             let joint = |(i, &q): (usize, &f64)| match self.robot.arm.joints().get(i) {
                 Some(joint) if out => joint.quantity.outward(q),
@@ -439,20 +449,25 @@ impl Compensator<'_> {
             (Format::Galil, _) => {
                 let mut rounded = units(&self.galil.joints(&self.galil.counts(&units(joints, true))), false);
                 rounded.extend(joints.get(rounded.len()));
-                Ok((*command, self.robot.at_joints(&rounded)?))
+                self.executed(*command, rounded)
             }
-            (Format::Joints, _) => Ok((*command, self.robot.at_joints(joints)?)),
+            (Format::Joints, _) => self.executed(*command, joints.to_vec()),
             (_, Some((_, language))) => {
                 let numbers = commands::written(language, command, self.freedoms, self.decimals);
                 let command = commands::stated(language, &numbers, self.freedoms);
-                Ok((command, self.commanded(&command, joints)?))
+                self.executed(command, self.commanded(&command, from)?)
             }
-            _ => Ok((*command, self.commanded(command, joints)?)),
+            _ => self.executed(*command, self.commanded(command, from)?),
         }
     }
 
-    fn commanded(&self, command: &Pose, joints: &[f64]) -> std::result::Result<Pose, Phrase> {
-        self.robot.attained(&self.frames[1].then(command).then(&self.tool.inverse()), joints)
+    fn executed(&self, command: Pose, joints: Vec<f64>) -> std::result::Result<Executed, Phrase> {
+        let pose = self.robot.at_joints(&joints)?;
+        Ok(Executed { command, joints, pose })
+    }
+
+    fn commanded(&self, command: &Pose, from: &[f64]) -> std::result::Result<Vec<f64>, Phrase> {
+        self.robot.commanded(&self.frames[1].then(command).then(&self.tool.inverse()), from)
     }
 
     /// Program with new targets, or list of commands.

@@ -298,6 +298,11 @@ struct KnownRobot {
     /// Source of the geometry.
     source: String,
     note: Option<String>,
+    /// Source of the limits.
+    limits_source: Option<String>,
+    /// Lower and upper limit of each joint (deg); empty if no source states it.
+    #[serde(default)]
+    limits_deg: Vec<Vec<f64>>,
     #[serde(default)]
     dh: Vec<[f64; 4]>,
     #[serde(default)]
@@ -328,19 +333,27 @@ impl KnownRobot {
         if count == 0 { self.joints.clone() } else { (1..=count).map(|i| format!("q{i}_deg")).collect() }
     }
 
+    /// Limits of joint `i` in the text of robot.toml; empty if no source states them.
+    fn limits(&self, i: usize) -> String {
+        let stated = self.limits_deg.get(i).filter(|ends| !ends.is_empty());
+        stated.map_or_else(String::new, |ends| format!(", limits_deg = {ends:?}"))
+    }
+
     /// Text of robot.toml.
     fn text(&self) -> String {
         let mut text = format!("# {}: nominal geometry.\n# Source: {}.\n", self.title, self.source);
+        text.extend(self.limits_source.iter().map(|source| format!("# Limits: {source}.\n")));
         text.extend(self.note.iter().map(|note| format!("# {note}\n")));
         let _ = writeln!(text, "name = {:?}", self.title);
         for (convention, rows) in [("dh", &self.dh), ("mdh", &self.mdh)] {
             if !rows.is_empty() {
                 let _ = writeln!(text, "model = \"serial\"\nconvention = \"{convention}\"\njoint = [");
             }
-            for [alpha, a, theta, d] in rows {
+            for (i, [alpha, a, theta, d]) in rows.iter().enumerate() {
                 let _ = writeln!(
                     text,
-                    "    {{ alpha_deg = {alpha:?}, a_mm = {a:?}, theta_deg = {theta:?}, d_mm = {d:?} }},"
+                    "    {{ alpha_deg = {alpha:?}, a_mm = {a:?}, theta_deg = {theta:?}, d_mm = {d:?}{} }},",
+                    self.limits(i)
                 );
             }
         }
@@ -350,8 +363,9 @@ impl KnownRobot {
                 "model = \"serial\"\nconvention = \"poe\"                           # axes at zero joints, in the base\n\
                  flange_xyz_mm = {xyz:?}\nflange_rpy_deg = {rpy:?}\njoint = ["
             );
-            for Axis { direction, point_mm } in &self.poe {
-                let _ = writeln!(text, "    {{ direction = {direction:?}, point_mm = {point_mm:?} }},");
+            for (i, Axis { direction, point_mm }) in self.poe.iter().enumerate() {
+                let limits = self.limits(i);
+                let _ = writeln!(text, "    {{ direction = {direction:?}, point_mm = {point_mm:?}{limits} }},");
             }
         }
         let end = "]\n# bending = [2, 3]                          # joints that bend under gravity\n\

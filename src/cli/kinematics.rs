@@ -28,6 +28,7 @@ const LENGTH_ONE: f64 = 1e-3;
   direct   pose and the joints (q1_deg or q1_rad, lift_m ...); assembly (+1 or -1) of a five-bar
   inverse  pose, x_mm, y_mm, z_mm, qw, qx, qy, qz; joint values of a row select its --nearest solution
 
+At a singular pose joints can move without moving the tool: stderr names them, and the answer has the solution nearest to the start.
 Exit code 1 if a pose is out of reach; the answer contains the other poses.")]
 pub struct KinematicsCommand {
     /// Direction of the computation.
@@ -83,7 +84,9 @@ impl KinematicsCommand {
         }
         .map_err(|problems| file.place(problems))?;
         let said = |u: &UnreachablePose| warning!("pose-unreachable", pose = u.pose, reason = u.reason_phrase);
-        remark(&document.unreachable.iter().map(said).collect::<Vec<_>>());
+        let families = document.poses.iter().filter(|entry| !entry.free_joints.is_empty());
+        let families = families.map(|entry| warning!("pose-singular", pose = entry.pose, joints = entry.free_joints));
+        remark(&document.unreachable.iter().map(said).chain(families).collect::<Vec<_>>());
         let verdict = Verdict::of(document.unreachable.is_empty());
         let inverse = self.direction == Direction::Inverse;
         let answer = if self.json { to_json(&document)? } else { csv(&document, inverse).into_bytes() };
@@ -99,20 +102,24 @@ impl KinematicsCommand {
         let mut last = vec![0.0; arm.joints().len()];
         for (row, pose) in poses(arm, file)?.into_iter().enumerate() {
             let name = table::poses(&file.table)?[row];
-            let mut found = Vec::new();
-            let reason = if self.nearest {
-                let near = starts.as_ref().map_or(&last, |starts| &starts[row]);
-                arm.nearest_joints(&nominal, &pose, near).map(|q| found.push(q)).err()
-            } else {
-                let all = arm.all_joints(&nominal, &pose);
-                let forbidden = all.iter().find_map(|q| arm.limit_violation(&nominal, q));
-                found.extend(all.into_iter().filter(|q| arm.limit_violation(&nominal, q).is_none()));
-                found.is_empty().then(|| forbidden.unwrap_or_else(|| phrase!("out-of-reach")))
+            let near = starts.as_ref().map_or(&last, |starts| &starts[row]);
+            let found = match self.nearest {
+                true => arm.nearest_joints(&nominal, &pose, near).map(|q| vec![q]),
+                false => arm.solutions(&nominal, &pose, near),
             };
-            document.unreachable.extend(reason.map(|reason| UnreachablePose::new(name, reason)));
+            let found = found.unwrap_or_else(|reason| {
+                document.unreachable.push(UnreachablePose::new(name, reason));
+                Vec::new()
+            });
+            if let Some(first) = found.first() {
+                last.copy_from_slice(&first[..arm.joints().len()]);
+            }
+            // each pose of a redundant arm leaves joints free
+            let redundant = arm.joints().len() > 6;
             for joints in found {
-                last.copy_from_slice(&joints[..arm.joints().len()]);
-                document.poses.push(entry(arm, name, &joints, &pose));
+                let free = if redundant { Vec::new() } else { arm.free_joints(&nominal, &joints) };
+                let free_joints = free.into_iter().map(|joint| arm.joints()[joint].name.clone()).collect();
+                document.poses.push(KinematicsEntry { free_joints, ..entry(arm, name, &joints, &pose) });
             }
         }
         Ok(())
@@ -236,7 +243,8 @@ fn direct(arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocum
 fn entry(arm: &dyn Kinematics, pose: etalon_base::pose_name::PoseName, joints: &[f64], at: &Pose) -> KinematicsEntry {
     let outward = arm.joints().iter().zip(joints).map(|(joint, &q)| joint.quantity.outward(q));
     let joints = outward.chain(joints.get(arm.joints().len()).copied()).collect();
-    KinematicsEntry { pose, joints, xyz_mm: at.translation_mm, quaternion: at.quaternion() }
+    let (xyz_mm, quaternion) = (at.translation_mm, at.quaternion());
+    KinematicsEntry { pose, joints, xyz_mm, quaternion, free_joints: Vec::new() }
 }
 
 /// Answer as a table: poses, or joint values.

@@ -33,6 +33,10 @@ pub struct KinematicsEntry {
     pub xyz_mm: [f64; 3],
     /// Orientation: unit quaternion w, x, y, z.
     pub quaternion: [f64; 4],
+    /// Joints that can move without moving the tool, at a singular pose; the joint values are then
+    /// those of the family that are nearest to the start.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub free_joints: Vec<String>,
 }
 
 /// A pose without solution.

@@ -9,6 +9,9 @@ use etalon_base::pose::{Pose, Vector, cross, minus, turning_axes};
 use etalon_base::scalar::Scalar;
 use std::ops::Mul;
 
+/// Weight of a rotation by one radian in a pose (mm).
+pub(super) const TURNED_MM: f64 = 1000.0;
+
 /// Motion relative to the frame reached by the preceding motions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Motion {

@@ -2,11 +2,12 @@
 //! command is the pose of the nominal robot at the joint values that bring the identified robot to
 //! the target.
 
-use super::{Kinematics, Quantity};
+use super::{JointRange, Kinematics, Quantity};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_base::pose::{Pose, Vector, minus};
+use etalon_base::pose::{Pose, Vector, minus, norm};
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
 
 /// Errors of joints that the parameters do not describe.
 pub trait Correction: Send + Sync {
@@ -37,13 +38,17 @@ pub struct Compensated {
     pub joints: Vec<f64>,
     /// Pose to command: the pose of the nominal robot at `joints`.
     pub command: Pose,
-    /// `true` if no singularity separates `joints` from the joint values of the uncompensated
-    /// target.
-    pub same_configuration: bool,
 }
 
 /// Largest change of a joint by compensation within the same configuration (rad).
 const SAME_RAD: f64 = 0.5;
+/// Number of points between two configurations at which a singularity is looked for.
+const BETWEEN: i32 = 16;
+/// Measures of singularity below this are zero.
+const SINGULAR: f64 = 1e-9;
+/// Largest distance (mm) and angle (rad) of the pose at stated joint values from its target if the
+/// joint values are those of the target, and do not only select a configuration.
+const STATED: [f64; 2] = [1.0, 1e-3];
 
 /// Fixed-point corrections of joint values end if the last correction is below this (mm or rad), or
 /// after the maximum number. Each correction removes the effect of the robot's errors on the
@@ -55,13 +60,23 @@ const LARGEST_LEFT_MM: f64 = 1e-6;
 
 impl Calibrated<'_> {
     /// Joint values nearest to `near` by which the controller reaches a target without
-    /// compensation. For a target that only the identified robot reaches, the joint values of the
-    /// identified robot.
+    /// compensation: `near` if they are those of the target. For a target that only the identified
+    /// robot reaches, the joint values of the identified robot.
     ///
     /// # Errors
     ///
     /// Describes the limit that forbids the target.
     pub fn uncompensated(&self, target: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
+        let [away_mm, turned_rad] = STATED;
+        let complete = near.len() >= self.arm.joints().len() + usize::from(self.arm.has_assembly_modes());
+        let there = complete.then(|| self.arm.tool_pose(&self.nominal, near)).flatten();
+        let is_there = there.is_some_and(|there| {
+            let off_mm = norm(minus(there.translation_mm, target.translation_mm));
+            off_mm <= away_mm && there.inverse().then(target).angle_rad() <= turned_rad
+        });
+        if is_there && self.arm.limit_violation(&self.nominal, near).is_none() {
+            return Ok(near.to_vec());
+        }
         let nominal = self.arm.nearest_joints(&self.nominal, target, near);
         nominal.or_else(|_| self.arm.nearest_joints(&self.identified, target, near))
     }
@@ -78,22 +93,54 @@ impl Calibrated<'_> {
         if let Some(why) = self.arm.limit_violation(&self.nominal, &joints) {
             return Err(phrase!("command-refused", reason = why));
         }
-        let turned = |i: usize| (joints[i] - uncompensated[i]).abs() > SAME_RAD;
-        let angles = self.arm.joints().iter().enumerate().filter(|(_, joint)| joint.quantity == Quantity::Angle);
-        let branch = |q: &[f64]| self.arm.branch(&self.nominal, q);
-        let same_configuration =
-            !angles.into_iter().any(|(i, _)| turned(i)) && branch(&joints) == branch(uncompensated);
-        Ok(Compensated { joints, command, same_configuration })
+        Ok(Compensated { joints, command })
+    }
+
+    /// `true` if the nominal robot goes from joint values to others without a long motion, and
+    /// without crossing a singularity.
+    pub fn same_configuration(&self, from: &[f64], to: &[f64]) -> bool {
+        let angles = self.arm.joints().iter().zip(from.iter().zip(to));
+        let mut angles = angles.filter(|(joint, _)| joint.quantity == Quantity::Angle);
+        if angles.any(|(_, (a, b))| (a - b).abs() > SAME_RAD) || from.len() != to.len() {
+            return false;
+        }
+        let mut signs: Vec<f64> = Vec::new();
+        (0..=BETWEEN).all(|k| {
+            let share = f64::from(k) / f64::from(BETWEEN);
+            let q: Vec<f64> = from.iter().zip(to).map(|(a, b)| a + share * (b - a)).collect();
+            let measures = self.arm.singularity_measures(&self.nominal, &q);
+            signs.resize(measures.len(), 0.0);
+            signs.iter_mut().zip(measures).filter(|(_, measure)| measure.abs() > SINGULAR).all(|(sign, measure)| {
+                let same = *sign * measure >= 0.0;
+                *sign = measure;
+                same
+            })
+        })
+    }
+
+    /// Joint values nearest to `near` that bring the robot to a pose, without the full turns by
+    /// which a joint without limits would leave `near`.
+    fn continued(&self, parameters: &[f64], target: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
+        let joints = self.arm.nearest_joints(parameters, target, near)?;
+        let mut turned = joints.clone();
+        for (i, (q, near)) in turned.iter_mut().zip(near).enumerate().take(self.arm.joints().len()) {
+            let limited = matches!(self.arm.joint_range(i), JointRange::Limits(_));
+            if self.arm.joints()[i].quantity == Quantity::Angle && !limited {
+                let turn = TAU / self.arm.nominal_gain(i).abs();
+                *q -= ((*q - near) / turn).round() * turn;
+            }
+        }
+        if turned == joints { Ok(joints) } else { self.arm.nearest_joints(parameters, target, &turned) }
     }
 
     /// Joint values nearest to `near` that bring the identified robot with its field to a pose.
     fn solved(&self, target: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
-        let mut joints = self.arm.nearest_joints(&self.identified, target, near)?;
+        let mut joints = self.continued(&self.identified, target, near)?;
         let Some(field) = self.field else { return Ok(joints) };
         // q + δq(q) is solved for; δq varies slowly
         for _ in 0..MOST_CORRECTIONS {
             let (parameters, moved) = field.applied(&self.identified, &joints);
-            let wanted = self.arm.nearest_joints(&parameters, target, &moved)?;
+            let wanted = self.continued(&parameters, target, &moved)?;
             let step: Vec<f64> = wanted.iter().zip(&moved).map(|(wanted, moved)| wanted - moved).collect();
             joints.iter_mut().zip(&step).for_each(|(q, step)| *q += step);
             if step.iter().all(|step| step.abs() < LAST_CORRECTION) {
@@ -103,15 +150,13 @@ impl Calibrated<'_> {
         Ok(joints)
     }
 
-    /// Pose that the identified robot attains when the controller, at joint values near `near`, is
-    /// commanded a pose.
+    /// Joint values of the controller, at joint values near `near`, when it is commanded a pose.
     ///
     /// # Errors
     ///
     /// Describes the limit that forbids the command.
-    pub fn attained(&self, command: &Pose, near: &[f64]) -> Result<Pose, Phrase> {
-        let joints = self.arm.nearest_joints(&self.nominal, command, near)?;
-        self.at_joints(&joints)
+    pub fn commanded(&self, command: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
+        self.continued(&self.nominal, command, near)
     }
 
     /// Pose of the identified robot at joint values.

@@ -11,7 +11,7 @@
 use super::keys::{Description, Reader};
 use super::parallel::{LegParameter, Legs, Parallel, Rod};
 use super::prexyt::travel_mm;
-use super::{At, FaultKind, Faults, Key, Model, Quantity, REACH, Robot, meaning, wrong_targets};
+use super::{At, FaultKind, Faults, Key, Model, Quantity, REACH, Robot, meaning, root, wrong_targets};
 use etalon_base::pose::{Pose, cross, dot, minus, norm};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
@@ -205,7 +205,7 @@ impl Legs for Rotary {
         let [x, y, z] = self.motor(leg, p).inverse().apply(self.rod(leg, p, T::from(0.0)).shifted(platform));
         // x cos θ − z sin θ = c, for an elbow at (l cos θ, 0, −l sin θ)
         let c = (x * x + y * y + z * z + p[5] * p[5] - p[7] * p[7]) / (p[5] * 2.0);
-        let half = (x * x + z * z - c * c).sqrt().atan2(c);
+        let half = root(x * x + z * z - c * c, p[5].value().powi(2)).atan2(c);
         ((-z).atan2(x) - branch * half - p[6]).wrapped()
     }
 }
@@ -265,7 +265,7 @@ impl Legs for Linear {
     /// on the platform.
     fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, _branch: T) -> T {
         let [x, y, z] = self.tower(leg, p).inverse().apply(self.rod(leg, p, T::from(0.0)).shifted(platform));
-        z + (p[5] * p[5] - x * x - y * y).sqrt() - p[0]
+        z + root(p[5] * p[5] - x * x - y * y, p[5].value().powi(2)) - p[0]
     }
 }
 
@@ -293,7 +293,7 @@ fn hang<T: Scalar>(rods: &[Rod<T>]) -> Option<Pose<T>> {
     let u = (r[0] - r[1] + d * d) / (d * 2.0);
     let v = (r[0] - r[2] + along * along + across * across - along * u * 2.0) / (across * 2.0);
     let upwards = z[2] / (z[2] * z[2]).sqrt();
-    let down = -((r[0] - u * u - v * v).sqrt() * upwards);
+    let down = -(root(r[0] - u * u - v * v, r[0].value()) * upwards);
     let translation_mm = [0, 1, 2].map(|i| origin[i] + u * x[i] + v * y[i] + down * z[i]);
     Some(Pose { translation_mm, ..Pose::identity() })
 }

@@ -10,7 +10,7 @@ use super::{
     Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, Parametrised, PlanarPose, Quantity,
     Robot, Role, State,
 };
-use super::{REACH, in_plane, in_space, meaning};
+use super::{REACH, in_plane, in_space, meaning, root};
 use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded};
 use etalon_base::phrase;
@@ -420,8 +420,15 @@ fn left_of([x, y]: [f64; 2]) -> [f64; 2] {
 fn meet<T: Scalar>(base: [T; 2], near: T, far: T, side: T) -> [T; 2] {
     let square = base[0] * base[0] + base[1] * base[1];
     let along = (near * near - far * far + square) / (square * 2.0); // eq. 4.5: b1 / d
-    let across = (near * near / square - along * along).sqrt() * side; // eq. 4.5: ξ h / d
+    let across = root(near * near / square - along * along, 1.0) * side; // eq. 4.5: ξ h / d
     [along * base[0] - across * base[1], along * base[1] + across * base[0]]
+}
+
+/// Moves a tool that is on the axis of motor 2, about which a folded arm of equal links turns
+/// freely, by a nanometre, at which the arm has a direction.
+fn off_the_motor(p: &[f64], e: [f64; 2]) -> [f64; 2] {
+    let motor = [0.5 * p[4], 0.0];
+    if e == motor { [e[0] + 1e-6, e[1]] } else { e }
 }
 
 fn from(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
@@ -477,17 +484,17 @@ impl Kinematics for FiveBar {
     fn base_in_world(&self, p: &[f64]) -> Option<Pose> {
         in_space(PlanarPose { x_mm: p[9], y_mm: p[10], theta_rad: p[11] })
     }
-    /// Working mode and assembly mode.
-    fn branch(&self, p: &[f64], joints: &[f64]) -> Vec<bool> {
+    /// Sines between the links of each arm (working mode), and the assembly mode.
+    fn singularity_measures(&self, p: &[f64], joints: &[f64]) -> Vec<f64> {
         let assembly = joints.get(2).copied().unwrap_or(1.0);
         let Linkage { b1, b2, c, e } = FiveBar::direct(self, p, [joints[0], joints[1]], assembly);
         let half = 0.5 * p[4];
-        let left = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0] > 0.0;
-        vec![left(from([-half, 0.0], b1), from(b1, c)), left(from([half, 0.0], b2), from(b2, e)), assembly > 0.0]
+        let sine = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]) / (a[0].hypot(a[1]) * b[0].hypot(b[1]));
+        vec![sine(from([-half, 0.0], b1), from(b1, c)), sine(from([half, 0.0], b2), from(b2, e)), assembly]
     }
     fn all_joints(&self, p: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
         let Some(PlanarPose { x_mm, y_mm, .. }) = in_plane(pose) else { return Vec::new() };
-        let e = [x_mm, y_mm];
+        let e = off_the_motor(p, [x_mm, y_mm]);
         let way = |branches: [f64; 2]| {
             let q = FiveBar::inverse(self, p, e, branches);
             q.iter().all(|v| v.is_finite()).then(|| vec![q[0], q[1], self.assembly_at(p, q, e)])

@@ -15,6 +15,7 @@ mod delta;
 mod fault;
 mod five_bar;
 mod hexapod;
+mod inverse;
 mod keys;
 mod parallel;
 mod prexyt;
@@ -38,7 +39,7 @@ pub use urdf::{Link, Mimic, Tree, TreeChain, TreeJoint};
 use etalon_base::catalogue::Phrase;
 use etalon_base::expression::Formula;
 use etalon_base::phrase;
-use etalon_base::pose::{Pose, Vector};
+use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::Sketch;
 
@@ -409,21 +410,55 @@ pub trait Kinematics: Robot {
         Vec::new()
     }
 
-    /// Signs that change only at singularities and thus distinguish configurations (working and
-    /// assembly modes).
-    fn branch(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<bool> {
+    /// Dimensionless measures that are zero at singularities; their signs distinguish
+    /// configurations (working and assembly modes).
+    fn singularity_measures(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<f64> {
         Vec::new()
     }
 
     /// All solutions for a pose, as joint values followed by the assembly mode, whatever their
-    /// limits. Angles are in (−π, π], or shifted by full turns into their limits.
+    /// limits; of a family of solutions one. Angles are in (−π, π], or shifted by full turns into
+    /// their limits.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>>;
 
-    /// Permissible solution nearest to the joint values `near`; angles may differ by full turns.
-    /// The error describes the limit that forbids the nearest solution.
+    /// Permissible solutions for a pose; of a family of solutions the one nearest to `near`.
+    ///
+    /// # Errors
+    ///
+    /// Describes the limit that forbids a solution, or the reason why there is none.
+    fn solutions(&self, parameters: &[f64], pose: &Pose, _near: &[f64]) -> Result<Vec<Vec<f64>>, Phrase> {
+        let all = self.all_joints(parameters, pose);
+        let forbidden = all.iter().find_map(|q| self.limit_violation(parameters, q));
+        let within: Vec<Vec<f64>> = all.into_iter().filter(|q| self.limit_violation(parameters, q).is_none()).collect();
+        if within.is_empty() { Err(forbidden.unwrap_or_else(|| phrase!("out-of-reach"))) } else { Ok(within) }
+    }
+
+    /// Permissible solution nearest to the joint values `near`. These are the answer if they attain
+    /// the pose. Angles without limits are in (−π, π], or nearest to a start beyond.
+    ///
+    /// # Errors
+    ///
+    /// Describes the limit that forbids the nearest solution, or the reason why there is none.
     fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
+        if near.len() >= self.joints().len() + usize::from(self.has_assembly_modes())
+            && self.tool_pose(parameters, near).is_some_and(|there| is_same(&there, pose))
+            && self.limit_violation(parameters, near).is_none()
+        {
+            return Ok(near.to_vec());
+        }
         nearest(self, parameters, self.all_joints(parameters, pose), near)
     }
+
+    /// Joints that can move without moving the flange, where the solution at these joint values is
+    /// one of a family: those of a singular pose, or all joints of a redundant arm.
+    fn free_joints(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<usize> {
+        Vec::new()
+    }
+}
+
+/// `true` if two poses are equal within rounding: 1e-9 mm and 1e-12 rad.
+fn is_same(a: &Pose, b: &Pose) -> bool {
+    norm(minus(a.translation_mm, b.translation_mm)) <= 1e-9 && a.inverse().then(b).angle_rad() <= 1e-12
 }
 
 /// Names and values of a pose: x, y, z, and the rotation matrix row by row.
@@ -431,6 +466,13 @@ fn pose_outputs<T: Scalar>(pose: &Pose<T>) -> Vec<(String, T)> {
     let place = ["x", "y", "z"].map(str::to_owned).into_iter().zip(pose.translation_mm);
     let cells = (0..9).map(|i| (format!("r{}{}", i / 3 + 1, i % 3 + 1), pose.rotation[i / 3][i % 3]));
     place.chain(cells).collect()
+}
+
+/// Square root of a difference of quantities of the order of `scale`; zero for a difference that is
+/// negative by rounding, as at a stretched leg.
+fn root<T: Scalar>(v: T, scale: f64) -> T {
+    const ROUNDING: f64 = 1e-13;
+    if (-ROUNDING * scale..0.0).contains(&v.value()) { T::from(0.0) } else { v.sqrt() }
 }
 
 /// Sum of squares.

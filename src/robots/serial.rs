@@ -4,23 +4,23 @@
 //! A convention pushes its motions and parameters into an [`ArmBuilder`]; gains, coupling and
 //! bending are common to all conventions.
 
-use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
+use super::chain::{self, Coefficient, Element, Motion, Prepared, TURNED_MM, Term};
+use super::inverse::Search;
 use super::tables::error_axes;
 use super::{
     AXES, ChainJoint, Circumstance, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
     OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning,
     pose_outputs,
 };
-use super::{limit_violation, nearest, normal_equations, square};
+use super::{limit_violation, normal_equations, square};
 use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded, derivatives};
-use etalon_base::noise::Noise;
 use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
-use nalgebra::Matrix6;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use nalgebra::{Matrix6, Vector6};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Mass of the links between a joint and the next joint, and its centre in the frame that the joint
 /// moves.
@@ -174,6 +174,17 @@ fn joint_error(name: String, quantity: Quantity, effect: Effect, joint: usize) -
     };
     let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).of_joint(joint);
     Parameter { effect, ..own }
+}
+
+/// Scale of a joint value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct JointScale {
+    /// Joint value that moves the axis by 1 rad or 1 m.
+    pub unit: f64,
+    /// Joint value of a full turn; `None` if the joint slides or moves several axes.
+    pub turn: Option<f64>,
+    /// Finite limits (rad or mm).
+    pub limits: Option<[f64; 2]>,
 }
 
 /// Builder of a chain: collects motions and parameters, starting with base and targets.
@@ -867,21 +878,42 @@ impl Serial {
         self.loads.iter().map(size).collect()
     }
 
-    /// Shifts each angle of a solution by full turns to be nearest to `near` within its limits.
-    /// Returns `None` if gains other than one leave no solution.
-    fn within_limits(&self, parameters: &[f64], place: &Pose, joints: Vec<f64>, near: &[f64]) -> Option<Vec<f64>> {
-        let mut turned = joints.clone();
-        let all = turned.iter_mut().zip(near).zip(self.joints().iter().zip(&self.limits));
-        for ((q, near), (joint, limit)) in all {
-            if joint.quantity == Quantity::Angle {
-                let nearest = *q - ((*q - near) / TAU).round() * TAU;
-                let inside = |v: &f64| limit.is_none_or(|[lower, upper]| (lower..=upper).contains(v));
-                let turned = [nearest, nearest - TAU, nearest + TAU].into_iter().find(inside);
-                *q = turned.unwrap_or(nearest);
+    /// Units, full turns and limits of the joint values.
+    pub(super) fn joint_scales(&self, parameters: &[f64]) -> Vec<JointScale> {
+        let scale = |(j, joint): (usize, &Joint)| {
+            let mut axes = self.axes.iter().filter(|axis| axis.drive.joint == j);
+            let (first, single) = (axes.next(), axes.next().is_none());
+            let rate = first.map_or(1.0, |axis| (self.gain(axis, parameters) * axis.drive.factor).abs());
+            let rate = if rate > 0.0 && rate.is_finite() { rate } else { 1.0 };
+            let revolute = joint.quantity == Quantity::Angle;
+            let stated = |ends: &[f64; 2]| ends.iter().all(|end| end.is_finite());
+            JointScale {
+                unit: if revolute { 1.0 } else { TURNED_MM } / rate,
+                turn: (revolute && single).then_some(TAU / rate),
+                limits: self.limits.get(j).copied().flatten().filter(stated),
             }
-        }
-        // with a gain, a full turn of the joint is not a full turn of the joint value
-        if turned == joints { Some(turned) } else { self.inverse(parameters, place, &turned) }
+        };
+        self.joints().iter().enumerate().map(scale).collect()
+    }
+
+    /// Place of the first moved element in the world (mm), and the largest distance (mm) of the
+    /// flange from it; `None` if a slide has no limits.
+    pub(super) fn reach(&self, parameters: &[f64]) -> (Vector, Option<f64>) {
+        let first = self.axes.iter().map(|axis| axis.element).min().unwrap_or(0);
+        let end = |k: usize| self.limits.iter().map(|ends| ends.map_or(f64::NAN, |ends| ends[k])).collect::<Vec<f64>>();
+        let ends = [end(0), end(1)];
+        let origin = chain::end(&self.elements[..first], parameters, State { joints: &ends[0], loads: &[] });
+        let length = |element: &Element| {
+            let length = |joints: &Vec<f64>| match element.motion {
+                Motion::Turn(_) | Motion::Attitude(_) => 0.0,
+                _ => norm(element.advance(Pose::identity(), parameters, State { joints, loads: &[] }).translation_mm),
+            };
+            let [lower, upper] = ends.each_ref().map(length);
+            if lower.is_nan() || upper.is_nan() { f64::NAN } else { lower.max(upper) }
+        };
+        let reach_mm: f64 = self.elements[first..].iter().map(length).sum();
+        // rounding, and play of slides
+        (origin.translation_mm, (!reach_mm.is_nan()).then_some(reach_mm * (1.0 + 1e-9) + 1.0))
     }
 
     /// Drawing of the arm in its base at joint values zero, with all lengths that are nominally
@@ -991,28 +1023,12 @@ impl Serial {
     /// Returns `None` if the pose cannot be reached to within 1e-9 mm and 1e-12 rad on the branch
     /// of `start`.
     pub fn inverse(&self, parameters: &[f64], world_T_flange: &Pose, start: &[f64]) -> Option<Vec<f64>> {
-        let mut q = start.to_vec();
-        let arm = self.with(parameters);
-        for _ in 0..50 {
-            let (reached, a) = arm.flange_jacobian(&q);
-            let gap = minus(world_T_flange.translation_mm, reached.translation_mm);
-            // small rotation from the reached to the desired orientation, in the world
-            let turn = world_T_flange.then(&reached.inverse()).rotation;
-            let small = [turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1]].map(|v| 0.5 * v);
-            let b: Vec<f64> = gap.iter().chain(&small.map(|v| v * TURNED_MM)).copied().collect();
-            let factor = etalon_math::Factor::new(&a, &b, &vec![1.0; q.len()]);
-            let step = factor.solve().or_else(|| factor.damped(1.0).solve())?;
-            let longest = step.iter().fold(0.0f64, |m, s| m.max(s.abs()));
-            let shorten = if longest > 0.5 { 0.5 / longest } else { 1.0 };
-            q.iter_mut().zip(&step).for_each(|(q, s)| *q += shorten * s);
-            if longest < 1e-13 {
-                break;
-            }
-        }
-        let reached = self.direct(parameters, &q);
-        let off = norm(minus(world_T_flange.translation_mm, reached.translation_mm));
-        let turned = world_T_flange.inverse().then(&reached).angle_rad();
-        (off < 1e-9 && turned < 1e-12).then_some(q)
+        Search::new(self, parameters, *world_T_flange).solve(start)
+    }
+
+    /// Search for the joint values of a pose of the flange in the base.
+    pub(super) fn search<'a>(&'a self, parameters: &'a [f64], pose: &Pose) -> Search<'a> {
+        Search::new(self, parameters, base_pose(parameters).then(pose))
     }
 }
 
@@ -1159,23 +1175,6 @@ fn correction<T: Scalar>(pose: &[T], linearised: &[T]) -> (Vec<T>, [T; 4]) {
 /// of all joints.
 const SINGULAR: f64 = 1e-14;
 
-/// Weight of a rotation by one radian in a pose (mm).
-const TURNED_MM: f64 = 1000.0;
-
-/// Minimum number of starts of the search for all solutions, and number of starts without a new
-/// solution that end it.
-const STARTS: usize = 96;
-/// Maximum number of starts.
-const MOST_STARTS: usize = 1024;
-/// Largest difference between joint values of the same solution (rad or mm).
-const SAME: f64 = 1e-6;
-const SEARCH_SEED: u64 = 19;
-/// Distance from the start within which a solution is accepted as the nearest without a search (rad
-/// or mm).
-const NEAR: f64 = 0.5;
-/// Range of a sliding joint without limits (mm).
-const UNLIMITED_MM: [f64; 2] = [-1000.0, 1000.0];
-
 impl Kinematics for Serial {
     fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
         let pose = base_pose(parameters).inverse().then(&self.direct(parameters, joints));
@@ -1220,54 +1219,33 @@ impl Kinematics for Serial {
         vec![record("direct", false), linearised, correction]
     }
 
-    /// Sign of the determinant of the Jacobian, for six joints.
-    fn branch(&self, parameters: &[f64], joints: &[f64]) -> Vec<bool> {
-        let square = joints.len() == 6;
-        let determinant = || Matrix6::from_row_slice(&self.with(parameters).flange_jacobian(joints).1).determinant();
-        square.then(|| determinant() > 0.0).into_iter().collect()
+    /// Determinant of the Jacobian, for six joints.
+    fn singularity_measures(&self, parameters: &[f64], joints: &[f64]) -> Vec<f64> {
+        if joints.len() != 6 {
+            return Vec::new();
+        }
+        let units: Vec<f64> = self.joint_scales(parameters).iter().map(|joint| joint.unit / TURNED_MM).collect();
+        let jacobian = Matrix6::from_row_slice(&self.with(parameters).flange_jacobian(joints).1);
+        vec![(jacobian * Matrix6::from_diagonal(&Vector6::from_column_slice(&units))).determinant()]
     }
 
-    /// Solutions from a multi-start search by Newton's method; empty for redundant arms, with more
-    /// joints than a pose has degrees of freedom.
+    /// Solutions from a search, one of each family; empty for redundant arms, with more joints than
+    /// a pose has degrees of freedom.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
-        let (mut all, mut noise, mut without_new) = (Vec::<Vec<f64>>::new(), Noise::new(SEARCH_SEED, 0), 0);
-        let place = base_pose(parameters).then(pose);
-        for start in 0..if self.joints().len() > 6 { 0 } else { MOST_STARTS } {
-            if without_new >= STARTS {
-                break;
-            }
-            let range = |(joint, limit): (&Joint, &Option<[f64; 2]>)| match joint.quantity {
-                Quantity::Length => limit.unwrap_or(UNLIMITED_MM),
-                _ => [-PI, PI],
-            };
-            let draw = |[lower, upper]: [f64; 2]| 0.5 * (lower + upper) + noise.uniform(0.5 * (upper - lower));
-            let ranges = self.joints().iter().zip(&self.limits).map(range);
-            let drawn: Vec<f64> = ranges.map(draw).collect();
-            let from = if start == 0 { vec![0.0; drawn.len()] } else { drawn };
-            without_new += 1;
-            let found = self.inverse(parameters, &place, &from);
-            let zero = vec![0.0; from.len()];
-            let Some(found) = found.and_then(|q| self.within_limits(parameters, &place, q, &zero)) else { continue };
-            if all.iter().all(|other| found.iter().zip(other).any(|(a, b)| (a - b).abs() > SAME)) {
-                all.push(found);
-                without_new = 0;
-            }
-        }
-        all.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
-        all
+        let zero = vec![0.0; self.joints().len()];
+        if zero.len() > 6 { Vec::new() } else { self.search(parameters, pose).all(&zero).joints }
+    }
+
+    fn solutions(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<Vec<f64>>, Phrase> {
+        self.search(parameters, pose).solutions(near)
     }
 
     fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
-        let place = base_pose(parameters).then(pose);
-        let turned = |q| self.within_limits(parameters, &place, q, near);
-        // the branch of the start or, if that fails, any branch
-        let along = self.inverse(parameters, &place, near).and_then(turned);
-        let way = along.clone().filter(|q| self.limit_violation(parameters, q).is_none());
-        if let Some(way) = way.filter(|q| q.iter().zip(near).all(|(a, b)| (a - b).abs() < NEAR)) {
-            return Ok(way);
-        }
-        let all = self.all_joints(parameters, pose).into_iter().filter_map(turned).chain(along);
-        nearest(self, parameters, all.collect(), near)
+        self.search(parameters, pose).nearest(near)
+    }
+
+    fn free_joints(&self, parameters: &[f64], joints: &[f64]) -> Vec<usize> {
+        Search::new(self, parameters, self.direct(parameters, joints)).free_joints(joints)
     }
 }
 
@@ -1323,7 +1301,7 @@ impl WithParameters<'_> {
     /// Pose of the flange in the world, and its derivatives with respect to the joint values at
     /// constant loads: three rows for the position, three for the orientation (rad times
     /// [`TURNED_MM`]).
-    fn flange_jacobian(&self, q: &[f64]) -> (Pose, Vec<f64>) {
+    pub fn flange_jacobian(&self, q: &[f64]) -> (Pose, Vec<f64>) {
         let state = State { joints: q, loads: &self.arm.loads_at(q) };
         let (reached, axes) = self.chain.trace(state);
         let mut a = vec![0.0; 6 * q.len()];

@@ -189,3 +189,56 @@ fn a_urdf_at_zero_joints_is_where_its_origins_put_it() {
         assert!((found - expected).abs() < 1e-9, "{poses}: {expected}");
     }
 }
+
+/// Arm like a UR5e, at a pose whose row states the joints that reach it; joint 5 is zero, so that joints 2, 3, 4 and 6 turn about
+/// parallel axes.
+const PARALLEL_WRIST: &str = "name = \"R\"\nmodel = \"serial\"\nconvention = \"dh\"\njoint = [
+    { alpha_deg = 90.0, a_mm = 0.0, theta_deg = 0.0, d_mm = 162.5 },
+    { alpha_deg = 0.0, a_mm = -425.0, theta_deg = 0.0, d_mm = 0.0 },
+    { alpha_deg = 0.0, a_mm = -392.2, theta_deg = 0.0, d_mm = 0.0 },
+    { alpha_deg = 90.0, a_mm = 0.0, theta_deg = 0.0, d_mm = 133.3 },
+    { alpha_deg = -90.0, a_mm = 0.0, theta_deg = 0.0, d_mm = 99.7 },
+    { alpha_deg = 0.0, a_mm = 0.0, theta_deg = 0.0, d_mm = 99.6 },
+]\n";
+
+#[test]
+fn joints_that_reach_a_singular_pose_are_the_nearest() {
+    let folder = tempfile::tempdir().unwrap();
+    let robot = folder.path().join("robot.toml");
+    std::fs::write(&robot, PARALLEL_WRIST).unwrap();
+    let table = "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n\
+        1,-435.3001533163469,-406.2833019883045,334.0417093293287,0.6830127018922196,0.7044160264027587,\
+        0.061628416716219436,0.18301270189221938,20,-70,90,-40,0,30\n";
+    let stated = [20.0, -70.0, 90.0, -40.0, 0.0, 30.0];
+    let is_stated = |q: &[f64]| q.iter().zip(stated).all(|(a, b)| (a - b).abs() < 1e-6);
+    let (nearest, code, said) = kinematics("inverse", &robot, table, &["--nearest"]);
+    assert!(code == Some(0) && rows(&nearest).len() == 1 && is_stated(&rows(&nearest)[0].1), "{nearest} {said}");
+    assert!(said.says("warning[pose-singular] pose=1"), "{said}");
+    // all solutions: few, among them the family of the row by its member nearest to the row
+    let (all, code, said) = kinematics("inverse", &robot, table, &["--json"]);
+    let document: etalon::documents::KinematicsDocument = serde_json::from_str(&all).unwrap();
+    assert!(code == Some(0) && document.poses.len() <= 8, "{all} {said}");
+    let own = document.poses.iter().find(|entry| is_stated(&entry.joints)).unwrap();
+    assert_eq!(own.free_joints, ["q2", "q3", "q4", "q6"]);
+    // each solution leads to the pose
+    let (csv, ..) = kinematics("inverse", &robot, table, &[]);
+    let (back, code, _) = kinematics("direct", &robot, &csv, &[]);
+    assert_eq!(code, Some(0));
+    for (_, at) in rows(&back) {
+        assert!((at[0] + 435.3001533163469).abs() < 1e-5 && (at[2] - 334.0417093293287).abs() < 1e-5, "{back}");
+    }
+}
+
+/// A search that finds no solution says how many starts it had; a distance beyond the arm is out of reach.
+#[test]
+fn out_of_reach_is_said_where_it_is_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let robot = folder.path().join("robot.toml");
+    std::fs::write(&robot, PARALLEL_WRIST).unwrap();
+    let head = "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
+    let (_, code, said) = kinematics("inverse", &robot, &format!("{head}far,2000,0,162.5,1,0,0,0\n"), &["--nearest"]);
+    assert!(code == Some(1) && said.contains("pose far: out of reach: 2000.0 mm"), "{said}");
+    // on the axis of joint 1, nearer than the offset of the arm lets it come
+    let (_, code, said) = kinematics("inverse", &robot, &format!("{head}in,0,0,700,1,0,0,0\n"), &["--nearest"]);
+    assert!(code == Some(1) && said.contains("pose in: no solution found from ") && said.contains("starts"), "{said}");
+}

@@ -371,6 +371,16 @@ const OPTIONS: &[Case] = &[
         "kinematics inverse @/t.csv --robot @/robot.toml",
     ),
     (
+        "pose-singular pose=1",
+        "probe-poses",
+        &[(
+            "t.csv",
+            "",
+            "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n1,374,0,630,0.7071067811865476,0,0.7071067811865476,0\n",
+        )],
+        "kinematics inverse @/t.csv --robot @/robot.toml",
+    ),
+    (
         "joint-column-twice joint=q1",
         "draw-wire",
         &[("t.csv", "", "pose,q1_deg,q1_rad,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0,0\n")],

@@ -111,7 +111,7 @@ fn pseudo_poses_land_on_their_targets() {
                 continue;
             };
             // a singularity between: the program says so
-            if !found.same_configuration {
+            if !calibrated.same_configuration(&q, &found.joints) {
                 refused += 1;
                 continue;
             }

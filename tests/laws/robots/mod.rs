@@ -6,3 +6,4 @@ pub(super) mod five_bar;
 pub(super) mod models;
 pub(super) mod platforms;
 pub(super) mod serial;
+pub(super) mod singular;

@@ -55,7 +55,7 @@ axis-without-positions = `{ $axis }` hat keine Positionen
     .expected = --axis { $axis }=VON:BIS:SCHRITT
 
 configuration-changed = Ziel { $target }: der kompensierte Befehl liegt in einer anderen Konfiguration
-    .hint = seine Konfigurationsdaten (Arbeitsmodus, confdata, Status und Turn) bleiben unverändert: prüfen
+    .hint = das Ziel von der Singularität entfernen oder seine Konfigurationsdaten (Arbeitsmodus, confdata, Status und Turn) prüfen
 
 poses-computed-by-program = Posen von { $names } bleiben unverändert
     .hint = prüfen: eine Pose, die das Programm aus kompensierten Zielen berechnet, hat deren Kompensation, nicht ihre eigene
@@ -83,6 +83,9 @@ joints-in-world = Gelenkwerte sind nicht im Weltkoordinatensystem
 
 nominal-pose-unreachable = der nominale Roboter kann die Pose nicht einnehmen, die die Gelenkwerte vorgeben
     .hint = Gelenkwerte und Montagemodus prüfen
+
+pose-singular = Pose { $pose } ist singulär: { $joints } können sich gemeinsam bewegen, ohne das Werkzeug zu bewegen; angegeben ist die dem Start nächste Lösung
+    .hint = Gelenkwerte in der Zeile angeben, um eine andere Lösung zu wählen, oder die Pose meiden
 
 base-not-in-world = `{ $model }` hat keine Basis im Weltkoordinatensystem
     .hint = --frame weglassen

@@ -85,6 +85,8 @@ measure-all-working-modes = jede Position in allen Arbeitsmodi messen, die sie e
 measure-different-angles = Posen mit verschiedenen |theta| messen, zum Beispiel 0 und dem größten Wert des Tisches
 
 out-of-reach = nicht erreichbar
+out-of-reach-by = nicht erreichbar: { FIXED($away_mm, 1) } mm vom ersten Gelenk entfernt, der Arm reicht { FIXED($reach_mm, 1) } mm weit
+no-solution-found = keine Lösung von { $starts } Startwerten innerhalb der Gelenkgrenzen gefunden
 out-of-nominal-reach = für den nominalen Roboter nicht erreichbar
 joint-beyond-limits = { $joint } = { $q } { $unit }, außerhalb der Grenzen { $lower } und { $upper } { $unit }
 angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, außerhalb der Grenzen { $least } und { $greatest } deg

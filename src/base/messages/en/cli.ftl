@@ -114,12 +114,12 @@ not-a-grid = the positions do not form a grid
 axis-without-positions = `{ $axis }` has no positions
     .expected = --axis { $axis }=FROM:TO:STEP
 
-# Means: The compensated command needs another configuration of the robot than the target states.
-# Matters: A singularity lies between the target with and without compensation.
-# Do: Check working mode, `confdata`, Status and Turn of the target.
+# Means: The compensated command needs another configuration of the robot than the target states, or a long motion of a joint.
+# Matters: A singularity lies between the target with and without compensation: the robot would turn its joints on the way. A program or list is not written.
+# Do: Move the target away from the singularity, or check working mode, `confdata`, Status and Turn of the target.
 # Example: a target at a wrist singularity
 configuration-changed = target { $target }: the compensated command needs another configuration
-    .hint = check its configuration data (working mode, confdata, Status and Turn), which are not changed
+    .hint = move the target away from the singularity, or check its configuration data (working mode, confdata, Status and Turn)
 
 # Means: The program computes poses while it runs.
 # Matters: Computed poses are not compensated.
@@ -180,6 +180,13 @@ joints-in-world = joint values have no frame
 # Example: joint values of another assembly mode
 nominal-pose-unreachable = the nominal robot has no pose at these joint values
     .hint = check joint values and assembly mode
+
+# Means: At this pose joints can move without moving the tool: the pose is singular, and its solutions are a family.
+# Matters: The answer has one member of the family, the nearest to the start. Near the pose the joints turn fast, and errors of the pose grow.
+# Do: State the joints of the row for another member, or avoid the pose.
+# Example: a pose with q5 = 0, where q4 and q6 turn about the same axis
+pose-singular = pose { $pose } is singular: { $joints } can move together without moving the tool; the solution nearest to the start is given
+    .hint = state joint values in the row to choose another solution, or avoid the pose
 
 # Means: The robot model has no base in the world frame.
 # Matters: Targets in the world cannot be moved into the base.

@@ -85,6 +85,8 @@ measure-all-working-modes = measure every position in all working modes that rea
 measure-different-angles = measure poses with different |theta|, for example 0 and the largest value of the table
 
 out-of-reach = out of reach
+out-of-reach-by = out of reach: { FIXED($away_mm, 1) } mm from the first joint, the arm reaches { FIXED($reach_mm, 1) } mm
+no-solution-found = no solution found from { $starts } starts within the joint limits
 out-of-nominal-reach = out of reach of the nominal robot
 joint-beyond-limits = { $joint } = { $q } { $unit }, its limits are { $lower } and { $upper } { $unit }
 angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, its limits are { $least } and { $greatest } deg

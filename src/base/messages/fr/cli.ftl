@@ -55,7 +55,7 @@ axis-without-positions = `{ $axis }` n’a pas de positions
     .expected = --axis { $axis }=DE:À:PAS
 
 configuration-changed = cible { $target } : la commande compensée est dans une autre configuration
-    .hint = ses données de configuration (mode de travail, confdata, Status et Turn) restent inchangées : les vérifier
+    .hint = éloigner la cible de la singularité, ou vérifier ses données de configuration (mode de travail, confdata, Status et Turn)
 
 poses-computed-by-program = les poses de { $names } restent inchangées
     .hint = les vérifier : une pose que le programme calcule à partir de cibles compensées reçoit leur compensation, et non la sienne
@@ -83,6 +83,9 @@ joints-in-world = les valeurs articulaires ne sont pas dans le référentiel ate
 
 nominal-pose-unreachable = le robot nominal ne peut pas prendre la pose que donnent les valeurs articulaires
     .hint = vérifier les valeurs articulaires et le mode d’assemblage
+
+pose-singular = la pose { $pose } est singulière : { $joints } peuvent bouger ensemble sans déplacer l’outil ; la solution la plus proche du départ est donnée
+    .hint = indiquer des valeurs articulaires dans la ligne pour choisir une autre solution, ou éviter la pose
 
 base-not-in-world = `{ $model }` n’a pas de base dans le référentiel atelier
     .hint = omettre --frame

@@ -84,6 +84,8 @@ measure-all-working-modes = mesurer chaque position dans tous les modes de trava
 
 measure-different-angles = mesurer des poses de |theta| différents, par exemple 0 et la plus grande valeur de la table
 out-of-reach = hors de portée
+out-of-reach-by = hors de portée : à { FIXED($away_mm, 1) } mm de la première articulation, le bras atteint { FIXED($reach_mm, 1) } mm
+no-solution-found = aucune solution trouvée à partir de { $starts } départs dans les limites articulaires
 out-of-nominal-reach = hors de portée du robot nominal
 joint-beyond-limits = { $joint } = { $q } { $unit }, hors des limites { $lower } et { $upper } { $unit }
 angle-beyond-limits = { $joint } = { FIXED($q, 3) } deg, hors des limites { $least } et { $greatest } deg
