@@ -437,6 +437,8 @@ impl Compensator<'_> {
     /// Execution of a command as written by a controller at the joint values `from`; `joints` are
     /// the joint values of the command.
     fn carried_out(&self, command: &Pose, joints: &[f64], from: &[f64]) -> std::result::Result<Executed, Phrase> {
+        // the pose of a redundant arm does not determine its joints: they are commanded too
+        let from = if self.robot.arm.joints().len() > 6 { joints } else { from };
         let units = |q: &[f64], out: bool| -> Vec<f64> {
             let joint = |(i, &q): (usize, &f64)| match self.robot.arm.joints().get(i) {
                 Some(joint) if out => joint.quantity.outward(q),
@@ -466,6 +468,7 @@ impl Compensator<'_> {
         Ok(Executed { command, joints, pose })
     }
 
+    /// Joint values of the controller at the joint values `from`.
     fn commanded(&self, command: &Pose, from: &[f64]) -> std::result::Result<Vec<f64>, Phrase> {
         self.robot.commanded(&self.frames[1].then(command).then(&self.tool.inverse()), from)
     }

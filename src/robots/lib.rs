@@ -499,14 +499,17 @@ fn normal_equations<T: Scalar>(rows: &[Vec<T>], damping: f64) -> impl Iterator<I
     (0..n).map(move |k| a[k][n] / a[k][k])
 }
 
-/// Nearest permissible solution among `all`.
+/// Nearest permissible solution among `all`; 1 m counts as 1 rad, and assembly modes do not count.
 fn nearest<R: Robot + ?Sized>(
     robot: &R,
     parameters: &[f64],
     mut all: Vec<Vec<f64>>,
     near: &[f64],
 ) -> Result<Vec<f64>, Phrase> {
-    let distance = |q: &Vec<f64>| q.iter().zip(near).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+    let scale = |joint: &Joint| if joint.quantity == Quantity::Angle { 1.0 } else { 1.0 / chain::TURNED_MM };
+    let scales: Vec<f64> = robot.joints().iter().map(scale).collect();
+    let distance =
+        |q: &Vec<f64>| q.iter().zip(near).zip(&scales).map(|((a, b), scale)| (scale * (a - b)).powi(2)).sum::<f64>();
     all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     let violation = |q: &Vec<f64>| robot.limit_violation(parameters, q);
     let why = all.first().and_then(violation);

@@ -366,6 +366,9 @@ const TURNED: f64 = 1e-6;
 /// Largest deviation of the platform from a pose when its joint values are converted back (mm or
 /// dimensionless).
 const BACK: f64 = 1e-6;
+/// Share of a rod's length by which rounding of the joint values moves a platform at a singularity
+/// (the square root of the rounding).
+const ROUNDED: f64 = 3e-7;
 
 impl<L: Legs> Kinematics for Parallel<L> {
     fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
@@ -433,9 +436,10 @@ impl<L: Legs> Kinematics for Parallel<L> {
         }
         all.retain(|q| {
             let there = self.place(parameters, q);
+            let rod_mm = values.rods(q).iter().fold(0.0, |most: f64, rod| most.max(rod.length_mm));
             there.is_some_and(|there| {
                 let off = there.rotation.as_flattened().iter().zip(pose.rotation.as_flattened());
-                norm(minus(there.translation_mm, pose.translation_mm)) < BACK
+                norm(minus(there.translation_mm, pose.translation_mm)) < BACK.max(ROUNDED * rod_mm)
                     && off.into_iter().all(|(a, b)| (a - b).abs() < BACK)
             })
         });

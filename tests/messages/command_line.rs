@@ -373,11 +373,7 @@ const OPTIONS: &[Case] = &[
     (
         "pose-singular pose=1",
         "probe-poses",
-        &[(
-            "t.csv",
-            "",
-            "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n1,374,0,630,0.7071067811865476,0,0.7071067811865476,0\n",
-        )],
+        &[("t.csv", "", "pose,x_mm,y_mm,z_mm,qw,qx,qy,qz\n1,374,0,630,0.7071067811865476,0,0.7071067811865476,0\n")],
         "kinematics inverse @/t.csv --robot @/robot.toml",
     ),
     (

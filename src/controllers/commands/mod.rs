@@ -114,6 +114,9 @@ pub struct Slot {
     pub prefix: &'static str,
 }
 
+/// Rounding of joint values (deg) at the border of a configuration.
+const ROUNDING_DEG: f64 = 1e-9;
+
 /// Configuration data of a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Configuration {
@@ -124,15 +127,19 @@ pub enum Configuration {
 }
 
 impl Configuration {
-    /// `true` if joint values (deg) have this configuration.
+    /// `true` if joint values (deg) have this configuration. On a border both sides fit.
     pub fn fits(&self, joints_deg: &[f64]) -> bool {
+        let either = |q: f64, fits: &dyn Fn(f64) -> bool| fits(q - ROUNDING_DEG) || fits(q + ROUNDING_DEG);
         match *self {
             Self::Quadrants(quadrants) => [0, 3, 5].iter().zip(quadrants).all(|(&i, wanted)| {
-                joints_deg.get(i).is_none_or(|q| ((q / 90.0).floor() as i64 - wanted).rem_euclid(4) == 0)
+                let fits = |q: f64| ((q / 90.0).floor() as i64 - wanted).rem_euclid(4) == 0;
+                joints_deg.get(i).is_none_or(|q| either(*q, &fits))
             }),
-            Self::Negative(bits) => {
-                joints_deg.iter().enumerate().take(6).all(|(i, q)| (bits >> i & 1 == 1) == (*q < 0.0))
-            }
+            Self::Negative(bits) => joints_deg
+                .iter()
+                .enumerate()
+                .take(6)
+                .all(|(i, q)| either(*q, &|q: f64| (bits >> i & 1 == 1) == (q < 0.0))),
         }
     }
 }

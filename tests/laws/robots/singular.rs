@@ -4,7 +4,7 @@ use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::parse_robot;
 use etalon::cli::in_memory::{known_names, known_text};
-use etalon::robots::{JointRange, Kinematics, Quantity, Robot};
+use etalon::robots::{FiveBar, JointRange, Kinematics, Quantity, Robot};
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -17,7 +17,9 @@ fn robots() -> Vec<(String, Box<dyn Robot>)> {
         let built = robot.build(&["tool".to_owned()]).or_else(|_| robot.build(&[])).unwrap();
         (name, built)
     };
-    known_names().unwrap().into_iter().map(build).collect()
+    // a five-bar whose margins to singularities are rounding alone
+    let bare: (String, Box<dyn Robot>) = ("five-bar without margins".to_owned(), Box::<FiveBar>::default());
+    known_names().unwrap().into_iter().map(build).chain([bare]).collect()
 }
 
 /// Range from which a joint value is drawn (rad or mm).
@@ -40,27 +42,24 @@ fn drawn(arm: &dyn Kinematics, noise: &mut Noise) -> Vec<f64> {
     q
 }
 
-/// Measures whose signs change at a singularity: of an arm of six joints the determinant of the numeric derivatives of position and
-/// rotation, of a five-bar its own.
-fn measures(arm: &dyn Kinematics, q: &[f64]) -> Vec<f64> {
-    if arm.joints().len() != 6 || arm.model() != "serial" {
-        return arm.singularity_measures(&arm.nominal(), q);
-    }
-    let at = |q: &[f64]| arm.tool_pose(&arm.nominal(), q).unwrap();
-    let here = at(q);
+/// Measure whose sign changes at a singularity: determinant of the numeric derivatives of position and rotation by six joints, of
+/// position by two or three. `None` where the links do not meet.
+fn measure(arm: &dyn Kinematics, q: &[f64]) -> Option<f64> {
+    let at = |q: &[f64]| arm.tool_pose(&arm.nominal(), q);
+    let (here, n) = (at(q)?, arm.joints().len());
     let column = |j: usize| {
         let mut moved = q.to_vec();
         moved[j] += 1e-6;
-        let there = at(&moved);
+        let there = at(&moved)?;
         let [x, y, z] = minus(there.translation_mm, here.translation_mm).map(|v| v / 1e-3);
         let [a, b, c] = there.then(&here.inverse()).rotation_vector_rad().map(|v| v / 1e-6);
-        [x, y, z, a, b, c]
+        Some([x, y, z, a, b, c])
     };
-    let columns: Vec<[f64; 6]> = (0..6).map(column).collect();
-    vec![nalgebra::Matrix6::from_fn(|i, j| columns[j][i]).determinant()]
+    let columns = (0..n).map(column).collect::<Option<Vec<[f64; 6]>>>()?;
+    (n <= 6).then(|| nalgebra::DMatrix::from_fn(n, n, |i, j| columns[j][i]).determinant())
 }
 
-/// Joint values at which a measure is zero, by bisection along joint `j`.
+/// Joint values at which the measure is zero, or beyond which the links do not meet (type 2), by bisection along joint `j`.
 fn singular(arm: &dyn Kinematics, q: &[f64], j: usize) -> Option<Vec<f64>> {
     let at = |value: f64| {
         let mut q = q.to_vec();
@@ -69,17 +68,15 @@ fn singular(arm: &dyn Kinematics, q: &[f64], j: usize) -> Option<Vec<f64>> {
     };
     let [lower, upper] = range(arm, j);
     let grid: Vec<f64> = (0..=40).map(|k| lower + (upper - lower) * f64::from(k) / 40.0).collect();
-    for pair in grid.windows(2) {
-        let (a, b) = (measures(arm, &at(pair[0])), measures(arm, &at(pair[1])));
-        let Some(k) = a.iter().zip(&b).position(|(a, b)| a * b < 0.0) else { continue };
-        let (mut low, mut high) = (pair[0], pair[1]);
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            if a[k] * measures(arm, &at(middle))[k] <= 0.0 { high = middle } else { low = middle }
-        }
-        return Some(at(low));
+    // the side of a value: the sign of the measure, 0 where the links do not meet
+    let side = |value: f64| measure(arm, &at(value)).map_or(0.0, f64::signum);
+    let pair = grid.windows(2).find(|pair| side(pair[0]) != 0.0 && side(pair[0]) != side(pair[1]))?;
+    let (mut low, mut high, own) = (pair[0], pair[1], side(pair[0]));
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if side(middle) == own { low = middle } else { high = middle }
     }
-    None
+    Some(at(low))
 }
 
 /// Distance of joint values in rad or m.
@@ -123,7 +120,9 @@ fn check(name: &str, arm: &dyn Kinematics, truth: &[f64], noise: &mut Noise) {
         let there = arm.tool_pose(&p, &found).unwrap();
         let off = norm(minus(there.translation_mm, pose.translation_mm));
         let turned = there.inverse().then(&pose).angle_rad();
-        assert!(off < 2e-6 && turned < 2e-9, "{name}: {truth:?} {found:?}: {off} mm {turned} rad");
+        // joint values determine a platform at a singularity to the square root of their rounding
+        let permitted = if arm.model() == "serial" { 2e-6 } else { 1e-3 };
+        assert!(off < permitted && turned < 2e-9, "{name}: {truth:?} {found:?}: {off} mm {turned} rad");
         let (ours, theirs) = (distance(arm, &found, &near), distance(arm, truth, &near));
         assert!(ours <= theirs + 2e-6, "{name}: {truth:?} from {near:?}: {found:?}, {ours} > {theirs}");
         assert_eq!(arm.limit_violation(&p, &found), None);
@@ -152,7 +151,8 @@ fn every_robot_answers_at_and_near_its_singularities() {
             let joints = arm.joints().len();
             let along = if joints == 6 { [1, 2, 4][k % 3] } else { k % joints };
             let Some(mut q) = singular(arm, &drawn(arm, &mut noise), along) else { continue };
-            q[along] += off;
+            // back to where the links meet
+            q[along] -= off;
             check(name, arm, &q, &mut noise);
         }
     });
