@@ -138,7 +138,8 @@ def inverse(
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
         poses: Poses, or an array ``(n, 7)`` of x, y, z (mm) and the quaternion w, x, y, z.
-        near: Joint values near which the solution is looked for, ``(joints,)`` or ``(n, joints)``; by default those of the pose before.
+        near: Joint values near which the solution is looked for, ``(joints,)`` or ``(n, joints)``; by default those of the pose before. Values that
+            reach the pose are the answer; of the family of solutions of a singular pose the nearest is.
         all_solutions: All solutions of each pose instead of the nearest; of robots with at most six joints.
         parameters: A parameters document, or the path of one; nominal values without.
 

@@ -17,6 +17,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// Largest error of an attained pose: 1e-9 mm and 1e-12 rad.
 const ATTAINED: f64 = 1e-12;
+/// Error, and step (rad or m), that rounding leaves.
+const ROUNDING: f64 = 1e-15;
 /// Error of a pose (1e-6 mm, 1e-9 rad) that is not worth a motion longer than [`LONG`].
 const RESOLUTION: f64 = 1e-9;
 /// Motion (rad or m) that a singular pose asks for to remove an error below [`RESOLUTION`].
@@ -163,8 +165,12 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        let factor = Factor::new(&a, &at.error, &vec![1.0; n]);
-        factor.damped((damping.sqrt() * at.size).max(LEAST_DAMPING)).solve()
+        let damping = (damping.sqrt() * at.size).max(LEAST_DAMPING);
+        a.resize((6 + n) * n, 0.0);
+        (0..n).for_each(|j| a[(6 + j) * n + j] = damping);
+        let mut right = vec![0.0; 6 + n];
+        right[..6].copy_from_slice(&at.error);
+        Factor::new(&a, &right, &vec![1.0; n]).solve()
     }
 
     /// Follows damped steps from a start, inside the limits if `bounded`. An error below
@@ -180,7 +186,7 @@ impl<'a> Search<'a> {
             let Some(step) = self.step(&q, &at, damping, bounded).filter(|_| at.size.is_finite()) else { break };
             let longest = step.iter().fold(0.0f64, |most, s| most.max(s.abs()));
             let long = longest > LONG && at.size <= tolerance;
-            if long || (at.size <= ATTAINED && longest <= ATTAINED) {
+            if long || (at.size <= ATTAINED && longest <= ROUNDING) {
                 is_attained = true;
                 break;
             }
@@ -210,12 +216,12 @@ impl<'a> Search<'a> {
         is_attained.then_some(joints)
     }
 
-    /// `true` if joint values attain the pose, or if only a long motion removes what is left of an
-    /// error below the resolution.
+    /// `true` if joint values attain the pose to rounding, or if only a long motion removes what is
+    /// left of an error below the resolution.
     fn is_attained(&self, q: &[f64]) -> bool {
         let at = self.linearise(q);
         let long = || self.step(q, &at, DAMPING, false).is_none_or(|step| step.iter().any(|s| s.abs() > LONG));
-        at.size <= ATTAINED || (at.size <= RESOLUTION && long())
+        at.size <= ROUNDING || (at.size <= RESOLUTION && long())
     }
 
     fn is_within(&self, q: &[f64]) -> bool {
@@ -268,6 +274,19 @@ impl<'a> Search<'a> {
         let svd = matrix.svd(false, true);
         let rows = svd.v_t.map_or_else(Vec::new, |v| v.row_iter().map(|row| row.transpose()).collect());
         (svd.singular_values, rows)
+    }
+
+    /// Lower bound of the smallest singular value of the Jacobian, at least 1/√6 of it.
+    fn least_value(&self, q: &[f64]) -> f64 {
+        let (a, n) = (self.linearise(q).jacobian, q.len());
+        let (a, m, n) = if n <= 6 {
+            (a, 6, n)
+        } else {
+            ((0..n).flat_map(|j| (0..6).map(move |i| (i, j))).map(|(i, j)| a[i * n + j]).collect(), n, 6)
+        };
+        let inverse = Factor::new(&a, &vec![0.0; m], &vec![1.0; n]).inverse_normal();
+        let trace = inverse.map(|inverse| (0..n).map(|i| inverse[i * n + i]).sum::<f64>());
+        trace.filter(|trace| trace.is_finite()).map_or(0.0, |trace| 1.0 / trace.sqrt())
     }
 
     /// Part of a motion that does not move the flange.
@@ -530,8 +549,7 @@ impl<'a> Search<'a> {
         }
         let close = self.closest(near, near);
         if let Some(q) = close.iter().find(|q| self.is_within(q) && self.distance(q, near) < NEAR) {
-            let (values, _) = self.decompose(q);
-            let alone = values.min() > ALONE * self.distance(q, near);
+            let alone = self.least_value(q) > ALONE * self.distance(q, near);
             return Ok(if alone { q.clone() } else { self.nearest_around(q.clone(), near) });
         }
         let Solutions { joints, starts } = match self.joints.len() {
@@ -552,8 +570,7 @@ impl<'a> Search<'a> {
     fn closest(&self, start: &[f64], near: &[f64]) -> Vec<Vec<f64>> {
         let redundant = self.joints.len() > 6;
         let slid = |q: Vec<f64>| {
-            let (values, _) = self.decompose(&q);
-            let free = redundant || values.min() <= FAINT * values.max();
+            let free = redundant || self.least_value(&q) <= FAINT;
             if free { self.slide(q, near, redundant) } else { q }
         };
         let ended = self.attempt(start, redundant, RESOLUTION);

@@ -456,9 +456,9 @@ pub trait Kinematics: Robot {
     }
 }
 
-/// `true` if two poses are equal within rounding: 1e-9 mm and 1e-12 rad.
+/// `true` if two poses are equal within rounding.
 fn is_same(a: &Pose, b: &Pose) -> bool {
-    norm(minus(a.translation_mm, b.translation_mm)) <= 1e-9 && a.inverse().then(b).angle_rad() <= 1e-12
+    norm(minus(a.translation_mm, b.translation_mm)) <= 1e-12 && a.inverse().then(b).angle_rad() <= 1e-14
 }
 
 /// Names and values of a pose: x, y, z, and the rotation matrix row by row.
