@@ -32,7 +32,7 @@ use etalon_base::message::{Place, Problems, Result, SourceText};
 use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::xacro::Expanded;
-use etalon_identify::{FrameError, Settings, Systematic};
+use etalon_identify::{FrameError, Settings, Systematic, UncertaintyBound};
 use etalon_robots::{Joint, Quantity, Robot, TreeChain};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -212,6 +212,15 @@ impl Campaign {
     /// need.
     pub fn export_reads(&self, index: usize) -> bool {
         !self.unread.affects_except(&["export", &index.to_string()], "unit")
+    }
+
+    /// Stated bound of uncertainties.
+    ///
+    /// # Errors
+    /// Fails if the text is not a bound.
+    pub fn uncertainty_bound(&self) -> Result<UncertaintyBound> {
+        let Some(text) = &self.file.uncertainty_bound else { return Ok(UncertaintyBound::default()) };
+        text.get_ref().parse().map_err(|problems: Problems| problems.at(&self.place(text)))
     }
 
     /// Settings of the identification.

@@ -1,5 +1,6 @@
 //! Command `etalon axes`.
 
+use super::bound::BoundOption;
 use super::given::Table;
 use super::text_format::TableFormat;
 use super::{Verdict, check_positive, print, print_text, remark};
@@ -44,7 +45,10 @@ pub struct AxesCommand {
     /// Print robot.toml instead of the axes.
     #[arg(long, conflicts_with = "json")]
     toml: bool,
-    /// Write robot.toml of sweeps whose unit is named as wrong.
+    #[command(flatten)]
+    bound: BoundOption,
+    /// Write robot.toml of sweeps whose unit is named as wrong, or whose uncertainty exceeds its
+    /// bound.
     #[arg(long)]
     force: bool,
     #[command(flatten)]
@@ -88,6 +92,7 @@ impl AxesCommand {
             convention: self.convention,
             source_of_x: self.format.source(XYZ[0])?,
             force: self.force,
+            bound: self.bound.stated()?,
         };
         sweeps::axes(file, &stated)
     }

@@ -1,5 +1,6 @@
 //! Command `etalon cell`.
 
+use super::bound::BoundOption;
 use super::given::Table;
 use super::report::Reports;
 use super::text_format::TableFormat;
@@ -61,6 +62,8 @@ pub struct CellCommand {
     /// the residuals.
     #[arg(long, value_name = "DEG")]
     rotation_uncertainty_deg: Option<f64>,
+    #[command(flatten)]
+    bound: BoundOption,
     /// Print the data of a controller instead of the text.
     #[arg(long, value_name = "MAKER", conflicts_with = "json", value_parser = etalon_controllers::cell::names().collect::<Vec<_>>())]
     controller: Option<String>,
@@ -135,6 +138,7 @@ impl CellCommand {
             position_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
             columns: self.format.named()?,
+            bound: self.bound.stated()?,
         };
         cell::cell(file, &stated)
     }

@@ -1,9 +1,11 @@
 //! Command `etalon compensate`.
 
+use super::bound::BoundOption;
 use super::export::Exported;
 use super::kinematics::{cell, identified, joint_names, poses, starts, whole_pose};
 use super::{Verdict, print_with, remark, say};
 use crate::run::documents::read_field;
+use crate::stages::bounds::poses_beyond_bound;
 use crate::stages::table_file::TableFile;
 use clap::ValueEnum;
 use etalon_base::bounds::option_at_most;
@@ -16,8 +18,9 @@ use etalon_controllers::Given;
 use etalon_controllers::commands::{
     self, Command, CommandLanguage, Configuration, DECIMALS, Freedoms, Galil, Program, ProgramTarget,
 };
-use etalon_documents::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
+use etalon_documents::{CompensatedTarget, CompensationDocument, ParametersDocument, UnreachableTarget, to_json};
 use etalon_formats::table::{self, QUATERNION, XYZ};
+use etalon_identify::UncertaintyBound;
 use etalon_robots::{Calibrated, Correction, Kinematics};
 use std::path::PathBuf;
 
@@ -69,6 +72,8 @@ pub struct Compensate {
     /// resolution.
     #[arg(long, value_name = "N", default_value_t = DECIMALS, value_parser = option_at_most::<17>)]
     decimals: usize,
+    #[command(flatten)]
+    bound: BoundOption,
     /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
@@ -178,6 +183,7 @@ impl Compensate {
         let changed = answer.targets.iter().filter(|t| !t.same_configuration);
         let changed = changed.map(|t| error!("configuration-changed", target = t.target));
         let refused: Vec<Message> = answer.unreachable.iter().map(unreachable).chain(changed).collect();
+        let uncertain = compensator.beyond_bound(given.parameters, &answer, self.bound.stated()?);
         let data = match (self.json, format, &source.program) {
             (true, ..) => to_json(&answer)?,
             (_, Format::Csv | Format::Joints, _) => csv(&answer, format).into_bytes(),
@@ -190,6 +196,7 @@ impl Compensate {
         };
         remark(&refused);
         remark(&compensator.beyond_field(&answer).into_iter().collect::<Vec<_>>());
+        remark(uncertain.as_slice());
         if let Some(ProgramSource { program, .. }) = &source.program {
             say(phrase!("targets-compensated", count = answer.targets.len(), left = program.joint_targets));
             if !program.computed.is_empty() {
@@ -197,7 +204,7 @@ impl Compensate {
                 remark(&[warning!("poses-computed-by-program", names)]);
             }
         }
-        print_with(data, Verdict::of(refused.is_empty()))
+        print_with(data, Verdict::of(refused.is_empty() && uncertain.is_none()))
     }
 
     /// Reads the targets of the table or program.
@@ -374,6 +381,23 @@ impl Compensator<'_> {
             }
         }
         (commands, document)
+    }
+
+    /// Returns an error about the command with the largest uncertainty of the attained pose, if it
+    /// exceeds its bound.
+    fn beyond_bound(
+        &self,
+        document: &ParametersDocument,
+        answer: &CompensationDocument,
+        bound: UncertaintyBound,
+    ) -> Option<Message> {
+        let joints = self.robot.arm.joints();
+        let inward = |t: &CompensatedTarget| {
+            let value = |(i, q): (usize, &f64)| joints.get(i).map_or(*q, |joint| joint.quantity.inward(*q));
+            (t.target.clone(), t.joints.iter().enumerate().map(value).collect::<Vec<f64>>())
+        };
+        let all: Vec<_> = answer.targets.iter().map(inward).collect();
+        poses_beyond_bound(self.robot.arm, document, &self.robot.identified, &all, bound)
     }
 
     /// Returns a warning if targets are beyond the field, where it fades out.

@@ -7,7 +7,7 @@ use crate::run::summary::summary;
 use crate::run::validation::recommend;
 use crate::stages::given::{check_described, check_geometry, other_nominal, unknown_geometry};
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Severity, printable};
+use etalon_base::message::{Message, Place, Problems, printable};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, OwnFormat, Statement};
@@ -220,7 +220,7 @@ impl Exported {
         }
         if let Some(stale) = robot.as_deref().and_then(|robot| other_nominal(robot, &parameters)) {
             let hint = phrase!("robot-file-of-run");
-            return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());
+            return Err(stale.hint(hint).into());
         }
         if let Some(robot) = &robot {
             check_geometry(robot.as_ref(), &parameters)?;

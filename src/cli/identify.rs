@@ -1,9 +1,11 @@
 //! Command `etalon identify`.
 
+use super::bound::BoundOption;
 use super::given::Given;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
+use crate::stages::bounds::open_set_up;
 use crate::stages::circumstances::hold_constant;
 use crate::stages::evaluate::Sets;
 use crate::stages::exclusions::{Exclusion, excluded_rows};
@@ -83,6 +85,8 @@ pub struct IdentifyCommand {
     /// pedestal.
     #[arg(long, value_parser = effects, value_name = "EFFECTS", default_value = "usual")]
     effects: Effects,
+    #[command(flatten)]
+    bound: BoundOption,
     /// Print parameters.json instead of a table.
     #[arg(long)]
     json: bool,
@@ -152,6 +156,8 @@ impl IdentifyCommand {
         messages.extend(hold_constant(robot.as_ref(), &sets, &mut settings));
         let mut solved = Solved::new(robot.as_ref(), &sets, &settings, &Systematic::default())?;
         solved.judge(robot.as_ref(), &sets, &settings, messages);
+        let open = open_set_up(robot.as_ref(), &sets.calibration, &settings, &solved.found, self.bound.stated()?);
+        solved.found.warnings.splice(0..0, open.map(Into::into));
         let mut document = parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, inputs);
         state_before(&mut document, robot.as_ref(), &sets.calibration, &solved.before);
         Ok(document)

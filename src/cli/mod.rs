@@ -6,6 +6,7 @@
 mod axes;
 mod axis_table;
 mod batch;
+mod bound;
 mod capture;
 mod cell;
 mod check;

@@ -1,5 +1,6 @@
 //! Command `etalon verify`.
 
+use super::bound::BoundOption;
 use super::given::Given;
 use super::identify::{check_uncertainty, unread};
 use super::plan::candidates_of;
@@ -60,6 +61,8 @@ pub struct Verify {
     /// the calibration.
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
+    #[command(flatten)]
+    bound: BoundOption,
     #[command(flatten)]
     format: TableFormat,
     #[command(flatten)]
@@ -135,7 +138,8 @@ impl Verify {
         let described = robot_file.description_paths();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
+        let calibration =
+            EarlierCalibration::new(robot.as_mut(), document, stated_mm)?.with_bound(self.bound.stated()?);
         let mut found = plan(calibration, observations, self.positions, inputs, &mut progress)?;
         found.messages.extend(limit_violations);
         if !self.json {

@@ -199,6 +199,11 @@ pub struct GivenSummary {
     /// right within their uncertainty and that of the measurement. Absent if base and targets were
     /// fitted.
     pub p_value: Option<f64>,
+    /// `true` if the parameters must not be used on this robot: errors with them are larger than
+    /// with nominal parameters by more than noise, or they were identified with other nominal
+    /// values.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub refused: bool,
 }
 
 /// Origin of base and targets when parameters that were identified elsewhere are judged.

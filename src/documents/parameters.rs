@@ -276,6 +276,14 @@ pub struct ResidualSummary {
     pub uncertainties_enlarged_by: f64,
 }
 
+impl ResidualSummary {
+    /// Residuals over the stated uncertainty, √(χ²/ν); `None` without a statement or redundancy.
+    pub fn times_uncertainty(&self) -> Option<f64> {
+        let times = (self.chi_square? / self.degrees_of_freedom as f64).sqrt();
+        times.is_finite().then_some(times)
+    }
+}
+
 /// Reliability of the readings (Baarda 1968), and influence of the poses (Cook 1977).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

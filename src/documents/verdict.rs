@@ -38,6 +38,8 @@ pub enum Reason {
     NotConverged,
     /// The identified parameters cannot be those of the robot.
     Implausible,
+    /// The given parameters are worse than nominal ones, or those of another robot.
+    GivenRefused,
     /// A controller file was not written.
     FileRefused,
     /// A limit is not met.
@@ -97,6 +99,12 @@ pub enum Reason {
         /// Required number of cycles.
         required: usize,
     },
+    /// Residuals of the calibration are several times the uncertainty of the instrument: the model is
+    /// incomplete, or readings or joint values are wrong.
+    ModelDoesNotFit {
+        /// Residuals over the standard uncertainty of the instrument.
+        times: f64,
+    },
     /// A controller file is hardly better than nominal parameters: its largest error is larger, or
     /// its root mean square less than 5 % smaller.
     HardlyBetter {
@@ -108,6 +116,10 @@ pub enum Reason {
         written: PositionErrors,
     },
 }
+
+/// Residuals over the uncertainty of the instrument beyond which the model does not fit. Real robots
+/// have two to three: their models leave out friction, temperature and the compliance of links.
+const MISFIT: f64 = 3.0;
 
 /// Documents that are judged together.
 #[derive(Clone, Copy)]
@@ -130,6 +142,7 @@ impl Reason {
         match self {
             Self::NotConverged
             | Self::Implausible
+            | Self::GivenRefused
             | Self::FileRefused
             | Self::LimitNotMet { .. }
             | Self::PosesNotConforming { .. } => Acceptance::Fail,
@@ -141,6 +154,7 @@ impl Reason {
             | Self::NoWarmUp
             | Self::DriftNotSettled { .. }
             | Self::FewCycles { .. }
+            | Self::ModelDoesNotFit { .. }
             | Self::HardlyBetter { .. } => Acceptance::Conditional,
         }
     }
@@ -200,6 +214,12 @@ impl Reason {
         not.into_iter().chain((!open.is_empty()).then_some(Self::PosesUndecided { poses: open })).collect()
     }
 
+    /// Model that leaves residuals several times the uncertainty of the instrument.
+    fn of_model(parameters: &ParametersDocument) -> Option<Self> {
+        let times = parameters.residuals.times_uncertainty().filter(|_| parameters.residuals.chi_square_rejected)?;
+        (times > MISFIT).then_some(Self::ModelDoesNotFit { times })
+    }
+
     /// Controller files that are hardly better than nominal parameters.
     fn of_files(accuracy: &AccuracyDocument, controllers: Option<&ControllersDocument>) -> Vec<Self> {
         let of = |formats: &[String], errors: &ControllerErrors| {
@@ -234,12 +254,15 @@ impl Judged<'_> {
                 reasons.push(Reason::Implausible);
             }
         }
+        let given = self.accuracy.and_then(|accuracy| accuracy.given.as_ref());
+        reasons.extend(given.is_some_and(|given| given.refused).then_some(Reason::GivenRefused));
         reasons.extend(self.controllers.is_some_and(|c| !c.is_complete()).then_some(Reason::FileRefused));
         reasons.extend(self.limits().filter_map(Reason::of_limit));
         if let Some(document) = &self.tested.poses {
             reasons.extend(Reason::of_poses(document));
             reasons.extend(Reason::of_test(document, self.conditions));
         }
+        reasons.extend(self.parameters.filter(|p| p.is_plausible()).and_then(Reason::of_model));
         if let (Some(accuracy), Some(_)) = (self.accuracy, self.parameters.filter(|p| p.is_plausible())) {
             reasons.extend(Reason::of_files(accuracy, self.controllers));
         }

@@ -2,7 +2,7 @@
 
 use super::{CampaignReference, Provenance};
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::Message;
+use etalon_base::message::{Message, Severity};
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -138,6 +138,13 @@ pub enum MovementKind {
     Joint,
     /// Target on the moving part.
     Target,
+}
+
+impl VerificationDocument {
+    /// `true` if an error states that the parameters are not those of the robot.
+    pub fn is_refused(&self) -> bool {
+        self.messages.iter().any(|message| message.severity == Severity::Error)
+    }
 }
 
 /// One component of a movement.

@@ -15,6 +15,7 @@ mod warning;
 
 pub use error::{Cause, Error};
 pub use field::{Component, Corrected, FieldInput, FieldRefusal, FieldTrial, HeldOut, JointField, field_of};
+pub use judgement::bound::{ASSUMED_MM, COVERAGE, Excess, Extent, OpenMotion, OpenSetUp, UncertaintyBound};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
@@ -28,7 +29,7 @@ pub use judgement::reliability::{
     ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability,
 };
 pub use judgement::robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
-pub use judgement::significance::{Variance, holm};
+pub use judgement::significance::{Variance, exceeds_zero, holm};
 pub use judgement::stability::{Stability, halves, stability};
 pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, ToolPrediction, held};
 pub use judgement::uncertainty::UncertaintyFrom;

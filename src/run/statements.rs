@@ -57,6 +57,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     without_use(campaign, problems);
     limits(campaign, problems);
     output(campaign, problems);
+    problems.keep(campaign.uncertainty_bound());
     observations(campaign, problems);
     if let Some(definition) = file.join.as_ref().filter(|_| !unread.affects(&["join"])) {
         join(campaign, definition, problems);

@@ -165,7 +165,8 @@ pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[R
     Ok(values)
 }
 
-/// Returns a warning if a nominal value of the robot differs from that of the identification.
+/// Returns an error if a nominal value of the robot differs from that of the identification: the
+/// parameters are those of another robot.
 pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option<Message> {
     let differs = |p: &&Parameter| {
         let stated = p.quantity.outward(p.nominal);
@@ -175,7 +176,23 @@ pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option
     let p = robot.parameters().iter().find(differs)?;
     let then = entry(document, p)?.nominal;
     let stated = p.quantity.outward(p.nominal);
-    Some(warning!("nominal-value-changed", parameter = p.name, stated, unit = p.quantity.unit(), identified = then))
+    Some(error!("nominal-value-changed", parameter = p.name, stated, unit = p.quantity.unit(), identified = then))
+}
+
+/// Sums of squared errors (mm²) of the readings of a pose, with nominal and with given parameters.
+pub type PoseErrors = BTreeMap<PoseName, [f64; 2]>;
+
+/// Message that errors with the given parameters are larger than with nominal ones: an error if the
+/// difference is more than noise from pose to pose explains, otherwise a warning.
+pub fn worse_than_nominal(errors: &PoseErrors, readings: usize) -> Option<Message> {
+    let rms = |k: usize| (errors.values().map(|squares| squares[k]).sum::<f64>() / readings.max(1) as f64).sqrt();
+    let [nominal_mm, given_mm] = [rms(0), rms(1)];
+    let differences: Vec<f64> = errors.values().map(|[nominal, given]| given - nominal).collect();
+    let message = match etalon_identify::exceeds_zero(&differences) {
+        true => error!("given-parameters-worse", given_mm, nominal_mm),
+        false => warning!("given-parameters-worse", given_mm, nominal_mm),
+    };
+    (given_mm > nominal_mm).then(|| message.to_decide())
 }
 
 /// Expected deviation of a measured coordinate from the given parameters, if nothing has changed.

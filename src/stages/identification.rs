@@ -1,6 +1,7 @@
 //! Identification: from observations to parameters, and errors before and after.
 
 use crate::stages::apart::Apart;
+use crate::stages::bounds::open_set_up;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
 use crate::stages::circumstances::hold_constant;
 use crate::stages::commanded::commanded;
@@ -145,6 +146,8 @@ pub fn identify(
     let mut errors = solved.judge(robot, &sets, &settings, messages);
     errors.extend(apart.errors(robot, &solved.before, &solved.found.values, &placed));
     let Solved { before, mut found } = solved;
+    let open = open_set_up(robot, &sets.calibration, &settings, &found, campaign.uncertainty_bound()?);
+    found.warnings.splice(0..0, open.map(Into::into));
     let all = apart.beside(&sets);
     let set_up = found.of_set_up(robot);
     let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: &all, settings: &settings };

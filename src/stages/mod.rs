@@ -1,6 +1,7 @@
 //! The stages of a run, each from documents to the next document.
 
 pub mod apart;
+pub(crate) mod bounds;
 pub mod candidates;
 pub mod cell;
 mod checks;

@@ -43,6 +43,11 @@ const LEAST_NOMINAL: f64 = 0.5;
 const LEAST_SCALE: f64 = 2e-4;
 /// Standard uncertainties below zero at which a value is negative.
 const SIGNIFICANT: f64 = 3.0;
+/// Deviation of the gain of a revolute joint that harmonics of its transmission can cause over part
+/// of a turn.
+const ENCODER_GAIN: f64 = 2e-3;
+/// Largest deviation (rad) of the zero of a revolute joint by mastering: 1 deg.
+const ENCODER_ZERO_RAD: f64 = std::f64::consts::PI / 180.0;
 /// Significance level of a common factor.
 const CHANCE: f64 = 1e-3;
 /// Maximum ratio of errors after to errors before that noise of an already good robot can cause.
@@ -85,6 +90,7 @@ pub fn plausibility(
         messages.insert(0, turned);
     }
     messages.extend(common_factor(robot, found));
+    messages.extend(beyond_encoders(robot, observations, settings, found));
     messages.extend(negative_compliance(robot, found));
     messages.extend(negative_backlash(robot, found));
     messages.extend(wrong_loads(robot, observations, settings, found));
@@ -186,6 +192,46 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
         let names: Vec<String> = all.iter().map(|&i| format!("`{}`", robot.parameters()[i].name)).collect();
         warning!("common-scale", count = all.len(), parameters = names, factor = 1.0 + mean).to_decide()
     })
+}
+
+/// Returns a warning about gains and zeros of revolute joints that are significantly larger than
+/// encoders and homing leave.
+///
+/// The encoder of a revolute joint counts whole turns, so that its gain is known; what harmonics add
+/// over part of a turn is below [`ENCODER_GAIN`]. A zero beyond [`ENCODER_ZERO_RAD`] is a mistake of
+/// mastering, or of a log. The data cannot tell them from a mistake in the columns of the joint.
+fn beyond_encoders(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) -> Option<Message> {
+    let conditions = settings.conditions.iter().map(|c| c.joints.as_slice());
+    let joints = observations.iter().map(|o| o.joints.as_slice()).chain(conditions);
+    let effects = etalon_identify::effects(robot, joints);
+    let limit = |i: usize| {
+        let p = &robot.parameters()[i];
+        let turns =
+            p.joint.is_some_and(|joint| robot.joints().get(joint).is_some_and(|j| j.quantity == Quantity::Angle));
+        match effects[i].filter(|_| !p.tolerance_is_stated)? {
+            Effect::Gains if turns && p.by.is_none() => Some(ENCODER_GAIN),
+            Effect::Zeros if p.quantity == Quantity::Angle => Some(ENCODER_ZERO_RAD),
+            _ => None,
+        }
+    };
+    let judged: Vec<(usize, f64, f64)> =
+        found.free.iter().filter_map(|&i| Some((i, limit(i)?, found.standard_uncertainty(i)?))).collect();
+    let k = coverage_factor(judged.len());
+    let off = |i: usize| (found.values[i] - robot.parameters()[i].nominal).abs();
+    let beyond = judged.iter().filter(|(i, limit, u)| off(*i) > limit + k * u);
+    let text = |&(i, _, u): &(usize, f64, f64)| {
+        let (parameter, value, unit) = outward(&robot.parameters()[i], found.values[i]);
+        let nominal = robot.parameters()[i].quantity.outward(robot.parameters()[i].nominal);
+        phrase!("value-beyond-encoder", parameter, value, unit, nominal, times = (off(i) / u).round())
+    };
+    let all: Vec<Phrase> = beyond.map(text).collect();
+    (!all.is_empty())
+        .then(|| warning!("encoder-implausible", count = all.len(), parameters = shown(all, NAMED)).to_decide())
 }
 
 /// Returns a warning if a joint bends against its own torque: gravity or an axis has the wrong

@@ -1,5 +1,6 @@
 //! Sweeps of one joint at a time: from a table to axes, and a robot without a nominal model.
 
+use super::bounds::beyond_bound;
 use super::table_file::TableFile;
 use etalon_base::message::{Message, Place, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
@@ -14,6 +15,7 @@ use etalon_identify::axes::{
     Agreement, AxesModel, AxesSettings, BaseRule, ByNoise, Change, DerivedParameters, JointAxis, Slip, Sweep,
     SweepFault, SweepReading, axis_slip, compared, joint_axis, joint_slip, smooth, start_gap,
 };
+use etalon_identify::{ASSUMED_MM, Extent, UncertaintyBound};
 use etalon_robots::{AxisTable, Joint, Parameter, Quantity, Role, modified_table, standard_table};
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
@@ -58,6 +60,8 @@ pub(crate) struct SweepsStated {
     pub source_of_x: Option<String>,
     /// `true` if the robot is written in spite of errors.
     pub force: bool,
+    /// Stated bound of the uncertainties of the axes.
+    pub bound: UncertaintyBound,
 }
 
 /// Uncertainty of a direction (rad) above which predictions are of little use.
@@ -224,6 +228,7 @@ fn derive(table: &SweepTable, stated: &SweepsStated, file: &TableFile) -> Result
         let source = stated.source_of_x.as_deref().unwrap_or(XYZ[0]);
         messages.push(error!("sweep-unit", radius_mm = largest, source));
     }
+    messages.extend(measured.iter().filter_map(|axis| beyond_axis_bound(table, stated.bound, axis)));
     let entries = measured.iter().map(|m| entry(table, m)).collect();
     let fit = stated.force || messages.iter().all(|m| m.severity != Severity::Error);
     let (robot, checks) = robot(table, stated, measured, &mut messages)?;
@@ -272,6 +277,26 @@ fn axis(
         messages.push(warning!("sweep-weak", joint, u_mrad));
     }
     Ok((axis, messages))
+}
+
+/// Error about an axis whose direction or point exceeds its bound, relative to the readings of its
+/// sweep.
+fn beyond_axis_bound(table: &SweepTable, bound: UncertaintyBound, axis: &JointAxis) -> Option<Message> {
+    let joint = &table.joints[axis.joint];
+    let points: Vec<Vector> = table.sweeps[axis.joint].readings.iter().map(|r| r.position_mm).collect();
+    let u_mm = if axis.standard_uncertainty_mm.is_finite() { axis.standard_uncertainty_mm } else { ASSUMED_MM };
+    let extent = Extent::of_points(&points, u_mm);
+    let direction = || (phrase!("bound-axis-direction", joint), Quantity::Angle);
+    let point = || (phrase!("bound-axis-point", joint), Quantity::Length);
+    let components = if axis.fit.prismatic {
+        vec![direction(), direction()]
+    } else {
+        vec![direction(), direction(), point(), point()]
+    };
+    let n = components.len();
+    let covariance: Vec<f64> = (0..n * n).map(|at| axis.covariance[(at / n, at % n)]).collect();
+    let case = if axis.fit.prismatic { "travel" } else { "turn" };
+    beyond_bound(bound, &extent, &components, &covariance, phrase!("bound-remedy", case))
 }
 
 fn sweep_rows<'a>(sweep: &'a Sweep, axis: &'a JointAxis) -> impl Iterator<Item = (usize, bool)> + 'a {

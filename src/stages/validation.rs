@@ -2,14 +2,17 @@
 //! robot.
 
 use super::evaluate::{self, ErrorUncertainty, Judged, Sets};
-use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
+use super::given::{ExpectedDeviation, PoseErrors, given, other_nominal, robot_values, worse_than_nominal};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{Message, Result, Severity};
+use etalon_base::pose::norm;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
-use etalon_documents::{AccuracyDocument, FieldDocument, FieldSummary, GivenFrames, GivenSummary, ParametersDocument};
+use etalon_documents::{
+    AccuracyDocument, FieldDocument, FieldSummary, GivenFrames, GivenSummary, ParametersDocument, PointError,
+};
 use etalon_identify::{Comparison, Corrected, GivenParameters, JointField, Settings};
 use etalon_robots::{Correction, Robot, Role};
 
@@ -88,9 +91,11 @@ pub fn validate(
     (accuracy.definition, accuracy.definition_phrase) = (definition.to_string(), Some(definition));
     let consistency = document.filter(|_| frames != GivenFrames::Refit && sets.calibration_conditions.is_empty());
     let p_value = consistency.map(|document| p_value(robot, document, &sets, &settings)).transpose()?.flatten();
-    accuracy.given = Some(GivenSummary { frames, p_value });
     accuracy.field = field.map(|field| FieldSummary::given(robot, &field));
-    messages.extend(worse(&accuracy));
+    let (squares, readings) = by_pose(&accuracy, &errors);
+    messages.extend(worse_than_nominal(&squares, readings));
+    let refused = messages.iter().any(|message| message.severity == Severity::Error);
+    accuracy.given = Some(GivenSummary { frames, p_value, refused });
     Ok(Validated { accuracy, messages })
 }
 
@@ -198,9 +203,16 @@ fn beyond_field(field: &JointField, sets: &Sets) -> Option<Message> {
     (count > 0).then(|| warning!("poses-beyond-field", count, total = all.len()))
 }
 
-/// Returns a warning if the given parameters are worse than nominal ones.
-fn worse(accuracy: &AccuracyDocument) -> Option<Message> {
-    let position = accuracy.sets.last()?.leading()?;
-    let (given_mm, nominal_mm) = (position.after.rms, position.before.rms);
-    (given_mm > nominal_mm).then(|| warning!("given-parameters-worse", given_mm, nominal_mm).to_decide())
+/// Squared errors of the leading quantity at all measured poses, and the number of readings. The
+/// given parameters were identified from neither set.
+fn by_pose(accuracy: &AccuracyDocument, errors: &[PointError]) -> (PoseErrors, usize) {
+    let leading = accuracy.sets.last().and_then(|set| set.leading()).map(|leading| leading.quantity);
+    let (mut all, mut readings) = (PoseErrors::new(), 0);
+    for e in errors.iter().filter(|e| Some(e.quantity) == leading) {
+        let squares = all.entry(e.pose).or_default();
+        squares[0] += norm(e.before_mm).powi(2);
+        squares[1] += norm(e.after_mm).powi(2);
+        readings += 1;
+    }
+    (all, readings)
 }

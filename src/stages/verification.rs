@@ -1,19 +1,20 @@
 //! Verification: test of previously identified parameters on a few observations.
 
-use super::given::{ExpectedDeviation, given, other_nominal};
+use super::bounds::significant;
+use super::given::{ExpectedDeviation, PoseErrors, given, other_nominal, worse_than_nominal};
 use super::repeats::stale;
 use crate::stages::remedies::remedied;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
-use etalon_base::pose::{minus, norm};
+use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use etalon_identify::{
-    Comparison, Detectable, Explanation, GivenParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings,
-    Verification, set_up_problem,
+    Comparison, Detectable, Explanation, Extent, GivenParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE,
+    Settings, UncertaintyBound, Verification, set_up_problem,
 };
-use etalon_robots::{Quantity, Robot};
+use etalon_robots::{Parameter, Quantity, Robot, Role};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,6 +24,10 @@ pub struct EarlierCalibration<'r> {
     robot: &'r dyn Robot,
     parameters: GivenParameters,
     noise: ExpectedDeviation,
+    /// Nominal parameters, with the base and targets that were fitted to them.
+    nominal: Vec<f64>,
+    /// Stated bound of the smallest changes that chosen poses have to detect.
+    bound: UncertaintyBound,
     messages: Vec<Message>,
 }
 
@@ -37,9 +42,22 @@ impl<'r> EarlierCalibration<'r> {
         let parameters = given(robot, document)?;
         let noise = ExpectedDeviation::of(document, stated_mm)?;
         let messages = other_nominal(robot, document).into_iter().collect();
+        let entry = |p: &Parameter| document.parameters.iter().find(|entry| entry.name == p.name);
+        let before = |(i, p): (usize, &Parameter)| match (entry(p), p.role) {
+            (Some(entry), Role::Robot) => p.quantity.inward(entry.nominal),
+            (Some(entry), _) => p.quantity.inward(entry.before),
+            (None, _) => parameters.values[i],
+        };
+        let nominal = robot.parameters().iter().enumerate().map(before).collect();
         // what the calibrated robot cannot be is a wrong set-up, wherever its base is
         robot.definition_mut().set_nominal(&parameters.values);
-        Ok(Self { robot, parameters, noise, messages })
+        Ok(Self { robot, parameters, noise, nominal, bound: UncertaintyBound::default(), messages })
+    }
+
+    /// Returns the calibration with a bound of the smallest changes that chosen poses have to detect.
+    #[must_use]
+    pub fn with_bound(self, bound: UncertaintyBound) -> Self {
+        Self { bound, ..self }
     }
 }
 
@@ -50,7 +68,7 @@ pub fn verify(
     mut observations: Vec<Observation>,
     inputs: BTreeMap<String, String>,
 ) -> Result<VerificationDocument> {
-    let EarlierCalibration { robot, parameters, noise, mut messages } = calibration;
+    let EarlierCalibration { robot, parameters, noise, nominal, mut messages, .. } = calibration;
     messages.extend(stale(robot, &observations));
     if let Some(problem) = set_up_problem(robot, &observations, noise.total_mm()) {
         return Err(etalon_documents::warning_message(&problem).into());
@@ -82,6 +100,10 @@ pub fn verify(
         Some(Moved::Target(_)) | None => VerificationVerdict::Other,
     };
     messages.extend(alike(&found, robot));
+    if !found.is_changed() {
+        let (errors, readings) = by_pose(robot, &observations, [&nominal, &parameters.values]);
+        messages.extend(worse_than_nominal(&errors, readings));
+    }
     let meaning = meaning(verdict, moved.as_ref(), dominant.as_ref());
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
@@ -114,6 +136,20 @@ pub fn verify(
     })
 }
 
+/// Squared position errors by pose with nominal and with given parameters, and their number.
+fn by_pose(robot: &dyn Robot, observations: &[Observation], values: [&Vec<f64>; 2]) -> (PoseErrors, usize) {
+    let (mut all, mut readings) = (PoseErrors::new(), 0);
+    for o in observations {
+        for (k, at) in o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?))) {
+            let squares = values.map(|values| norm(minus(at, robot.position(values, &o.joints, k))).powi(2));
+            let of_pose = all.entry(o.pose).or_default();
+            (0..2).for_each(|i| of_pose[i] += squares[i]);
+            readings += 1;
+        }
+    }
+    (all, readings)
+}
+
 /// Chooses `count` of the candidate poses for a calibration and its uncertainty: one by one the
 /// pose with the smallest product of the smallest detectable changes and of those from which a
 /// joint is named; then each is exchanged for a better one (Fedorov 1972).
@@ -124,7 +160,7 @@ pub fn plan(
     inputs: BTreeMap<String, String>,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<VerificationPlanDocument> {
-    let EarlierCalibration { robot, parameters, noise, messages } = calibration;
+    let EarlierCalibration { robot, parameters, noise, bound, mut messages, .. } = calibration;
     for o in &mut candidates {
         let at = |k: usize| robot.position(&parameters.values, &o.joints, k);
         o.targets = o.targets.iter().enumerate().map(|(k, seen)| seen.map(|_| at(k))).collect();
@@ -163,6 +199,11 @@ pub fn plan(
         }
         progress(k + 1, 2 * count);
     }
+    if let (Ok(by_chosen), Ok(by_all)) = (detectable(&chosen), detectable(&poses)) {
+        let points: Vec<Vector> = candidates.iter().flat_map(|o| o.targets.iter().flatten().copied()).collect();
+        let extent = Extent::of_points(&points, noise.total_mm());
+        messages.extend(undetected(robot, bound, &extent, [&by_chosen, &by_all]));
+    }
     let step = |k: usize| {
         let least = detectable(&chosen[..=k]).map_err(remedied)?.iter().flat_map(|d| least(robot, d)).collect();
         Ok(VerificationStep { pose: chosen[k], least })
@@ -178,6 +219,35 @@ pub fn plan(
         messages,
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: None },
     })
+}
+
+/// Error about the changes beyond their bound that the chosen poses do not detect. Changes that no
+/// candidate shows are left out: the targets do not move with them.
+fn undetected(
+    robot: &dyn Robot,
+    bound: UncertaintyBound,
+    extent: &Extent,
+    [by_chosen, by_all]: [&[Detectable]; 2],
+) -> Option<Message> {
+    let shown =
+        |d: &Detectable| by_all.iter().any(|all| all.moved == d.moved && all.change.iter().all(|v| v.is_finite()));
+    let judged = by_chosen.iter().filter(|d| d.moved == Moved::Base || shown(d));
+    let limit = |quantity: Quantity| bound.bound(quantity, extent).0;
+    let beyond = judged.flat_map(|d| {
+        let quantities = match d.moved {
+            Moved::Base => {
+                vec![("base shift".to_owned(), Quantity::Length), ("base rotation".to_owned(), Quantity::Angle)]
+            }
+            moved => components(robot, moved),
+        };
+        quantities.into_iter().zip(d.change.clone()).filter(|((_, quantity), change)| *change > limit(*quantity))
+    });
+    let text = |((name, quantity), change): ((String, Quantity), f64)| {
+        let [change, bound] = [change, limit(quantity)].map(|v| significant(quantity.outward(v)));
+        phrase!("change-beyond-bound", name, change, bound, unit = quantity.unit())
+    };
+    let all: Vec<Phrase> = beyond.map(text).collect();
+    (!all.is_empty()).then(|| error!("changes-undetected", count = all.len(), changes = all))
 }
 
 /// Assumed size (mm or rad) of a change that the chosen poses do not detect.

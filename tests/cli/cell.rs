@@ -526,3 +526,77 @@ fn two_axes_are_written_as_the_pivots_of_a_machine() {
     let answer = run(&tilted, &arguments);
     assert!(answer.code == 2 && answer.messages[0].id == "document-schema-other", "{}", answer.stderr);
 }
+
+/// The message about a component beyond its bound: exit code 1, and no data for a controller.
+fn beyond(table: &str, arguments: &[&str], maker: &str) -> etalon::base::message::Message {
+    let found = with_code(1, table, arguments);
+    let withheld = run(table, &[arguments, &["--controller", maker]].concat());
+    assert!(withheld.code == 1 && withheld.stdout.is_empty(), "{}", withheld.stderr);
+    let message = found.errors().find(|m| m.id == "uncertainty-beyond-bound");
+    message.unwrap_or_else(|| panic!("{:?}", ids(&found))).clone()
+}
+
+/// Id of the phrase in an argument.
+fn phrase_id(message: &etalon::base::message::Message, argument: &str) -> String {
+    let Argument::Phrase(phrase) = &message.arguments[argument] else { panic!("{message:?}") };
+    phrase.id.to_string()
+}
+
+/// x touched 0.03 mm from the origin: the direction of x is open (U of 135 deg and more).
+#[test]
+fn three_points_that_hardly_differ_are_not_loadable() {
+    let touched = |x: f64| format!("point,x_mm,y_mm,z_mm\norigin,100,200,50\nx,{x},200.01,50\nxy,100,300,50\n");
+    let solve = ["--solve", "three-points", "--standard-uncertainty-um", "50"];
+    let message = beyond(&touched(100.03), &solve, "kuka");
+    assert_eq!(phrase_id(&message, "component"), "bound-rotation");
+    assert_eq!(phrase_id(&message, "cause"), "bound-open-rotation");
+    // without a statement a fine instrument is assumed
+    let unstated = with_code(1, &touched(100.03), &["--solve", "three-points"]);
+    assert!(ids(&unstated).iter().any(|id| id == "uncertainty-beyond-bound"), "{unstated:?}");
+    assert!(unstated.frames[0].covariance.is_none(), "nothing shows the uncertainty");
+    // sound: a small work piece, a large one, and collinear points of the old threshold
+    for (x, more) in [(105.0, &[][..]), (600.0, &solve[2..])] {
+        document(&touched(x), &[&solve[..2], more].concat());
+    }
+    let narrow = "point,x_mm,y_mm,z_mm\norigin,0,0,0\nx,1000,0,0\nxy,500,0.9,0\n";
+    document(narrow, &["--solve", "three-points", "--standard-uncertainty-um", "1"]);
+    assert_eq!(phrase_id(&beyond(narrow, &solve, "abb"), "cause"), "bound-open-rotation");
+}
+
+/// A target on the axis: its direction and x axis are open (34 to 40 deg).
+#[test]
+fn a_target_on_the_axis_does_not_make_a_rotary_axis() {
+    let mut noise = Noise::new(71, 0);
+    let mut turned = |radius: f64| {
+        let at = (0..12).map(|i| {
+            let angle = f64::from(i) * 30f64.to_radians();
+            [600.0 + radius * angle.cos(), radius * angle.sin() - 200.0, 110.0].map(|v| v + noise.gaussian(0.01))
+        });
+        let all: Vec<Vector> = at.collect();
+        let values = std::iter::once("axis_deg".to_owned()).chain((0..12).map(|i| format!("{}", 30 * i)));
+        table(&[values.collect(), points("", &all)])
+    };
+    let solve = ["--solve", "rotary-axis"];
+    let on_axis = turned(0.005);
+    beyond(&on_axis, &solve, "kuka");
+    let stated = run(&on_axis, &["--solve", "rotary-axis", "--uncertainty-bound", "200 deg, 5 mm", "--json"]);
+    let found: CellDocument = serde_json::from_slice(&stated.stdout).unwrap();
+    assert!(found.errors().all(|m| m.id != "uncertainty-beyond-bound" || phrase_id(m, "component") == "bound-ratio"));
+    document(&turned(40.0), &solve);
+    // a stated bound is stricter than the default
+    let strict = with_code(1, &turned(40.0), &[&solve[..], &["--uncertainty-bound", "1 um"]].concat());
+    assert!(strict.errors().any(|m| m.is("uncertainty-beyond-bound", &[("source", &"stated")])), "{:?}", ids(&strict));
+    let unreadable = run(&turned(40.0), &[&solve[..], &["--uncertainty-bound", "0.5"]].concat());
+    assert_eq!(unreadable.code, 2, "{}", unreadable.stderr);
+}
+
+/// Orientations that differ by 0.1 deg: the tool point is open (13 mm).
+#[test]
+fn orientations_that_hardly_differ_do_not_make_a_tool_point() {
+    let pivot = |turn_deg: f64| table(&[columns("flange_", "quaternion", &touches(10, turn_deg.to_radians(), 0.02))]);
+    let solve = ["--solve", "tool-point"];
+    let message = beyond(&pivot(0.1), &solve, "kuka");
+    assert_eq!(phrase_id(&message, "cause"), "bound-open-translation");
+    // few degrees suffice where the touches are good
+    document(&pivot(8.0), &solve);
+}

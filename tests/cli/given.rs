@@ -86,7 +86,8 @@ fn parameters_of_one_instrument_are_judged_on_the_campaign_of_another() {
     }
     std::fs::write(arm.path().join("wrong.json"), wrong.to_string()).unwrap();
     let warned = etalon(&arm.path(), &["validate", ".", "--parameters", "wrong.json"]);
-    assert!(text(&warned.stderr).contains("warning[given-parameters-worse]"), "{}", text(&warned.stderr));
+    assert!(text(&warned.stderr).contains("error[given-parameters-worse]"), "{}", text(&warned.stderr));
+    assert_eq!(code(&warned), Some(1), "worse than nominal by more than noise");
 }
 
 /// Each answer is written as a page, a workbook and, where there is one, a PDF, in every language.

@@ -98,6 +98,18 @@ const OPTIONS: &[Case] = &[
         "cell @/c.csv --solve rotary-axis",
     ),
     (
+        "uncertainty-beyond-bound source=default unit=deg",
+        "",
+        &[("c.csv", "", "point,x_mm,y_mm,z_mm\norigin,100,200,50\nx,100.03,200.01,50\nxy,100,300,50\n")],
+        "cell @/c.csv --solve three-points --standard-uncertainty-um 50",
+    ),
+    (
+        "uncertainty-bound-unreadable text=0.5",
+        "",
+        &[("c.csv", "", CELL_TOUCHES)],
+        "cell @/c.csv --solve tool-point --uncertainty-bound 0.5",
+    ),
+    (
         "cell-undetermined",
         "",
         &[("c.csv", "", "axis_deg,x_mm,y_mm,z_mm\n5,100,0,0\n5,0,100,0\n5,-100,0,0\n5,0,-100,0\n")],

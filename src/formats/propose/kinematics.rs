@@ -1,7 +1,7 @@
 //! Test of a proposal against the nominal robot: order, unit and sign of the joints, unit of the
 //! coordinates, and the column of targets with which its kinematics reproduce the coordinates.
 
-use etalon_base::pose::Pose;
+use etalon_base::pose::{Pose, cross, dot, norm};
 use etalon_math::Factor;
 use etalon_robots::{Quantity, Robot};
 
@@ -23,6 +23,9 @@ const NEAR: usize = 64;
 const FINE_MM: f64 = 0.1;
 /// Allowance for base and target, which are fitted to rounded coordinates.
 const ALLOWANCE: f64 = 1.2;
+/// Root mean square residual of rounded coordinates, relative to half a step (its expectation), up to
+/// which nothing but rounding is in the residuals.
+const EXCESS: f64 = 1.15;
 /// Difference (mm) of computed coordinates that are not rounded.
 const COMPUTED_MM: f64 = 1e-6;
 /// Weight per row of the shortest solution, where base and target are not separable.
@@ -152,6 +155,7 @@ struct Hypothesis {
 
 /// Residual of a hypothesis.
 struct Residual {
+    /// Root mean square of the residual distances (mm), with base and targets fitted.
     rms_mm: f64,
     largest_mm: f64,
     unit: &'static str,
@@ -174,7 +178,7 @@ pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcom
     }
     let few = sample.thinned(RANKED + 6 * (targets - 1));
     let all = if thorough { hypotheses(robot, sample) } else { as_they_are(robot, sample) };
-    let rank = |h: &Hypothesis| residual(robot, &few, h).map_or(f64::INFINITY, |found| found.rms_mm);
+    let rank = |h: &Hypothesis| affine(robot, &few, h).map_or(f64::INFINITY, |found| found.rms_mm);
     let mut ranked: Vec<(f64, usize)> = all.iter().enumerate().map(|(i, h)| (rank(h), i)).collect();
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     let near = ranked.first().map_or(0.0, |(best, _)| (DISTINCT * best).max(SAME_MM));
@@ -315,63 +319,145 @@ pub(super) fn factor(unit: &str) -> f64 {
     }
 }
 
-/// Returns the residual of a hypothesis, or `None` if the world would be mirrored, distorted, or of
-/// a scale that is no unit of lengths.
+/// Rows of a hypothesis: the flange at each row of the sample.
+struct Flanges {
+    poses: Vec<Pose>,
+    targets: usize,
+}
+
+impl Flanges {
+    fn new(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Self> {
+        let (arm, nominal) = (robot.free_base()?, robot.nominal());
+        let flange = |i: usize| -> Pose {
+            let joint = |k: usize| {
+                let value = sample.joints[of.order[k]][i] * factor(of.units[k]);
+                if of.reversed[k] { -value } else { value }
+            };
+            arm.flange(&nominal, &(0..of.order.len()).map(joint).collect::<Vec<f64>>(), 0)
+        };
+        let targets = sample.targets.iter().max().map_or(1, |most| most + 1);
+        Some(Self { poses: (0..sample.rows()).map(flange).collect(), targets })
+    }
+
+    /// Least-squares solution of rows of coefficients and right sides, three to a row of the
+    /// sample. A small ridge makes the solution unique where base and target are not separable.
+    fn solve(&self, unknowns: usize, equation: impl Fn(usize, usize) -> (Vec<f64>, f64)) -> Option<Vec<f64>> {
+        let mut normal = vec![0.0; unknowns * unknowns];
+        let mut right = vec![0.0; unknowns];
+        for (i, axis) in (0..self.poses.len()).flat_map(|i| (0..3).map(move |axis| (i, axis))) {
+            let (row, value) = equation(i, axis);
+            let used: Vec<usize> = (0..unknowns).filter(|j| row[*j] != 0.0).collect();
+            for &j in &used {
+                right[j] += row[j] * value;
+                used.iter().for_each(|&k| normal[j * unknowns + k] += row[j] * row[k]);
+            }
+        }
+        (0..unknowns).for_each(|j| normal[j * unknowns + j] += RIDGE * self.poses.len() as f64);
+        // sums of squares are computed row by row
+        Factor::from_normal(&normal, &right, 0.0, &vec![1.0; unknowns], f64::MIN_POSITIVE)?.solve()
+    }
+
+    /// Root mean square and largest of the lengths of residual vectors.
+    fn size(&self, residual: impl Fn(usize, usize) -> f64) -> (f64, f64) {
+        let square = |i: usize| (0..3).map(|axis| residual(i, axis).powi(2)).sum::<f64>();
+        let squares: Vec<f64> = (0..self.poses.len()).map(square).collect();
+        let rms = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
+        (rms, squares.iter().copied().fold(0.0, f64::max).sqrt())
+    }
+}
+
+/// Returns the residual of a hypothesis with an affine world, or `None` if the world would be
+/// mirrored, distorted, or of a scale that is no unit of lengths.
 ///
 /// The flange f(q) with rotation R(q) carries the target at c; the world has a position t and the
-/// matrix M of a rotation times the unit: M·p = f + R·c + t is linear in M, c and t.
-fn residual(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Residual> {
-    let arm = robot.free_base()?;
-    let nominal = robot.nominal();
+/// matrix M of a rotation times the unit: M·p = f + R·c + t is linear in M, c and t. Six more
+/// unknowns than base and targets have make the residual smaller: it ranks hypotheses, and starts
+/// [`residual`].
+fn affine(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Residual> {
+    let flanges = Flanges::new(robot, sample, of)?;
     let (mean, spread) = sample.spread();
-    let rows = sample.rows();
-    let targets = sample.targets.iter().max().map_or(1, |most| most + 1);
-    let flange = |i: usize| -> Pose {
-        let joint = |k: usize| {
-            let value = sample.joints[of.order[k]][i] * factor(of.units[k]);
-            if of.reversed[k] { -value } else { value }
-        };
-        arm.flange(&nominal, &(0..of.order.len()).map(joint).collect::<Vec<f64>>(), 0)
-    };
-    let unknowns = 12 + 3 * targets;
-    let row = |i: usize, pose: &Pose, axis: usize| {
+    let unknowns = 12 + 3 * flanges.targets;
+    let equation = |i: usize, axis: usize| {
+        let pose = &flanges.poses[i];
         let mut row = vec![0.0; unknowns];
         for b in 0..3 {
             row[3 * axis + b] = (sample.points[b][i] - mean[b]) / spread;
             row[12 + 3 * sample.targets[i] + b] = -pose.rotation[axis][b];
         }
         row[9 + axis] = -1.0;
-        row
+        (row, pose.translation_mm[axis])
     };
-    let mut normal = vec![0.0; unknowns * unknowns];
-    let mut right = vec![0.0; unknowns];
-    let poses: Vec<Pose> = (0..rows).map(flange).collect();
-    for (i, pose) in poses.iter().enumerate() {
-        for axis in 0..3 {
-            let row = row(i, pose, axis);
-            let used: Vec<usize> = (0..unknowns).filter(|j| row[*j] != 0.0).collect();
-            for &j in &used {
-                right[j] += row[j] * pose.translation_mm[axis];
-                used.iter().for_each(|&k| normal[j * unknowns + k] += row[j] * row[k]);
-            }
-        }
-    }
-    (0..unknowns).for_each(|j| normal[j * unknowns + j] += RIDGE * rows as f64);
-    // the sum of squares is computed below, row by row
-    let x = Factor::from_normal(&normal, &right, 0.0, &vec![1.0; unknowns], f64::MIN_POSITIVE)?.solve()?;
+    let x = flanges.solve(unknowns, equation)?;
     let m: [[f64; 3]; 3] = std::array::from_fn(|a| std::array::from_fn(|b| x[3 * a + b] / spread));
     let (unit, unit_mm) = unit_of(&m)?;
-    let square = |i: usize| {
-        let of_axis = |axis: usize| {
-            let computed: f64 = row(i, &poses[i], axis).iter().zip(&x).map(|(a, x)| a * x).sum();
-            (computed - poses[i].translation_mm[axis]).powi(2)
-        };
-        (0..3).map(of_axis).sum::<f64>()
-    };
-    let squares: Vec<f64> = (0..rows).map(square).collect();
-    let largest_mm = squares.iter().copied().fold(0.0, f64::max).sqrt();
-    let rms_mm = (squares.iter().sum::<f64>() / rows as f64).sqrt();
+    let (rms_mm, largest_mm) = flanges.size(|i, axis| {
+        let (row, value) = equation(i, axis);
+        row.iter().zip(&x).map(|(a, x)| a * x).sum::<f64>() - value
+    });
     Some(Residual { rms_mm, largest_mm, unit, unit_mm, base_R_world: m.map(|row| row.map(|v| v / unit_mm)) })
+}
+
+/// Maximum number of Gauss-Newton steps of base and targets.
+const STEPS: usize = 20;
+/// Length of a step of the rotation (rad) that ends the iteration.
+const SETTLED_RAD: f64 = 1e-10;
+
+/// Returns the residual of a hypothesis with base and targets fitted, and nothing else: the world
+/// is rotated and shifted, its scale is that of the unit. `None` as for [`affine`].
+///
+/// Gauss-Newton steps from the affine world: R·p = f + R(q)·c + t, with a small rotation of R about
+/// the axes of the base.
+fn residual(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Residual> {
+    let found = affine(robot, sample, of)?;
+    let flanges = Flanges::new(robot, sample, of)?;
+    let (mean, spread) = sample.spread();
+    let unknowns = 6 + 3 * flanges.targets;
+    let lever_mm = spread * found.unit_mm;
+    let mut world = nearest_rotation(&found.base_R_world)?;
+    let seen = |world: &Pose, i: usize| -> [f64; 3] {
+        world.rotate([0, 1, 2].map(|b| (sample.points[b][i] - mean[b]) * found.unit_mm))
+    };
+    let equation = |world: &Pose, i: usize, axis: usize| {
+        let (pose, p) = (&flanges.poses[i], seen(world, i));
+        let mut row = vec![0.0; unknowns];
+        for k in 0..3 {
+            // the small rotation, times the lever so that all unknowns are lengths
+            let mut about = [0.0; 3];
+            about[k] = 1.0;
+            row[k] = cross(about, p)[axis] / lever_mm;
+            row[6 + 3 * sample.targets[i] + k] = -pose.rotation[axis][k];
+        }
+        row[3 + axis] = -1.0;
+        (row, pose.translation_mm[axis] - p[axis])
+    };
+    for _ in 0..STEPS {
+        let x = flanges.solve(unknowns, |i, axis| equation(&world, i, axis))?;
+        let turn = [0, 1, 2].map(|k| x[k] / lever_mm);
+        world = Pose::from_rotation_vector(turn).then(&world);
+        if norm(turn) < SETTLED_RAD {
+            break;
+        }
+    }
+    let x = flanges.solve(unknowns, |i, axis| equation(&world, i, axis))?;
+    let (rms_mm, largest_mm) = flanges.size(|i, axis| {
+        let (row, value) = equation(&world, i, axis);
+        row.iter().zip(&x).map(|(a, x)| a * x).sum::<f64>() - value
+    });
+    Some(Residual { rms_mm, largest_mm, base_R_world: world.rotation, ..found })
+}
+
+/// Rotation nearest to a matrix (Newton's iteration of the polar decomposition: Higham 1986).
+fn nearest_rotation(matrix: &[[f64; 3]; 3]) -> Option<Pose> {
+    let mut m = *matrix;
+    for _ in 0..STEPS {
+        let cofactors = [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])];
+        let determinant = dot(m[0], cofactors[0]);
+        if !(determinant.abs() > 1e-9 && determinant.is_finite()) {
+            return None;
+        }
+        m = std::array::from_fn(|a| std::array::from_fn(|b| 0.5 * (m[a][b] + cofactors[a][b] / determinant)));
+    }
+    Some(Pose { rotation: m, translation_mm: [0.0; 3] })
 }
 
 /// Returns the unit of lengths whose size (mm) is the scale of a rotation matrix.
@@ -406,8 +492,12 @@ fn origin(robot: &dyn Robot, sample: &Sample, residual: &Residual) -> Origin {
     let in_rad =
         joints.min(1.0) * if sample.joints.iter().flatten().any(|v| v.abs() > 7.0) { factor("deg") } else { 1.0 };
     let of_joints_mm = if angular { in_rad * reach_mm } else { joints };
+    // rounding to a step leaves step/√12 in each coordinate
+    let by_rounding_mm = EXCESS * half.max(COMPUTED_MM) + COMPUTED_MM;
     match residual.largest_mm {
-        largest if largest <= rounding_mm && 2.0 * half <= FINE_MM => Origin::Commanded,
+        largest if largest <= rounding_mm && residual.rms_mm <= by_rounding_mm && 2.0 * half <= FINE_MM => {
+            Origin::Commanded
+        }
         largest if largest <= rounding_mm + of_joints_mm => Origin::Undecided,
         _ => Origin::Measured,
     }

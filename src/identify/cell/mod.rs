@@ -139,6 +139,16 @@ impl Quality {
         self
     }
 
+    /// Standard uncertainty of a measured coordinate (mm) or orientation (rad): the stated one where
+    /// it agrees with the residuals, otherwise theirs; `None` without equations or redundancy.
+    pub fn standard_uncertainty(&self, measure: Measure, stated: &Stated) -> Option<f64> {
+        let component = self.components.iter().find(|c| c.measure == measure)?;
+        match component.agrees {
+            true => Some(stated.largest(index_of(measure))),
+            false => (component.redundancy > 0.5).then_some(component.deviation),
+        }
+    }
+
     /// `true` if uncertainties are known: each measure has redundancy or an agreeing statement.
     pub fn has_uncertainty(&self) -> bool {
         self.components.iter().all(|c| c.agrees || c.redundancy > 0.5)
@@ -165,6 +175,18 @@ pub struct CellFrame {
 }
 
 impl CellFrame {
+    /// Covariance of the frame at another point of its reference frame (mm): the displacement of
+    /// this point if the frame moves, and the rotation.
+    pub fn covariance_at(&self, point_mm: Vector) -> [[f64; 6]; 6] {
+        let [x, y, z] = etalon_base::pose::minus(point_mm, self.pose.translation_mm);
+        // dp = dt + δ × r = dt − [r]× δ
+        let skew = Matrix3::new(0.0, -z, y, z, 0.0, -x, -y, x, 0.0);
+        let mut jacobian = Matrix6::identity();
+        jacobian.fixed_view_mut::<3, 3>(0, 3).copy_from(&-skew);
+        let all = jacobian * Matrix6::from_fn(|i, j| self.covariance[i][j]) * jacobian.transpose();
+        std::array::from_fn(|i| std::array::from_fn(|j| all[(i, j)]))
+    }
+
     /// Pose of the reference frame in this frame.
     #[must_use]
     pub fn inverse(&self) -> Self {
@@ -221,11 +243,12 @@ pub enum CellFault {
     Undetermined,
 }
 
-/// Spread of directions (rad, root mean square) below which orientations count as equal: poses are
-/// written with a few decimals.
-const LEAST_SPREAD: f64 = 1e-3;
-/// Distance from a line, relative to its length, below which points count as collinear.
-const LEAST_WIDTH: f64 = 1e-3;
+/// Spread of directions (rad, root mean square) below which orientations are equal but for rounding.
+/// Whether larger spreads suffice is decided by the uncertainty of the answer
+/// ([`crate::UncertaintyBound`]).
+const LEAST_SPREAD: f64 = 1e-7;
+/// Distance from a line, relative to its length, below which points are collinear but for rounding.
+const LEAST_WIDTH: f64 = 1e-7;
 /// Distance between points (mm) below which they count as one.
 const LEAST_LENGTH_MM: f64 = 1e-6;
 
@@ -245,7 +268,7 @@ fn check_orientations(poses: &[Pose]) -> Result<(), CellFault> {
 }
 
 /// The direction or its opposite, so that its largest component is positive.
-fn upright(direction: Vector) -> Vector {
+pub(crate) fn upright(direction: Vector) -> Vector {
     let largest = direction.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(1.0);
     if largest < 0.0 { direction.map(|v| -v) } else { direction }
 }

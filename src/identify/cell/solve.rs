@@ -4,6 +4,7 @@
 
 use super::{CellResidual, Component, Measure, Quality, Stated, index_of};
 use crate::chi_square_exceeds;
+use crate::judgement::bound::{ASSUMED_MM, ASSUMED_RAD};
 use etalon_base::pose::{Pose, Vector, cross, dot, norm};
 use etalon_math::{Factor, column_norms, symmetric_eigen};
 use nalgebra::{DMatrix, Matrix3, Vector3};
@@ -23,6 +24,8 @@ const MOST_DAMPING: f64 = 1e6;
 const ROUNDING: [f64; 2] = [1e-9, 1e-12];
 /// Starting values of standard deviations (mm, rad) that are not stated.
 const FIRST: [f64; 2] = [0.1, 1e-3];
+/// Standard deviations (mm, rad) that are assumed where nothing shows them.
+const ASSUMED: [f64; 2] = [ASSUMED_MM, ASSUMED_RAD];
 /// Smallest eigenvalue of the share of a residual that its reading controls, for a test.
 const CONTROLLED: f64 = 1e-6;
 /// Relative singular value below which a combination of parameters is not determined.
@@ -227,6 +230,11 @@ pub(super) fn solve<M: CellModel>(start: M, stated: &Stated) -> Option<Solved<M>
         }
     }
     let model = minimum(model, variances)?;
+    let at = Whitened::new(&model, variances)?;
+    // without redundancy and statement nothing shows the uncertainty
+    let sums = at.sums(&at.cofactors()?);
+    let is_unknown = |k: usize| estimated[k] && sums[k][1] <= 0.5;
+    let variances = [0, 1].map(|k| if is_unknown(k) { ASSUMED[k] * ASSUMED[k] } else { variances[k] });
     let at = Whitened::new(&model, variances)?;
     let covariance = at.cofactors()?;
     let quality = quality(&at, &covariance, estimated, stated);

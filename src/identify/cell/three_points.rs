@@ -1,6 +1,7 @@
 //! Frame from three points by the rules of controllers.
 
 use super::{CellFault, CellFrame};
+use crate::judgement::bound::ASSUMED_MM;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use nalgebra::{Matrix3, SMatrix};
 
@@ -23,7 +24,7 @@ pub struct ThreePoints {
     /// `None` without repeats.
     pub repeats: Option<(f64, usize)>,
     /// Standard uncertainty of a coordinate of a reading that the covariance contains; `None` if it
-    /// is unknown: the covariance is then zero.
+    /// is unknown: the covariance then contains an assumed one (0.01 mm).
     pub standard_uncertainty_mm: Option<f64>,
 }
 
@@ -44,8 +45,9 @@ fn repeats(points: [&[Vector]; 3]) -> Option<(f64, usize)> {
     (freedom > 0).then(|| ((squares / freedom as f64).sqrt(), freedom))
 }
 
-/// Smallest distance of the third point from the x axis, relative to the distance of the first two.
-const LEAST_HEIGHT: f64 = 1e-3;
+/// Distance of the third point from the x axis, relative to its distance from the first point,
+/// below which the points are collinear but for rounding.
+const LEAST_HEIGHT: f64 = 1e-7;
 
 /// Frame by the rule of three points, each with one or several readings. The uncertainty of a
 /// coordinate is `stated_mm` where repeats agree with it, otherwise that of the repeats.
@@ -64,7 +66,7 @@ pub fn three_points(
     let length = norm(minus(second, first));
     let x = unit(minus(second, first)).ok_or(CellFault::Coincident)?;
     let across = cross(x, minus(third, first));
-    if norm(across) < LEAST_HEIGHT * length {
+    if norm(across) <= LEAST_HEIGHT * norm(minus(third, first)) {
         return Err(CellFault::Collinear { direction: x });
     }
     let z = unit(across).ok_or(CellFault::Coincident)?;
@@ -78,7 +80,7 @@ pub fn three_points(
         repeats.is_none_or(|(s, freedom)| !crate::chi_square_exceeds((s / u).powi(2) * freedom as f64, freedom))
     };
     let standard_uncertainty_mm = stated_mm.filter(|u| agrees(*u)).or(repeats.map(|r| r.0)).or(stated_mm);
-    let u = standard_uncertainty_mm.unwrap_or(0.0);
+    let u = standard_uncertainty_mm.unwrap_or(ASSUMED_MM);
     let jacobian = derivatives(length, along, height, role);
     let variances =
         SMatrix::<f64, 9, 9>::from_diagonal(&nalgebra::SVector::from_fn(|k, _| u * u / points[k / 3].len() as f64));

@@ -1,7 +1,7 @@
 //! Sums of squares of residuals over their variance: their probability, and the probability that a
 //! change increases them.
 
-use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor, StudentsT};
 use statrs::function::{beta::beta_reg, gamma::gamma_lr};
 
 /// Source of the variance of the residuals.
@@ -88,6 +88,24 @@ pub(crate) fn bisect(holds: impl Fn(f64) -> bool) -> f64 {
         if holds(middle) { upper = middle } else { lower = middle }
     }
     upper
+}
+
+/// Minimum number of poses for [`exceeds_zero`].
+const FEWEST_POSES: usize = 5;
+/// Probability that noise alone exceeds zero: that of k = 2.
+const BY_CHANCE: f64 = 0.02275;
+
+/// `true` if the mean of independent differences, one of each pose, is above zero by more than
+/// noise (paired t test, one-sided, with the level of k = 2); `false` with fewer than five poses.
+pub fn exceeds_zero(differences: &[f64]) -> bool {
+    let n = differences.len() as f64;
+    if differences.len() < FEWEST_POSES {
+        return false;
+    }
+    let mean = differences.iter().sum::<f64>() / n;
+    let square = differences.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    let Ok(student) = StudentsT::new(0.0, 1.0, n - 1.0) else { return false };
+    mean > student.inverse_cdf(1.0 - BY_CHANCE) * (square / n).sqrt() && mean > 0.0
 }
 
 #[cfg(test)]

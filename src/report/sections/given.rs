@@ -3,6 +3,7 @@
 use crate::model::{Block, Columns, Grade, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
 use crate::number::{self, Shown};
 use crate::words::{Words, names, tr};
+use etalon_base::message::Severity;
 use etalon_base::phrase;
 use etalon_documents::{
     EffectStep, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, VerificationDocument,
@@ -11,9 +12,10 @@ use etalon_documents::{
 
 /// Verdict on whether the parameters still apply.
 pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Verdict {
+    let met = document.verdict == VerificationVerdict::Valid && !document.is_refused();
     Verdict {
-        met: document.verdict == VerificationVerdict::Valid,
-        class: Grade::of(document.verdict == VerificationVerdict::Valid),
+        met,
+        class: Grade::of(met),
         sentences: vec![Text::worded(&document.meaning, document.meaning_phrase.as_ref(), words).plain()],
         ..Verdict::default()
     }
@@ -63,7 +65,8 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
 pub(crate) fn chosen(document: &VerificationPlanDocument, words: &Words) -> Verdict {
     let names: Vec<String> = document.steps.iter().map(|step| step.pose.to_string()).collect();
     let sentences = vec![tr!(words, "poses-to-measure-named", poses = names.join(", "))];
-    Verdict { met: true, sentences, ..Verdict::default() }
+    let met = document.messages.iter().all(|message| message.severity != Severity::Error);
+    Verdict { met, sentences, ..Verdict::default() }
 }
 
 /// Sections on the changes that the chosen poses detect.

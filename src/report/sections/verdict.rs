@@ -81,9 +81,13 @@ fn reservations(judgement: &VerdictDocument, words: &Words) -> Option<String> {
 fn reservation(reason: &Reason, words: &Words) -> Option<String> {
     let list = |poses: &[PoseName]| poses.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ");
     Some(match reason {
+        Reason::GivenRefused => tr!(words, "reservation-given-refused"),
         Reason::FileRefused => tr!(words, "reservation-file-not-written"),
         Reason::InstrumentTooCoarse { poses } => {
             tr!(words, "reservation-instrument-too-coarse", count = poses.len(), poses = list(poses))
+        }
+        Reason::ModelDoesNotFit { times } => {
+            tr!(words, "reservation-model-does-not-fit", times = number::significant(*times, 2))
         }
         Reason::NoWarmUp => tr!(words, "reservation-no-warm-up"),
         Reason::DriftNotSettled { poses, dap_mm } => tr!(
@@ -247,6 +251,7 @@ pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdi
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
     let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(accuracy, set, words));
     let sentences = named(&judgement, words).into_iter().chain(errors).chain([counted(&limits, words)]);
+    let sentences = sentences.chain(reservations(&judgement, words));
     let verdict = Verdict {
         met: judgement.passes(),
         class: Grade::of_verdict(judgement.verdict),

@@ -1,15 +1,17 @@
 //! `etalon cell`: tool, work object, hand and eye, external axes from a table of controller poses
 //! and measurements.
 
+mod bounds;
 mod changes;
 mod judgement;
 mod readings;
 
 use super::orientations::AngleOrder;
 use super::table_file::TableFile;
+use bounds::Region;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems, Result};
-use etalon_base::pose::{Pose, Vector, norm};
+use etalon_base::pose::{Pose, Vector, centroid, norm};
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{
     CellAxisEntry, CellDocument, CellFrameEntry, CellNoise, CellPointEntry, CellResidualEntry, Provenance,
@@ -20,6 +22,7 @@ use etalon_identify::cell::{
     ObjectSlip, Quality, Size, Stated, ThreePointRole, explained, hand_eye, linear_axis, object_frame, object_slips,
     reflector, rotary_axis, three_points, tool_axes, tool_point,
 };
+use etalon_identify::{COVERAGE, UncertaintyBound};
 use etalon_robots::Quantity;
 use rayon::prelude::*;
 use readings::WrittenPoses;
@@ -86,6 +89,8 @@ pub(crate) struct CellStated {
     pub rotation_rad: Option<f64>,
     /// Columns whose source is stated.
     pub columns: Vec<String>,
+    /// Stated bound of the uncertainties of the answer.
+    pub bound: UncertaintyBound,
 }
 
 /// Maximum number of changes in a message.
@@ -98,9 +103,30 @@ struct Found {
     points: Vec<CellPointEntry>,
     axis: Option<CellAxisEntry>,
     quality: Option<Quality>,
+    /// Measured region, relative to which uncertainties are bounded.
+    region: Region,
     /// Size of tool and motion.
     size: Size,
     messages: Vec<Message>,
+}
+
+impl Found {
+    /// Removes uncertainties that nothing shows.
+    fn withhold_uncertainties(&mut self) {
+        for frame in &mut self.frames {
+            (frame.standard_uncertainty_mm, frame.standard_uncertainty_deg, frame.covariance) = (None, None, None);
+        }
+        for point in &mut self.points {
+            (point.standard_uncertainty_mm, point.covariance_mm2) = (None, None);
+        }
+        if let Some(axis) = &mut self.axis {
+            (axis.direction_covariance, axis.scale_standard_uncertainty) = (None, None);
+        }
+    }
+}
+
+fn positions(poses: &[Pose]) -> Vec<Vector> {
+    poses.iter().map(|pose| pose.translation_mm).collect()
 }
 
 /// Solves a problem of a cell.
@@ -140,6 +166,12 @@ fn solve(file: &TableFile, stated: &CellStated) -> Result<CellDocument> {
     if let Some(quality) = &quality {
         found.messages.extend(task.remarks(quality, found.size));
     }
+    let beyond = task.beyond_bounds(&found, quality.as_ref());
+    found.messages.extend(beyond);
+    let is_known = quality.as_ref().map_or(found.region.coordinate_mm.is_some(), Quality::has_uncertainty);
+    if !is_known {
+        found.withhold_uncertainties();
+    }
     let inputs = BTreeMap::from([(file.name.clone(), etalon_base::files::sha256(file.text().as_bytes()))]);
     Ok(CellDocument {
         schema: "etalon/cell/1".to_owned(),
@@ -173,27 +205,27 @@ fn noise(component: &Component) -> CellNoise {
     }
 }
 
-fn frame_entry(name: &str, reference: &str, frame: &CellFrame, known: bool) -> CellFrameEntry {
+fn frame_entry(name: &str, reference: &str, frame: &CellFrame) -> CellFrameEntry {
     let (of_position, of_rotation) = frame.standard_uncertainties();
     CellFrameEntry {
         name: name.to_owned(),
         reference: reference.to_owned(),
         xyz_mm: frame.pose.translation_mm,
         quaternion: frame.pose.quaternion(),
-        standard_uncertainty_mm: known.then_some(of_position),
-        standard_uncertainty_deg: known.then(|| of_rotation.map(f64::to_degrees)),
-        covariance: known.then_some(frame.covariance),
+        standard_uncertainty_mm: Some(of_position),
+        standard_uncertainty_deg: Some(of_rotation.map(f64::to_degrees)),
+        covariance: Some(frame.covariance),
     }
 }
 
-fn point_entry(name: &str, reference: &str, point: &CellPoint, known: bool) -> CellPointEntry {
+fn point_entry(name: &str, reference: &str, point: &CellPoint) -> CellPointEntry {
     let u = |i: usize| point.covariance_mm2[i][i].max(0.0).sqrt();
     CellPointEntry {
         name: name.to_owned(),
         reference: reference.to_owned(),
         xyz_mm: point.at_mm,
-        standard_uncertainty_mm: known.then(|| [u(0), u(1), u(2)]),
-        covariance_mm2: known.then_some(point.covariance_mm2),
+        standard_uncertainty_mm: Some([u(0), u(1), u(2)]),
+        covariance_mm2: Some(point.covariance_mm2),
     }
 }
 
@@ -263,10 +295,8 @@ impl Task<'_> {
         let messages = unit.into_iter().chain(judgement::of_active_tool(&fit.tool, known)).collect();
         let size = Size::of_poses(&poses, fit.tool.at_mm);
         Ok(Found {
-            points: vec![
-                point_entry("tool", "flange", &fit.tool, known),
-                point_entry("fixed", "base", &fit.fixed, known),
-            ],
+            points: vec![point_entry("tool", "flange", &fit.tool), point_entry("fixed", "base", &fit.fixed)],
+            region: Region::of_tool(&positions(&poses), fit.tool.at_mm),
             quality: Some(fit.quality),
             size,
             messages,
@@ -276,10 +306,10 @@ impl Task<'_> {
 
     fn tool_reflector(&self) -> Result<Found> {
         let written = self.flange()?;
-        let (poses, points) = (written.poses(), readings::coordinates(self.file, "")?);
-        let fit = reflector(&poses, &points, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let (poses, measured) = (written.poses(), readings::coordinates(self.file, "")?);
+        let fit = reflector(&poses, &measured, &self.uncertain).map_err(|fault| self.fault(fault))?;
         let few = Few::of(poses.len(), &self.uncertain);
-        let points = few.rows(&points);
+        let points = few.rows(&measured);
         let solved = |poses: &[Pose], points: &[Vector]| {
             reflector(&few.rows(poses), points, &few.uncertain).ok().map(|fit| fit.quality)
         };
@@ -303,10 +333,10 @@ impl Task<'_> {
         if fit.ambiguous {
             return Err(error!("cell-ambiguous").into());
         }
-        let known = fit.quality.has_uncertainty();
         Ok(Found {
-            points: vec![point_entry("tool", "flange", &fit.tool, known)],
-            frames: vec![frame_entry("base", "world", &fit.world_T_base, known)],
+            points: vec![point_entry("tool", "flange", &fit.tool)],
+            frames: vec![frame_entry("base", "world", &fit.world_T_base)],
+            region: Region::of_tool(&measured, fit.tool.at_mm).with_centres([centroid(&measured)]),
             messages: judgement::of_unit(&poses, fit.tool.at_mm).into_iter().collect(),
             size: Size::of_poses(&poses, fit.tool.at_mm),
             quality: Some(fit.quality),
@@ -346,15 +376,17 @@ impl Task<'_> {
         if fit.ambiguous {
             return Err(error!("cell-ambiguous").into());
         }
-        let known = fit.quality.has_uncertainty();
+        let hand_mm = fit.flange_T_hand.pose.translation_mm;
+        let hands: Vec<Vector> = poses.iter().map(|pose| pose.apply(hand_mm)).collect();
         let [hand, other] = if mounting == Mounting::Target { ["tool", "world"] } else { ["sensor", "target"] };
         Ok(Found {
             frames: vec![
-                frame_entry(hand, "flange", &fit.flange_T_hand, known),
-                frame_entry(other, "base", &fit.base_T_world, known),
+                frame_entry(hand, "flange", &fit.flange_T_hand),
+                frame_entry(other, "base", &fit.base_T_world),
             ],
-            messages: judgement::of_unit(&poses, fit.flange_T_hand.pose.translation_mm).into_iter().collect(),
-            size: Size::of_poses(&poses, fit.flange_T_hand.pose.translation_mm),
+            region: Region::of_tool(&hands, hand_mm).with_centres([None, centroid(&hands)]),
+            messages: judgement::of_unit(&poses, hand_mm).into_iter().collect(),
+            size: Size::of_poses(&poses, hand_mm),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -373,9 +405,9 @@ impl Task<'_> {
         let slips = object_slips(&known, &measured, &self.uncertain, &fit.quality).into_iter();
         let changes = slips.map(|a| AlternativeFit { change: described(a.change), quality: a.quality }).collect();
         self.refuse_slips(&fit.quality, changes)?;
-        let has = fit.quality.has_uncertainty();
         Ok(Found {
-            frames: vec![frame_entry("object", "points", &fit.frame, has)],
+            frames: vec![frame_entry("object", "points", &fit.frame)],
+            region: Region::of_points(&measured).with_centres([centroid(&measured)]),
             size: Size::of_points(&measured),
             quality: Some(fit.quality),
             ..Found::default()
@@ -415,9 +447,8 @@ impl Task<'_> {
         let all = [of(0), of(1), of(2)];
         let fit = three_points([&all[0], &all[1], &all[2]], role, self.uncertain.position_mm)
             .map_err(|fault| self.fault(fault))?;
-        let known = fit.standard_uncertainty_mm.is_some();
         let mut messages = Vec::new();
-        if !known {
+        if fit.standard_uncertainty_mm.is_none() {
             messages.push(warning!("cell-no-uncertainty"));
         }
         if let (Some(stated), Some((found, _))) = (self.uncertain.position_mm, fit.repeats)
@@ -425,7 +456,12 @@ impl Task<'_> {
         {
             messages.push(warning!("cell-noise-larger", found_um = 1000.0 * found));
         }
-        Ok(Found { frames: vec![frame_entry("object", "points", &fit.frame, known)], messages, ..Found::default() })
+        Ok(Found {
+            frames: vec![frame_entry("object", "points", &fit.frame)],
+            region: Region::of_points(&points).with_uncertainty(fit.standard_uncertainty_mm),
+            messages,
+            ..Found::default()
+        })
     }
 
     fn tool_axes(&self) -> Result<Found> {
@@ -441,10 +477,10 @@ impl Task<'_> {
             Some(AlternativeFit { change, quality: tool_axes(&with(poses), &uncertain).ok()?.quality })
         });
         self.refuse_slips(&fit.quality, changes.collect())?;
-        let known = fit.quality.has_uncertainty();
         Ok(Found {
-            frames: vec![frame_entry("tool", "flange", &fit.tool, known)],
-            points: vec![point_entry("fixed", "base", &fit.fixed, known)],
+            frames: vec![frame_entry("tool", "flange", &fit.tool)],
+            points: vec![point_entry("fixed", "base", &fit.fixed)],
+            region: Region::of_tool(&positions(&poses), fit.tool.pose.translation_mm),
             messages: judgement::of_unit(&poses, fit.tool.pose.translation_mm).into_iter().collect(),
             size: Size::of_poses(&poses, fit.tool.pose.translation_mm),
             quality: Some(fit.quality),
@@ -481,17 +517,17 @@ impl Task<'_> {
     fn linear(&self, readings: &[AxisReading]) -> Result<Found> {
         let fit = linear_axis(readings, &self.uncertain).map_err(|fault| self.fault(fault))?;
         let points: Vec<Vector> = readings.iter().map(|r| r.position_mm).collect();
-        let known = fit.quality.has_uncertainty();
         Ok(Found {
+            region: Region::of_points(&points),
             axis: Some(CellAxisEntry {
                 prismatic: true,
                 direction: fit.direction,
-                direction_covariance: known.then_some(fit.direction_covariance),
+                direction_covariance: Some(fit.direction_covariance),
                 scale: fit.scale,
-                scale_standard_uncertainty: known.then_some(fit.scale_standard_uncertainty),
+                scale_standard_uncertainty: Some(fit.scale_standard_uncertainty),
                 radius_mm: None,
             }),
-            messages: scale_warning(fit.scale).into_iter().collect(),
+            messages: scale_warning(fit.scale, fit.scale_standard_uncertainty).into_iter().collect(),
             size: Size::of_points(&points),
             quality: Some(fit.quality),
             ..Found::default()
@@ -501,18 +537,18 @@ impl Task<'_> {
     fn rotary(&self, readings: &[AxisReading]) -> Result<Found> {
         let fit = rotary_axis(readings, &self.uncertain).map_err(|fault| self.fault(fault))?;
         let points: Vec<Vector> = readings.iter().map(|r| r.position_mm).collect();
-        let known = fit.quality.has_uncertainty();
         Ok(Found {
-            frames: vec![frame_entry("axis", "points", &fit.frame, known)],
+            frames: vec![frame_entry("axis", "points", &fit.frame)],
+            region: Region::of_points(&points),
             axis: Some(CellAxisEntry {
                 prismatic: false,
                 direction: fit.frame.pose.axis(2),
                 direction_covariance: None,
                 scale: fit.ratio,
-                scale_standard_uncertainty: known.then_some(fit.ratio_standard_uncertainty),
+                scale_standard_uncertainty: Some(fit.ratio_standard_uncertainty),
                 radius_mm: Some(fit.radius_mm),
             }),
-            messages: scale_warning(fit.ratio).into_iter().collect(),
+            messages: scale_warning(fit.ratio, fit.ratio_standard_uncertainty).into_iter().collect(),
             size: Size::of_points(&points),
             quality: Some(fit.quality),
             ..Found::default()
@@ -564,7 +600,8 @@ fn explaining<T: Send>(
 /// Largest deviation of the scale of an axis from one without a warning.
 const SCALE: f64 = 0.005;
 
-/// Warning of an axis that moves otherwise than its values say.
-fn scale_warning(scale: f64) -> Option<Message> {
-    ((scale - 1.0).abs() > SCALE).then(|| warning!("cell-scale", scale))
+/// Warning of an axis that moves otherwise than its values say, by more than its uncertainty
+/// (k = 2).
+fn scale_warning(scale: f64, u: f64) -> Option<Message> {
+    ((scale - 1.0).abs() > SCALE + COVERAGE * u).then(|| warning!("cell-scale", scale))
 }

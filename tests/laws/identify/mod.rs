@@ -2,6 +2,7 @@
 
 pub(super) mod arms;
 pub(super) mod axes;
+pub(super) mod bounds;
 pub(super) mod budget;
 pub(super) mod cell;
 pub(super) mod common;

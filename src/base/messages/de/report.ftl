@@ -1045,11 +1045,13 @@ reservation-few-cycles = weniger als { $required } Zyklen an { $count ->
     }
 reservation-file-hardly-better = die Steuerungsdatei für { $formats } bringt keine deutliche Verbesserung gegenüber den Nennparametern: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = mindestens eine Steuerungsdatei wurde nicht geschrieben (siehe Meldungen)
+reservation-given-refused = die Parameter dürfen nicht verwendet werden: sie sind an den gemessenen Posen schlechter als die Nennparameter, oder die eines anderen Roboters
 reservation-hardly-better = die identifizierten Parameter sind kaum besser als die Nennparameter: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
 reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von AP oder RP an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, Abschnitt 6)
+reservation-model-does-not-fit = die Residuen sind { $times } × die Unsicherheit des Messgeräts: das Modell passt nicht, und die Parameter beschreiben den Roboter nur so gut, wie die Abweichungen an den Validierungsposen zeigen
 reservation-no-warm-up = der Roboter wurde vor der Prüfung nicht warmgefahren
 reservations = Vorbehalte: { $reasons }.
 residual-field = Residuenfeld

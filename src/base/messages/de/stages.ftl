@@ -1370,3 +1370,57 @@ poses-beyond-field = { $count } von { $total } Posen liegen außerhalb des Resid
     .hint = Kalibrierposen in diesem Bereich messen
 
 field-parameters-wrong = die Identifikation meldet einen Fehler, den ein Feld verdecken würde
+
+uncertainty-beyond-bound = { $component }: U = { $expanded }{ $unit ->
+    [1] {""}
+   *[other] {" "}{ $unit }
+} (k = 2) überschreitet { $source ->
+    [stated] die angegebene Grenze
+   *[default] die Grenze
+} { $bound }{ $unit ->
+    [1] {""}
+   *[other] {" "}{ $unit }
+}{ $source ->
+    [stated] {""}
+   *[default] { " " }(Vorgabe für eine gemessene Ausdehnung von { $extent_mm } mm)
+}: { $cause }
+uncertainty-bound-unreadable = „{ $text }“ ist keine Grenze der Unsicherheit: erwartet wird eine Länge, ein Winkel oder beides mit ihren Einheiten
+    .hint = zum Beispiel „0.5 mm, 0.1 deg“
+bound-position = Position { $axis } von „{ $name }“
+bound-rotation = Drehung von „{ $name }“ um { $axis }
+bound-direction = Komponente { $axis } der Richtung der Achse
+bound-ratio = Verhältnis der Achse
+bound-axis-direction = Richtung der Achse von „{ $joint }“
+bound-axis-point = Lage der Achse von „{ $joint }“
+bound-parameter = { $parameter }
+bound-open-rotation = die Messwerte zeigen die Drehung um die Richtung { $direction } kaum
+bound-open-translation = die Messwerte zeigen die Position entlang { $direction } kaum
+bound-open-combination = die Messwerte zeigen die Kombination von { $names } kaum
+bound-open-alone = die Messwerte zeigen sie kaum
+bound-remedy = { $case ->
+    [tool] berühren Sie den Punkt mit Orientierungen, die sich um zwei Achsen des Flanschs um 30° oder mehr unterscheiden
+    [poses] messen Sie weitere Posen, deren Orientierungen sich um zwei Achsen um 30° oder mehr unterscheiden, in einem größeren Bereich
+    [points] messen Sie Punkte, die weiter voneinander und von der Geraden durch die anderen entfernt sind
+    [travel] messen Sie über einen längeren Verfahrweg
+    [turn] messen Sie eine Zielmarke weiter von der Achse, über einen größeren Bogen
+    [base] messen Sie in einem größeren Bereich, und Punkte des Weltkoordinatensystems weiter auseinander, nicht auf einer Geraden
+    [region] kalibrieren Sie mit Posen im Bereich dieser Ziele
+   *[robot] messen Sie Posen, in denen die genannten Parameter verschieden wirken, oder halten Sie diese fest
+}; oder geben Sie eine größere Grenze an
+
+encoder-implausible = { $count ->
+    [one] eine Verstärkung oder Nulllage eines Drehgelenks weicht
+   *[other] { $count } Verstärkungen oder Nulllagen von Drehgelenken weichen
+} weiter vom Nennwert ab, als Geber und Referenzfahrt es zulassen: { $parameters }
+    .hint = prüfen Sie die Spalte des Gelenks im Protokoll, seine Übersetzung und seine Referenzlage; ist der Wert echt, geben Sie seine `tolerance` in robot.toml an
+value-beyond-encoder = „{ $parameter }“ = { FIXED($value, 5) }{ $unit ->
+    [deg] {" "}deg
+   *[other] {""}
+} (nominal { FIXED($nominal, 5) }, Abweichung { $times } u)
+
+changes-undetected = die gewählten Posen erkennen { $count ->
+    [one] eine Änderung
+   *[other] { $count } Änderungen
+} nicht innerhalb der Grenze: { $changes }
+    .hint = wählen Sie mehr Posen (`--positions`), bieten Sie Kandidaten in einem größeren Bereich an, oder geben Sie eine größere Grenze an
+change-beyond-bound = { $name }: { $change } { $unit }, Grenze { $bound } { $unit }

@@ -994,11 +994,13 @@ reservation-few-cycles = fewer than { $required } cycles at { $count ->
     }
 reservation-file-hardly-better = the controller file for { $formats } brings no significant improvement over the nominal parameters: RMS { $rms } mm (nominal { $nominal_rms } mm), largest error { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = at least one controller file was not written (see the messages)
+reservation-given-refused = the parameters must not be used: they are worse than nominal parameters at the measured poses, or those of another robot
 reservation-hardly-better = the identified parameters are hardly better than nominal parameters: RMS { $rms } mm (nominal { $nominal_rms } mm), largest error { $max } mm (nominal { $nominal_max } mm)
 reservation-instrument-too-coarse = the measurement uncertainty exceeds 25 % of AP or RP at { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }
     } (ISO 9283, clause 6)
+reservation-model-does-not-fit = residuals are { $times } × the uncertainty of the instrument: the model does not fit, and the parameters describe the robot only as well as the errors at the validation poses show
 reservation-no-warm-up = the robot was not warmed up before the test
 reservations = Reservations: { $reasons }.
 residual-field = Residual field

@@ -2680,3 +2680,77 @@ poses-beyond-field = { $count } of { $total } poses are beyond the residual fiel
     .hint = measure calibration poses in this region
 
 field-parameters-wrong = the identification reports an error, which a field would hide
+
+# Means: The expanded uncertainty (k = 2) of a component of the answer exceeds the bound: the stated one (`--uncertainty-bound`, `uncertainty_bound` in campaign.toml), or the default. The default is a share of the measured extent, ten times the uncertainty of a coordinate over the extent, at least 0.5 % and at most 5 %; for angles this share in radians.
+# Matters: The answer must not be loaded: a robot with it may move to another place. The uncertainty itself is true.
+# Do: Measure what the hint says, so that the named motion shows. If the uncertainty is good enough for your task, state a larger bound: `--uncertainty-bound "5 mm, 2 deg"`.
+# Example: `x` of three points touched 0.03 mm from the origin
+uncertainty-beyond-bound = { $component }: U = { $expanded }{ $unit ->
+    [1] {""}
+   *[other] {" "}{ $unit }
+} (k = 2) exceeds { $source ->
+    [stated] the stated bound
+   *[default] the bound
+} { $bound }{ $unit ->
+    [1] {""}
+   *[other] {" "}{ $unit }
+}{ $source ->
+    [stated] {""}
+   *[default] { " " }(by default, for a measured extent of { $extent_mm } mm)
+}: { $cause }
+
+# Means: The bound of uncertainties cannot be read.
+# Matters: No uncertainty can be compared with it.
+# Do: State a length, an angle, or both, each with its unit: `0.5 mm, 0.1 deg` (mm, um, deg, rad).
+# Example: `--uncertainty-bound 0.5`
+uncertainty-bound-unreadable = `{ $text }` is not a bound of uncertainties: expected a length, an angle, or both with their units
+    .hint = for example "0.5 mm, 0.1 deg"
+
+bound-position = position { $axis } of `{ $name }`
+bound-rotation = rotation of `{ $name }` about { $axis }
+bound-direction = component { $axis } of the direction of the axis
+bound-ratio = ratio of the axis
+bound-axis-direction = direction of the axis of `{ $joint }`
+bound-axis-point = position of the axis of `{ $joint }`
+bound-parameter = { $parameter }
+bound-open-rotation = the readings hardly show the rotation about the direction { $direction }
+bound-open-translation = the readings hardly show the position along { $direction }
+bound-open-combination = the readings hardly show the combination of { $names }
+bound-open-alone = the readings hardly show it
+bound-remedy = { $case ->
+    [tool] touch the point with orientations that differ by 30 deg or more about two axes of the flange
+    [poses] add poses whose orientations differ by 30 deg or more about two axes, over a larger region
+    [points] measure points farther apart, and farther from the line through the others
+    [travel] measure over a longer travel
+    [turn] measure a target farther from the axis, and over a larger arc
+    [base] measure over a larger region, and points of the world frame farther apart, away from one line
+    [region] calibrate with poses in the region of these targets
+   *[robot] measure poses in which the named parameters act differently, or hold them
+}; or state a larger bound
+
+# Means: The gain of a revolute joint, or its zero, differs from nominal by more than encoders and homing leave, and by many standard uncertainties. An encoder counts whole turns: its gain is known. A zero of more than 1 deg is rarely an error of the robot.
+# Matters: The data cannot tell such a value from a mistake in the log of the joint: a wrong scale, a coupled joint, or a joint that was mastered again between log and measurement. A controller with the value then moves the joint to a wrong place.
+# Do: Check the column of the joint in the log, its gear ratio and its mastering. If the value is real, state it: correct robot.toml, or give the parameter a `tolerance` there.
+# Example: the log of a joint multiplied by 1.01
+encoder-implausible = { $count ->
+    [one] a gain or zero of a revolute joint is
+   *[other] { $count } gains or zeros of revolute joints are
+} further from nominal than encoders and homing leave: { $parameters }
+    .hint = check the column of the joint in the log, its gear ratio and its mastering; if the value is real, state its `tolerance` in robot.toml
+
+value-beyond-encoder = `{ $parameter }` = { FIXED($value, 5) }{ $unit ->
+    [deg] {" "}deg
+   *[other] {""}
+} (nominal { FIXED($nominal, 5) }, off by { $times } u)
+
+# Means: The smallest changes that the chosen poses detect with 95 % exceed their bound: the stated one (`--uncertainty-bound`), or a share of the extent of the candidates, as for uncertainties.
+# Matters: The poses would call a robot valid that has moved by this much.
+# Do: Choose more poses, offer candidates in a larger region, or state a larger bound.
+# Example: candidates within 0.1 deg of each other
+changes-undetected = the chosen poses do not detect { $count ->
+    [one] a change
+   *[other] { $count } changes
+} within the bound: { $changes }
+    .hint = choose more poses (`--positions`), offer candidates in a larger region, or state a larger bound
+
+change-beyond-bound = { $name }: { $change } { $unit }, bound { $bound } { $unit }

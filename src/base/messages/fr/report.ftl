@@ -1051,11 +1051,13 @@ reservation-few-cycles = moins de { $required } cycles { $count ->
     }
 reservation-file-hardly-better = le fichier de commande pour { $formats } n’apporte pas d’amélioration notable par rapport aux paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = au moins un fichier de commande n’a pas été écrit (voir les messages)
+reservation-given-refused = les paramètres ne doivent pas être utilisés : ils sont moins bons que les paramètres nominaux aux poses mesurées, ou ceux d’un autre robot
 reservation-hardly-better = les paramètres identifiés ne sont guère meilleurs que les paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
 reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de AP ou de RP { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, article 6)
+reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude de l’instrument : le modèle ne s’ajuste pas, et les paramètres ne décrivent le robot que comme le montrent les erreurs aux poses de validation
 reservation-no-warm-up = le robot n’a pas été mis en température avant l’essai
 reservations = Réserves : { $reasons }.
 residual-field = Champ résiduel

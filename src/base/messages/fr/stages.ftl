@@ -1372,3 +1372,57 @@ poses-beyond-field = { $count } des { $total } poses sont au-delà du champ rés
     .hint = mesurer des poses d’étalonnage dans cette région
 
 field-parameters-wrong = l’identification signale une erreur, qu’un champ cacherait
+
+uncertainty-beyond-bound = { $component } : U = { $expanded }{ $unit ->
+    [1] {""}
+   *[other] {" "}{ $unit }
+} (k = 2) dépasse { $source ->
+    [stated] la limite indiquée
+   *[default] la limite
+} { $bound }{ $unit ->
+    [1] {""}
+   *[other] {" "}{ $unit }
+}{ $source ->
+    [stated] {""}
+   *[default] { " " }(par défaut, pour une étendue mesurée de { $extent_mm } mm)
+} : { $cause }
+uncertainty-bound-unreadable = « { $text } » n’est pas une limite d’incertitude : une longueur, un angle, ou les deux, avec leurs unités, sont attendus
+    .hint = par exemple « 0.5 mm, 0.1 deg »
+bound-position = position { $axis } de « { $name } »
+bound-rotation = rotation de « { $name } » autour de { $axis }
+bound-direction = composante { $axis } de la direction de l’axe
+bound-ratio = rapport de l’axe
+bound-axis-direction = direction de l’axe de « { $joint } »
+bound-axis-point = position de l’axe de « { $joint } »
+bound-parameter = { $parameter }
+bound-open-rotation = les lectures ne montrent guère la rotation autour de la direction { $direction }
+bound-open-translation = les lectures ne montrent guère la position le long de { $direction }
+bound-open-combination = les lectures ne montrent guère la combinaison de { $names }
+bound-open-alone = les lectures ne la montrent guère
+bound-remedy = { $case ->
+    [tool] touchez le point avec des orientations qui diffèrent de 30° ou plus autour de deux axes de la bride
+    [poses] ajoutez des poses dont les orientations diffèrent de 30° ou plus autour de deux axes, dans une région plus grande
+    [points] mesurez des points plus éloignés les uns des autres, et de la droite qui passe par les autres
+    [travel] mesurez sur une course plus longue
+    [turn] mesurez une cible plus éloignée de l’axe, sur un arc plus grand
+    [base] mesurez dans une région plus grande, et des points du référentiel atelier plus éloignés, hors d’une même droite
+    [region] étalonnez avec des poses dans la région de ces cibles
+   *[robot] mesurez des poses où les paramètres nommés agissent différemment, ou fixez-les
+} ; ou indiquez une limite plus grande
+
+encoder-implausible = { $count ->
+    [one] un gain ou un zéro d’une articulation rotoïde s’écarte
+   *[other] { $count } gains ou zéros d’articulations rotoïdes s’écartent
+} de la valeur nominale plus que codeurs et prise d’origine ne le permettent : { $parameters }
+    .hint = vérifiez la colonne de l’articulation dans le journal, son rapport de réduction et sa prise d’origine ; si la valeur est réelle, indiquez sa `tolerance` dans robot.toml
+value-beyond-encoder = « { $parameter } » = { FIXED($value, 5) }{ $unit ->
+    [deg] {" "}deg
+   *[other] {""}
+} (nominal { FIXED($nominal, 5) }, écart de { $times } u)
+
+changes-undetected = les poses choisies ne détectent pas { $count ->
+    [one] un changement
+   *[other] { $count } changements
+} dans la limite : { $changes }
+    .hint = choisissez plus de poses (`--positions`), proposez des candidates dans une région plus grande, ou indiquez une limite plus grande
+change-beyond-bound = { $name } : { $change } { $unit }, limite { $bound } { $unit }
