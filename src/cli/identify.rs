@@ -5,7 +5,6 @@ use super::given::Given;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
-use crate::stages::bounds::open_set_up;
 use crate::stages::circumstances::hold_constant;
 use crate::stages::evaluate::Sets;
 use crate::stages::exclusions::{Exclusion, excluded_rows};
@@ -156,8 +155,7 @@ impl IdentifyCommand {
         messages.extend(hold_constant(robot.as_ref(), &sets, &mut settings));
         let mut solved = Solved::new(robot.as_ref(), &sets, &settings, &Systematic::default())?;
         solved.judge(robot.as_ref(), &sets, &settings, messages);
-        let open = open_set_up(robot.as_ref(), &sets.calibration, &settings, &solved.found, self.bound.stated()?);
-        solved.found.warnings.splice(0..0, open.map(Into::into));
+        solved.check_bound(robot.as_ref(), &sets, &settings, self.bound.stated()?);
         let mut document = parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, inputs);
         state_before(&mut document, robot.as_ref(), &sets.calibration, &solved.before);
         Ok(document)

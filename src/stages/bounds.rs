@@ -4,7 +4,7 @@
 use crate::stages::shown;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
-use etalon_base::pose::minus;
+use etalon_base::pose::{minus, unit};
 use etalon_base::{error, phrase};
 use etalon_documents::ParametersDocument;
 use etalon_identify::{Excess, Extent, Identification, Observation, OpenMotion, OpenSetUp, Settings, UncertaintyBound};
@@ -54,8 +54,27 @@ pub(crate) fn open_set_up(
     let components: Vec<Component> = parameters.iter().map(component).collect();
     let of_set_up = excess.involved.iter().all(|k| robot.parameters()[parameters[*k]].role != Role::Robot);
     let case = if of_set_up { "base" } else { "robot" };
-    let message = message(&excess, &components, &extent, open_combination(&excess, &components));
+    let cause = base_rotation(robot, &parameters, &excess).unwrap_or_else(|| open_combination(&excess, &components));
+    let message = message(&excess, &components, &extent, cause);
     Some(message.hint(phrase!("bound-remedy", case)))
+}
+
+/// Rotation of the base in the open combination, by its direction in the world: balls of a world
+/// frame on a line leave it open. `None` if no angle of the base is involved.
+fn base_rotation(robot: &dyn Robot, parameters: &[usize], excess: &Excess) -> Option<Phrase> {
+    let angle = |k: usize| {
+        let p = &robot.parameters()[parameters[k]];
+        p.axis.filter(|_| p.role == Role::Base && p.quantity == Quantity::Angle)
+    };
+    excess.involved.iter().find_map(|k| angle(*k))?;
+    let mut turn = [0.0; 3];
+    for (k, open) in excess.open.iter().enumerate() {
+        if let Some(part) = angle(k).and_then(|axis| turn.get_mut(axis)) {
+            *part += open;
+        }
+    }
+    let direction = unit(turn)?.map(|v| format!("{:.3}", (1e3 * v).round() / 1e3 + 0.0)).join(" ");
+    Some(phrase!("bound-open-rotation", direction))
 }
 
 /// Step of a parameter, in standard uncertainties, in numeric derivatives of a pose.
@@ -100,11 +119,11 @@ pub(crate) fn poses_beyond_bound(
             }
         }
         let excess = bound.frame_exceeded(&all, &extent)?;
-        Some((excess.expanded / excess.bound, name, all))
+        Some((excess.expanded / excess.bound, name.clone(), all))
     };
     let (_, name, covariance) = joints.iter().filter_map(of_pose).max_by(|a, b| a.0.total_cmp(&b.0))?;
     let axes = || ["x", "y", "z"].into_iter();
-    let positions = axes().map(|axis| (phrase!("bound-position", axis, name), Quantity::Length));
+    let positions = axes().map(|axis| (phrase!("bound-position", axis, name = name), Quantity::Length));
     let rotations = axes().map(|axis| (phrase!("bound-rotation", axis, name), Quantity::Angle));
     let components: Vec<Component> = positions.chain(rotations).collect();
     beyond_bound(bound, &extent, &components, covariance.as_flattened(), phrase!("bound-remedy", case = "region"))

@@ -37,7 +37,7 @@ use etalon_documents::{
 use etalon_formats::table;
 use etalon_identify::{
     Effects, Fitted, FrameError, Identification, Observation, RobustFit, Settings, Systematic, ToolPoint,
-    ToolPrediction,
+    ToolPrediction, UncertaintyBound,
 };
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
@@ -145,9 +145,8 @@ pub fn identify(
     messages.extend(placed.message(robot, &sets)?);
     let mut errors = solved.judge(robot, &sets, &settings, messages);
     errors.extend(apart.errors(robot, &solved.before, &solved.found.values, &placed));
+    solved.check_bound(robot, &sets, &settings, campaign.uncertainty_bound()?);
     let Solved { before, mut found } = solved;
-    let open = open_set_up(robot, &sets.calibration, &settings, &found, campaign.uncertainty_bound()?);
-    found.warnings.splice(0..0, open.map(Into::into));
     let all = apart.beside(&sets);
     let set_up = found.of_set_up(robot);
     let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: &all, settings: &settings };
@@ -273,6 +272,12 @@ impl Solved {
             *self = Self::new(robot, sets, settings, systematic)?;
         }
         Ok(messages)
+    }
+
+    /// Adds an error if an uncertainty exceeds its bound.
+    pub fn check_bound(&mut self, robot: &dyn Robot, sets: &Sets, settings: &Settings, bound: UncertaintyBound) {
+        let open = open_set_up(robot, &sets.calibration, settings, &self.found, bound);
+        self.found.warnings.splice(0..0, open.map(Into::into));
     }
 
     /// Returns errors before and after. Warnings that the result is implausible come first, then

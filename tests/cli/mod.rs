@@ -4,6 +4,7 @@ mod actions;
 mod axes;
 mod axis_table;
 mod book;
+mod bounds;
 mod cell;
 mod checklist;
 mod compare;

@@ -1,6 +1,6 @@
 //! Messages about campaign.toml.
 
-use super::{CHECK, Case, hold};
+use super::{CHECK, Case, RUN, hold};
 
 const C: &str = "campaign.toml";
 const CMM: &str = "prexyt-cmm";
@@ -100,6 +100,12 @@ const JOINED: &[Case] = &[
         CMM,
         &[(C, "by = [\"pose\", \"cycle\"]", "by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0")],
         CHECK,
+    ),
+    (
+        "encoder-implausible count=1",
+        "draw-wire",
+        &[("robot.toml", "a_mm = 70, theta_deg = 0", "a_mm = 70, theta_deg = 1.6")],
+        RUN,
     ),
     ("gravity-without-direction", "column-arm", &[("robot.toml", "bending", "gravity = [0, 0, 0]\nbending")], CHECK),
     (

@@ -123,6 +123,12 @@ const CASES: &[Case] = &[
         )],
         "verify @/t.csv --robot @/robot.toml --parameters @/out/parameters.json",
     ),
+    (
+        "changes-undetected",
+        "column-arm+out",
+        &[],
+        "verify --candidates @/out/observations.csv --positions 3 --uncertainty-bound 1um --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
     ("prior-of-conditions", ARM, &[], "validate @ --parameters @/out/parameters.json --frames prior"),
     ("hash-of-other-format", ARM, &[], "export @/out/parameters.json --format json --controller-hash calib_1"),
     (
