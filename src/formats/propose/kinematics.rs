@@ -502,3 +502,81 @@ fn origin(robot: &dyn Robot, sample: &Sample, residual: &Residual) -> Origin {
         _ => Origin::Measured,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_base::noise::Noise;
+    use etalon_robots::{Serial, SerialJoint};
+
+    fn arm() -> Serial {
+        let joint = |(alpha, a_mm, theta, d_mm): (f64, f64, f64, f64)| SerialJoint {
+            alpha_rad: alpha.to_radians(),
+            a_mm,
+            theta_rad: theta.to_radians(),
+            d_mm,
+            prismatic: false,
+            parallel: false,
+        };
+        let rows = [
+            (0.0, 0.0, 0.0, 290.0),
+            (-90.0, 0.0, -90.0, 0.0),
+            (0.0, 270.0, 0.0, 0.0),
+            (-90.0, 70.0, 0.0, 302.0),
+            (90.0, 0.0, 0.0, 0.0),
+            (-90.0, 0.0, 180.0, 72.0),
+        ];
+        Serial::of_axis_table(true, &rows.map(joint), &["T".to_owned()])
+    }
+
+    /// Rows of drawn joints (deg), and points of a target in a turned world, multiplied by `scale`
+    /// and rounded to `step_mm`.
+    fn sample(arm: &Serial, rows: usize, scale: f64, step_mm: f64) -> Sample {
+        let mut noise = Noise::new(17, rows as u64);
+        let world = Pose { translation_mm: [900.0, -300.0, 150.0], ..Pose::from_rotation_vector([0.1, -0.3, 1.2]) };
+        let (mut joints, mut points) = (vec![Vec::new(); 6], [Vec::new(), Vec::new(), Vec::new()]);
+        for _ in 0..rows {
+            let deg = [0; 6].map(|_| noise.uniform(60.0));
+            let q = deg.map(f64::to_radians);
+            let flange = arm.free_base().expect("an arm").flange(&arm.nominal(), &q, 0);
+            let at = world.apply(flange.apply([30.0, -20.0, 85.0]));
+            joints.iter_mut().zip(deg).for_each(|(column, v)| column.push(v));
+            points.iter_mut().zip(at).for_each(|(column, v)| column.push((scale * v / step_mm).round() * step_mm));
+        }
+        Sample { joints, stated: vec![Some("deg"); 6], points, targets: vec![0; rows] }
+    }
+
+    fn reading(outcome: Outcome) -> Reading {
+        match outcome {
+            Outcome::Reproduced(reading) | Outcome::Ambiguous(reading, _) => reading,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// An affine world takes up a scale; base and target do not.
+    #[test]
+    fn the_residual_is_that_of_base_and_target_alone() {
+        let arm = arm();
+        let scaled = sample(&arm, 40, 1.0005, 1e-6);
+        let plain = Hypothesis { order: (0..6).collect(), reversed: vec![false; 6], units: vec!["deg"; 6] };
+        assert!(affine(&arm, &scaled, &plain).expect("a world").rms_mm < 1e-5);
+        let found = reading(test(&arm, &scaled, false));
+        let by_scale_mm = 0.0005 * scaled.spread().1;
+        assert!((0.5..1.0).contains(&(found.rms_mm / by_scale_mm)), "{} of {by_scale_mm}", found.rms_mm);
+        assert_eq!(found.origin, Origin::Measured);
+        // computed points are reproduced to their rounding
+        assert!(reading(test(&arm, &sample(&arm, 40, 1.0, 1e-6), false)).rms_mm < 1e-5);
+    }
+
+    /// Few measured points, rounded to 0.1 mm, are not commanded ones because many unknowns fit them.
+    #[test]
+    fn few_measured_points_are_not_taken_for_commanded_ones() {
+        let arm = arm();
+        for rows in [15, 18, 24] {
+            let measured = reading(test(&arm, &sample(&arm, rows, 1.0006, 0.1), false));
+            assert_ne!(measured.origin, Origin::Commanded, "{rows}: {}", measured.rms_mm);
+            let computed = reading(test(&arm, &sample(&arm, rows, 1.0, 0.1), false));
+            assert_eq!(computed.origin, Origin::Commanded, "{rows}: {}", computed.rms_mm);
+        }
+    }
+}
