@@ -403,6 +403,7 @@ impl RobotFile {
             let mut values = robot.nominal();
             self.nominal(robot.as_ref(), model.states_geometry, &mut values)?;
             robot.definition_mut().set_nominal(&values);
+            robot.settle();
             self.tolerances(robot.definition_mut())?;
             Ok(robot)
         });

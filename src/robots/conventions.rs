@@ -559,7 +559,7 @@ impl Serial {
 
     /// Arm described by screw axes, with `targets` on its flange; `home` is the pose of the flange
     /// in the base frame at joint values zero. Each axis has small errors in the base frame: two
-    /// rotations and, for a revolute joint, two translations.
+    /// rotations and, for a revolute joint, two translations, at the point that describes the axis.
     fn of_screws(screws: &[AxisLine], home: &Pose, targets: &[String], effects: &Effects) -> Self {
         let mut arm = ArmBuilder::new(targets);
         arm.elastic(effects);
@@ -774,6 +774,90 @@ mod tests {
         // the base bends about its own axes, the joint about those that turn with the arm
         assert!((across("pedestal_x") + 800.0 * 0.0980665e-3).abs() < 1e-6 && across("pedestal_y").abs() < 1e-9);
         assert!((across("lateral_1_y") + 800.0 * 0.0980665e-3).abs() < 1e-6 && across("lateral_1_x").abs() < 1e-9);
+    }
+
+    /// Drawn axes: the first is z of the base, and the last z of the flange.
+    fn drawn_axes(noise: &mut Noise) -> (Vec<AxisLine>, Pose) {
+        let (mut pose, mut axes) = (Pose::identity(), Vec::new());
+        for twist in [0.0, 1.57, noise.uniform(1e-3), 0.0, -1.2, 1.57] {
+            if !axes.is_empty() {
+                let a_mm = if twist == -1.2 { 0.0 } else { 250.0 + noise.uniform(200.0) };
+                pose = pose.turn_x(twist).shift(0, a_mm);
+            }
+            let (direction, point_mm) = (pose.axis(2), pose.translation_mm);
+            axes.push(AxisLine { direction, point_mm, prismatic: false });
+            pose = pose.turn_z(noise.uniform(3.0)).shift(2, 150.0 + noise.uniform(150.0));
+        }
+        (axes, pose)
+    }
+
+    /// Effects are functions of the lines of the axes: the same whichever point describes a line,
+    /// and in every convention.
+    #[test]
+    fn effects_depend_on_the_lines_of_the_axes_alone() {
+        let targets = ["T".to_owned()];
+        for seed in 0..100 {
+            let mut noise = Noise::new(59, seed);
+            let (axes, home) = drawn_axes(&mut noise);
+            let centre = |noise: &mut Noise| [0; 3].map(|_| noise.uniform(300.0));
+            let centres: Vec<Vector> = (0..6).map(|_| centre(&mut noise)).collect();
+            let with = |bodies: &dyn Fn(usize) -> Vector| Effects {
+                bending: vec![0, 1, 2, 4],
+                bodies: (0..6).map(|k| Body { mass_kg: 3.0, center_mm: bodies(k) }).collect(),
+                gravity: [0.1, -0.2, -0.97],
+                ..all_effects()
+            };
+            let in_base = with(&|k| centres[k]);
+            let moved = |axis: &AxisLine, by: f64| AxisLine {
+                point_mm: [0, 1, 2].map(|i| axis.point_mm[i] + by * axis.direction[i]),
+                ..*axis
+            };
+            let elsewhere: Vec<AxisLine> = axes.iter().map(|axis| moved(axis, noise.uniform(1500.0))).collect();
+            let mut all = vec![(Pose::identity(), Serial::of_screws(&axes, &home, &targets, &in_base))];
+            all.push((Pose::identity(), Serial::of_screws(&elsewhere, &home, &targets, &in_base)));
+            let tables = [
+                (TableConvention::Modified, crate::modified_table(&elsewhere, &home)),
+                (TableConvention::Standard, crate::standard_table(&elsewhere, &home)),
+            ];
+            for (convention, table) in tables {
+                assert_eq!(table.base, Pose::identity());
+                let built = |effects: &Effects| {
+                    let mut arm = Serial::of_table(convention, &table.joints, &targets, effects);
+                    let mut nominal = arm.nominal();
+                    for tilt in &table.tilts {
+                        nominal[arm.index(&format!("beta_{}", tilt.row + 1)).unwrap()] = tilt.angle_rad;
+                    }
+                    arm.definition_mut().set_nominal(&nominal);
+                    arm.settle();
+                    arm
+                };
+                let rigid = built(&Effects::default());
+                let frames = rigid.joint_chain(&rigid.nominal()).unwrap().frames(&[0.0; 6]);
+                all.push((table.flange, built(&with(&|k| frames[k].inverse().apply(centres[k])))));
+            }
+            let q = state(&all[0].1, &mut noise);
+            let place = |(flange, robot): &(Pose, Serial)| {
+                let mut values = robot.nominal();
+                for (p, value) in robot.parameters().iter().zip(&mut values) {
+                    if !p.effect.is_rigid() {
+                        // by the name, in whatever order
+                        *value += 1e-4 * p.name.bytes().map(f64::from).sum::<f64>() / 100.0;
+                    }
+                }
+                let first = robot.index("T_x").unwrap();
+                values[first..first + 3].copy_from_slice(&flange.apply([40.0, -30.0, 90.0]));
+                let mut q = q.clone();
+                let load = robot.payload.unwrap();
+                let at = flange.apply([q[load + 1], q[load + 2], q[load + 3]]);
+                q[load + 1..load + 4].copy_from_slice(&at);
+                positions(robot, &values, &q)
+            };
+            let expected = place(&all[0]);
+            for (k, other) in all.iter().enumerate().skip(1) {
+                let off = place(other).iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-8, "{seed}, {k}: {off}");
+            }
+        }
     }
 
     /// Hayati's angle by default: lines within 3 degrees of each other, in either direction,

@@ -33,7 +33,9 @@ pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
 pub use prexyt::Prexyt;
 pub use reference::{ReferencePose, reference_pose, reference_poses};
 pub use serial::Serial;
-pub use tables::{AxisLine, AxisTable, LostTilt, NEAR_PARALLEL_RAD, frame, modified_table, standard_table};
+pub use tables::{
+    AxisLine, AxisTable, LostTilt, NEAR_PARALLEL_RAD, frame, link_frames, modified_table, standard_table,
+};
 pub use urdf::{Link, Mimic, Tree, TreeChain, TreeJoint};
 
 use etalon_base::catalogue::Phrase;
@@ -231,6 +233,10 @@ pub trait Robot: Send + Sync {
     fn kinematics(&self) -> Option<&dyn Kinematics> {
         None
     }
+
+    /// Places what the nominal geometry determines, such as the frames at which links tilt; to be
+    /// called when the nominal values of a robot file have replaced those of the model.
+    fn settle(&mut self) {}
 
     /// Joints in sequence, for robots that are a single chain.
     fn joint_chain(&self, _parameters: &[f64]) -> Option<JointChain> {

@@ -6,7 +6,7 @@
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, TURNED_MM, Term};
 use super::inverse::Search;
-use super::tables::error_axes;
+use super::tables::{AxisLine, error_axes, link_frames};
 use super::{
     AXES, ChainJoint, Circumstance, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
     OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning,
@@ -81,6 +81,9 @@ struct Axis {
     frame: usize,
     /// Transformation from the frame of the joint to the frame behind it.
     aligned: Pose,
+    /// Frame of the link ([`link_frames`]) in the frame behind the joint: levers start at its
+    /// origin, and tilts are about its axes.
+    link: Pose,
     body: Body,
     /// Index of the gain.
     gain: Option<usize>,
@@ -89,22 +92,26 @@ struct Axis {
 /// Source of the bending moment at a joint.
 #[derive(Clone, Copy, Debug)]
 enum Load {
-    /// Weight of a link about an axis, as a fraction of its maximum: 1 if the link is level. Axes
-    /// are given by index.
+    /// Weight of a link about an axis, as a fraction of its maximum: 1 if the link is level. The
+    /// link is the line from the origin of its frame to the origin of the next one. Axes are given
+    /// by index.
     Link { axis: usize, link: usize },
     /// Moment of all masses beyond an axis about a direction of the frame that the axis moves, as a
     /// fraction of its maximum: 1 if the arm is stretched out level.
     Moment { axis: usize, about: Vector, largest_kg_mm: f64 },
     /// Moment of the payload of a reading about an axis, in multiples of 100 N·m.
     Payload { axis: usize },
-    /// Moment of masses beyond an axis and of the payload about direction 0, 1 or 2 of the frame
-    /// that the axis moves, in multiples of 100 N·m; without an axis, that of all masses about a
-    /// direction of the base.
+    /// Moment of masses beyond an axis and of the payload about direction 0, 1 or 2 of the frame of
+    /// the link that the axis moves, in multiples of 100 N·m; without an axis, that of all masses
+    /// about a direction of the base.
     Across { axis: Option<usize>, about: usize },
 }
 
 /// Standard gravity (3rd CGPM 1901), in multiples of 100 N·m for a mass of 1 kg on a lever of 1 mm.
 const PAYLOAD: f64 = 9.806_65e-5;
+
+/// Length (mm) of a link below which it has no direction.
+const SHORTEST_MM: f64 = 1e-6;
 
 /// Torque in multiples of 100 N·m, per N·m.
 const PER_TORQUE: f64 = 0.01;
@@ -156,8 +163,6 @@ pub(super) struct SmallError {
     pub motion: Motion,
     /// Parameter; `None` if another axis has the same error.
     pub parameter: Option<usize>,
-    /// Index of the element.
-    pub element: usize,
 }
 
 /// Parameter of an effect at a joint, with nominal value zero.
@@ -207,8 +212,14 @@ pub(super) struct ArmBuilder {
     expansion: Option<Term>,
     /// Axes that tilt, by their indices.
     tilting: Vec<usize>,
-    /// First of the two elements by which each of these axes tilts.
+    /// First of the two elements by which each of these axes tilts. The elements before and behind
+    /// the two lead to the frame of the link and back.
     tilts: Vec<(usize, usize)>,
+    /// Sliding axes that tilt under masses, by their indices.
+    sagging: Vec<usize>,
+    /// First of the two elements by which each of these axes tilts, between elements that lead to
+    /// the frame of the link and back.
+    sags: Vec<(usize, usize)>,
     /// First of the three elements by which the base tilts.
     pedestal: Option<usize>,
     /// Number of parameters that other branches of the robot have already added.
@@ -231,6 +242,8 @@ impl ArmBuilder {
             expansion: None,
             tilting: Vec::new(),
             tilts: Vec::new(),
+            sagging: Vec::new(),
+            sags: Vec::new(),
             pedestal: None,
             shared: 0,
         };
@@ -275,13 +288,53 @@ impl ArmBuilder {
         }
     }
 
-    /// Adds the tilts of the last axis at the current frame, whose z axis is that of the joint.
+    /// Prepares the tilts of sliding axes under masses; to be called before the first axis is
+    /// added.
+    pub fn sag(&mut self, axes: &[usize]) {
+        self.sagging = axes.to_vec();
+    }
+
+    /// Adds the tilts of the last axis at the frame of its link; the current frame is the frame
+    /// behind the axis.
     pub fn tilt(&mut self) {
         let axis = self.axes.len() - 1;
         if self.tilting.contains(&axis) {
-            self.tilts.push((axis, self.elements.len()));
-            (0..2).for_each(|k| self.push(Motion::Turn(k), 0.0, &[]));
+            let first = self.turns_at_link([0, 1]);
+            self.tilts.push((axis, first));
         }
+    }
+
+    /// Adds rotations about two axes at the frame of a link, which [`Self::settle_links`] places
+    /// when all axes are known, and returns the element of the first rotation.
+    fn turns_at_link(&mut self, about: [usize; 2]) -> usize {
+        self.push(Motion::Fixed(Pose::identity()), 0.0, &[]);
+        about.into_iter().for_each(|k| self.push(Motion::Turn(k), 0.0, &[]));
+        self.push(Motion::Fixed(Pose::identity()), 0.0, &[]);
+        self.elements.len() - 3
+    }
+
+    /// [`nominal_axes`] of the axes so far.
+    fn nominal_axes(&self) -> (Vec<AxisLine>, Vec<Pose>, Pose) {
+        nominal_axes(&self.elements, self.based, &self.axes, &self.parameters)
+    }
+
+    /// Origins of the link frames in the base frame at joint values zero.
+    pub fn link_origins(&self) -> Vec<Vector> {
+        let (axes, _, flange) = self.nominal_axes();
+        link_frames(&axes, &flange).iter().map(|frame| frame.translation_mm).collect()
+    }
+
+    /// Places the frames of the links, and the tilts at them; to be called when all axes are known.
+    fn settle_links(&mut self) {
+        let (lines, frames, flange) = self.nominal_axes();
+        let springs = self.springs();
+        settle(&mut self.elements, &mut self.axes, &springs, &links_behind(&lines, &frames, &flange));
+    }
+
+    /// All rotations at frames of links.
+    fn springs(&self) -> Vec<Spring> {
+        let spring = |at_axes| move |&(axis, first): &(usize, usize)| Spring { axis, first, at_axes };
+        self.tilts.iter().map(spring(true)).chain(self.sags.iter().map(spring(false))).collect()
     }
 
     /// Adds the parameters of the tilts: angles under 100 N·m about the same direction. The moment
@@ -359,6 +412,7 @@ impl ArmBuilder {
             at,
             frame: element + 1,
             aligned: Pose::identity(),
+            link: Pose::identity(),
             body: Body::default(),
             gain: None,
         });
@@ -390,8 +444,9 @@ impl ArmBuilder {
         self.axes[axis..].iter().any(|axis| axis.body.mass_kg > 0.0)
     }
 
-    /// Adds a gain for each axis.
-    pub fn gains(&mut self) {
+    /// Completes the axes: places the frames of the links and adds a gain for each axis.
+    pub fn complete_axes(&mut self) {
+        self.settle_links();
         for k in 0..self.axes.len() {
             let Drive { ref label, joint, factor, offset, mimics, .. } = self.axes[k].drive;
             let gain = Parameter::new(format!("gain_{label}"), Quantity::Ratio, Role::Robot, 1.0);
@@ -540,28 +595,33 @@ impl ArmBuilder {
     }
 
     /// Adds bending of an axis under all masses beyond it, as the angle at their largest moment:
-    /// about a revolute axis itself, or about the axes of the small rotations of a sliding axis.
-    pub fn bending_by_masses(&mut self, axis: usize, errors: &[SmallError]) {
+    /// about a revolute axis itself, or about the axes of the small rotations of a sliding axis,
+    /// through the origin of its link. The moment is largest where the links up to a mass are
+    /// stretched out level.
+    pub fn bending_by_masses(&mut self, axis: usize) {
         let Drive { ref label, prismatic, .. } = self.axes[axis].drive;
         let label = label.clone();
-        let length = |e: &Element| if let Motion::Fixed(place) = e.motion { norm(place.translation_mm) } else { 0.0 };
-        let stretched = |k: usize| -> f64 {
-            let between = &self.elements[self.axes[axis].element..self.axes[k].element];
-            between.iter().map(length).sum::<f64>() + norm(self.axes[k].body.center_mm)
-        };
-        let largest_kg_mm = (axis..self.axes.len()).map(|k| self.axes[k].body.mass_kg * stretched(k)).sum();
+        let (_, frames, _) = self.nominal_axes();
+        let (origins, levers) = (self.link_origins(), self.axes[axis..].iter().zip(&frames[axis..]));
+        let (mut stretched, mut largest_kg_mm) = (0.0, 0.0);
+        for (k, (Axis { aligned, body, .. }, frame)) in (axis..).zip(levers) {
+            let centre = frame.apply(aligned.inverse().rotate(body.center_mm));
+            largest_kg_mm += body.mass_kg * (stretched + norm(minus(centre, origins[k])));
+            stretched += origins.get(k + 1).map_or(0.0, |next| norm(minus(*next, origins[k])));
+        }
         if !prismatic {
             let about = self.axes[axis].aligned.axis(2);
             let load = Load::Moment { axis, about, largest_kg_mm };
             let term = self.load(compliance_name(&label, None), load, axis, None);
             return self.moved[axis].push(term);
         }
-        for error in errors {
-            let Motion::Turn(k) = error.motion else { continue };
+        let sags: Vec<usize> = self.sags.iter().filter(|sag| sag.0 == axis).map(|sag| sag.1).collect();
+        for element in sags.into_iter().flat_map(|first| [first, first + 1]) {
+            let Motion::Turn(k) = self.elements[element].motion else { continue };
             let name = compliance_name(&label, Some(&format!("r{}", AXES[k])));
             let load = Load::Moment { axis, about: Pose::identity().axis(k), largest_kg_mm };
             let term = self.load(name, load, axis, None);
-            self.elements[error.element].terms.push(term);
+            self.elements[element].terms.push(term);
         }
     }
 
@@ -601,10 +661,14 @@ impl ArmBuilder {
                 let parameter = (!follows).then(|| self.add(error.meaning(if turn { TILT } else { ASIDE })));
                 let motion = if turn { Motion::Turn(k) } else { Motion::Shift(k) };
                 self.push(motion, 0.0, parameter.as_slice());
-                errors.push(SmallError { motion, parameter, element: self.elements.len() - 1 });
+                errors.push(SmallError { motion, parameter });
             }
         }
         let aligned = z_to(direction);
+        if drive.prismatic && self.sagging.contains(&self.axes.len()) {
+            let first = self.turns_at_link(error_axes(direction));
+            self.sags.push((self.axes.len(), first));
+        }
         self.place(aligned);
         self.push(if drive.prismatic { Motion::Shift(2) } else { Motion::Turn(2) }, 0.0, &[]);
         self.drive(drive, false);
@@ -619,7 +683,7 @@ impl ArmBuilder {
     /// Adds gains, harmonics, backlash, bending and coupling, and builds the robot with joints
     /// named q1, q2, ...
     pub fn finish(mut self, prismatic: impl Iterator<Item = bool>, effects: &Effects) -> Serial {
-        self.gains();
+        self.complete_axes();
         self.harmonics(&effects.harmonics);
         self.backlash(&effects.backlash, self.axes.len());
         self.payload(&effects.payload);
@@ -653,7 +717,9 @@ impl ArmBuilder {
             }
         }
         let mass = self.circumstances.iter().position(|value| *value == Circumstance::PayloadMass);
+        let springs = self.springs();
         Serial {
+            springs,
             limits: vec![None; joints.len()],
             definition: Definition { model, dimension: 3, parameters: self.parameters, joints, targets: self.targets },
             elements: self.elements,
@@ -669,6 +735,82 @@ impl ArmBuilder {
             other: None,
         }
     }
+}
+
+/// Two rotations at the frame of the link of an axis, between elements that lead there and back.
+#[derive(Clone, Copy, Debug)]
+struct Spring {
+    axis: usize,
+    /// Element of the first rotation.
+    first: usize,
+    /// `true` if the rotations are about the axes of the link frame, `false` if they are about the
+    /// axes of the frame of the joint, through the origin of the link frame.
+    at_axes: bool,
+}
+
+impl Spring {
+    /// Frame of the rotations in the current frame before them.
+    fn place(&self, axis: &Axis) -> Pose {
+        match self.at_axes {
+            true => axis.link,
+            false => Pose { translation_mm: axis.aligned.rotate(axis.link.translation_mm), ..Pose::identity() },
+        }
+    }
+}
+
+/// Axes in the base frame at joint values zero, frames behind them, and the flange, at nominal
+/// parameters.
+fn nominal_axes(
+    elements: &[Element],
+    based: usize,
+    axes: &[Axis],
+    parameters: &[Parameter],
+) -> (Vec<AxisLine>, Vec<Pose>, Pose) {
+    let nominal: Vec<f64> = parameters.iter().map(|p| p.nominal).collect();
+    let zero = vec![0.0; axes.iter().map(|axis| axis.drive.joint + 1).max().unwrap_or(0)];
+    let (frames, flange) = frames(elements, based, axes, &nominal, State { joints: &zero, loads: &[] });
+    let line = |(axis, frame): (&Axis, &Pose)| AxisLine {
+        direction: frame.axis(2),
+        point_mm: frame.translation_mm,
+        prismatic: axis.drive.prismatic,
+    };
+    (axes.iter().zip(&frames).map(line).collect(), frames, flange)
+}
+
+/// Frames of the links in the frames behind the axes.
+fn links_behind(lines: &[AxisLine], frames: &[Pose], flange: &Pose) -> Vec<Pose> {
+    frames.iter().zip(link_frames(lines, flange)).map(|(behind, link)| behind.inverse().then(&link)).collect()
+}
+
+/// Places the frames of the links and the rotations at them.
+fn settle(elements: &mut [Element], axes: &mut [Axis], springs: &[Spring], links: &[Pose]) {
+    let before: Vec<Pose> = springs.iter().map(|spring| spring.place(&axes[spring.axis])).collect();
+    axes.iter_mut().zip(links).for_each(|(axis, link)| axis.link = *link);
+    for (spring, before) in springs.iter().zip(before) {
+        let place = spring.place(&axes[spring.axis]);
+        elements[spring.first - 1].motion = Motion::Fixed(place);
+        if let Motion::Fixed(back) = &mut elements[spring.first + 2].motion {
+            *back = place.inverse().then(&before.then(back));
+        }
+    }
+}
+
+/// Frames after all axes, and the flange, in the base frame under these loads.
+fn frames<T: Scalar>(
+    elements: &[Element],
+    based: usize,
+    axes: &[Axis],
+    parameters: &[T],
+    state: State<T>,
+) -> (Vec<Pose<T>>, Pose<T>) {
+    let (mut frames, mut pose) = (Vec::with_capacity(axes.len()), Pose::identity());
+    for (i, element) in elements.iter().enumerate().skip(based) {
+        pose = element.advance(pose, parameters, state);
+        if axes.get(frames.len()).is_some_and(|axis| axis.frame == i + 1) {
+            frames.push(pose);
+        }
+    }
+    (frames, pose)
 }
 
 /// Rotation that brings z to a direction; exact for coordinate axes.
@@ -767,12 +909,14 @@ pub struct Serial {
     elements: Vec<Element>,
     axes: Vec<Axis>,
     loads: Vec<Load>,
+    /// Rotations at frames of links.
+    springs: Vec<Spring>,
     /// Number of elements of the base.
     based: usize,
     /// Joints whose direction of approach follows the joint values.
     approached: Vec<usize>,
     /// Position of the payload behind the joint values.
-    payload: Option<usize>,
+    pub(super) payload: Option<usize>,
     /// Values that each reading states; they follow the directions of approach.
     circumstances: Vec<Circumstance>,
     gravity: Vector,
@@ -814,14 +958,7 @@ impl Serial {
 
     /// Frames after all axes, and the flange, in the base frame under these loads.
     fn frames<T: Scalar>(&self, parameters: &[T], state: State<T>) -> (Vec<Pose<T>>, Pose<T>) {
-        let (mut frames, mut pose) = (Vec::with_capacity(self.axes.len()), Pose::identity());
-        for (i, element) in self.elements.iter().enumerate().skip(self.based) {
-            pose = element.advance(pose, parameters, state);
-            if self.axes.get(frames.len()).is_some_and(|axis| axis.frame == i + 1) {
-                frames.push(pose);
-            }
-        }
-        (frames, pose)
+        frames(&self.elements, self.based, &self.axes, parameters, state)
     }
 
     /// Loads at joint values, on nominal geometry.
@@ -840,17 +977,19 @@ impl Serial {
         let gravity = self.gravity.map(T::from);
         let stated = |k: usize| self.payload.and_then(|at| joints.get(at + k).copied()).unwrap_or(T::from(0.0));
         let [mass_kg, x, y, z] = [0, 1, 2, 3].map(stated);
+        let origin = |k: usize| frames[k].apply(self.axes[k].link.translation_mm.map(T::from));
         let size = |load: &Load| match *load {
             Load::Link { axis, link } => {
-                let next = frames.get(link + 1).unwrap_or(&frames[link]);
-                let along = minus(next.translation_mm, frames[link].translation_mm);
+                let next = if link + 1 < frames.len() { link + 1 } else { link };
+                let along = minus(origin(next), origin(link));
                 let length = dot(along, along).sqrt();
-                let along = if length.value() == 0.0 { along } else { along.map(|v| v / length) };
+                let along =
+                    if length.value() < SHORTEST_MM { along.map(|v| v * 0.0) } else { along.map(|v| v / length) };
                 dot(frames[axis].axis(2), cross(along, gravity))
             }
             Load::Moment { axis, about, largest_kg_mm } => {
                 let in_joint = |k: usize, v: Vector| self.axes[k].aligned.inverse().rotate(v).map(T::from);
-                let (pivot, about) = (frames[axis].translation_mm, frames[axis].rotate(in_joint(axis, about)));
+                let (pivot, about) = (origin(axis), frames[axis].rotate(in_joint(axis, about)));
                 let beyond = frames.iter().zip(&self.axes).enumerate().skip(axis);
                 let moment = |(k, (frame, a)): (usize, (&Pose<T>, &Axis))| {
                     let lever = minus(frame.apply(in_joint(k, a.body.center_mm)), pivot);
@@ -863,7 +1002,8 @@ impl Serial {
                 dot(frames[axis].axis(2), cross(lever, gravity)) * mass_kg * PAYLOAD
             }
             Load::Across { axis, about } => {
-                let frame = axis.map_or_else(Pose::identity, |axis| frames[axis]);
+                let in_link = |axis: usize| frames[axis].then(&self.axes[axis].link.constant());
+                let frame = axis.map_or_else(Pose::identity, in_link);
                 let of = |point: Vector<T>, mass_kg: T| {
                     dot(frame.axis(about), cross(minus(point, frame.translation_mm), gravity)) * mass_kg * PAYLOAD
                 };
@@ -1113,6 +1253,10 @@ impl Robot for Serial {
     }
     fn joints_of_base(&self) -> &[String] {
         &self.of_base
+    }
+    fn settle(&mut self) {
+        let (lines, frames, flange) = nominal_axes(&self.elements, self.based, &self.axes, self.parameters());
+        settle(&mut self.elements, &mut self.axes, &self.springs, &links_behind(&lines, &frames, &flange));
     }
     fn approached(&self) -> &[usize] {
         &self.approached

@@ -14,6 +14,9 @@ pub const NEAR_PARALLEL_RAD: f64 = 0.052;
 /// Distance (mm) below which two axes meet, and parallel axes coincide.
 const MEET_MM: f64 = 1e-6;
 
+/// Angle (rad) of a link below which it is zero up to rounding.
+const STRAIGHT_RAD: f64 = 1e-11;
+
 /// Sine of the angle below which two axes are exactly parallel.
 const EXACTLY: f64 = 1e-9;
 
@@ -89,6 +92,38 @@ impl JointChain {
         (axes, pose.then(&self.flange))
     }
 
+    /// Pose of the flange in the base frame at logged joint values (mm or rad).
+    pub fn flange_at(&self, joints: &[f64]) -> Pose {
+        self.frames(joints).last().copied().unwrap_or(Pose::identity()).then(&self.flange)
+    }
+
+    /// The same chain with the frame of each joint near the arm: a frame farther along its axis
+    /// than the arm reaches is moved to the foot of the perpendicular from the previous axis. The
+    /// reach is the length of these perpendiculars from the base to the flange.
+    pub fn near_arm(&self) -> Self {
+        let (axes, flange) = self.axes();
+        let (mut feet, mut reached, mut reach_mm) = (Vec::new(), Vector::default(), 0.0);
+        for axis in &axes {
+            let foot = axis.foot(reached);
+            reach_mm += norm(minus(foot, reached));
+            (reached, feet) = (foot, [feet, vec![foot]].concat());
+        }
+        reach_mm += norm(minus(flange.translation_mm, reached));
+        let moved_mm = |(axis, foot): (&AxisLine, &Vector)| {
+            let along = dot(minus(*foot, axis.point_mm), axis.direction);
+            if along.abs() > reach_mm { along } else { 0.0 }
+        };
+        let moved: Vec<f64> = axes.iter().zip(&feet).map(moved_mm).collect();
+        let mut back = Pose::identity();
+        let joint = |(joint, moved): (&super::ChainJoint, &f64)| {
+            let origin = back.then(&joint.origin).shift(2, *moved);
+            back = Pose::identity().shift(2, -moved);
+            super::ChainJoint { origin, ..*joint }
+        };
+        let joints = self.joints.iter().zip(&moved).map(joint).collect();
+        Self { joints, flange: back.then(&self.flange) }
+    }
+
     /// Frames of the joints in the base frame, moved to logged joint values (mm or rad).
     pub fn frames(&self, joints: &[f64]) -> Vec<Pose> {
         let mut pose = Pose::identity();
@@ -111,12 +146,12 @@ pub struct AxisTable {
     pub base: Pose,
     /// Flange in the frame after the last row: identity if the table represents the flange.
     pub flange: Pose,
-    /// Angles between near-parallel axes that no parameter represents.
+    /// Angles between near-parallel axes that the rows do not represent, only Hayati's beta.
     pub tilts: Vec<LostTilt>,
 }
 
-/// Angle between two near-parallel axes about the direction without a parameter in the table
-/// (Hayati's beta).
+/// Angle between two near-parallel axes about the direction that the rows do not represent: the
+/// value of Hayati's beta with which the table is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LostTilt {
     /// Index of the row with the link between the axes.
@@ -135,6 +170,36 @@ struct Link {
     a_mm: f64,
     parallel: bool,
     tilt_rad: f64,
+}
+
+impl Link {
+    /// Motion from the start of the link to its end, with or without the angle that only Hayati's
+    /// beta represents.
+    fn motion(&self, tilt_rad: f64) -> Pose {
+        Pose::identity().turn_x(self.alpha_rad).shift(0, self.a_mm).turn_y(tilt_rad)
+    }
+
+    /// Frame at the start of the link; `z` is the direction of the first line.
+    fn start(&self, z: Vector) -> Pose {
+        frame(self.x, z, self.feet[0])
+    }
+
+    /// Direction of x at the end of the link.
+    fn end_x(&self, z: Vector) -> Vector {
+        if self.tilt_rad == 0.0 { self.x } else { self.start(z).then(&self.motion(self.tilt_rad)).axis(0) }
+    }
+
+    /// The same link with the sign of its normal for which the frame is turned least from `wish`:
+    /// free for lines that meet, otherwise only if the other sign represents `wish` exactly.
+    fn facing(self, wish: Vector) -> Self {
+        let along = dot(self.x, wish);
+        let turned = if self.a_mm == 0.0 { along < -EXACTLY } else { along < EXACTLY - 1.0 };
+        if !turned {
+            return self;
+        }
+        let [alpha_rad, a_mm, tilt_rad] = [self.alpha_rad, self.a_mm, self.tilt_rad].map(|v| 0.0 - v);
+        Self { x: self.x.map(|v| -v), alpha_rad, a_mm, tilt_rad, ..self }
+    }
 }
 
 fn plus(point: Vector, direction: Vector, length: f64) -> Vector {
@@ -159,19 +224,31 @@ fn nearest_across(wish: Vector, axis: Vector) -> Vector {
     candidates.into_iter().find(far).and_then(|v| unit(across(v, axis))).unwrap_or([1.0, 0.0, 0.0])
 }
 
+/// `true` if the common normal of two lines is too uncertain to place frames by.
+fn is_near_parallel(from: &AxisLine, to: &AxisLine) -> bool {
+    norm(cross(from.direction, to.direction)) < NEAR_PARALLEL_RAD.sin()
+}
+
+/// Ends of the common normal of two lines that are not parallel.
+fn common_feet(from: &AxisLine, to: &AxisLine) -> [Vector; 2] {
+    let (z, next) = (from.direction, to.direction);
+    let normal = cross(z, next);
+    let between = minus(to.point_mm, from.point_mm);
+    let scale = 1.0 / dot(normal, normal);
+    let along = [dot(cross(between, next), normal) * scale, dot(cross(between, z), normal) * scale];
+    [plus(from.point_mm, z, along[0]), plus(to.point_mm, next, along[1])]
+}
+
 /// Common normal of two lines. `reached` is the point on the first line at which the previous link
 /// ended, `before` the previous normal; both decide cases that the data leave undetermined.
 fn link(from: &AxisLine, to: &AxisLine, reached: Vector, before: Vector) -> Link {
     let (z, next) = (from.direction, to.direction);
-    let normal = cross(z, next);
-    let sine = norm(normal);
-    if sine < NEAR_PARALLEL_RAD.sin() {
+    if is_near_parallel(from, to) {
         return parallel(from, to, reached, before);
     }
-    let between = minus(to.point_mm, from.point_mm);
-    let scale = 1.0 / (sine * sine);
-    let along = [dot(cross(between, next), normal) * scale, dot(cross(between, z), normal) * scale];
-    let feet = [plus(from.point_mm, z, along[0]), plus(to.point_mm, next, along[1])];
+    let normal = cross(z, next);
+    let sine = norm(normal);
+    let feet = common_feet(from, to);
     let a_mm = dot(minus(feet[1], feet[0]), normal) / sine;
     // axes that meet leave the sign open: the frame turns as little as possible
     let sign = match a_mm.abs() < MEET_MM {
@@ -197,7 +274,7 @@ fn parallel(from: &AxisLine, to: &AxisLine, reached: Vector, before: Vector) -> 
     // the second direction is Rx(alpha) Ry(beta) z = (sin beta, -sin alpha cos beta, ...)
     let alpha_rad = (-dot(next, y)).atan2(dot(next, z));
     let tilt_rad = dot(next, x).clamp(-1.0, 1.0).asin();
-    let clean = |v: f64| if v.abs() < EXACTLY { 0.0 } else { v };
+    let clean = |v: f64| if v.abs() < STRAIGHT_RAD { 0.0 } else { v };
     let a_mm = if a_mm > MEET_MM { a_mm } else { 0.0 };
     Link { x, feet: [reached, foot], alpha_rad: clean(alpha_rad), a_mm, parallel: true, tilt_rad: clean(tilt_rad) }
 }
@@ -236,25 +313,28 @@ pub fn modified_table(axes: &[AxisLine], flange: &Pose) -> AxisTable {
     let base = Pose::identity();
     let mut lines = vec![z_line(&base)];
     lines.extend(axes);
-    let links = links(&mut lines, base.translation_mm, base.axis(0));
-    let Some(first) = links.first() else {
+    let mut links = links(&mut lines, base.translation_mm, base.axis(0));
+    if links.is_empty() {
         return AxisTable { joints: Vec::new(), base, flange: *flange, tilts: Vec::new() };
-    };
+    }
+    let first = links.remove(0).facing(base.axis(0));
+    let of_base = first.start(base.axis(2)).then(&first.motion(first.tilt_rad)).then(&first.motion(0.0).inverse());
+    links.insert(0, first);
     let last = lines[lines.len() - 1];
     let end_x = nearest_across(flange.axis(0), last.direction);
     let end = last.foot(flange.translation_mm);
     let next = |k: usize| links.get(k + 1).map_or((end_x, end), |l| (l.x, l.feet[0]));
     let row = |(k, link): (usize, &Link)| {
         let (axis, (x, foot)) = (&lines[k + 1], next(k));
-        let theta_rad = angle(link.x, x, axis.direction);
+        let theta_rad = angle(link.end_x(lines[k].direction), x, axis.direction);
         let d_mm = dot(minus(foot, link.feet[1]), axis.direction);
         row(link, theta_rad, d_mm, axis.prismatic, link.parallel && k > 0)
     };
     AxisTable {
         joints: links.iter().enumerate().map(row).collect(),
-        base: rounded(frame(first.x, base.axis(2), first.feet[0])),
+        base: rounded(of_base),
         flange: rounded(frame(end_x, last.direction, end).inverse().then(flange)),
-        tilts: tilts(&links),
+        tilts: tilts(&links[1..], 1),
     }
 }
 
@@ -271,11 +351,14 @@ pub fn standard_table(axes: &[AxisLine], flange: &Pose) -> AxisTable {
     }
     let mut lines = vec![first];
     lines.extend(&axes[1..]);
-    lines.push(z_line(flange));
     let start_x = nearest_across(base.axis(0), first.direction);
     let start = first.foot(base.translation_mm);
-    let links = links(&mut lines, start, start_x);
-    let before = |k: usize| if k == 0 { (start_x, start) } else { (links[k - 1].x, links[k - 1].feet[1]) };
+    let mut links = links(&mut lines, start, start_x);
+    links.push(to_flange(&lines[lines.len() - 1], flange, links.last()));
+    let before = |k: usize| match k.checked_sub(1) {
+        None => (start_x, start),
+        Some(k) => (links[k].end_x(lines[k].direction), links[k].feet[1]),
+    };
     let row = |(k, link): (usize, &Link)| {
         let (axis, (x, foot)) = (&lines[k], before(k));
         let theta_rad = angle(x, link.x, axis.direction);
@@ -283,13 +366,51 @@ pub fn standard_table(axes: &[AxisLine], flange: &Pose) -> AxisTable {
         row(link, theta_rad, d_mm, axis.prismatic, link.parallel && k + 1 < axes.len())
     };
     let joints = links.iter().enumerate().map(row).collect();
-    let end = &links[links.len() - 1];
+    let end = links.len() - 1;
     AxisTable {
         joints,
         base: rounded(frame(start_x, first.direction, start)),
-        flange: rounded(frame(end.x, flange.axis(2), end.feet[1]).inverse().then(flange)),
-        tilts: tilts(&links),
+        flange: rounded(links[end].start(lines[end].direction).then(&links[end].motion(0.0)).inverse().then(flange)),
+        tilts: tilts(&links[..end], 0),
     }
+}
+
+/// Link from the last axis to the z axis of the flange. A link between near-parallel lines ends at
+/// the flange itself, so that the table represents its position.
+fn to_flange(last: &AxisLine, flange: &Pose, before: Option<&Link>) -> Link {
+    let (line, wish) = (z_line(flange), flange.axis(0));
+    if is_near_parallel(last, &line) {
+        return parallel(last, &line, last.foot(flange.translation_mm), wish).facing(wish);
+    }
+    let (reached, x) = before.map_or((last.point_mm, wish), |link| (link.feet[1], link.x));
+    link(last, &line, reached, x).facing(wish)
+}
+
+/// Frames of the links behind the axes, in the base frame at joint values zero: the origin is on
+/// the axis, z is its direction, and x is along the common normal to the next axis.
+///
+/// The frames are a function of the lines and of the flange, whatever points describe the lines.
+/// They are the frames of a Denavit-Hartenberg table (Denavit & Hartenberg 1955; Craig 1986), with
+/// its freedoms fixed: the origin is the foot of the common normal to the next axis; of an axis
+/// near-parallel to the next one, the foot of the previous normal or, without a previous normal, of
+/// the perpendicular from the next foot; of the last axis, the foot of the perpendicular from the
+/// flange.
+pub fn link_frames(axes: &[AxisLine], flange: &Pose) -> Vec<Pose> {
+    let (Some(first), Some(last)) = (axes.first(), axes.last()) else { return Vec::new() };
+    let mut lines = axes.to_vec();
+    if first.prismatic {
+        lines[0].point_mm = flange.translation_mm;
+    }
+    let crossing = |pair: &&[AxisLine]| !is_near_parallel(&pair[0], &pair[1]) && pair.iter().all(|a| !a.prismatic);
+    let settled = axes.windows(2).find(crossing).map(|pair| common_feet(&pair[0], &pair[1])[0]);
+    let start = lines[0].foot(settled.unwrap_or(flange.translation_mm));
+    let wish = flange.axis(0);
+    let links = links(&mut lines, start, nearest_across(wish, first.direction));
+    let mut frames: Vec<Pose> =
+        links.iter().zip(axes).map(|(link, axis)| frame(link.x, axis.direction, link.feet[0])).collect();
+    let end = lines[lines.len() - 1].foot(flange.translation_mm);
+    frames.push(frame(nearest_across(wish, last.direction), last.direction, end));
+    frames
 }
 
 fn row(link: &Link, theta_rad: f64, d_mm: f64, prismatic: bool, parallel: bool) -> SerialJoint {
@@ -304,8 +425,9 @@ fn row(link: &Link, theta_rad: f64, d_mm: f64, prismatic: bool, parallel: bool) 
     }
 }
 
-fn tilts(links: &[Link]) -> Vec<LostTilt> {
-    let lost = links.iter().enumerate().filter(|(_, link)| link.tilt_rad != 0.0);
+/// Angles of links that the rows from `first` on represent by Hayati's beta only.
+fn tilts(links: &[Link], first: usize) -> Vec<LostTilt> {
+    let lost = (first..).zip(links).filter(|(_, link)| link.tilt_rad != 0.0);
     lost.map(|(row, link)| LostTilt { row, angle_rad: link.tilt_rad }).collect()
 }
 

@@ -8,7 +8,7 @@
 use super::branches::Branches;
 use super::conventions::EffectKeys;
 use super::keys::{Description, Reader};
-use super::serial::{ArmBuilder, Body, Drive, Effects, Serial, SmallError};
+use super::serial::{ArmBuilder, Body, Drive, Effects, Serial};
 use super::{At, Fault, FaultKind, Faults, Joint, Key, Model, Quantity, Robot, TreeFault, wrong_targets};
 use etalon_base::pose::{Pose, Vector, cross, norm, unit};
 use std::sync::Arc;
@@ -437,8 +437,9 @@ impl Description for Keys {
             let mut arm = arms.last().map_or_else(|| ArmBuilder::new(targets), ArmBuilder::branch);
             let own = branch.own(&effects, &axes);
             arm.elastic(&own);
-            let errors = self.assemble(&mut arm, branch, &joints)?;
-            faults.0.extend(add_effects(&mut arm, &errors, &own, joints.len()));
+            arm.sag(&own.bending);
+            self.assemble(&mut arm, branch, &joints)?;
+            faults.0.extend(add_effects(&mut arm, &own, joints.len()));
             arms.push(arm);
         }
         if let Some(name) = arms.last().and_then(ArmBuilder::doubled) {
@@ -527,15 +528,9 @@ impl Keys {
         Ok(all)
     }
 
-    /// Adds the axes of a branch to an arm, and returns the small errors of each.
-    fn assemble(
-        &self,
-        arm: &mut ArmBuilder,
-        branch: &Branch,
-        joints: &[Joint],
-    ) -> Result<Vec<Vec<SmallError>>, Faults> {
+    /// Adds the axes of a branch to an arm.
+    fn assemble(&self, arm: &mut ArmBuilder, branch: &Branch, joints: &[Joint]) -> Result<(), Faults> {
         let tree = &self.tree;
-        let mut errors = Vec::new();
         // preceding sliding axis, in the frame of the joint, and the joint that drives it
         let mut before: Option<(Vector, &str)> = None;
         for Step { joint, upward } in &branch.chain {
@@ -562,22 +557,21 @@ impl Keys {
             let axis = unit(joint.axis).unwrap_or_default().map(|v| if *upward { -v } else { v });
             let parallel = |along: Vector| norm(cross(along, axis)) < PARALLEL;
             let follows = prismatic && before.is_some_and(|(along, by)| by == driver.name && parallel(along));
-            errors.push(arm.screw(axis, drive, follows));
+            arm.screw(axis, drive, follows);
             before = prismatic.then_some((axis, driver.name.as_str()));
             arm.carry(tree.body(&joint.child));
             if *upward {
                 pass(arm, &mut before, joint.origin.inverse());
             }
         }
-        Ok(errors)
+        Ok(())
     }
 }
 
-/// Adds gains and effects to an arm with small errors `errors` and `joints` joint values; returns
-/// faults.
-fn add_effects(arm: &mut ArmBuilder, errors: &[Vec<SmallError>], effects: &Effects, joints: usize) -> Vec<Fault> {
+/// Adds gains and effects to an arm with `joints` joint values; returns faults.
+fn add_effects(arm: &mut ArmBuilder, effects: &Effects, joints: usize) -> Vec<Fault> {
     let mut faults = Vec::new();
-    arm.gains();
+    arm.complete_axes();
     arm.harmonics(&effects.harmonics);
     arm.backlash(&effects.backlash, joints);
     arm.payload(&effects.payload);
@@ -588,7 +582,7 @@ fn add_effects(arm: &mut ArmBuilder, errors: &[Vec<SmallError>], effects: &Effec
         if !arm.is_loaded(k) {
             faults.push(Fault::tree(At::Key("bending"), TreeFault::NoMass(arm.name(k).to_owned())));
         }
-        arm.bending_by_masses(k, &errors[k]);
+        arm.bending_by_masses(k);
     }
     arm.coupling(&effects.coupling);
     faults

@@ -27,10 +27,10 @@ const THERMAL: [(&str, f64); 7] = [
 
 const ELASTIC: &str = "elastic-arm";
 const TILTS: [(&str, f64); 6] = [
-    ("lateral_2_x", 0.1),
-    ("lateral_2_y", 0.08),
-    ("lateral_3_x", 0.09),
-    ("lateral_3_y", 0.11),
+    ("lateral_2_x", 0.08),
+    ("lateral_2_y", 0.1),
+    ("lateral_3_x", 0.11),
+    ("lateral_3_y", 0.09),
     ("pedestal_x", 0.09),
     ("pedestal_y", 0.13),
 ];

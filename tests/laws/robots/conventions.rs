@@ -12,8 +12,12 @@ use etalon::robots::{Robot, Role};
 use etalon::run::pipeline;
 use std::fmt::Write;
 
+/// Distances (mm) by which `poe-moved` states other points on the screw axes; the fourth is the point that `etalon init --robot irb120` has.
+const ALONG_MM: [f64; 6] = [-290.0, 50.0, -120.0, -302.0, 400.0, -72.0];
+
 /// The six axes as robot.toml of a convention states them.
 pub fn robot_toml(convention: &str, effects: &str) -> String {
+    let (convention, moved) = convention.split_once('-').unwrap_or((convention, ""));
     let mut text = format!("model = \"serial\"\nconvention = \"{convention}\"\n{effects}\n");
     let mut joints = String::new();
     let mut pose = Pose::identity();
@@ -22,7 +26,8 @@ pub fn robot_toml(convention: &str, effects: &str) -> String {
         let [next_alpha, next_a] = SIX_AXES.get(i + 1).map_or([0.0; 2], |next| [next[0], next[1]]);
         let _ = match convention {
             "poe" => {
-                write!(joints, "[[joint]]\ndirection = {:?}\npoint_mm = {:?}\n", pose.axis(2), pose.translation_mm)
+                let at = pose.shift(2, if moved.is_empty() { 0.0 } else { ALONG_MM[i] });
+                write!(joints, "[[joint]]\ndirection = {:?}\npoint_mm = {:?}\n", pose.axis(2), at.translation_mm)
             }
             "dh" => write!(
                 joints,
@@ -62,8 +67,8 @@ fn xml_origin(pose: &Pose) -> String {
 
 /// Effects, and the conventions in which they are the same: a URDF bends under its masses, the others under the directions of their links.
 const CASES: [(&str, &[&str]); 2] = [
-    ("bending = [2, 3]\ncoupling = [[5, 4], [6, 4], [6, 5]]", &["mdh", "dh", "poe"]),
-    ("coupling = [[5, 4], [6, 4], [6, 5]]", &["mdh", "urdf"]),
+    ("bending = [2, 3]\ncoupling = [[5, 4], [6, 4], [6, 5]]", &["mdh", "dh", "poe", "poe-moved"]),
+    ("coupling = [[5, 4], [6, 4], [6, 5]]", &["mdh", "urdf", "poe-moved"]),
 ];
 pub const EFFECTS: &str = CASES[0].0;
 
