@@ -20,7 +20,7 @@ pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};
 pub use robot_file::RobotFile;
-pub use robot_text::{RobotHead, UrdfJoint, gains_text, screws_text, table_text, urdf_text};
+pub use robot_text::{RobotHead, UrdfJoint, nominal_text, screws_text, table_text, urdf_text};
 pub use selection::{Selection, Selections, StatedPoses};
 pub use table::{TableDefinition, TableFiles, TableKeys};
 pub use toml_file::UnreadKeys;
@@ -367,6 +367,14 @@ pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
     }
     let (robot, problems) = RobotFile::recover(path, text);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
+}
+
+/// Reads the text of a URDF as the file of a robot.toml with this base link and this tool link.
+///
+/// # Errors
+/// Fails like [`read_robot`].
+pub fn parse_urdf_robot(text: &str, [base_link, tool_link]: [&str; 2]) -> Result<RobotFile> {
+    RobotFile::of_urdf(text, [base_link, tool_link])
 }
 
 /// Reads a URDF file: its chain with the most moving joints, and its text without xacro.

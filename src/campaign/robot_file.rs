@@ -223,6 +223,28 @@ impl RobotFile {
 
     /// Reads a robot file without the entries that do not fit, and returns the problems.
     pub(super) fn recover(path: &Path, text: &str) -> (Option<Self>, Problems) {
+        let (mut robot, mut problems) = Self::alone(path, text);
+        if let Some(robot) = &mut robot {
+            robot.beside = problems.keep(robot.read_description(path)).flatten();
+        }
+        (robot, problems)
+    }
+
+    /// Reads a robot file whose URDF is this text.
+    pub(super) fn of_urdf(urdf: &str, [base_link, tool_link]: [&str; 2]) -> Result<Self> {
+        const FILE: &str = "robot.urdf";
+        let [base, tool] = [base_link, tool_link].map(toml::Value::from);
+        let text = format!("model = \"urdf\"\nfile = \"{FILE}\"\nbase_link = {base}\ntool_link = {tool}\n");
+        let (robot, problems) = Self::alone(Path::new("robot.toml"), &text);
+        let path = PathBuf::from(FILE);
+        let expanded = urdf::expand(&path, urdf.to_owned(), &[])?;
+        let beside = Beside { path, expanded, stamp: Stamp::of(urdf.as_bytes()) };
+        let robot = robot.filter(|_| problems.0.is_empty()).ok_or(problems)?;
+        Ok(Self { beside: Some(beside), ..robot })
+    }
+
+    /// Reads a robot file without the file that describes the robot.
+    fn alone(path: &Path, text: &str) -> (Option<Self>, Problems) {
         let name = path.display().to_string();
         // without a stated model, keys of any model
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
@@ -232,12 +254,7 @@ impl RobotFile {
             None => toml_file::kept_schema("robot".into(), || keys(&MODELS).to_value()),
         };
         let Recovered { value, problems, unread } = toml_file::recover_with(&name, text, &schema, read);
-        let mut problems = problems;
-        let mut robot = value.map(|robot| Self { source: (name, text.to_owned()), unread, ..robot });
-        if let Some(robot) = &mut robot {
-            robot.beside = problems.keep(robot.read_description(path)).flatten();
-        }
-        (robot, problems)
+        (value.map(|robot| Self { source: (name, text.to_owned()), unread, ..robot }), problems)
     }
 
     /// Reads the file that describes the robot, relative to `robot`, if there is one.

@@ -1,7 +1,7 @@
 //! Text of a robot.toml of a serial arm, from its axes.
 
 use etalon_base::pose::Pose;
-use etalon_robots::{AxisLine, AxisTable};
+use etalon_robots::{AxisLine, AxisTable, LostTilt};
 use std::fmt::Write;
 
 /// Decimals of lengths (mm), of angles (deg) and of directions: below the resolution of any
@@ -152,12 +152,12 @@ pub fn urdf_text(name: &str, comments: &[String], joints: &[UrdfJoint], flange: 
     text
 }
 
-/// Keys that a robot.toml of a serial arm has beside its joints: nominal gains other than one.
-pub fn gains_text(gains: &[f64]) -> String {
-    let stated: Vec<String> = (1..)
-        .zip(gains)
-        .filter(|(_, gain)| **gain != 1.0)
-        .map(|(i, gain)| format!("gain_{i} = {}\n", number(*gain, 15)))
-        .collect();
-    if stated.is_empty() { String::new() } else { format!("\n[nominal]\n{}", stated.concat()) }
+/// Nominal values that a robot.toml of a serial arm has beside its joints: gains other than one,
+/// and Hayati's angles of a table.
+pub fn nominal_text(gains: &[f64], tilts: &[LostTilt]) -> String {
+    let gains = (1..).zip(gains).filter(|(_, gain)| **gain != 1.0).map(|(i, gain)| ("gain", i, *gain));
+    let tilts = tilts.iter().map(|tilt| ("beta", tilt.row + 1, tilt.angle_rad.to_degrees()));
+    let stated: String =
+        gains.chain(tilts).map(|(name, i, value)| format!("{name}_{i} = {}\n", number(value, 15))).collect();
+    if stated.is_empty() { stated } else { format!("\n[nominal]\n{stated}") }
 }

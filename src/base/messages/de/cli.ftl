@@ -206,7 +206,7 @@ excluded-rows = ausgeschlossen: { $count ->
     }, Zeilen { $rows }: { $reason }
 
 controller-error-not-measured = Format `{ $format }` enthält { $parameters } nicht: seine Datei setzt die Nennwerte dieser Parameter voraus, und ihre Abweichung wurde nicht gemessen
-    .hint = die Kampagne mit "{ $format }" in `controllers` ausführen und aus ihrem Ausgabeordner exportieren
+    .hint = die Kampagne mit "{ $format }" in `controllers` ausführen und aus ihrem Ausgabeordner exportieren; empfohlene Parameter: `etalon export CAMPAIGN --parameters recommended`
 
 from-needs-robot = --from braucht den Roboter
     .hint = ihn angeben: --robot ur5e, --robot robot.toml für die eigene Roboterdatei, oder --urdf DATEI
@@ -266,6 +266,9 @@ convert-gains-not-held = eine URDF-Datei enthält keinen Übertragungsfaktor von
 
 convert-travel-unknown = der Verfahrweg von { $joints } ist nicht angegeben: die URDF-Datei enthält 1 m nach beiden Seiten
     .hint = `limit` in der Datei berichtigen oder `travel_mm` in robot.toml angeben
+
+convert-not-reproduced = die umgewandelte Beschreibung gibt den Roboter nicht wieder: der Flansch weicht um bis zu { FIXED($off_mm, 6) } mm und { FIXED($off_deg, 6) } deg ab
+    .hint = die Längen der Roboterdatei prüfen: sehr große verlieren Stellen
 
 enclosing-robust = die äußersten Punkte bestimmen das umschließende Element `{ $element }`: eine robuste Anpassung würde sie ausschließen
     .hint = circle2d oder sphere mit --robust anpassen
@@ -465,6 +468,8 @@ axis-name-expected = der Name einer Achse besteht aus Buchstaben und Ziffern
 stdout-not-written = stdout kann nicht geschrieben werden
 plan-side = Seite { $side } mm, Prüfebene { $plane }
 converted-by = umgewandelt mit etalon robot convert
+convert-base-of-table = Basis der Tabelle in der Basis des Roboters: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
+convert-flange-of-table = Flansch des Roboters im Flansch der Tabelle: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
 from-other-joints = die Datei hat { $columns } Gelenkspalten, der Roboter { $joints } Gelenke: diejenigen weglassen, die er nicht hat
 from-joints-in-order = die Gelenke sind die von robot.toml in der Reihenfolge der Datei
 from-unit-of-joints = für UNIT deg, rad, mm, m oder um schreiben: die Datei gibt sie nicht an

@@ -454,7 +454,7 @@ excluded-rows = excluded: { $count ->
 # Do: Run the campaign with the format among its `controllers`, and export from its output folder.
 # Example: `etalon export --format linuxcnc parameters.json` for an arm with bending
 controller-error-not-measured = format `{ $format }` does not hold { $parameters }: the file is conditioned on nominal values of these, and its error was not measured
-    .hint = run the campaign with "{ $format }" among its `controllers`, and export from its output folder
+    .hint = run the campaign with "{ $format }" among its `controllers`, and export from its output folder; recommended parameters: `etalon export CAMPAIGN --parameters recommended`
 
 # Means: `--from` is stated without a robot.
 # Matters: Joints and targets are those of a robot.
@@ -566,6 +566,13 @@ convert-gains-not-held = a URDF has no gain of { $joints }: its joint values are
 # Example: a linear axis without `travel_mm`
 convert-travel-unknown = the travel of { $joints } is not stated: the URDF has 1 m to either side
     .hint = correct `limit` in the file, or state `travel_mm` in robot.toml
+
+# Means: The converted description, read again, moves the flange differently from the robot.
+# Matters: A robot that is described by it reaches other poses. Nothing is printed.
+# Do: Check the lengths of the robot file: they may be so large that digits are lost.
+# Example: axes 100 km from the base
+convert-not-reproduced = the converted description does not reproduce the robot: the flange is off by up to { FIXED($off_mm, 6) } mm and { FIXED($off_deg, 6) } deg
+    .hint = check the lengths of the robot file: very large ones lose digits
 
 # Means: A smallest enclosing element is asked for together with setting points aside.
 # Matters: An enclosing element is held by its extreme points, which a robust fit would set aside.
@@ -841,6 +848,8 @@ axis-name-expected = an axis is named by letters and digits
 stdout-not-written = stdout cannot be written
 plan-side = side { $side } mm, test plane { $plane }
 converted-by = converted by etalon robot convert
+convert-base-of-table = base of the table in the base of the robot: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
+convert-flange-of-table = flange of the robot in the flange of the table: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
 from-other-joints = the file has { $columns } columns of joints, and the robot { $joints } joints: leave out those that it does not have
 from-joints-in-order = the joints are those of robot.toml in the order of the file
 from-unit-of-joints = for UNIT write deg, rad, mm, m or um: the file does not state it

@@ -206,7 +206,7 @@ excluded-rows = exclusion : { $count ->
     }, lignes { $rows } : { $reason }
 
 controller-error-not-measured = le format `{ $format }` ne contient pas { $parameters } : son fichier suppose leurs valeurs nominales, et son erreur n’a pas été mesurée
-    .hint = exécuter la campagne avec "{ $format }" dans `controllers`, et exporter depuis son dossier de sortie
+    .hint = exécuter la campagne avec "{ $format }" dans `controllers`, et exporter depuis son dossier de sortie ; paramètres recommandés : `etalon export CAMPAIGN --parameters recommended`
 
 from-needs-robot = --from a besoin du robot
     .hint = l’indiquer : --robot ur5e, --robot robot.toml pour votre propre fichier, ou --urdf FICHIER
@@ -266,6 +266,9 @@ convert-gains-not-held = un fichier URDF ne contient pas le gain de { $joints }�
 
 convert-travel-unknown = la course de { $joints } n’est pas indiquée : le fichier URDF contient 1 m de chaque côté
     .hint = corriger `limit` dans le fichier, ou indiquer `travel_mm` dans robot.toml
+
+convert-not-reproduced = la description convertie ne reproduit pas le robot : la bride s’écarte jusqu’à { FIXED($off_mm, 6) } mm et { FIXED($off_deg, 6) } deg
+    .hint = vérifier les longueurs du fichier du robot : très grandes, elles perdent des chiffres
 
 enclosing-robust = les points extrêmes déterminent l’élément englobant `{ $element }` : un ajustement robuste les écarterait
     .hint = ajuster circle2d ou sphere avec --robust
@@ -465,6 +468,8 @@ axis-name-expected = le nom d’un axe se compose de lettres et de chiffres
 stdout-not-written = stdout ne peut pas être écrit
 plan-side = côté { $side } mm, plan d’essai { $plane }
 converted-by = converti par etalon robot convert
+convert-base-of-table = base du tableau dans la base du robot : xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
+convert-flange-of-table = bride du robot dans la bride du tableau : xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
 from-other-joints = le fichier a { $columns } colonnes d’articulations, et le robot { $joints } articulations : omettre celles qu’il n’a pas
 from-joints-in-order = les articulations sont celles de robot.toml dans l’ordre du fichier
 from-unit-of-joints = pour UNIT écrire deg, rad, mm, m ou um : le fichier ne l’indique pas
