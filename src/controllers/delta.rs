@@ -144,6 +144,10 @@ impl Exporter for Klipper {
         "klipper-delta"
     }
 
+    fn frame(&self) -> &'static str {
+        "base of the robot; base_* (the base in the world of the campaign) are not in this file"
+    }
+
     fn file_name(&self) -> &'static str {
         "klipper_delta.cfg"
     }
@@ -171,6 +175,10 @@ impl Exporter for Klipper {
 impl Exporter for RepRapDelta {
     fn name(&self) -> &'static str {
         "reprap-delta"
+    }
+
+    fn frame(&self) -> &'static str {
+        "base of the robot; base_* (the base in the world of the campaign) are not in this file"
     }
 
     fn file_name(&self) -> &'static str {
@@ -202,6 +210,10 @@ impl Exporter for RepRapDelta {
 impl Exporter for DeltaHal {
     fn name(&self) -> &'static str {
         "linuxcnc-delta"
+    }
+
+    fn frame(&self) -> &'static str {
+        "base of the robot; base_* (the base in the world of the campaign) are not in this file"
     }
 
     fn file_name(&self) -> &'static str {

@@ -17,6 +17,10 @@ impl Exporter for HexapodHal {
         "linuxcnc-hexapod"
     }
 
+    fn frame(&self) -> &'static str {
+        "LinuxCNC's world is the base of the robot, its tool the platform; base_* (the base in the world of the campaign) are not in this file"
+    }
+
     fn file_name(&self) -> &'static str {
         "genhexkins.hal"
     }

@@ -95,6 +95,17 @@ pub trait Exporter {
         None
     }
 
+    /// Warnings about a file that is written, with their consequence: a robot unlike those of the
+    /// format, and values that the format holds only with help of its reader.
+    fn cautions(&self, given: &Given) -> Vec<Message> {
+        self.concern(given).into_iter().collect()
+    }
+
+    /// Frame in which the file describes the robot, for its header.
+    fn frame(&self) -> &'static str {
+        "parameters by name; base_* place the base of the robot in the world of the campaign"
+    }
+
     /// `true` if the format holds this parameter of the robot.
     fn holds(&self, _parameter: &Parameter, _given: &Given) -> bool {
         true

@@ -7,10 +7,10 @@
 
 use super::template::render;
 use super::{Exporter, Given, is_geometry, six_axes};
-use etalon_base::error;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
-use etalon_robots::{JointChain, Parameter};
+use etalon_base::{error, warning};
+use etalon_robots::{JointChain, NEAR_PARALLEL_RAD, Parameter};
 use minijinja::context;
 use minijinja::value::Serde;
 use serde::Serialize;
@@ -38,6 +38,10 @@ impl Exporter for LinuxCnc {
         "linuxcnc"
     }
 
+    fn frame(&self) -> &'static str {
+        "LinuxCNC's world is the first frame stated below, its tool the last frame; base_* (the base in the world of the campaign) are not in this file"
+    }
+
     fn file_name(&self) -> &'static str {
         "genserkins.hal"
     }
@@ -45,6 +49,13 @@ impl Exporter for LinuxCnc {
     fn unsuited(&self, given: &Given) -> Option<Message> {
         let robot = given.robot?;
         six_axes(self.name(), robot, &robot.nominal()).err()
+    }
+
+    fn cautions(&self, given: &Given) -> Vec<Message> {
+        let Ok((robot, values)) = given.robot() else { return Vec::new() };
+        let chain = six_axes(self.name(), robot, &values).ok();
+        let Some((_, rows)) = chain.and_then(|chain| table(&chain)) else { return Vec::new() };
+        distant(&rows).into_iter().chain(offsets(&rows)).collect()
     }
 
     fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
@@ -58,9 +69,48 @@ impl Exporter for LinuxCnc {
         let frame = |name, pose: &Pose| (name, pose.translation_mm, pose.rpy_rad().map(f64::to_degrees));
         let frames = [frame("first frame in the base", &base), frame("flange in the last frame", &chain.flange)];
         let header = given.header_of_geometry("mm, rad; offsets of joints in deg")?;
-        let values = context! { header, frames => Serde(frames), rows => Serde(rows) };
+        let offset = rows.iter().any(|row| row.theta_rad.abs() > OFFSET_RAD);
+        let values = context! { header, offset, frames => Serde(frames), rows => Serde(rows) };
         render(include_str!("templates/genserkins.hal.j2"), values).map(String::into_bytes)
     }
+}
+
+/// Length of a link offset, relative to the other lengths of an arm, that only a distant common
+/// normal of near-parallel axes has.
+const DISTANT: f64 = 2.0;
+/// Smallest joint offset (rad) that is not rounding.
+const OFFSET_RAD: f64 = 1e-12;
+
+/// Warning about near-parallel axes, whose common normal is far from the arm.
+fn distant(rows: &[Row]) -> Option<Message> {
+    let parallel = |k: &usize| {
+        let sine = rows[*k].alpha_rad.sin().abs();
+        sine > PARALLEL && sine < NEAR_PARALLEL_RAD.sin()
+    };
+    let pairs: Vec<usize> = (1..rows.len()).filter(parallel).collect();
+    let beside = |k: usize| pairs.iter().any(|&pair| k == pair || k + 1 == pair);
+    let usual: f64 =
+        rows.iter().enumerate().map(|(k, r)| r.a_mm.abs() + if beside(k) { 0.0 } else { r.d_mm.abs() }).sum();
+    let far = |k: &&usize| rows[**k].d_mm.abs().max(rows[**k - 1].d_mm.abs()) > DISTANT * usual;
+    let &second = pairs.iter().find(far)?;
+    let away_mm = rows[second].d_mm.abs().max(rows[second - 1].d_mm.abs());
+    Some(warning!("linuxcnc-distant-normal", first = second, second = second + 1, away_mm))
+}
+
+/// Warning about joint offsets, which `genserkins` does not have, with the displacement of the
+/// flange at joint values zero if they are ignored.
+fn offsets(rows: &[Row]) -> Option<Message> {
+    let reached = |share: f64| {
+        let link = |pose: Pose, r: &Row| {
+            pose.turn_x(r.alpha_rad).shift(0, r.a_mm).turn_z(share * r.theta_rad).shift(2, r.d_mm)
+        };
+        rows.iter().fold(Pose::identity(), link).translation_mm
+    };
+    let listed = |(k, row): (usize, &Row)| format!("{k}: {:?}", row.theta_rad.to_degrees());
+    let stated = rows.iter().enumerate().filter(|(_, row)| row.theta_rad.abs() > OFFSET_RAD).map(listed);
+    let offsets_deg: Vec<String> = stated.collect();
+    let off_mm = norm(minus(reached(1.0), reached(0.0)));
+    (!offsets_deg.is_empty()).then(|| warning!("linuxcnc-joint-offsets", offsets_deg = offsets_deg.join(", "), off_mm))
 }
 
 /// First frame in the base, and parameters of each joint; `None` if two axes coincide.

@@ -27,6 +27,10 @@ impl Exporter for LinuxCncComponent {
         "linuxcnc-component"
     }
 
+    fn frame(&self) -> &'static str {
+        "LinuxCNC's world is the world of the campaign for planar robots, otherwise the base of the robot (base_* are then not in this file)"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalonkins.comp"
     }

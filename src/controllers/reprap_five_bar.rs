@@ -20,6 +20,10 @@ impl Exporter for RepRapFiveBar {
         "reprap-five-bar"
     }
 
+    fn frame(&self) -> &'static str {
+        "world of the campaign: the base of the robot is in X, Y and B"
+    }
+
     fn file_name(&self) -> &'static str {
         "reprap_five_bar.g"
     }

@@ -23,6 +23,8 @@ pub struct Statement {
     pub errors: Option<ControllerErrors>,
     /// Parameters that the file holds in place of the identified ones.
     pub(crate) parameters: Option<ParametersDocument>,
+    /// Frame in which the file describes the robot.
+    frame: &'static str,
     /// `true` if `parameters` were identified again, `false` if they were conditioned by the
     /// covariance.
     again: bool,
@@ -99,7 +101,8 @@ impl Statement {
             }
         };
         let near = self.near_nominal().filter(|_| self.worse_than_nominal().is_none());
-        errors.into_iter().chain(without).chain(near.map(|near| near.to_string())).collect()
+        let frame = (!self.frame.is_empty()).then(|| format!("frame: {}", self.frame));
+        frame.into_iter().chain(errors).chain(without).chain(near.map(|near| near.to_string())).collect()
     }
 }
 
@@ -139,21 +142,21 @@ impl Given<'_> {
         if let Some(unsuited) = exporter.unsuited(self) {
             return Err(unsuited.into());
         }
-        let left_out = self.left_out(exporter);
+        let (left_out, frame) = (self.left_out(exporter), exporter.frame());
         if let Some((parameters, errors)) = self.identified_again(exporter, &left_out) {
-            return Ok(Statement { left_out, errors, parameters: Some(parameters), again: true });
+            return Ok(Statement { left_out, errors, parameters: Some(parameters), frame, again: true });
         }
         let names: Vec<&str> = left_out.iter().map(String::as_str).collect();
         if names.is_empty() {
             let set = self.accuracy.and_then(|accuracy| accuracy.sets.last()).filter(|_| self.is_whole(exporter));
             let errors = set.and_then(|set| ControllerErrors::of(set, None));
-            return Ok(Statement { errors, ..Statement::default() });
+            return Ok(Statement { errors, frame, ..Statement::default() });
         }
         let conditioned = self
             .parameters
             .conditioned(&names)
             .ok_or_else(|| error!("covariance-missing", format = exporter.name(), parameters = left_out))?;
-        Ok(Statement { left_out, errors: None, parameters: Some(conditioned), again: false })
+        Ok(Statement { left_out, errors: None, parameters: Some(conditioned), frame, again: false })
     }
 
     /// Parameters that the run identified again without `left_out`, as the format writes them, and

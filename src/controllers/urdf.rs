@@ -37,6 +37,10 @@ impl Exporter for Urdf {
         "urdf"
     }
 
+    fn frame(&self) -> &'static str {
+        "base_link of robot.toml; base_* (that link in the world of the campaign) are not in this file"
+    }
+
     fn file_name(&self) -> &'static str {
         "calibrated.urdf"
     }

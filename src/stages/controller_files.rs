@@ -47,7 +47,7 @@ fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
             Ok(statement) => match statement.refusal(name) {
                 Some(refusal) => refused.push(refusal),
                 None => {
-                    concerns.extend(exporter.concern(given));
+                    concerns.extend(exporter.cautions(given));
                     match near.iter_mut().find(|(same, _)| same.errors == statement.errors) {
                         Some((_, names)) => names.push(name),
                         None => near.push((statement, vec![name])),

@@ -3,7 +3,7 @@
 use crate::support::controller_files::{genserkins, universal_robots};
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::catalogue::Argument;
-use etalon::base::pose::{minus, norm};
+use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::{Campaign, read_robot};
 use etalon::controllers::{self, Description, Given};
 use etalon::documents::{AccuracyDocument, CampaignSummary, ErrorQuantity, ParametersDocument, PointError};
@@ -362,6 +362,77 @@ fn an_export_for_universal_robots_names_an_arm_of_another_maker() {
     }
 }
 
+/// Frames of the joints in the maker's description, by its Denavit-Hartenberg table: link i - 1, then d of joint i.
+fn makers_frames(rows: &[[f64; 4]]) -> Vec<Pose> {
+    let mut link = Pose::identity();
+    let frame = |[alpha, a, _, d]: &[f64; 4]| {
+        let frame = link.shift(2, *d);
+        link = Pose::identity().shift(0, *a).turn_x(alpha.to_radians());
+        frame
+    };
+    rows.iter().map(frame).collect()
+}
+
+/// Frames of the joints in a calibration.
+fn written_frames(yaml: &str) -> Vec<Pose> {
+    let numbers: Vec<f64> =
+        yaml.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": ")?.1.parse().ok()).collect();
+    numbers
+        .chunks_exact(6)
+        .map(|f| Pose::from_xyz_rpy([f[0], f[1], f[2]].map(|m| 1000.0 * m), [f[3], f[4], f[5]]))
+        .collect()
+}
+
+/// An arm on a pedestal, in the world of the pedestal: the file has the frames of the maker's own description, and the header where its base is.
+#[test]
+fn a_universal_robots_file_has_the_frames_of_the_maker_wherever_the_arm_stands() {
+    let scratch = Scratch::with(&[]);
+    let mount = Pose::from_xyz_rpy([120.0, -80.0, 900.0], [0.0, 0.0, std::f64::consts::FRAC_PI_2]);
+    for (name, _, robot) in published().iter().filter(|(name, ..)| name.starts_with("ur")) {
+        let rows = rows(robot);
+        let (mut pose, mut axes) = (mount, Vec::new());
+        for (frame, slide) in makers_frames(&rows).iter().zip([40.0, -700.0, 0.0, 1300.0, 12.0, -50.0]) {
+            pose = pose.then(frame);
+            let point = pose.shift(2, slide).translation_mm;
+            axes.push(format!("{{ direction = {:?}, point_mm = {point:?} }}", pose.axis(2)));
+        }
+        let rpy_deg = pose.rpy_rad().map(f64::to_degrees);
+        let text = format!(
+            "model = \"serial\"\nconvention = \"poe\"\nflange_xyz_mm = {:?}\nflange_rpy_deg = {rpy_deg:?}\njoint = [{}]\n",
+            pose.translation_mm,
+            axes.join(", ")
+        );
+        let path = scratch.path().join("mounted.toml");
+        std::fs::write(&path, text).unwrap();
+        let robot = read_robot(&path).unwrap().build(&["tool".to_owned()]).unwrap();
+        let values = disturbed(robot.as_ref(), &[]);
+        for values in [robot.nominal(), values] {
+            let found: ParametersDocument =
+                serde_json::from_slice(&std::fs::read(parameters(&scratch, robot.as_ref(), &values)).unwrap()).unwrap();
+            let given = Given { robot: Some(robot.as_ref()), ..Given::parameters(&found) };
+            let yaml = controllers::by_name("universal-robots").unwrap().write(&given).unwrap();
+            let yaml = String::from_utf8(yaml).unwrap();
+            assert!(yaml.contains("# frame: base of the maker"), "{yaml}");
+            let nominal = values == robot.nominal();
+            for (written, maker) in written_frames(&yaml).iter().zip(makers_frames(&rows)) {
+                let moved = maker.inverse().then(written);
+                let off = norm(moved.translation_mm).max(1000.0 * moved.angle_rad());
+                assert!(off < if nominal { 1e-6 } else { 60.0 }, "{name}: {off}, {yaml}");
+            }
+            // the shoulder is above the base of the maker, whatever was identified
+            let shoulder = written_frames(&yaml)[0];
+            assert!(shoulder.translation_mm[..2] == [0.0; 2] && shoulder.axis(2) == [0.0, 0.0, 1.0], "{yaml}");
+            let mut noise = etalon::base::noise::Noise::new(59, 4);
+            for _ in 0..10 {
+                let q: Vec<f64> = (0..6).map(|_| noise.uniform(2.5)).collect();
+                let reached = robot.kinematics().unwrap().tool_pose(&values, &q).unwrap();
+                let moved = reached.inverse().then(&universal_robots(&yaml, &q));
+                assert!(norm(moved.translation_mm) < 1e-7 && moved.angle_rad() < 1e-9, "{name}: {moved:?}, {yaml}");
+            }
+        }
+    }
+}
+
 #[test]
 fn genserkins_has_the_axes_of_the_identified_arm() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -380,6 +451,10 @@ fn genserkins_has_the_axes_of_the_identified_arm() {
         let (code, said) = etalon(&["export", &found, "--format", "linuxcnc", "--robot", &file, "--to", &to]);
         assert_eq!(code, Some(0), "{said}");
         let text = std::fs::read_to_string(scratch.path().join("genserkins.hal")).unwrap();
+        // what genserkins does not have is said, with its consequence
+        assert!(said.contains("warning[linuxcnc-joint-offsets]") && text.contains("# NOT IN GENSERKINS"), "{said}");
+        assert!(!errors || said.contains("warning[linuxcnc-distant-normal]"), "{said}");
+        assert!(text.contains("# frame: LinuxCNC's world is the first frame"), "{text}");
         assert!(text.lines().all(|l| l.starts_with("# ") || l.starts_with("setp genserkins.")), "{text}");
         let mut noise = etalon::base::noise::Noise::new(19, 4);
         for _ in 0..20 {

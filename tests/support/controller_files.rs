@@ -16,8 +16,16 @@ pub fn letter(text: &str, code: &str, letter: char) -> Vec<f64> {
     word[1..].split(':').map(|v| v.parse().unwrap()).collect()
 }
 
-/// The flange of six joints by a calibration of Universal Robots (frames of `xyz` in m and `rpy`), without the fixed frame of the flange.
+/// The flange of six joints by a calibration of Universal Robots in the base of the robot file: the maker's chain between the base and the
+/// flange that the header states.
 pub fn universal_robots(yaml: &str, q: &[f64]) -> Pose {
+    let stated = |name: &str| framed(yaml, name).unwrap_or(Pose::identity());
+    let flange = stated("flange in the frame of wrist_3");
+    stated("base of this file in the base of the robot file").then(&makers_arm(yaml, q)).then(&flange)
+}
+
+/// The frame of wrist_3 in the base of the maker (ur_description: frames of `xyz` in m and `rpy`, each joint about z).
+pub fn makers_arm(yaml: &str, q: &[f64]) -> Pose {
     let numbers: Vec<f64> =
         yaml.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": ")?.1.parse().ok()).collect();
     assert_eq!((numbers.len(), q.len()), (36, 6), "{yaml}");

@@ -32,6 +32,10 @@ impl Exporter for C99 {
         "c-kinematics"
     }
 
+    fn frame(&self) -> &'static str {
+        "base of the robot in its robot file, to the flange; base_* (the base in the world of the campaign) and tools are not in this file"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.c"
     }

@@ -30,6 +30,10 @@ impl Exporter for PythonCode {
         "python-kinematics"
     }
 
+    fn frame(&self) -> &'static str {
+        "base of the robot in its robot file, to the flange; base_* (the base in the world of the campaign) and tools are not in this file"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.py"
     }

@@ -2,7 +2,7 @@
 
 use super::files::File;
 use crate::support::controller_files::{
-    Towers, five_bar, framed, galil_prexyt, genhexkins, genserkins, lineardeltakins, rotarydeltakins, universal_robots,
+    Towers, five_bar, galil_prexyt, genhexkins, genserkins, lineardeltakins, rotarydeltakins, universal_robots,
 };
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::documents::PoseSet;
@@ -29,9 +29,7 @@ pub fn read_back(format: &str, file: &File) -> Vec<f64> {
         "plcopen" | "siemens-scl" => vec![by_script(format, file), structured_text(file)],
         "structured-text" => vec![structured_text(file)],
         "universal-robots" => {
-            let nominal = || file.ran.robot.joint_chain(&file.ran.robot.nominal()).unwrap().flange;
-            let flange = framed(&file.text(), "flange in the frame of wrist_3").unwrap_or_else(nominal);
-            vec![Some(file.rms_of_flange(|q| universal_robots(&file.text(), q).then(&flange)))]
+            vec![Some(file.rms_of_flange(|q| universal_robots(&file.text(), q)))]
         }
         "linuxcnc" => vec![Some(file.rms_of_flange(|q| genserkins(&file.text(), q)))],
         "linuxcnc-hexapod" => vec![Some(by_inverse(file, ALL_DIGITS, |pose| genhexkins(&file.text(), pose)))],

@@ -224,3 +224,9 @@ measuring-axes-missing = ein Programm in { $language } braucht den Buchstaben je
 measuring-pulses-missing = ein Programm in { $language } braucht die Impulse je deg oder mm von { $joints } Gelenken
     .hint = sie in der Reihenfolge der Gelenke angeben: `--pulses P1,P2,...`
 
+
+linuxcnc-distant-normal = die Achsen { $first } und { $second } sind fast parallel: `genserkins` hat ihre gemeinsame Normale in { FIXED($away_mm, 0) } mm Entfernung, so dass gerundete Werte den Flansch verschieben
+    .hint = das Format `linuxcnc-component` verwenden, das Hayatis Winkel und Schraubachsen enthält
+
+linuxcnc-joint-offsets = `genserkins` hat keine Gelenkversätze: ohne sie weicht der Flansch bei Gelenkwerten null um { FIXED($off_mm, 1) } mm ab. Versätze nach LinuxCNC-Gelenk (deg): { $offsets_deg }
+    .hint = sie zu HOME_OFFSET, HOME, MIN_LIMIT und MAX_LIMIT von [JOINT_n] addieren oder `linuxcnc-component` verwenden

@@ -446,3 +446,22 @@ measuring-axes-missing = a program in { $language } needs the letter of each of 
 measuring-pulses-missing = a job in { $language } needs the pulses per deg or mm of each of { $joints } joints
     .hint = state them in the order of the joints: `--pulses P1,P2,...`
 
+
+# Means: Two neighbouring axes are near-parallel. `genserkins` has no Hayati angle, so its table
+# places the axes by their exact common normal, which is far from the arm.
+# Matters: Large lengths cancel each other: rounding a value in the HAL file moves the flange, and the
+# iterative inverse kinematics of `genserkins` loses digits.
+# Do: Use `linuxcnc-component`, whose equations are those of the identified model, with Hayati's
+# angle or screw axes. Otherwise copy every digit.
+# Example: axes 2 and 3 of an arm, parallel within 1 mrad
+linuxcnc-distant-normal = axes { $first } and { $second } are near-parallel: `genserkins` has their common normal { FIXED($away_mm, 0) } mm away, so that rounded values move the flange
+    .hint = use the format `linuxcnc-component`, which holds Hayati's angle and screw axes
+
+# Means: The arm has joint offsets. `genserkins` has none: it takes the position of a LinuxCNC joint
+# for the angle of the table.
+# Matters: Loaded without the offsets, the file describes another arm.
+# Do: Add the offset of each joint to HOME_OFFSET, HOME, MIN_LIMIT and MAX_LIMIT of its [JOINT_n]
+# section, or use `linuxcnc-component`, which contains them.
+# Example: an arm whose table has theta = 90 deg in one row
+linuxcnc-joint-offsets = `genserkins` has no joint offsets: without them the flange is off by { FIXED($off_mm, 1) } mm at joint values zero. Offsets by LinuxCNC joint (deg): { $offsets_deg }
+    .hint = add them to HOME_OFFSET, HOME, MIN_LIMIT and MAX_LIMIT of [JOINT_n], or use `linuxcnc-component`

@@ -224,3 +224,9 @@ measuring-axes-missing = un programme en { $language } demande la lettre de chac
 measuring-pulses-missing = un programme en { $language } demande les impulsions par deg ou mm de chacune des { $joints } articulations
     .hint = les indiquer dans l’ordre des articulations : `--pulses P1,P2,...`
 
+
+linuxcnc-distant-normal = les axes { $first } et { $second } sont presque parallèles : `genserkins` place leur normale commune à { FIXED($away_mm, 0) } mm, si bien que des valeurs arrondies déplacent la bride
+    .hint = utiliser le format `linuxcnc-component`, qui contient l’angle de Hayati et les axes de vissage
+
+linuxcnc-joint-offsets = `genserkins` n’a pas de décalages articulaires : sans eux, la bride s’écarte de { FIXED($off_mm, 1) } mm aux valeurs articulaires nulles. Décalages par articulation de LinuxCNC (deg) : { $offsets_deg }
+    .hint = les ajouter à HOME_OFFSET, HOME, MIN_LIMIT et MAX_LIMIT de [JOINT_n], ou utiliser `linuxcnc-component`
