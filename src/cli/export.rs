@@ -3,8 +3,7 @@
 use super::{Verdict, print, print_text, progress, remark, validity};
 use crate::run::controller_formats::own_format;
 use crate::run::documents::{Documents, read_parameters_and_run};
-use crate::run::summary::summary;
-use crate::run::validation::recommend;
+use crate::run::validation::{Recommended, identify_recommended};
 use crate::stages::given::{check_described, check_geometry, other_nominal, unknown_geometry};
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, printable};
@@ -12,8 +11,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, OwnFormat, Statement};
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, PointError, Presentation,
-    WrittenController, WrittenDocument, to_json,
+    AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, PointError, WrittenController,
+    WrittenDocument, to_json,
 };
 use etalon_robots::Robot;
 use std::path::{Path, PathBuf};
@@ -77,7 +76,7 @@ impl ExportCommand {
         let with_errors = exporters.iter().any(|exporter| exporter.shows_errors());
         let exported = match self.parameters {
             Which::Identified => Exported::read(&self.source, self.robot.as_deref(), with_errors)?,
-            Which::Recommended => Exported::recommended(&self.source)?,
+            Which::Recommended => Exported::recommended(&self.source, &exporters)?,
         };
         let hash = self.controller_hash.as_deref();
         if hash.is_some() && !exporters.iter().any(|exporter| exporter.states_controller_hash()) {
@@ -93,7 +92,7 @@ impl ExportCommand {
             let Statement { left_out, errors, .. } = statement;
             let format = e.name().to_owned();
             let mut written = WrittenController { format, left_out, errors, messages: Vec::new() };
-            written.messages = e.concern(&given).into_iter().chain(not_measured(&written)).chain(near).collect();
+            written.messages = e.cautions(&given).into_iter().chain(not_measured(&written)).chain(near).collect();
             Ok((file, written))
         };
         let written = exporters.iter().map(of_format).collect::<Result<Vec<_>, Problems>>()?;
@@ -199,13 +198,15 @@ impl Exported {
         Ok(exported)
     }
 
-    /// Identifies the recommended parameters of a campaign.
-    fn recommended(campaign: &Path) -> Result<Self, Problems> {
+    /// Identifies the recommended parameters of a campaign, for these formats.
+    fn recommended(campaign: &Path, exporters: &[&dyn Exporter]) -> Result<Self, Problems> {
         let campaign = Campaign::read(campaign)?;
-        let found = recommend(&campaign, &mut progress)?;
-        remark(&found.messages);
-        let summary = summary(&campaign, Presentation::default());
-        Self::new(found.recommended, Some(campaign.robot), Some(summary))
+        let formats: Vec<(&str, &dyn Exporter)> = exporters.iter().map(|&e| (e.name(), e)).collect();
+        let Recommended { found, controllers, summary, messages } =
+            identify_recommended(&campaign, &formats, &mut progress)?;
+        remark(&messages);
+        let exported = Self::new(found.parameters, Some(campaign.robot), Some(summary))?;
+        Ok(Self { accuracy: Some(found.accuracy), errors: Some(found.errors), controllers, ..exported })
     }
 
     fn new(

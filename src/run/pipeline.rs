@@ -99,15 +99,25 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     // formats that leave parameters out hold what is identified without them
     let temperature_range_c = gather::temperature_range(&gathered.points);
     let mut summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };
-    let controllers = identified.as_ref().filter(|found| found.parameters.is_plausible()).and_then(|found| {
-        let given = given(campaign, robot.as_ref(), found, &summary);
-        controller_files::identify_again(&given, robot.as_ref(), found, &formats.all())
-    });
+    let again = |found| identified_again(campaign, robot.as_ref(), found, (&summary, &formats.all()));
+    let controllers = identified.as_ref().and_then(again);
     if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
         let given = given(campaign, robot.as_ref(), found, &summary);
         summary.controller_files = written(&Given { controllers: controllers.as_ref(), ..given }, &formats);
     }
     Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, formats, summary, identified, tested })
+}
+
+/// What the files of these formats hold in place of the identified parameters: identified again
+/// from the data of the campaign, for parameters that may be written.
+pub(super) fn identified_again(
+    campaign: &Campaign,
+    robot: &dyn Robot,
+    found: &Identified,
+    (summary, formats): (&CampaignSummary, &[(&str, &dyn Exporter)]),
+) -> Option<ControllersDocument> {
+    let given = given(campaign, robot, found, summary);
+    found.parameters.is_plausible().then(|| controller_files::identify_again(&given, robot, found, formats)).flatten()
 }
 
 /// Controller files that are not refused.

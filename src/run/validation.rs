@@ -1,14 +1,20 @@
 //! The pipeline as far as the observations, to judge parameters on them.
 
+use super::pipeline::identified_again;
+use super::summary::summary;
 use super::walk::{self, Observed};
-use crate::stages::identification::{identify, select};
+use crate::stages::identification::{Identified, identify, identify_chosen, select};
 use crate::stages::monte_carlo::{Draws, Trials};
 use crate::stages::recommendation;
 use crate::stages::validation::{self, Validated, Validation};
 use etalon_base::error;
-use etalon_base::message::{Place, Result};
+use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::{Campaign, Identify};
-use etalon_documents::{CampaignReference, Provenance, RecommendationDocument, UncertaintyDocument};
+use etalon_controllers::Exporter;
+use etalon_documents::{
+    CampaignReference, CampaignSummary, ControllersDocument, ParameterStatus, Presentation, Provenance,
+    RecommendationDocument, UncertaintyDocument,
+};
 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is
 /// written.
@@ -35,6 +41,35 @@ pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> R
     found.recommended.synthetic = campaign.file.synthetic.clone();
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
+}
+
+/// The recommended parameters of a campaign, identified like those of a run.
+pub struct Recommended {
+    /// Parameters with their errors; what is not recommended is at nominal.
+    pub found: Identified,
+    /// What formats hold in place of these parameters.
+    pub controllers: Option<ControllersDocument>,
+    /// Statements of the campaign about itself.
+    pub summary: CampaignSummary,
+    /// Warnings of the recommendation.
+    pub messages: Vec<Message>,
+}
+
+/// Identifies the recommended parameters of a campaign, and again for each of the formats that does
+/// not hold all of them, as a run does. Nothing is written.
+pub fn identify_recommended(
+    campaign: &Campaign,
+    formats: &[(&str, &dyn Exporter)],
+    report: &mut dyn FnMut(usize, usize),
+) -> Result<Recommended> {
+    let RecommendationDocument { recommended, messages, .. } = recommend(campaign, report)?;
+    let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
+    let held = recommended.parameters.into_iter().filter(|p| p.status == ParameterStatus::Fixed).map(|p| p.name);
+    let mut found = identify_chosen(campaign, stated, robot.as_mut(), (&joined, &frames), held)?;
+    found.parameters.provenance.inputs = gathered.document.inputs();
+    let summary = summary(campaign, Presentation::default());
+    let controllers = identified_again(campaign, robot.as_ref(), &found, (&summary, formats));
+    Ok(Recommended { found, controllers, summary, messages })
 }
 
 /// Distributions of the results of a campaign; `report` is called with the draws made and the most

@@ -118,7 +118,33 @@ pub fn identify(
     frames: &FramesDocument,
 ) -> Result<Identified> {
     let selected = select(campaign, stated, robot, joined, frames)?;
-    let robot: &dyn Robot = robot;
+    identify_selected(campaign, stated, robot, joined, selected)
+}
+
+/// Like [`identify`], for a chosen set of parameters: these are held at their nominal values, and
+/// all others are free, whatever effects the campaign names.
+pub fn identify_chosen(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &mut dyn Robot,
+    (joined, frames): (&Joined, &FramesDocument),
+    held: impl Iterator<Item = String>,
+) -> Result<Identified> {
+    let mut selected = select(campaign, stated, robot, joined, frames)?;
+    selected.settings.hold.extend(held);
+    selected.settings.effects = Effects::All;
+    let stated = Identify { effects: EffectRule::Named(NamedEffects::All), ..stated.clone() };
+    identify_selected(campaign, &stated, robot, joined, selected)
+}
+
+/// Identifies the robot from selected observations.
+fn identify_selected(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &dyn Robot,
+    joined: &Joined,
+    selected: Selected,
+) -> Result<Identified> {
     let Selected { mut sets, mut settings, poses, selections, apart, systematic, mut messages } = selected;
     let proofs = proven_effects(robot, stated, &sets, &mut settings)?;
     let mut solved = Solved::new(robot, &sets, &settings, &systematic)?;

@@ -104,18 +104,31 @@ fn rms(twin: &Twin, position: impl Fn(&[f64]) -> Vector) -> f64 {
     (squares.sum::<f64>() / VALIDATION as f64).sqrt()
 }
 
+/// The recommended parameters are identified again for a format that does not hold all of them, like those of a run.
+#[test]
+fn a_file_of_recommended_parameters_is_identified_again_like_that_of_a_run() {
+    let gains = [1e-3, -1e-3, 1e-3, 1e-3, -1e-3, 1e-3];
+    let twin = twin(&Arm { gains, homed_at: 60.0, poses: [[60.0, 60.0]; 2] });
+    let folder = twin.folder.path();
+    assert_eq!(etalon(&folder, &["run", "."]).status.code(), Some(0));
+    let arguments =
+        ["export", ".", "--parameters", "recommended", "--format", "universal-robots", "--to", "recommended"];
+    let exported = etalon(&folder, &arguments);
+    let said = text(&exported.stderr);
+    assert!(exported.status.code() == Some(0) && !said.contains("controller-error-not-measured"), "{said}");
+    let [run, recommended] =
+        ["out", "recommended"].map(|of| std::fs::read_to_string(folder.join(of).join(SAMPLE_OF_FILE)).unwrap());
+    assert!(recommended.contains("# identified again without: gain_"), "{recommended}");
+    let [run_mm, recommended_mm] = [run, recommended].map(|yaml| stated(&yaml, "this file "));
+    assert!((recommended_mm / run_mm - 1.0).abs() < 0.1, "{recommended_mm} {run_mm}");
+}
+
 /// Position of the target with the six joints of a calibration of Universal Robots, and these base and target.
 fn position_by_file(robot: &Serial, yaml: &str, values: &[f64], q: &[f64]) -> Vector {
-    let numbers: Vec<f64> =
-        yaml.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": ")?.1.parse().ok()).collect();
     let base = robot.base_in_world(values).unwrap();
-    let joint = |pose: Pose, (f, q): (&[f64], &f64)| {
-        pose.then(&Pose::from_xyz_rpy([f[0], f[1], f[2]].map(|m| 1000.0 * m), [f[3], f[4], f[5]])).turn_z(*q)
-    };
-    let flange = robot.joint_chain(&robot.nominal()).unwrap().flange;
     let target = robot.parameters().iter().zip(values).filter(|(p, _)| p.role == Role::Target).map(|(_, v)| *v);
     let target: Vec<f64> = target.collect();
-    numbers.chunks_exact(6).zip(q).fold(base, joint).then(&flange).apply([target[0], target[1], target[2]])
+    base.then(&universal_robots(yaml, q)).apply([target[0], target[1], target[2]])
 }
 
 #[test]
