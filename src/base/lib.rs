@@ -2,6 +2,7 @@
 //! random numbers, dates, line drawings.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
+pub mod angle;
 pub mod angle_order;
 pub mod bounds;
 pub mod catalogue;

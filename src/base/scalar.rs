@@ -30,7 +30,7 @@ pub trait Scalar:
     fn sqrt(self) -> Self;
     /// Angle wrapped to (−π, π] (rad).
     fn wrapped(self) -> Self {
-        self + (-(self.value() / std::f64::consts::TAU).round() * std::f64::consts::TAU)
+        self + -crate::angle::Turn::RADIANS.whole(self.value())
     }
     /// Tangent of an angle (rad).
     fn tan(self) -> Self {

@@ -8,6 +8,7 @@
 use super::decimals::all_fixed;
 use super::template::render;
 use super::{Exporter, Given, value};
+use etalon_base::angle::Turn;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
@@ -75,11 +76,7 @@ impl Towers {
         let from = at.map(|[x, y]| [x - centre_mm[0], y - centre_mm[1]]);
         let radius_mm = from[0][0].hypot(from[0][1]);
         let angles = from.map(|[x, y]| y.atan2(x).to_degrees());
-        let off = [0, 1, 2].map(|i| {
-            angles[i]
-                - TOWERS_DEG[i]
-                - ((angles[i] - TOWERS_DEG[i] - angles[0] + TOWERS_DEG[0]) / 360.0).round() * 360.0
-        });
+        let off = [0, 1, 2].map(|i| Turn::DEGREES.near(angles[i] - TOWERS_DEG[i], angles[0] - TOWERS_DEG[0]));
         let turned_deg = off.iter().sum::<f64>() / 3.0;
         let corrections_deg = off.map(|v| v - turned_deg);
         if corrections_deg.iter().any(|v| v.abs() > 30.0) {
@@ -128,7 +125,7 @@ fn upright(robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
 
 /// Angle wrapped to (−180, 180] deg.
 fn wrap_deg(angle: f64) -> f64 {
-    angle - (angle / 360.0).round() * 360.0
+    Turn::DEGREES.difference(angle, 0.0)
 }
 
 /// Centre of the circle through three points.

@@ -5,6 +5,7 @@ use super::truth::{Circle, stated_joints, true_values};
 use crate::stages::candidates::configurations;
 use crate::stages::remedies::remedied;
 use crate::stages::table_file::TableFile;
+use etalon_base::angle::Turn;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
 use etalon_base::catalogue::Phrase;
 use etalon_base::files;
@@ -22,7 +23,7 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::path::Path;
 
 /// Maximum number of poses of a set, or of the workspace.
@@ -145,7 +146,7 @@ impl Landing {
         let nominal = robot.nominal();
         let commanded = base(&nominal)?.then(&robot.tool_pose(&nominal, joints)?);
         let ways = robot.all_joints(identified, &base(identified)?.inverse().then(&commanded));
-        let turned = |(a, b): (&f64, &f64)| (a - b + PI).rem_euclid(TAU) - PI;
+        let turned = |(a, b): (&f64, &f64)| Turn::RADIANS.difference(*a, *b);
         let off = |q: &Vec<f64>| {
             let joints = q.iter().zip(joints).zip(robot.joints());
             joints

@@ -3,6 +3,7 @@
 
 use crate::stages::remedies::remedied;
 use crate::stages::shown;
+use etalon_base::angle::Turn;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase, warning};
 use etalon_documents::JointTravel;
@@ -56,11 +57,21 @@ pub(super) fn unmoved(
     Err(error!("joints-do-not-move", rows, motion, points, scatter_mm).into())
 }
 
+/// Range of a joint (mm or rad): of an angle the arc, because whole turns move nothing.
+fn range(robot: &dyn Robot, observations: &[Observation], settings: &Settings, joint: usize) -> Option<f64> {
+    if robot.joints()[joint].quantity == Quantity::Angle {
+        let poses = observations.iter().map(|o| &o.joints).chain(settings.conditions.iter().map(|c| &c.joints));
+        let angles: Vec<f64> = poses.map(|joints| joints[joint]).collect();
+        return (!angles.is_empty()).then(|| Turn::RADIANS.arc(&angles));
+    }
+    ends(observations, settings, joint).map(|[lowest, highest]| highest - lowest)
+}
+
 /// Warnings about joints that do not move, if parameters then remain at their tolerances.
 pub(super) fn still_joints(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Vec<Message> {
     let still = |&joint: &usize| {
         let least = if robot.joints()[joint].quantity == Quantity::Angle { STILL_RAD } else { STILL_MM };
-        ends(observations, settings, joint).is_some_and(|[lowest, highest]| highest - lowest < least)
+        range(robot, observations, settings, joint).is_some_and(|range| range < least)
     };
     let still: Vec<usize> = (0..robot.joints().len()).filter(still).collect();
     if still.is_empty() {

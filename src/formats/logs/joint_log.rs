@@ -2,6 +2,7 @@
 
 use crate::table::{ASSEMBLY, LABEL, frame, pose_column};
 use crate::tables::joints::is_stated_column;
+use etalon_base::angle::Turn;
 use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_robots::{Joint, Quantity};
@@ -23,6 +24,12 @@ fn factor(unit: &str, quantity: Quantity) -> Option<f64> {
         (Quantity::Angle, "rad") => Some(180.0 / std::f64::consts::PI),
         _ => None,
     }
+}
+
+/// Turn of a column of a log, if it has the angles of a joint: lengths and directions never wrap.
+fn turn(column: &str) -> Option<Turn> {
+    let is_joint = !column.ends_with(DIRECTION) && !is_stated_column(column);
+    (is_joint && column.ends_with("_deg")).then_some(Turn::DEGREES)
 }
 
 /// `true` if a key of `columns` is this joint with a unit, such as `q1_deg` or `q1_rad`.
@@ -91,6 +98,13 @@ pub struct LogRow {
 }
 
 impl JointLog {
+    /// Values of a joint in the order of the rows, without the jumps of a controller that wraps
+    /// angles.
+    pub fn motion(&self, joint: usize) -> Vec<f64> {
+        let values: Vec<f64> = self.rows.iter().map(|row| row.joints[joint]).collect();
+        turn(&self.joints[joint]).map_or(values.clone(), |turn| turn.unwound(&values))
+    }
+
     /// `true` if the log has this column.
     pub fn has(&self, column: &str) -> bool {
         self.columns.iter().any(|c| c == column)

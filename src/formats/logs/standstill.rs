@@ -2,7 +2,8 @@
 //!
 //! A sample belongs to a standstill if it lies in a stretch of at least the stated duration within
 //! which no joint moves by more than the limit of its kind. The rule is symmetric in time and uses
-//! no filter. Stretches with a common sample form one standstill.
+//! no filter. Stretches with a common sample form one standstill. Angles that a controller wraps are
+//! compared and averaged modulo a turn.
 
 use super::joint_log::{DIRECTION, JointLog, LogRow};
 use super::{Log, StandstillCriterion};
@@ -106,8 +107,7 @@ pub(super) fn reduce(
 ) -> Result<JointLog> {
     let place = || stated.place(&log.file);
     let (times_s, within) = limits(log, still, &read).map_err(|message| Problems::from(message).at(&place()))?;
-    let values: Vec<Vec<f64>> =
-        (0..read.joints.len()).map(|k| read.rows.iter().map(|row| row.joints[k]).collect()).collect();
+    let values: Vec<Vec<f64>> = (0..read.joints.len()).map(|k| read.motion(k)).collect();
     let watched: Vec<Watched> = values.iter().zip(within).map(|(values, within)| Watched { values, within }).collect();
     let found = standing(&times_s, &watched, still.at_least_s);
     if found.is_empty() {
@@ -121,8 +121,13 @@ pub(super) fn reduce(
     for (number, &(first, last)) in (1..).zip(&found) {
         let within = &read.rows[first..=last];
         unchanged(log, within)?;
-        let joint = |(name, values): (&String, &Vec<f64>)| spread(name, &values[first..=last]);
-        let joints: Vec<StandingJoint> = read.joints.iter().zip(&values).map(joint).collect();
+        let joint = |(k, values): (usize, &Vec<f64>)| {
+            // the mean has the turn of the recording
+            let turns = within[0].joints[k] - values[first];
+            let own = spread(&read.joints[k], &values[first..=last]);
+            StandingJoint { mean: own.mean + turns, ..own }
+        };
+        let joints: Vec<StandingJoint> = values.iter().enumerate().map(joint).collect();
         let [from_s, to_s] = [times_s[first], times_s[last]];
         rows.push(LogRow {
             row: number,
@@ -199,4 +204,27 @@ fn spread(name: &str, values: &[f64]) -> StandingJoint {
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));
     let standard_deviation = if values.len() > 1 { deviation } else { 0.0 };
     StandingJoint { column: name.to_owned(), mean, standard_deviation, range: high - low }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A joint that stands at 180 deg within the noise of its encoder, and that the controller
+    /// wraps, stands still; a length that jumps by 360 mm does not.
+    #[test]
+    fn a_joint_at_half_a_turn_stands_still() {
+        let stands = [-20.0, 180.0, 60.0, 180.0, -179.999];
+        let values = stands.iter().flat_map(|at| (0..30).map(move |i| at + 0.002 * f64::from(i % 3 - 1)));
+        let wrapped: Vec<f64> = values.map(|v: f64| v - 360.0 * ((v + 180.0) / 360.0).floor()).collect();
+        let row = |v: &f64| LogRow { joints: vec![*v, *v], ..LogRow::default() };
+        let joints = vec!["q4_deg".to_owned(), "lift_mm".to_owned()];
+        let log = JointLog { joints, rows: wrapped.iter().map(row).collect(), ..JointLog::default() };
+        let times_s: Vec<f64> = (0..wrapped.len()).map(|i| 0.1 * i as f64).collect();
+        let count = |k: usize| standing(&times_s, &[Watched { values: &log.motion(k), within: 0.02 }], 1.5).len();
+        // the last two stand at one angle
+        assert_eq!(count(0), 4, "{:?}", log.motion(0));
+        assert!(count(1) < 4);
+        assert_eq!(log.motion(1), wrapped);
+    }
 }

@@ -1,6 +1,8 @@
 //! Motion of a recording beside the times of measured points: its standstills, and the offset of
 //! the clocks.
 
+use etalon_base::angle::Turn;
+
 /// Times (s) and joint values of a recording, a row each.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Motion {
@@ -48,18 +50,36 @@ impl Motion {
 
     /// Returns the names of the joints that do not move in the whole recording.
     pub fn still(&self) -> Vec<String> {
+        let within = self.within();
         let is_still = |at: &usize| {
-            let values = || self.joints.iter().filter_map(|row| row.get(*at));
-            let low = values().fold(f64::INFINITY, |low, value| low.min(*value));
-            values().all(|value| value - low <= self.within())
+            let values: Vec<f64> = self.joints.iter().filter_map(|row| row.get(*at).copied()).collect();
+            let values = self.turn().unwound(&values);
+            let low = values.iter().fold(f64::INFINITY, |low, value| low.min(*value));
+            values.iter().all(|value| value - low <= within)
         };
         (0..self.names.len()).filter(is_still).map(|at| self.names[at].clone()).collect()
     }
 
+    /// `true` if the file has angles in radians, by their size.
+    fn in_radians(&self) -> bool {
+        self.joints.iter().flatten().all(|value| value.abs() <= LARGEST_RAD)
+    }
+
     /// Returns the largest difference in a standstill, in the unit of the file.
     fn within(&self) -> f64 {
-        let largest = self.joints.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
-        if largest <= LARGEST_RAD { WITHIN.to_radians() } else { WITHIN }
+        if self.in_radians() { WITHIN.to_radians() } else { WITHIN }
+    }
+
+    fn turn(&self) -> Turn {
+        if self.in_radians() { Turn::RADIANS } else { Turn::DEGREES }
+    }
+
+    /// Joint values row by row, without the jumps of a controller that wraps angles.
+    fn unwound(&self) -> Vec<Vec<f64>> {
+        let (turn, width) = (self.turn(), self.joints.iter().map(Vec::len).min().unwrap_or(0));
+        let column = |k: usize| turn.unwound(&self.joints.iter().map(|row| row[k]).collect::<Vec<f64>>());
+        let columns: Vec<Vec<f64>> = (0..width).map(column).collect();
+        (0..self.joints.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect()
     }
 
     /// Returns beginning and end of each longest interval in which no joint moves.
@@ -67,8 +87,9 @@ impl Motion {
         let within = self.within();
         let mut found = Vec::new();
         let mut from = 0;
-        let mut range: Vec<[f64; 2]> = self.joints[0].iter().map(|value| [*value; 2]).collect();
-        for (row, joints) in self.joints.iter().enumerate() {
+        let unwound = self.unwound();
+        let mut range: Vec<[f64; 2]> = unwound[0].iter().map(|value| [*value; 2]).collect();
+        for (row, joints) in unwound.iter().enumerate() {
             let wider: Vec<[f64; 2]> =
                 range.iter().zip(joints).map(|([low, high], value)| [low.min(*value), high.max(*value)]).collect();
             if wider.iter().all(|[low, high]| high - low <= within) {

@@ -9,11 +9,11 @@ use crate::Observation;
 use crate::model::prior::DIFFUSE;
 use crate::model::residuals::Residuals;
 use crate::solution::placing::{PLAIN, spread_mm};
+use etalon_base::angle::Turn;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_math::statistics::rms;
 use etalon_math::{Options, ParameterPrior as Prior, Problem, WithPriors};
 use etalon_robots::{Quantity, Robot};
-use std::f64::consts::TAU;
 
 /// Smallest standard deviation (mm) of a coordinate: no instrument measures robots more accurately.
 pub(crate) const LEAST_MM: f64 = 1e-3;
@@ -87,7 +87,7 @@ impl Hypothesis<'_> {
         let mut values = solution.x.clone();
         for (value, p) in values.iter_mut().zip(parameters).filter(|(_, p)| p.tolerance.is_finite()) {
             if p.quantity == Quantity::Angle {
-                *value -= ((*value - p.nominal) / TAU).round() * TAU;
+                *value = Turn::RADIANS.near(*value, p.nominal);
             }
         }
         let off = |i: usize| (values[i] - parameters[i].nominal).abs() / uncertainty(parameters[i].tolerance).max(1e-9);

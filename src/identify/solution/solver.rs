@@ -10,10 +10,10 @@ use crate::solution::evidence::most_probable;
 use crate::solution::identifiability::{Analysis, Group};
 use crate::{Error, Result};
 use crate::{Observation, Settings};
+use etalon_base::angle::Turn;
 use etalon_base::pattern::matches_pattern;
 use etalon_math::{Options, Solution, WithPriors};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
-use std::f64::consts::TAU;
 
 /// Number of observations, spread over all, that is sufficient for an approximate solution.
 const SUBSET: usize = 96;
@@ -109,7 +109,7 @@ fn whole_turns(robot: &dyn Robot, values: &mut [f64]) {
     let vector = |role: Role| role == Role::Target || role == Role::Base && robot.free_base().is_some();
     for (value, p) in values.iter_mut().zip(robot.parameters()) {
         if p.quantity == Quantity::Angle && !vector(p.role) {
-            *value -= ((*value - p.nominal) / TAU).round() * TAU;
+            *value = Turn::RADIANS.near(*value, p.nominal);
         }
     }
 }

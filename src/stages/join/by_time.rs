@@ -181,22 +181,19 @@ fn joined(targets: &[Target], log: &JointLog, times: &[i64], met: &[Option<Met>]
     kept.sort_by_key(|(i, _)| times[*i]);
     let distinct: BTreeSet<i64> = kept.iter().map(|(i, _)| times[*i]).collect();
     let rank: BTreeMap<i64, i64> = distinct.into_iter().zip(1..).collect();
+    let between = kept.iter().any(|(_, met)| met.other.is_some());
+    let motions: Vec<Vec<f64>> = (0..log.joints.len()).filter(|_| between).map(|k| log.motion(k)).collect();
     let row = |(i, met): (usize, Met)| {
         let nearer = &log.rows[met.row];
         let mut row = Row::of(&targets[i], nearer);
         row.pose = row.pose.or(Some(if interpolated { rank[&times[i]] } else { nearer.row }.into()));
         let Some((other, share)) = met.other else { return row };
         row.line = None;
-        for ((value, other), name) in row.joints.iter_mut().zip(&log.rows[other].joints).zip(&log.joints) {
-            let step = other - *value;
+        for (k, (value, name)) in row.joints.iter_mut().zip(&log.joints).enumerate() {
             // directions are taken from the nearer row
-            if name.ends_with(DIRECTION) {
-                continue;
+            if !name.ends_with(DIRECTION) {
+                *value += share * (motions[k][other] - motions[k][met.row]);
             }
-            // from 179.9 to -179.9 degrees it is a fifth of a degree; no joint turns so far from
-            // one row to the next
-            let turned = name.ends_with("_deg") && step.abs() > 270.0;
-            *value += share * if turned { step - 360.0 * step.signum() } else { step };
         }
         row
     };

@@ -444,7 +444,8 @@ fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, J
             let message = error!("approach-direction-unknown", log = log.name, joint = joint.name, column = name);
             return Err(message.into());
         }
-        let found = directions(order.iter().map(|&i| log.rows[i].joints[column]), STILL);
+        let motion = log.motion(column);
+        let found = directions(order.iter().map(|&i| motion[i]), STILL);
         let log = log.to_mut();
         order.into_iter().zip(found).for_each(|(i, d)| log.rows[i].joints.push(d.unwrap_or(f64::NAN)));
         log.joints.push(name);

@@ -1,10 +1,11 @@
 //! Reachability of the places of a test within the limits of the robot file, with joint values.
 
 use crate::iso9283::plan::{CommandedPose, CommandedPoses, TestPlan};
+use etalon_base::angle::Turn;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_robots::{PlanarPose, Quantity, Robot};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// Joint values of the places of a plan.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,7 +99,7 @@ fn way(robot: &dyn Robot, places: &CommandedPoses) -> Vec<Option<Vec<f64>>> {
 /// Largest difference of a joint, with angles the shorter way.
 fn apart(robot: &dyn Robot, a: &[f64], b: &[f64]) -> f64 {
     let of = |(joint, (a, b)): (&etalon_robots::Joint, (&f64, &f64))| match joint.quantity {
-        Quantity::Angle => ((a - b) - TAU * ((a - b) / TAU).round()).abs(),
+        Quantity::Angle => Turn::RADIANS.difference(*a, *b).abs(),
         _ => (a - b).abs(),
     };
     robot.joints().iter().zip(a.iter().zip(b)).map(of).fold(0.0, f64::max)

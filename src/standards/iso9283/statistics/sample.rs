@@ -1,9 +1,9 @@
 //! Means and standard deviations that are exact for equal values, and angles without jumps.
 
+use etalon_base::angle::Turn;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, phrase};
-use std::f64::consts::TAU;
 
 /// Rejects fewer than `least` positions, and non-finite positions.
 pub(crate) fn positions(points: &[Vector], least: usize, characteristic: &str) -> Result<()> {
@@ -69,21 +69,15 @@ pub(crate) fn covariance(points: &[Vector]) -> [[f64; 3]; 3] {
 
 /// Wraps an angle or a difference of angles to −π to π.
 pub fn wrapped(angle_rad: f64) -> f64 {
-    angle_rad - TAU * (angle_rad / TAU).round()
+    Turn::RADIANS.difference(angle_rad, 0.0)
 }
 
 /// Angles of one pose without jumps of 2π: each is within half a turn of the first.
 pub fn unwrapped(angles_rad: &[f64]) -> Vec<f64> {
-    let first = angles_rad.first().copied().unwrap_or_default();
-    angles_rad.iter().map(|a| first + wrapped(a - first)).collect()
+    Turn::RADIANS.about_first(angles_rad)
 }
 
 /// Angles along a motion without jumps of 2π: each is within half a turn of the previous one.
 pub(crate) fn followed(angles_rad: &[f64]) -> Vec<f64> {
-    let mut all: Vec<f64> = Vec::with_capacity(angles_rad.len());
-    for &angle in angles_rad {
-        let before = all.last().copied().unwrap_or(angle);
-        all.push(before + wrapped(angle - before));
-    }
-    all
+    Turn::RADIANS.followed(angles_rad)
 }
