@@ -165,6 +165,7 @@ fn axis_lines(axis: &AxisEntry, lines: &mut Vec<Phrase>) {
     }
     if let (Some(ratio), Some(rms)) = (axis.ratio, axis.motion_rms) {
         let unit = if axis.prismatic { "mm" } else { "deg" };
-        lines.push(phrase!("axes-motion", ratio = format!("{ratio:.6}"), rms = format!("{rms:.5}"), unit));
+        let u = format!("{:.6}", axis.ratio_standard_uncertainty.unwrap_or_default());
+        lines.push(phrase!("axes-motion", ratio = format!("{ratio:.6}"), u, rms = format!("{rms:.5}"), unit));
     }
 }

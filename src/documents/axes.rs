@@ -56,7 +56,8 @@ pub struct AxisEntry {
     pub point_standard_uncertainty_mm: Option<f64>,
     /// Standard uncertainty of a coordinate: as stated, or from the residuals.
     pub coordinate_standard_uncertainty_mm: f64,
-    /// Degrees of freedom of that uncertainty; absent if it is stated.
+    /// Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent if
+    /// it is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub degrees_of_freedom: Option<usize>,
     /// Paths of the targets.
@@ -76,6 +77,9 @@ pub struct AxisEntry {
     /// Motion per unit of the joint value; absent without joint values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<f64>,
+    /// Standard uncertainty of the ratio; absent without joint values.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ratio_standard_uncertainty: Option<f64>,
     /// Root mean square of motion minus joint value (deg or mm); absent without joint values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion_rms: Option<f64>,

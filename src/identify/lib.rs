@@ -24,6 +24,7 @@ pub use judgement::figures::{ErrorKind, FigureUncertainty, JudgedErrors};
 pub use judgement::loads::{LoadContradiction, LoadSlip, load_slips};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
+pub use judgement::ratio::MeasuredRatio;
 pub use judgement::relative::{DistanceErrors, RelativeErrors};
 pub use judgement::reliability::{
     ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability,

@@ -13,7 +13,7 @@ use etalon_documents::{
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::axes::{
     Agreement, AxesModel, AxesSettings, BaseRule, ByNoise, Change, DerivedParameters, JointAxis, Slip, Sweep,
-    SweepFault, SweepReading, axis_slip, compared, joint_axis, joint_slip, smooth, start_gap,
+    SweepFault, SweepReading, axis_slip, compared, joint_axis, joint_slip, start_gap,
 };
 use etalon_identify::{ASSUMED_MM, Extent, UncertaintyBound};
 use etalon_robots::{AxisTable, Joint, Parameter, Quantity, Role, modified_table, standard_table};
@@ -179,6 +179,9 @@ fn read(file: &TableFile, stated: &SweepsStated) -> Result<SweepTable> {
         }
     }
     problems.check()?;
+    let turns = |k: &usize| values[*k].as_ref().is_some_and(|v| !v.1);
+    let turning: Vec<usize> = (0..joints.len()).filter(turns).collect();
+    sweeps.iter_mut().for_each(|sweep| sweep.unwind(&turning));
     let known = sweeps.iter().flat_map(|s| &s.readings).filter(|r| !r.joints.is_empty()).count();
     if known > 0 && known < sweeps.iter().map(|s| s.readings.len()).sum() {
         return Err(error!("sweep-values-partial").into());
@@ -267,7 +270,7 @@ fn axis(
     if !aside.is_empty() {
         messages.push(warning!("sweep-foreign", joint, count = aside.len(), lines = aside.join(", ")));
     }
-    if let Some(smooth) = smooth(sweep, &axis.fit) {
+    if let Some(smooth) = axis.smooth {
         let (rms_um, noise_um) = (1000.0 * smooth.rms_mm, 1000.0 * smooth.noise_mm);
         messages.push(warning!("sweep-smooth", joint, rms_um, noise_um));
     }
@@ -319,7 +322,10 @@ fn slip_message(table: &SweepTable, joint: usize, slip: Slip) -> Message {
                 if slides { phrase!("sweep-by-length", by) } else { phrase!("sweep-by-angle", by = by.to_degrees()) };
             error!("sweep-two-joints", joint, also = name(also), by)
         }
-        Slip::Ratio { ratio, unit } => error!("sweep-ratio", joint, ratio, unit = unit.unwrap_or("none")),
+        Slip::Ratio { ratio, unit } => {
+            let (u, ratio) = (ratio.standard_uncertainty, ratio.value);
+            error!("sweep-ratio", joint, ratio, u, unit = unit.unwrap_or("none"))
+        }
         Slip::TargetMoved { target, row, deviations_mm: [before, after] } => {
             let (before_um, after_um) = (1000.0 * before, 1000.0 * after);
             error!("sweep-target-moved", joint, target = &table.targets[target], row, before_um, after_um)
@@ -582,13 +588,14 @@ fn entry(table: &SweepTable, axis: &JointAxis) -> AxisEntry {
         direction_standard_uncertainty_deg: of_direction[0].max(of_direction[1]).to_degrees(),
         point_standard_uncertainty_mm: (!slides).then(|| of_point[0].max(of_point[1])),
         coordinate_standard_uncertainty_mm: axis.standard_uncertainty_mm,
-        degrees_of_freedom: axis.degrees_of_freedom.is_finite().then_some(axis.fit.degrees_of_freedom),
+        degrees_of_freedom: axis.degrees_of_freedom.is_finite().then_some(axis.degrees_of_freedom as usize),
         paths: axis.fit.paths.iter().enumerate().map(path).collect(),
         axial_error_motion_mm: axis.error_motion.axial_mm,
         tilt_error_motion_deg: axis.error_motion.tilt_rad.map(f64::to_degrees),
         axial_by_noise: axis.error_motion.noise.axial.map(|noise| by_noise(noise, 1.0)),
         tilt_by_noise: axis.error_motion.noise.tilt.map(|noise| by_noise(noise, 1f64.to_degrees())),
-        ratio: axis.travel.map(|t| t.ratio),
+        ratio: axis.travel.map(|t| t.ratio.value),
+        ratio_standard_uncertainty: axis.travel.map(|t| t.ratio.standard_uncertainty),
         motion_rms: axis.travel.map(|t| if slides { t.rms } else { t.rms.to_degrees() }),
     }
 }

@@ -188,6 +188,61 @@ fn slips_in_a_table_are_named() {
     assert_eq!(found.axes[1].set_aside, [32]);
 }
 
+/// Table of one sweep of one joint, at these angles (deg) and with a deviation of the radius (mm).
+fn one_sweep(angles: impl Iterator<Item = f64>, radial: impl Fn(f64) -> f64, written: impl Fn(f64) -> f64) -> String {
+    let mut noise = Noise::new(13, 0);
+    let place = Pose::from_xyz_rpy([700.0, -400.0, 500.0], [0.2, -0.1, 0.6]);
+    let mut out = "joint,q1_deg,x_mm,y_mm,z_mm\n".to_owned();
+    for angle in angles {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let radius = 450.0 + radial(angle.to_radians());
+        let p = place.apply([radius * cos, radius * sin, 0.0]).map(|v| v + noise.gaussian(0.0005));
+        let _ = writeln!(out, "q1,{:.5},{:.4},{:.4},{:.4}", written(angle), p[0], p[1], p[2]);
+    }
+    out
+}
+
+/// One sweep gives its axis with the uncertainty, and no base beyond it.
+#[test]
+fn one_sweep_gives_its_axis() {
+    let table = one_sweep((0..31).map(|i| 2.0 * f64::from(i) - 30.0), |_| 0.0, |q| q);
+    let found = document(&table, &[]);
+    let axis = &found.axes[0];
+    assert!(found.axes.len() == 1 && axis.direction_standard_uncertainty_deg > 0.0);
+    let truth = Pose::from_xyz_rpy([0.0; 3], [0.2, -0.1, 0.6]).axis(2);
+    let off = norm(minus(axis.direction, truth)).to_degrees();
+    assert!(off < 5.0 * axis.direction_standard_uncertainty_deg, "{off}");
+    for convention in ["poe", "mdh", "dh"] {
+        let (code, out, err) = run(&table, &["--convention", convention, "--toml"]);
+        assert!(code == Some(0) && !out.is_empty(), "{convention}: {err}");
+    }
+}
+
+/// Run-out of some micrometres is reported, and no refusal; the uncertainty is larger than for
+/// noise.
+#[test]
+fn run_out_is_reported() {
+    let angles = || (0..120).map(|i| 0.84 * f64::from(i) - 50.0);
+    let round = document(&one_sweep(angles(), |_| 0.0, |q| q), &[]);
+    let run_out = |q: f64| 0.004 * (7.0 * q).sin() + 0.002 * (11.0 * q).cos();
+    let found = document(&one_sweep(angles(), run_out, |q| q), &[]);
+    assert!(round.messages.is_empty(), "{:?}", round.messages);
+    assert!(found.messages.iter().any(|m| m.id == "sweep-smooth"), "{:?}", found.messages);
+    let [u, of_noise] = [&found, &round].map(|d| d.axes[0].point_standard_uncertainty_mm.unwrap());
+    assert!(u > 3.0 * of_noise && found.axes[0].set_aside.is_empty(), "{u} {of_noise}");
+    assert!(found.axes[0].paths[0].radial_error_motion_mm > 0.007);
+}
+
+/// A sweep across half a turn, whose values the controller wraps.
+#[test]
+fn a_sweep_across_half_a_turn_is_one_motion() {
+    let table =
+        one_sweep((0..40).map(|i| 120.0 + 3.0 * f64::from(i)), |_| 0.0, |q| if q > 180.0 { q - 360.0 } else { q });
+    let found = document(&table, &[]);
+    assert!(found.messages.is_empty(), "{:?}", found.messages);
+    assert!((found.axes[0].ratio.unwrap() - 1.0).abs() < 1e-4 && found.axes[0].motion_rms.unwrap() < 0.01);
+}
+
 #[test]
 fn a_joint_swept_backwards_is_named() {
     let mut rows = rows();

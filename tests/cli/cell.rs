@@ -396,6 +396,29 @@ fn objects_axes_and_tool_frames_are_found() {
     assert!(degrees.messages.iter().any(|m| m.id == "cell-scale") && (scale - 57.296).abs() < 0.01, "{scale}");
 }
 
+/// An axis at rest is named; a scale counts with its uncertainty.
+#[test]
+fn an_axis_at_rest_and_a_short_arc_are_told_from_a_wrong_scale() {
+    let mut noise = Noise::new(66, 0);
+    let column = |name: &str, values: &[f64]| {
+        std::iter::once(name.to_owned()).chain(values.iter().map(f64::to_string)).collect::<Vec<_>>()
+    };
+    let at: Vec<Vector> = (0..9).map(|_| [600.0, 215.0, 290.0].map(|v| v + noise.gaussian(0.01))).collect();
+    let answer = run(&table(&[column("axis_mm", &[500.0; 9]), points("", &at)]), &["--solve", "linear-axis"]);
+    assert!(answer.code == 2 && answer.stderr.contains("error[cell-axis-at-rest]"), "{}", answer.stderr);
+    let values: Vec<f64> = (0..13).map(|i| 0.25 * f64::from(i)).collect();
+    let object = Pose::from_xyz_rpy([950.0, 120.0, 410.0], [0.01, -0.02, 0.5]);
+    for _ in 0..10 {
+        let turned = |v: &f64| object.turn_z(v.to_radians()).apply([300.0, 0.0, 0.0]).map(|c| c + noise.gaussian(0.01));
+        let at: Vec<Vector> = values.iter().map(turned).collect();
+        let answer = run(&table(&[column("axis_deg", &values), points("", &at)]), &["--solve", "rotary-axis"]);
+        assert!(!answer.stderr.contains("cell-scale"), "{}", answer.stderr);
+        let degrees: Vec<f64> = values.iter().map(|v| v.to_radians()).collect();
+        let answer = run(&table(&[column("axis_deg", &degrees), points("", &at)]), &["--solve", "rotary-axis"]);
+        assert!(answer.stderr.contains("cell-scale"), "{}", answer.stderr);
+    }
+}
+
 #[test]
 fn a_foreign_reading_is_named_by_its_line() {
     let mut poses = touches(10, 0.7, 0.02);

@@ -110,9 +110,15 @@ const OPTIONS: &[Case] = &[
         "cell @/c.csv --solve tool-point --uncertainty-bound 0.5",
     ),
     (
+        "cell-axis-at-rest readings=3",
+        "",
+        &[("c.csv", "", "axis_mm,x_mm,y_mm,z_mm\n500,1,2,3\n500,1,2,3.01\n500,1,2.01,3\n")],
+        "cell @/c.csv --solve linear-axis",
+    ),
+    (
         "cell-undetermined",
         "",
-        &[("c.csv", "", "axis_deg,x_mm,y_mm,z_mm\n5,100,0,0\n5,0,100,0\n5,-100,0,0\n5,0,-100,0\n")],
+        &[("c.csv", "", "axis_deg,x_mm,y_mm,z_mm\n0,100,0,0\n0,0,100,0\n90,-100,0,0\n90,0,-100,0\n")],
         "cell @/c.csv --solve rotary-axis",
     ),
     (

@@ -1,6 +1,7 @@
 //! Slips that sweeps reveal: joints that move together, units, moved targets, exchanged joints.
 
-use super::{AxesModel, JointAxis, Sweep, SweepFit, SweepReading, motion};
+use super::{AxesModel, JointAxis, Sweep, SweepFit, SweepReading, motion, smooth};
+use crate::MeasuredRatio;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_math::statistics::rms;
 
@@ -8,7 +9,8 @@ use etalon_math::statistics::rms;
 const LEAST_MOTION: f64 = 0.01;
 /// Motion (rad or mm) below which a joint is at rest.
 const AT_REST: f64 = 1e-4;
-/// Largest difference of the ratio of motion and joint value from one.
+/// Difference of the ratio of motion and joint value from one beside its uncertainty: gains of real
+/// transmissions are within a per cent, and the nearest confusion of units is a tenth away (gon).
 const RATIO: f64 = 0.02;
 /// Known factors between units of joint values, with their names.
 const UNITS: [(f64, &str); 5] = [
@@ -20,8 +22,11 @@ const UNITS: [(f64, &str); 5] = [
 ];
 /// Share of excluded readings above which they no longer count as isolated outliers.
 const MANY: f64 = 0.1;
-/// Ratio of residuals to the noise from point to point that noise alone does not reach.
-const SMOOTH: f64 = 3.0;
+/// Ratio of residuals to the usual noise from point to point that noise alone does not reach.
+const JUMPS: f64 = 3.0;
+/// Logarithm of the ratio of likelihoods from which a step explains what a smooth deviation does
+/// not, over all places of the step; run-out reaches 11.
+const STEP: f64 = 20.0;
 /// A change explains the readings if it reduces residuals to this share.
 const EXPLAINS: f64 = 1.0 / 3.0;
 /// Maximum number of places of a sweep that are tried for a move of a target.
@@ -51,7 +56,7 @@ pub enum Slip {
     /// The ratio of motion and joint value differs from one.
     Ratio {
         /// Motion per unit of the joint value.
-        ratio: f64,
+        ratio: MeasuredRatio,
         /// Confusion of units that has this ratio.
         unit: Option<&'static str>,
     },
@@ -71,15 +76,6 @@ pub enum Slip {
         /// Number of readings.
         readings: usize,
     },
-}
-
-/// Residuals are much larger than the noise from point to point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Smooth {
-    /// Root mean square of the residuals (mm).
-    pub rms_mm: f64,
-    /// Noise from point to point (mm).
-    pub noise_mm: f64,
 }
 
 /// Comparison of a position with its prediction, at a check pose or by another sweep.
@@ -120,31 +116,35 @@ pub fn axis_slip(sweep: &Sweep, axis: &JointAxis) -> Option<Slip> {
     let fit = &axis.fit;
     let aside = fit.used.iter().filter(|used| !**used).count();
     let many = aside as f64 > MANY * fit.used.len() as f64;
-    if (many || smooth(sweep, fit).is_some() || jumps(sweep, fit))
+    if (many || axis.smooth.is_some() || jumps(sweep, fit))
         && let Some(moved) = target_moved(sweep, fit)
     {
         return Some(moved);
     }
-    let ratio = axis.travel.map_or(1.0, |travel| travel.ratio);
-    if (ratio - 1.0).abs() > RATIO {
-        let near = |(factor, _): &&(f64, &str)| (ratio / factor - 1.0).abs() < RATIO;
-        return Some(Slip::Ratio { ratio, unit: UNITS.iter().find(near).map(|u| u.1) });
+    if let Some(travel) = axis.travel {
+        let ratio = travel.ratio;
+        if ratio.differs(1.0, RATIO) {
+            let mut near = UNITS.iter().filter(|(factor, _)| !ratio.differs(*factor, RATIO));
+            let unit = near.next().map(|u| u.1).filter(|_| near.next().is_none());
+            return Some(Slip::Ratio { ratio, unit });
+        }
     }
     many.then_some(Slip::Many { aside, readings: fit.used.len() })
-}
-
-/// Residuals much larger than the noise, as from motion of another joint or run-out of a bearing.
-pub fn smooth(sweep: &Sweep, fit: &SweepFit) -> Option<Smooth> {
-    let [rms_mm, noise_mm] = motion::smoothness(sweep, fit)?;
-    (rms_mm > SMOOTH * noise_mm && rms_mm > 1e-6).then_some(Smooth { rms_mm, noise_mm })
 }
 
 /// `true` if residuals are much larger than most differences of neighbours, as where a target moves
 /// once.
 fn jumps(sweep: &Sweep, fit: &SweepFit) -> bool {
-    motion::usual_noise_mm(sweep, fit)
-        .zip(motion::smoothness(sweep, fit))
-        .is_some_and(|(noise_mm, [rms_mm, _])| rms_mm > SMOOTH * noise_mm && rms_mm > 1e-6)
+    let used = fit.residuals_mm.iter().zip(&fit.used).filter(|(_, used)| **used);
+    let rms_mm = rms(used.flat_map(|(residual, _)| *residual));
+    motion::usual_noise_mm(sweep, fit).is_some_and(|noise_mm| rms_mm > JUMPS * noise_mm && rms_mm > 1e-6)
+}
+
+/// `true` if a step of a path from this place on is likelier than a smooth deviation.
+fn is_step(sweep: &Sweep, fit: &SweepFit, rows: &[usize], at: usize) -> bool {
+    let likelihood = |k: usize, step: Option<usize>| smooth::series(sweep, fit, rows, k, step).likelihood();
+    let gain = |k: usize| Some(likelihood(k, Some(at))? - likelihood(k, None)?);
+    [0, 1].iter().filter_map(|k| gain(*k)).sum::<f64>() > STEP
 }
 
 /// Root mean square of residuals of all readings (mm).
@@ -159,7 +159,7 @@ fn target_moved(sweep: &Sweep, fit: &SweepFit) -> Option<Slip> {
     let before = deviation_mm(fit);
     let mut best: Option<(f64, usize, usize)> = None;
     for path in &fit.paths {
-        let rows: Vec<usize> = (0..sweep.readings.len()).filter(|i| sweep.readings[*i].target == path.target).collect();
+        let rows = smooth::rows(sweep, fit, path.target, true);
         let step = rows.len().div_ceil(SPLITS).max(1);
         let inside = rows.len().saturating_sub(LEAST_PART);
         for at in (LEAST_PART..=inside).step_by(step) {
@@ -168,12 +168,15 @@ fn target_moved(sweep: &Sweep, fit: &SweepFit) -> Option<Slip> {
             let Some(split) = fit.again(&readings) else { continue };
             let after = deviation_mm(&split);
             if best.is_none_or(|(least, ..)| after < least) {
-                best = Some((after, path.target, sweep.readings[rows[at]].row));
+                best = Some((after, path.target, at));
             }
         }
     }
-    let (after, target, row) = best?;
-    (after < EXPLAINS * before).then_some(Slip::TargetMoved { target, row, deviations_mm: [before, after] })
+    let (after, target, at) = best?;
+    let rows = smooth::rows(sweep, fit, target, true);
+    let row = sweep.readings[rows[at]].row;
+    let moved = after < EXPLAINS * before && is_step(sweep, fit, &rows, at);
+    moved.then_some(Slip::TargetMoved { target, row, deviations_mm: [before, after] })
 }
 
 /// Change of the order or the signs of joints that brings readings into agreement.

@@ -10,18 +10,21 @@ mod checks;
 mod derived;
 mod motion;
 mod noise;
+mod smooth;
 mod sweep;
 mod table;
 #[cfg(test)]
 mod tests;
 
-pub use checks::{Agreement, Change, CheckedPose, Slip, Smooth, axis_slip, compared, joint_slip, smooth, start_gap};
+pub use checks::{Agreement, Change, CheckedPose, Slip, axis_slip, compared, joint_slip, start_gap};
 pub use derived::{AxesModel, BaseRule, Predicted};
 pub use motion::{ErrorMotion, Travel};
 pub use noise::{ByNoise, NoiseMotion};
+pub use smooth::Smooth;
 pub use sweep::{Path, SweepFault, SweepFit, fit_sweep};
 pub use table::DerivedParameters;
 
+use etalon_base::angle::Turn;
 use etalon_base::pose::Vector;
 use nalgebra::DMatrix;
 
@@ -45,6 +48,20 @@ pub struct Sweep {
     pub joint: usize,
     /// Readings in the order of the motion.
     pub readings: Vec<SweepReading>,
+}
+
+impl Sweep {
+    /// Removes the jumps of a controller that wraps angles from the values of the joints `turning`:
+    /// from reading to reading they turn by less than half a turn. Joints that wind keep their
+    /// turns.
+    pub fn unwind(&mut self, turning: &[usize]) {
+        for &joint in turning {
+            let values: Option<Vec<f64>> = self.readings.iter().map(|r| r.joints.get(joint).copied()).collect();
+            let Some(values) = values.filter(|values| !Turn::RADIANS.winds(values)) else { continue };
+            let unwound = Turn::RADIANS.followed(&values);
+            self.readings.iter_mut().zip(unwound).for_each(|(r, value)| r.joints[joint] = value);
+        }
+    }
 }
 
 /// Statements about joints and readings in addition to the sweeps.
@@ -80,6 +97,8 @@ pub struct JointAxis {
     pub travel: Option<Travel>,
     /// Error motions of the axis.
     pub error_motion: ErrorMotion,
+    /// Smooth deviations of the paths, such as run-out, if the readings show them.
+    pub smooth: Option<Smooth>,
 }
 
 impl JointAxis {
@@ -131,17 +150,23 @@ pub fn joint_axis(sweep: &Sweep, settings: &AxesSettings) -> Result<JointAxis, S
     }
     // the stated uncertainty where chi-square agrees, otherwise that of the residuals
     let own = (fit.deviation_mm, fit.degrees_of_freedom as f64);
-    let (u, degrees_of_freedom) = match settings.standard_uncertainty_mm {
+    let (u, mut degrees_of_freedom) = match settings.standard_uncertainty_mm {
         None => own,
         Some(u) if fit.degrees_of_freedom == 0 => (u, f64::INFINITY),
         Some(u) if crate::chi_square_exceeds((own.0 / u).powi(2) * own.1, fit.degrees_of_freedom) => own,
         Some(u) => (u, f64::INFINITY),
     };
-    // error motions are judged by noise alone: where residuals are smooth, that from point to point
-    let noise_mm = settings
-        .standard_uncertainty_mm
-        .unwrap_or_else(|| smooth(sweep, &fit).map_or(fit.deviation_mm, |smooth| smooth.noise_mm));
-    let (phases, covariance) = motion::phases(sweep, &fit, u);
+    let mut covariance = &fit.cofactors * (u * u);
+    let (mut deviations, mut noise_mm) = (None, settings.standard_uncertainty_mm.unwrap_or(fit.deviation_mm));
+    if let Some(smooth) = smooth::smooth_fit(sweep, &fit, settings.standard_uncertainty_mm) {
+        (fit, covariance) = (smooth.fit, smooth.covariance);
+        degrees_of_freedom = smooth.deviations.degrees_of_freedom();
+        deviations = smooth.deviations.reported(&fit);
+        // error motions are judged by noise alone
+        noise_mm = settings.standard_uncertainty_mm.or(deviations.map(|d| d.noise_mm)).unwrap_or(noise_mm);
+    }
+    let travel = motion::travel(sweep, &fit, u, &covariance);
+    let (phases, covariance) = motion::phases(sweep, &fit, u, &covariance);
     let known = sweep.readings.first().map_or(0, |r| r.joints.len());
     let mean = |j: usize| {
         sweep.readings.iter().filter_map(|r| r.joints.get(j)).sum::<f64>() / sweep.readings.len().max(1) as f64
@@ -153,8 +178,9 @@ pub fn joint_axis(sweep: &Sweep, settings: &AxesSettings) -> Result<JointAxis, S
         phases,
         covariance,
         rest: (0..known).map(mean).collect(),
-        travel: motion::travel(sweep, &fit),
+        travel,
         error_motion: motion::error_motion(sweep, &fit, noise_mm),
+        smooth: deviations,
         fit,
     })
 }

@@ -1,21 +1,22 @@
 //! Sign, zero and error motions of a joint from its sweep.
 
 use super::noise::{NoiseMotion, noise_motion};
-use super::{Sweep, SweepFit, SweepReading};
+use super::{Sweep, SweepFit, SweepReading, smooth};
+use crate::MeasuredRatio;
+use etalon_base::angle::Turn;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_math::statistics::median;
 use nalgebra::DMatrix;
-use std::f64::consts::{PI, TAU};
 
-/// Comparison of the motion of targets with the joint values.
+/// Comparison of the motion of targets with the joint values. Each target has the weight of its
+/// angle: a target near the axis says little.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Travel {
-    /// Motion about or along the axis per unit of the joint value (rad/rad or mm/mm), positive.
-    pub ratio: f64,
+    /// Motion about or along the axis per unit of the joint value (rad/rad or mm/mm), positive; its
+    /// uncertainty is by the readings along the path and by the axis.
+    pub ratio: MeasuredRatio,
     /// Root mean square of the motion minus the joint value (rad or mm), after a common offset.
     pub rms: f64,
-    /// Largest of these differences.
-    pub largest: f64,
 }
 
 /// Error motions of an axis (ISO 230-7:2015). They include the noise of the measuring system.
@@ -35,9 +36,9 @@ pub struct ErrorMotion {
     pub noise: NoiseMotion,
 }
 
-/// Difference of angles in −π to π.
-pub(super) fn wrapped(angle: f64) -> f64 {
-    (angle + PI).rem_euclid(TAU) - PI
+/// Difference of two motions: modulo a turn if the joint turns.
+fn difference(fit: &SweepFit, to: f64, from: f64) -> f64 {
+    if fit.prismatic { to - from } else { Turn::RADIANS.difference(to, from) }
 }
 
 /// Travels of the used readings of a path with their joint values, in the order of the motion.
@@ -54,8 +55,7 @@ pub(super) fn is_reversed(sweep: &Sweep, fit: &SweepFit) -> bool {
         let all = travels(sweep, fit, path);
         let weight = if fit.prismatic { 1.0 } else { fit.paths[path].radius_mm };
         for pair in all.windows(2) {
-            let step = pair[1].0 - pair[0].0;
-            let step = if fit.prismatic { step } else { wrapped(step) };
+            let step = difference(fit, pair[1].0, pair[0].0);
             let sign = pair[0].1.zip(pair[1].1).map_or(1.0, |(a, b)| (b - a).signum() * f64::from(u8::from(a != b)));
             sum += step * sign * weight;
         }
@@ -70,7 +70,7 @@ fn offsets(sweep: &Sweep, fit: &SweepFit, frame: &Pose, path: usize) -> Vec<(usi
     let offset = |(i, r): (usize, &SweepReading)| {
         let offset = fit.travel(frame, r.position_mm) - r.joints.get(sweep.joint).copied().unwrap_or_default();
         let about = *first.get_or_insert(offset);
-        (i, if fit.prismatic { offset } else { about + wrapped(offset - about) })
+        (i, about + difference(fit, offset, about))
     };
     of.map(offset).collect()
 }
@@ -78,8 +78,8 @@ fn offsets(sweep: &Sweep, fit: &SweepFit, frame: &Pose, path: usize) -> Vec<(usi
 /// Phase of each path, and the covariance of the parameters of the fit followed by the phases.
 ///
 /// The error of a reading along the path is independent of its errors across, so that a phase adds
-/// its own variance to that of the axis.
-pub(super) fn phases(sweep: &Sweep, fit: &SweepFit, u_mm: f64) -> (Vec<f64>, DMatrix<f64>) {
+/// its own variance to that of the axis. `own` is the covariance of the parameters of the fit.
+pub(super) fn phases(sweep: &Sweep, fit: &SweepFit, u_mm: f64, own: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
     let with_values = sweep.readings.iter().all(|r| !r.joints.is_empty());
     let (n, paths) = (fit.cofactors.nrows(), fit.paths.len());
     let phase = |frame: &Pose, path: usize| {
@@ -97,52 +97,113 @@ pub(super) fn phases(sweep: &Sweep, fit: &SweepFit, u_mm: f64) -> (Vec<f64>, DMa
             phase(&fit.frame_changed(&change), path)
         };
         for path in 0..paths {
-            let moved = at(1.0, path) - at(-1.0, path);
-            sensitivity[(path, k)] = if fit.prismatic { moved } else { wrapped(moved) } / (2.0 * step);
+            sensitivity[(path, k)] = difference(fit, at(1.0, path), at(-1.0, path)) / (2.0 * step);
         }
     }
-    let variance = u_mm * u_mm;
-    let own = &fit.cofactors * variance;
-    let cross = &sensitivity * &own;
+    let cross = &sensitivity * own;
     let of_phases = &cross * sensitivity.transpose();
     let mut all = DMatrix::zeros(n + paths, n + paths);
-    all.view_mut((0, 0), (n, n)).copy_from(&own);
+    all.view_mut((0, 0), (n, n)).copy_from(own);
     all.view_mut((n, 0), (paths, n)).copy_from(&cross);
     all.view_mut((0, n), (n, paths)).copy_from(&cross.transpose());
     all.view_mut((n, n), (paths, paths)).copy_from(&of_phases);
-    for (path, p) in fit.paths.iter().enumerate() {
-        let lever = if fit.prismatic { 1.0 } else { p.radius_mm };
-        let count = if with_values { p.readings.max(1) } else { 1 };
-        all[(n + path, n + path)] += variance / (lever * lever * count as f64);
+    for path in 0..paths {
+        let lever = lever(fit, path);
+        let count = if with_values { fit.paths[path].readings.max(1) } else { 1 };
+        let noise = u_mm * u_mm / (lever * lever * count as f64);
+        // what drives the joint may deviate smoothly, too
+        let along = with_values.then(|| mean_along(sweep, fit, path)).flatten().unwrap_or_default();
+        all[(n + path, n + path)] += noise.max(along);
     }
     (phases, all)
 }
 
-/// Motion compared with the joint values; `None` without joint values or motion.
-pub(super) fn travel(sweep: &Sweep, fit: &SweepFit) -> Option<Travel> {
-    let (mut above, mut below) = (0.0, 0.0);
-    let mut differences = Vec::new();
-    for path in 0..fit.paths.len() {
-        let all = travels(sweep, fit, path);
-        let mut at = all.first()?.0;
-        let mut unwound = Vec::new();
-        for (travel, value) in &all {
-            let step = travel - at;
-            at += if fit.prismatic { step } else { wrapped(step) };
-            unwound.push((at, (*value)?));
+/// Length (mm) along the path of a unit of motion.
+fn lever(fit: &SweepFit, path: usize) -> f64 {
+    if fit.prismatic { 1.0 } else { fit.paths[path].radius_mm.max(f64::MIN_POSITIVE) }
+}
+
+/// Variance of the mean of motion minus joint value of a path.
+fn mean_along(sweep: &Sweep, fit: &SweepFit, path: usize) -> Option<f64> {
+    let all = offsets(sweep, fit, &fit.frame, path);
+    let (rows, values): (Vec<usize>, Vec<f64>) = all.into_iter().unzip();
+    let columns = vec![vec![1.0]; rows.len()];
+    let trend = smooth::tangential(sweep, fit, &rows, &values, &columns).trend(0.0)?;
+    Some(trend.covariance[(0, 0)])
+}
+
+/// Motions and joint values of a path about their means, in the order of the motion; each is within
+/// half a turn of the previous one.
+fn motions(sweep: &Sweep, fit: &SweepFit, frame: &Pose, rows: &[usize]) -> Option<[Vec<f64>; 2]> {
+    let value = |&i: &usize| sweep.readings[i].joints.get(sweep.joint).copied();
+    let values = rows.iter().map(value).collect::<Option<Vec<f64>>>()?;
+    let travels: Vec<f64> = rows.iter().map(|&i| fit.travel(frame, sweep.readings[i].position_mm)).collect();
+    let travels = if fit.prismatic { travels } else { Turn::RADIANS.followed(&travels) };
+    let centred = |all: Vec<f64>| {
+        let mean = all.iter().sum::<f64>() / all.len().max(1) as f64;
+        all.into_iter().map(|v| v - mean).collect::<Vec<f64>>()
+    };
+    Some([centred(travels), centred(values)])
+}
+
+/// Slope of motion minus joint value over the joint value.
+fn slope([travels, values]: &[Vec<f64>; 2]) -> f64 {
+    let pairs = || travels.iter().zip(values);
+    pairs().map(|(t, v)| (t - v) * v).sum::<f64>() / values.iter().map(|v| v * v).sum::<f64>()
+}
+
+/// Motion compared with the joint values; `None` without joint values or motion. `covariance` is
+/// that of the parameters of the fit.
+pub(super) fn travel(sweep: &Sweep, fit: &SweepFit, u_mm: f64, covariance: &DMatrix<f64>) -> Option<Travel> {
+    let rows: Vec<Vec<usize>> = fit.paths.iter().map(|p| smooth::rows(sweep, fit, p.target, false)).collect();
+    let (mut weights, mut sum, mut degrees_of_freedom) = (Vec::new(), 0.0, 0.0f64);
+    let (mut squares, mut levers) = (0.0, 0.0);
+    for (path, rows) in rows.iter().enumerate() {
+        let both = motions(sweep, fit, &fit.frame, rows)?;
+        let (square, lever) = (both[1].iter().map(|v| v * v).sum::<f64>(), lever(fit, path));
+        if square <= 0.0 {
+            weights.push(0.0);
+            continue;
         }
-        let count = unwound.len().max(1) as f64;
-        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| unwound.iter().map(of).sum::<f64>() / count;
-        let (motion, value) = (mean(&|p| p.0), mean(&|p| p.1));
-        above += unwound.iter().map(|p| (p.0 - motion) * (p.1 - value)).sum::<f64>();
-        below += unwound.iter().map(|p| (p.1 - value).powi(2)).sum::<f64>();
-        let offsets = offsets(sweep, fit, &fit.frame, path);
-        let mean = offsets.iter().map(|o| o.1).sum::<f64>() / offsets.len().max(1) as f64;
-        differences.extend(offsets.iter().map(|o| o.1 - mean));
+        let off: Vec<f64> = both[0].iter().zip(&both[1]).map(|(t, v)| t - v).collect();
+        let columns: Vec<Vec<f64>> = both[1].iter().map(|v| vec![1.0, *v]).collect();
+        let trend = smooth::tangential(sweep, fit, rows, &off, &columns).trend(0.0)?;
+        // no angle is better known than by the noise of a coordinate
+        let noise = u_mm * u_mm / (lever * lever * square);
+        let weight = 1.0 / trend.covariance[(1, 1)].max(noise).max(f64::MIN_POSITIVE);
+        sum += weight * trend.coefficients[1];
+        degrees_of_freedom = degrees_of_freedom.max(trend.degrees_of_freedom);
+        weights.push(weight);
+        squares += lever * lever * off.iter().map(|d| d * d).sum::<f64>();
+        levers += lever * lever * off.len() as f64;
     }
-    let largest = differences.iter().map(|d| d.abs()).fold(0.0, f64::max);
-    let rms = (differences.iter().map(|d| d * d).sum::<f64>() / differences.len().max(1) as f64).sqrt();
-    (below > 0.0).then_some(Travel { ratio: above / below, rms, largest })
+    let all: f64 = weights.iter().sum();
+    if all <= 0.0 {
+        return None;
+    }
+    let of_frame = |frame: &Pose| {
+        let each = rows.iter().zip(&weights).filter(|(_, w)| **w > 0.0);
+        each.filter_map(|(rows, w)| Some(w / all * slope(&motions(sweep, fit, frame, rows)?))).sum::<f64>()
+    };
+    let n = fit.of_axis();
+    let by_axis = nalgebra::DVector::from_fn(n, |k, _| {
+        let step = if k < 2 { 1e-6 } else { 1e-4 };
+        let at = |sign: f64| {
+            let mut change = vec![0.0; n];
+            change[k] = sign * step;
+            of_frame(&fit.frame_changed(&change))
+        };
+        (at(1.0) - at(-1.0)) / (2.0 * step)
+    });
+    let of_axis = (by_axis.transpose() * covariance.view((0, 0), (n, n)) * &by_axis)[(0, 0)].max(0.0);
+    Some(Travel {
+        ratio: MeasuredRatio {
+            value: 1.0 + sum / all,
+            standard_uncertainty: (1.0 / all + of_axis).sqrt(),
+            degrees_of_freedom,
+        },
+        rms: (squares / levers).sqrt(),
+    })
 }
 
 /// Peak to valley.
@@ -242,15 +303,4 @@ fn second_differences(sweep: &Sweep, fit: &SweepFit) -> Vec<[f64; 2]> {
 pub(super) fn usual_noise_mm(sweep: &Sweep, fit: &SweepFit) -> Option<f64> {
     let squares = second_differences(sweep, fit).into_iter().map(|[a, b]| (a * a + b * b) / 6.0);
     Some((median(squares)? / (2.0 * std::f64::consts::LN_2)).sqrt())
-}
-
-/// Root mean square of residuals, and noise from point to point, of the used readings (mm).
-///
-/// Neighbours differ by noise alone where the deviation is smooth (von Neumann 1941): the second
-/// differences of equally spaced readings have six times the variance of a reading.
-pub(super) fn smoothness(sweep: &Sweep, fit: &SweepFit) -> Option<[f64; 2]> {
-    let used = fit.residuals_mm.iter().zip(&fit.used).filter(|(_, used)| **used).map(|(residual, _)| *residual);
-    let root = |all: Vec<[f64; 2]>| (all.iter().flatten().map(|v| v * v).sum::<f64>() / (2 * all.len()) as f64).sqrt();
-    let seconds = second_differences(sweep, fit);
-    (seconds.len() >= 6).then(|| [root(used.collect()), root(seconds) / 6f64.sqrt()])
 }

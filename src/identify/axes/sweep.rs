@@ -10,6 +10,7 @@ use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use etalon_math::statistics::median;
 use etalon_robots::{AxisLine, frame};
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::SQRT_2;
 
 /// Steps of Gauss-Newton.
 const STEPS: usize = 60;
@@ -24,6 +25,11 @@ const FEWEST_TO_JUDGE: usize = 8;
 /// Ratio of the standard deviation of the nearest three quarters of residuals to that of all: of a
 /// component, where lengths have two, √(1 − (ln 4)/3).
 const OF_NEAREST: f64 = 0.733;
+/// Ratio of the differences of neighbours to those of independent readings below which deviations
+/// are smooth.
+const SMOOTH: f64 = 0.6;
+/// Largest step of a smooth deviation, in medians of all: of waves with several harmonics.
+const USUAL_STEPS: f64 = 5.0;
 /// Residuals below this share of the size are rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -42,6 +48,13 @@ pub struct Path {
     pub across_mm: [f64; 2],
     /// Covered arc (rad) or length (mm).
     pub span: f64,
+}
+
+impl Path {
+    /// Coordinates across the axis that the path holds constant: radius and height, or x and y.
+    fn constants(&self, prismatic: bool) -> [f64; 2] {
+        if prismatic { self.across_mm } else { [self.radius_mm, self.height_mm] }
+    }
 }
 
 /// Axis fitted to a sweep, with the quantities that its paths share.
@@ -110,6 +123,49 @@ impl SweepFit {
         self.residuals_mm.iter_mut().for_each(|r| r[1] = -r[1]);
     }
 
+    /// Coefficients of the trend of a component of the residuals of a path (0 or 1), as functions of
+    /// the parameters of [`SweepFit::cofactors`].
+    pub(super) fn trend_rows(&self, path: usize, component: usize) -> DMatrix<f64> {
+        let (of_axis, own) = (self.of_axis(), self.of_axis() + OF_PATH * path + component);
+        let columns = if self.prismatic { 2 } else { 3 };
+        let mut rows = DMatrix::zeros(columns, self.cofactors.nrows());
+        let p = &self.paths[path];
+        match (self.prismatic, component) {
+            (true, k) => rows[(0, k)] = 1.0,
+            (false, 0) => {
+                for k in 0..2 {
+                    rows[(k, k)] = p.height_mm;
+                    rows[(k, of_axis - 2 + k)] = 1.0;
+                }
+            }
+            (false, _) => (0..2).for_each(|k| rows[(k, k)] = -p.radius_mm),
+        }
+        rows[(columns - 1, own)] = 1.0;
+        rows
+    }
+
+    /// The fit after changes of its parameters.
+    pub(super) fn adjusted(&self, readings: &[SweepReading], change: &[f64]) -> Self {
+        let targets: Vec<usize> = self.paths.iter().map(|path| path.target).collect();
+        let fit = Fit { readings, targets: &targets, prismatic: self.prismatic };
+        let mut next = fit.fit(self.frame_changed(&change[..self.of_axis()]), &self.used);
+        next.cofactors = self.cofactors.clone();
+        for (k, path) in next.paths.iter_mut().enumerate() {
+            let at = self.of_axis() + OF_PATH * k;
+            let before = self.paths[k].constants(self.prismatic);
+            let mean = path.constants(self.prismatic);
+            let own = [before[0] + change[at], before[1] + change[at + 1]];
+            if self.prismatic {
+                path.across_mm = own;
+            } else {
+                [path.radius_mm, path.height_mm] = own;
+            }
+            let residuals = readings.iter().zip(&mut next.residuals_mm).filter(|(r, _)| r.target == path.target);
+            residuals.for_each(|(_, residual)| (0..2).for_each(|i| residual[i] += mean[i] - own[i]));
+        }
+        next
+    }
+
     /// Fit of all readings, from this fit.
     pub(super) fn again(&self, readings: &[SweepReading]) -> Option<Self> {
         let targets = targets(readings);
@@ -171,7 +227,7 @@ pub fn fit_sweep(readings: &[SweepReading], prismatic: bool) -> Result<SweepFit,
         if readings.len() < FEWEST_TO_JUDGE {
             break;
         }
-        let next = fit.near(reduced);
+        let next = fit.joined(readings, fit.near(reduced));
         reduced = 1.0;
         if next == used {
             break;
@@ -195,6 +251,40 @@ impl SweepFit {
         let dof = self.degrees_of_freedom.max(1) as f64;
         let largest = (dof * ((square / (dof + 1.0)).exp() - 1.0)).sqrt() * self.deviation_mm / reduced;
         lengths.map(|length| length <= largest.max(ROUNDING * size)).collect()
+    }
+}
+
+impl SweepFit {
+    /// Readings that are `near`, and those that steps of the usual size join to them along their
+    /// path: a smooth deviation leaves the path without a jump, a reading that does not belong to
+    /// the path with one.
+    ///
+    /// Steps are usual where neighbours differ by much less than the readings deviate; otherwise
+    /// deviations are noise, and no reading is joined.
+    fn joined(&self, readings: &[SweepReading], near: Vec<bool>) -> Vec<bool> {
+        let length = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let residual = |i: usize| self.residuals_mm[i];
+        let rows = |path: &Path| {
+            let target = path.target;
+            (0..readings.len()).filter(move |&i| readings[i].target == target).collect::<Vec<_>>()
+        };
+        let steps =
+            |path: &Path| rows(path).windows(2).map(|w| length(residual(w[0]), residual(w[1]))).collect::<Vec<_>>();
+        let step = median(self.paths.iter().flat_map(steps)).unwrap_or_default();
+        let deviation = median(self.residuals_mm.iter().map(|r| length(*r, [0.0; 2]))).unwrap_or_default();
+        let mut joined = near;
+        if step > SMOOTH * SQRT_2 * deviation {
+            return joined;
+        }
+        for path in &self.paths {
+            let rows = rows(path);
+            let mut join = |from: usize, to: usize| {
+                joined[to] |= joined[from] && length(residual(from), residual(to)) < USUAL_STEPS * step;
+            };
+            rows.windows(2).for_each(|w| join(w[0], w[1]));
+            rows.windows(2).rev().for_each(|w| join(w[1], w[0]));
+        }
+        joined
     }
 }
 
@@ -472,7 +562,8 @@ fn solve_scaled(normal: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f
     Some(factor.solve(&right.component_mul(&scale)).component_mul(&scale))
 }
 
-fn invert_scaled(normal: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+/// Inverse of a normal matrix; `None` if it is singular.
+pub(super) fn invert_scaled(normal: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let (factor, scale) = cholesky(normal)?;
     Some(scaled(&factor.inverse(), &scale))
 }

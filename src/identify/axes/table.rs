@@ -2,6 +2,7 @@
 //! identification: Denavit-Hartenberg parameters, or small errors of screw axes.
 
 use super::AxesModel;
+use etalon_base::angle::Turn;
 use etalon_robots::{AxisTable, Effect, Parameter, Quantity, Robot, Role, Serial, modified_table, standard_table};
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -76,9 +77,12 @@ impl AxesModel {
             let robot = Serial::of_axis_table(modified, &changed.joints, &["target".to_owned()]);
             let parameters = robot.parameters();
             let difference = |(&i, value): (&usize, &f64)| {
-                let d = parameters[i].nominal - value;
+                let changed = parameters[i].nominal;
                 // angles about half a turn
-                if parameters[i].quantity == Quantity::Angle { d.sin().atan2(d.cos()) } else { d }
+                match parameters[i].quantity {
+                    Quantity::Angle => Turn::RADIANS.difference(changed, *value),
+                    _ => changed - value,
+                }
             };
             listed.iter().zip(values).map(difference).collect()
         })
@@ -121,6 +125,9 @@ impl DerivedParameters {
     pub fn independent_uncertainties(&self) -> Vec<f64> {
         let u: Vec<f64> = (0..self.names.len()).map(|k| self.covariance[(k, k)].sqrt()).collect();
         let n = u.len();
+        if n == 0 {
+            return u;
+        }
         let correlations = DMatrix::from_fn(n, n, |i, j| self.covariance[(i, j)] / (u[i] * u[j]));
         let largest = SymmetricEigen::new(correlations).eigenvalues.iter().copied().fold(1.0, f64::max);
         u.into_iter().map(|u| u * largest.sqrt()).collect()

@@ -97,13 +97,21 @@ fn spread(readings: &[AxisReading]) -> f64 {
     (0..targets(readings)).map(of).fold(0.0, f64::max)
 }
 
+/// Checks that the axis moves between readings of one target.
+fn check_motion(readings: &[AxisReading]) -> Result<(), CellFault> {
+    let repeated = readings.len() > targets(readings);
+    let at_rest = repeated && spread(readings) <= 0.0;
+    if at_rest { Err(CellFault::AtRest { readings: readings.len() }) } else { Ok(()) }
+}
+
 /// Direction and scale of a linear axis.
 ///
 /// # Errors
-/// Fails with fewer than two values of the axis, and if the targets do not move.
+/// Fails with too few readings, if the axis is at rest, and if the targets do not move.
 pub fn linear_axis(readings: &[AxisReading], stated: &Stated) -> Result<LinearAxis, CellFault> {
     let zero = vec![[0.0; 3]; targets(readings)];
-    if readings.len() < zero.len() + 1 || spread(readings) <= 0.0 {
+    check_motion(readings)?;
+    if readings.len() < zero.len() + 1 {
         return Err(CellFault::TooFew { needed: zero.len() + 1, readings: readings.len() });
     }
     let solved = solve(Line { readings, stated, motion: [0.0; 3], zero }, stated).ok_or(CellFault::Undetermined)?;
@@ -184,13 +192,15 @@ impl CellModel for Turn<'_> {
 /// Frame and ratio of a rotary axis; the first target defines the x axis.
 ///
 /// # Errors
-/// Fails with fewer than three readings of the first target, and if they do not determine a circle.
+/// Fails with fewer than three readings of the first target, if the axis is at rest, and if they do
+/// not determine a circle.
 pub fn rotary_axis(readings: &[AxisReading], stated: &Stated) -> Result<RotaryAxis, CellFault> {
     let own: Vec<&AxisReading> = readings.iter().filter(|r| r.target == 0).collect();
     let count = targets(readings);
     if own.len() < 3 {
         return Err(CellFault::TooFew { needed: 3, readings: own.len() });
     }
+    check_motion(readings)?;
     let points: Vec<Vector> = own.iter().map(|r| r.position_mm).collect();
     super::check_points(&points)?;
     let start = start(readings, &own, count).ok_or(CellFault::Undetermined)?;

@@ -225,6 +225,11 @@ pub enum CellFault {
         /// Number of readings.
         readings: usize,
     },
+    /// All readings of each target are at one value of the axis.
+    AtRest {
+        /// Number of readings.
+        readings: usize,
+    },
     /// The robot has the same orientation at all readings.
     SameOrientation,
     /// All orientations differ by rotations about one axis: the translation along it is open.

@@ -11,6 +11,7 @@ pub(crate) mod figures;
 pub(crate) mod loads;
 pub(crate) mod logs;
 pub(crate) mod predict;
+pub(crate) mod ratio;
 pub(crate) mod regional;
 pub(crate) mod relative;
 pub(crate) mod reliability;

@@ -9,6 +9,7 @@ mod readings;
 use super::orientations::AngleOrder;
 use super::table_file::TableFile;
 use bounds::Region;
+use etalon_base::angle::Turn;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector, centroid, norm};
@@ -17,12 +18,13 @@ use etalon_documents::{
     CellAxisEntry, CellDocument, CellFrameEntry, CellNoise, CellPointEntry, CellResidualEntry, Provenance,
 };
 use etalon_formats::table;
+use etalon_identify::MeasuredRatio;
 use etalon_identify::cell::{
     AlternativeFit, AxisReading, AxisRole, CellFault, CellFrame, CellPoint, CellResidual, Component, Measure, Mounting,
-    ObjectSlip, Quality, Size, Stated, ThreePointRole, explained, hand_eye, linear_axis, object_frame, object_slips,
-    reflector, rotary_axis, three_points, tool_axes, tool_point,
+    ObjectSlip, Quality, RotaryAxis, Size, Stated, ThreePointRole, explained, hand_eye, linear_axis, object_frame,
+    object_slips, reflector, rotary_axis, three_points, tool_axes, tool_point,
 };
-use etalon_identify::{COVERAGE, UncertaintyBound};
+use etalon_identify::UncertaintyBound;
 use etalon_robots::Quantity;
 use rayon::prelude::*;
 use readings::WrittenPoses;
@@ -255,6 +257,7 @@ impl Task<'_> {
         let shown = |d: Vector| d.map(|v| format!("{v:.3}")).join(" ");
         match fault {
             CellFault::TooFew { needed, readings } => error!("cell-few", solve, needed, readings),
+            CellFault::AtRest { readings } => error!("cell-axis-at-rest", readings),
             CellFault::SameOrientation => error!("cell-same-orientation"),
             CellFault::OneAxis { direction } => error!("cell-one-axis", direction = shown(direction)),
             CellFault::Coincident => error!("cell-points-coincide"),
@@ -527,15 +530,34 @@ impl Task<'_> {
                 scale_standard_uncertainty: Some(fit.scale_standard_uncertainty),
                 radius_mm: None,
             }),
-            messages: scale_warning(fit.scale, fit.scale_standard_uncertainty).into_iter().collect(),
+            messages: scale_warning(fit.scale, fit.scale_standard_uncertainty, &fit.quality).into_iter().collect(),
             size: Size::of_points(&points),
             quality: Some(fit.quality),
             ..Found::default()
         })
     }
 
+    /// Rotary axis of values as they are, or without the jumps of a controller that wraps them,
+    /// whichever leaves the smaller residuals.
+    fn rotary_fit(&self, readings: &[AxisReading]) -> std::result::Result<RotaryAxis, CellFault> {
+        let stated = rotary_axis(readings, &self.uncertain);
+        let values: Vec<f64> = readings.iter().map(|r| r.value).collect();
+        let unwound = Turn::RADIANS.unwound(&values);
+        if unwound == values {
+            return stated;
+        }
+        let changed: Vec<AxisReading> =
+            readings.iter().zip(unwound).map(|(r, value)| AxisReading { value, ..*r }).collect();
+        let deviation = |fit: &RotaryAxis| fit.quality.components.iter().map(|c| c.deviation).fold(0.0, f64::max);
+        match (stated, rotary_axis(&changed, &self.uncertain)) {
+            (Ok(stated), Ok(unwound)) if deviation(&unwound) < deviation(&stated) => Ok(unwound),
+            (Err(_), Ok(unwound)) => Ok(unwound),
+            (stated, _) => stated,
+        }
+    }
+
     fn rotary(&self, readings: &[AxisReading]) -> Result<Found> {
-        let fit = rotary_axis(readings, &self.uncertain).map_err(|fault| self.fault(fault))?;
+        let fit = self.rotary_fit(readings).map_err(|fault| self.fault(fault))?;
         let points: Vec<Vector> = readings.iter().map(|r| r.position_mm).collect();
         Ok(Found {
             frames: vec![frame_entry("axis", "points", &fit.frame)],
@@ -548,7 +570,7 @@ impl Task<'_> {
                 scale_standard_uncertainty: Some(fit.ratio_standard_uncertainty),
                 radius_mm: Some(fit.radius_mm),
             }),
-            messages: scale_warning(fit.ratio, fit.ratio_standard_uncertainty).into_iter().collect(),
+            messages: scale_warning(fit.ratio, fit.ratio_standard_uncertainty, &fit.quality).into_iter().collect(),
             size: Size::of_points(&points),
             quality: Some(fit.quality),
             ..Found::default()
@@ -597,11 +619,24 @@ fn explaining<T: Send>(
     fits.collect()
 }
 
-/// Largest deviation of the scale of an axis from one without a warning.
+/// Deviation of the scale of an axis from one, beside its uncertainty, without a warning: errors of
+/// racks and belts are smaller, and the scale is part of the answer.
 const SCALE: f64 = 0.005;
+/// The same without an uncertainty: a confusion of units is more than a factor of two.
+const SCALE_ALONE: f64 = 1.0;
 
-/// Warning of an axis that moves otherwise than its values say, by more than its uncertainty
-/// (k = 2).
-fn scale_warning(scale: f64, u: f64) -> Option<Message> {
-    ((scale - 1.0).abs() > SCALE + COVERAGE * u).then(|| warning!("cell-scale", scale))
+/// Warning of an axis that moves otherwise than its values say.
+fn scale_warning(scale: f64, u: f64, quality: &Quality) -> Option<Message> {
+    let of_positions = quality.components.iter().find(|c| c.measure == Measure::Position)?;
+    let degrees_of_freedom = if of_positions.agrees { f64::INFINITY } else { of_positions.redundancy };
+    let measured = MeasuredRatio { value: scale, standard_uncertainty: u, degrees_of_freedom };
+    let differs = match quality.has_uncertainty() {
+        true => measured.differs(1.0, SCALE),
+        false => {
+            let value = scale.max(1.0 / scale.max(f64::MIN_POSITIVE));
+            MeasuredRatio { value, standard_uncertainty: 0.0, degrees_of_freedom: f64::INFINITY }
+                .differs(1.0, SCALE_ALONE)
+        }
+    };
+    differs.then(|| warning!("cell-scale", scale, u))
 }

@@ -4,7 +4,7 @@ use super::drawn::number;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm, unit};
 use etalon::identify::axes::{
-    AxesModel, AxesSettings, DerivedParameters, JointAxis, Sweep, SweepReading, axis_slip, joint_axis, smooth,
+    AxesModel, AxesSettings, DerivedParameters, JointAxis, Sweep, SweepReading, axis_slip, joint_axis,
 };
 use etalon::identify::{Identification, Observation, Prior, Settings, identify};
 use etalon::robots::{AxisLine, Quantity, Robot, Serial, modified_table, standard_table};
@@ -111,7 +111,7 @@ fn axes_are_within_their_uncertainty() {
                 inside += f64::from(u8::from(z.abs() < k));
                 far += f64::from(u8::from(z.abs() > 3.0));
             }
-            false_alarms += usize::from(axis_slip(sweep, &axis).is_some() || smooth(sweep, &axis.fit).is_some());
+            false_alarms += usize::from(axis_slip(sweep, &axis).is_some() || axis.smooth.is_some());
         }
     }
     println!("{count} parameters: coverage {:.4}, beyond 3 u {:.4}, slips {false_alarms}", inside / count, far / count);

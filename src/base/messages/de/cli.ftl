@@ -447,7 +447,7 @@ axes-line = {"  "}`{ $target }`  Länge { $length } mm
 axes-error-motions = {"    "}radiale Bewegungsabweichung { $radial } µm (Rauschen allein { $radial_noise } µm), an der Stirnfläche { $face } µm (Rauschen allein { $face_noise } µm)
 axes-straightness = {"    "}Geradheit { $radial } µm (Rauschen allein { $radial_noise } µm) und { $face } µm (Rauschen allein { $face_noise } µm)
 axes-axial-and-tilt = {"  "}axiale Bewegungsabweichung { $axial } µm (Rauschen allein { $axial_noise } µm), Kippbewegungsabweichung { $tilt } deg (Rauschen allein { $tilt_noise } deg)
-axes-motion = {"  "}Bewegung     { $ratio } × Gelenkwert, Differenz { $rms } { $unit } (RMS)
+axes-motion = {"  "}Bewegung     { $ratio } × Gelenkwert (u = { $u }), Differenz { $rms } { $unit } (RMS)
 axes-base = Basis ({ $rule })
 axes-origin = {"  "}Ursprung     { $point }
 axes-target = Zielmarke `{ $target }` am Flansch

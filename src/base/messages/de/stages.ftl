@@ -1042,7 +1042,7 @@ sweep-by-angle = { FIXED($by, 3) } deg
 
 sweep-by-length = { FIXED($by, 3) } mm
 
-sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte von `{ $joint }`
+sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte von `{ $joint }` (u = { SCIENTIFIC($u, 1) })
     .hint = { $unit ->
             [deg-as-rad] die Werte sind Grad und werden als Radiant gelesen: die Überschrift berichtigen
             [rad-as-deg] die Werte sind Radiant und werden als Grad gelesen: die Überschrift berichtigen
@@ -1064,7 +1064,7 @@ sweep-foreign = { $count ->
     }
     .hint = diese Messwerte liegen weit von der Bahn aller anderen
 
-sweep-smooth = in der Messreihe von `{ $joint }` weichen die Zielmarken stetig um { FIXED($rms_um, 1) } µm (RMS) von ihrer Bahn ab; von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } µm; die Unsicherheit der Achse ist zu klein
+sweep-smooth = in der Messreihe von `{ $joint }` weichen die Zielmarken stetig um { FIXED($rms_um, 1) } µm (RMS) von ihrer Bahn ab; von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } µm; die Unsicherheit der Achse enthält beides
     .hint = prüfen, ob alle anderen Gelenke ruhten, und mit dem Schlag des Lagers vergleichen
 
 sweep-weak = die Richtung der Achse von `{ $joint }` hat eine Standardunsicherheit von { FIXED($u_mrad, 2) } mrad
@@ -1172,6 +1172,9 @@ axes-robot-name = Roboter nach seinen Achsen
 
 cell-few = `{ $solve }` braucht { $needed } Messwerte; vorhanden sind { $readings }
     .hint = mehr Messwerte aufnehmen; überzählige Messwerte bestimmen die Unsicherheit
+
+cell-axis-at-rest = die Achse bewegt sich nicht: alle Messwerte jeder Zielmarke ({ $readings } insgesamt) gehören zu einem Wert der Achse
+    .hint = die Zielmarken bei mehreren Werten der Achse messen
 
 cell-same-orientation = der Roboter hat in allen Zeilen dieselbe Orientierung
     .hint = den Roboter zwischen den Messwerten um mindestens zwei Achsen drehen
@@ -1289,7 +1292,7 @@ cell-unit = alle Positionen des Flansches liegen innerhalb von { FIXED($distance
 cell-tool-active = der Werkzeugmittelpunkt liegt { FIXED($distance_mm, 4) } mm vom Ursprung der Posen (u = { FIXED($u_mm, 4) } mm): die Posen sind wahrscheinlich die des Werkzeugs, nicht des Flansches
     .hint = Posen mit Werkzeug 0 exportieren
 
-cell-scale = die Achse bewegt sich um { FIXED($scale, 5) } × ihre Werte
+cell-scale = die Achse bewegt sich um { FIXED($scale, 5) } × ihre Werte (u = { SCIENTIFIC($u, 1) })
     .hint = die Einheit der Spalte und die Übersetzung der Achse prüfen
 
 cell-change-radians = die Winkel { $side ->

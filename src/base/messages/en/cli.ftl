@@ -827,7 +827,7 @@ axes-line = {"  "}`{ $target }`  length { $length } mm
 axes-error-motions = {"    "}radial error motion { $radial } µm (noise alone { $radial_noise } µm), face error motion { $face } µm (noise alone { $face_noise } µm)
 axes-straightness = {"    "}straightness { $radial } µm (noise alone { $radial_noise } µm) and { $face } µm (noise alone { $face_noise } µm)
 axes-axial-and-tilt = {"  "}axial error motion { $axial } µm (noise alone { $axial_noise } µm), tilt error motion { $tilt } deg (noise alone { $tilt_noise } deg)
-axes-motion = {"  "}motion       { $ratio } × joint value, difference { $rms } { $unit } (rms)
+axes-motion = {"  "}motion       { $ratio } × joint value (u = { $u }), difference { $rms } { $unit } (rms)
 axes-base = base ({ $rule })
 axes-origin = {"  "}origin       { $point }
 axes-target = target `{ $target }` on the flange

@@ -2102,7 +2102,7 @@ sweep-by-length = { FIXED($by, 3) } mm
 # zero of the joint would be wrong.
 # Do: Correct the unit in the heading, or compute the column: `--column "q1_deg=motor1/100"`.
 # Example: radians under the heading q1_deg
-sweep-ratio = the targets move by { FIXED($ratio, 5) } × the values of `{ $joint }`
+sweep-ratio = the targets move by { FIXED($ratio, 5) } × the values of `{ $joint }` (u = { SCIENTIFIC($u, 1) })
     .hint = { $unit ->
             [deg-as-rad] the values are degrees but are read as radians: correct the heading
             [rad-as-deg] the values are radians but are read as degrees: correct the heading
@@ -2138,12 +2138,12 @@ sweep-foreign = { $count ->
 
 # Means: Readings deviate from their path by much more than neighbouring readings differ: the
 # deviation is smooth, not noise.
-# Matters: Possible causes are run-out of the bearing, motion of another joint, or bending of a
-# part. The uncertainty of the axis treats the deviations as noise, and is too small.
+# Matters: Possible causes are run-out of the bearing, a wave of the gear, motion of another joint,
+# or bending of a part. The uncertainty of the axis includes the deviations as harmonics of a turn.
 # Do: Check that all other joints were at rest; compare the deviations with the run-out of the
 # bearing.
 # Example: a wobble of 0.15 mm with nine periods a turn
-sweep-smooth = the targets deviate smoothly from their path in the sweep of `{ $joint }`, by { FIXED($rms_um, 1) } µm (root mean square); the noise from reading to reading is { FIXED($noise_um, 1) } µm; the uncertainty of the axis is too small
+sweep-smooth = the targets deviate smoothly from their path in the sweep of `{ $joint }`, by { FIXED($rms_um, 1) } µm (root mean square); the noise from reading to reading is { FIXED($noise_um, 1) } µm; the uncertainty of the axis includes both
     .hint = check that all other joints were at rest, and compare with the run-out of the bearing
 
 # Means: The direction of an axis is poorly known.
@@ -2321,6 +2321,13 @@ axes-robot-name = Robot by its axes
 # Example: a tool centre point from two orientations
 cell-few = `{ $solve }` needs { $needed } readings; there are { $readings }
     .hint = measure more readings; redundant readings determine the uncertainty
+
+# Means: All readings of a target are at one value of the axis.
+# Matters: Readings at one place give no direction and no ratio of the axis.
+# Do: Move the axis over its range; measure the target at several values.
+# Example: nine readings at 500 mm
+cell-axis-at-rest = the axis does not move: all readings of each target ({ $readings } in total) are at one value of the axis
+    .hint = measure the targets at several values of the axis
 
 # Means: The robot has the same orientation in all rows.
 # Matters: A tool moves with the flange: its position does not show.
@@ -2582,7 +2589,7 @@ cell-tool-active = the tool centre point is { FIXED($distance_mm, 4) } mm from t
 # Matters: The values are probably in another unit, or the transmission ratio is wrong.
 # Do: Check the unit of the column and the ratio of the axis.
 # Example: values in degrees under `axis_rad`
-cell-scale = the axis moves by { FIXED($scale, 5) } × its values
+cell-scale = the axis moves by { FIXED($scale, 5) } × its values (u = { SCIENTIFIC($u, 1) })
     .hint = check the unit of the column and the ratio of the axis
 
 cell-change-radians = the angles { $side ->

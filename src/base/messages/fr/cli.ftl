@@ -447,7 +447,7 @@ axes-line = {"  "}`{ $target }`  longueur { $length } mm
 axes-error-motions = {"    "}mouvement d’erreur radial { $radial } µm (bruit seul { $radial_noise } µm), de face { $face } µm (bruit seul { $face_noise } µm)
 axes-straightness = {"    "}rectitude { $radial } µm (bruit seul { $radial_noise } µm) et { $face } µm (bruit seul { $face_noise } µm)
 axes-axial-and-tilt = {"  "}mouvement d’erreur axial { $axial } µm (bruit seul { $axial_noise } µm), d’inclinaison { $tilt } deg (bruit seul { $tilt_noise } deg)
-axes-motion = {"  "}mouvement    { $ratio } × valeur articulaire, écart { $rms } { $unit } (RMS)
+axes-motion = {"  "}mouvement    { $ratio } × valeur articulaire (u = { $u }), écart { $rms } { $unit } (RMS)
 axes-base = base ({ $rule })
 axes-origin = {"  "}origine      { $point }
 axes-target = cible `{ $target }` sur la bride

@@ -1045,7 +1045,7 @@ sweep-by-angle = { FIXED($by, 3) } deg
 
 sweep-by-length = { FIXED($by, 3) } mm
 
-sweep-ratio = les cibles se déplacent de { FIXED($ratio, 5) } × les valeurs de `{ $joint }`
+sweep-ratio = les cibles se déplacent de { FIXED($ratio, 5) } × les valeurs de `{ $joint }` (u = { SCIENTIFIC($u, 1) })
     .hint = { $unit ->
             [deg-as-rad] les valeurs sont en degrés et lues en radians : corriger l’en-tête
             [rad-as-deg] les valeurs sont en radians et lues en degrés : corriger l’en-tête
@@ -1067,7 +1067,7 @@ sweep-foreign = { $count ->
     }
     .hint = ces lectures sont loin de la trajectoire de toutes les autres
 
-sweep-smooth = dans le balayage de `{ $joint }`, les cibles s’écartent de leur trajectoire de { FIXED($rms_um, 1) } µm (RMS) de façon continue ; d’une lecture à l’autre, le bruit est de { FIXED($noise_um, 1) } µm ; l’incertitude de l’axe est trop petite
+sweep-smooth = dans le balayage de `{ $joint }`, les cibles s’écartent de leur trajectoire de { FIXED($rms_um, 1) } µm (RMS) de façon continue ; d’une lecture à l’autre, le bruit est de { FIXED($noise_um, 1) } µm ; l’incertitude de l’axe comprend les deux
     .hint = vérifier que toutes les autres articulations étaient au repos, et comparer avec le faux-rond du palier
 
 sweep-weak = la direction de l’axe de `{ $joint }` a une incertitude-type de { FIXED($u_mrad, 2) } mrad
@@ -1174,6 +1174,9 @@ axes-robot-name = Robot décrit par ses axes
 
 cell-few = `{ $solve }` exige { $needed } lectures ; il y en a { $readings }
     .hint = prendre plus de lectures ; des lectures redondantes déterminent l’incertitude
+
+cell-axis-at-rest = l’axe ne bouge pas : toutes les lectures de chaque cible ({ $readings } au total) sont à une seule valeur de l’axe
+    .hint = mesurer les cibles à plusieurs valeurs de l’axe
 
 cell-same-orientation = le robot a la même orientation dans toutes les lignes
     .hint = tourner le robot entre les lectures, autour d’au moins deux axes
@@ -1291,7 +1294,7 @@ cell-unit = toutes les positions de la bride sont à moins de { FIXED($distance_
 cell-tool-active = le point d’outil est à { FIXED($distance_mm, 4) } mm de l’origine des poses (u = { FIXED($u_mm, 4) } mm) : les poses sont probablement celles de l’outil et non de la bride
     .hint = exporter les poses avec l’outil 0
 
-cell-scale = l’axe se déplace de { FIXED($scale, 5) } × ses valeurs
+cell-scale = l’axe se déplace de { FIXED($scale, 5) } × ses valeurs (u = { SCIENTIFIC($u, 1) })
     .hint = vérifier l’unité de la colonne et le rapport de l’axe
 
 cell-change-radians = les angles { $side ->
