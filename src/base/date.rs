@@ -1,5 +1,8 @@
 //! Dates in ISO 8601.
 
+use crate::error;
+use crate::message::Result;
+
 /// Year, month and day of the Gregorian date `YYYY-MM-DD` at the start of a text.
 pub fn date(text: &str) -> Option<(i32, u8, u8)> {
     let (date, rest) = text.split_at_checked(10)?;
@@ -42,6 +45,21 @@ pub fn months_after((year, month, day): (i32, u8, u8), months: u32) -> (i32, u8,
 /// A date as text: year-month-day.
 pub fn date_text((year, month, day): (i32, u8, u8)) -> String {
     format!("{year:04}-{month:02}-{day:02}")
+}
+
+/// Day (UTC) that the variable `SOURCE_DATE_EPOCH` states, if it is set.
+///
+/// # Errors
+/// Fails if the value is not the seconds since 1970, as reproducible-builds.org specifies it.
+pub fn source_date_epoch() -> Result<Option<(i32, u8, u8)>> {
+    let Some(value) = std::env::var_os("SOURCE_DATE_EPOCH").filter(|value| !value.is_empty()) else {
+        return Ok(None);
+    };
+    let seconds = value.to_str().and_then(|text| text.trim().parse::<i64>().ok()).filter(|seconds| *seconds >= 0);
+    match seconds.and_then(day_of_epoch) {
+        Some(day) => Ok(Some(day)),
+        None => Err(error!("environment-date", value = value.to_string_lossy().into_owned()).into()),
+    }
 }
 
 /// Year, month and day of a time in seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` states it;

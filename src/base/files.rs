@@ -12,6 +12,8 @@ use std::time::Duration;
 
 /// Largest input that is read as a whole (bytes).
 pub const LARGEST: u64 = 2 << 30;
+/// Largest file of a lock: the number of a process (bytes).
+const LARGEST_LOCK: u64 = 20;
 /// Largest text of a campaign, robot or page (bytes).
 const LARGEST_STATEMENT: u64 = 16 << 20;
 
@@ -99,27 +101,133 @@ fn cannot_write(path: &Path, reason: &impl std::fmt::Display) -> Message {
     error!("cannot-write-file", file = path.display().to_string(), reason = reason.to_string())
 }
 
+/// Refuses a path below `root` that leads through a symbolic link: the path itself, or a folder
+/// between it and `root`. The links above `root`, and `root` itself, belong to the user.
+pub fn refuse_links(root: &Path, path: &Path) -> Result<()> {
+    let above = root.components().count();
+    // the components alone: a slash at the end would follow the link
+    let parts: Vec<_> = path.components().collect();
+    let inside = (above + 1..=parts.len()).map(|count| parts[..count].iter().collect::<PathBuf>());
+    let is_link = |path: &PathBuf| std::fs::symlink_metadata(path).is_ok_and(|found| found.is_symlink());
+    match inside.filter(|path| path.file_name().is_some()).find(is_link) {
+        Some(link) => {
+            let (file, link) = (path.display().to_string(), link.display().to_string());
+            Err(error!("output-through-link", file, link).into())
+        }
+        None => Ok(()),
+    }
+}
+
+/// Folder whose links count as the user's: the campaign's that contains a written path, or the
+/// folder of the path.
+fn root(path: &Path) -> &Path {
+    path.ancestors().skip(1).find(|above| above.join("campaign.toml").is_file()).unwrap_or_else(|| above(path))
+}
+
+/// Path without its last component: empty for a single name.
+fn above(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
+
+/// Refuses a place that a writer may not replace: one that a link leads to, a device, or a pipe.
+pub(super) fn refuse_foreign(path: &Path) -> Result<()> {
+    refuse_links(root(path), path)?;
+    match std::fs::symlink_metadata(path) {
+        Ok(found) if !found.is_file() && !found.is_dir() => {
+            Err(error!("output-not-a-file", file = path.display().to_string()).into())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Largest file (bytes) that the system lets this process write (`ulimit -f`), if it has a limit.
+/// A larger file would end the process before its locks are removed.
+fn file_size_limit() -> Option<u64> {
+    let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
+    limits.lines().find_map(|line| line.strip_prefix("Max file size")?.split_whitespace().next()?.parse().ok())
+}
+
+/// File whose writer fails, instead of the process, at the largest size that the system allows.
+pub struct Bounded {
+    file: File,
+    left: Option<u64>,
+}
+
+impl Bounded {
+    /// Takes an empty file.
+    pub(super) fn new(file: File) -> Self {
+        Self { file, left: file_size_limit() }
+    }
+
+    /// Waits until the contents are on the disk.
+    pub(super) fn sync_all(&self) -> std::io::Result<()> {
+        self.file.sync_all()
+    }
+}
+
+impl Write for Bounded {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let Some(left) = &mut self.left else { return self.file.write(bytes) };
+        let count = (bytes.len() as u64).min(*left) as usize;
+        if count == 0 && !bytes.is_empty() {
+            return Err(std::io::ErrorKind::FileTooLarge.into());
+        }
+        let written = self.file.write(&bytes[..count])?;
+        *left -= written as u64;
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// Gives a new file or folder the mode and the owner of the earlier one.
+#[cfg(unix)]
+pub(super) fn keep_rights(earlier: &std::fs::Metadata, new: &Path) -> std::io::Result<()> {
+    use std::os::unix::fs::{MetadataExt, lchown};
+    let found = std::fs::symlink_metadata(new)?;
+    if (found.uid(), found.gid()) != (earlier.uid(), earlier.gid()) {
+        lchown(new, Some(earlier.uid()), Some(earlier.gid()))?;
+    }
+    // after the owner, whose change clears bits of the mode
+    if earlier.is_symlink() { Ok(()) } else { std::fs::set_permissions(new, earlier.permissions()) }
+}
+
+/// Gives a new file or folder the mode of the earlier one.
+#[cfg(not(unix))]
+pub(super) fn keep_rights(earlier: &std::fs::Metadata, new: &Path) -> std::io::Result<()> {
+    std::fs::set_permissions(new, earlier.permissions())
+}
+
 /// Writes a file under a temporary name, syncs and renames it, so that an interruption at any
-/// moment loses nothing.
+/// moment loses nothing. The mode of a replaced file is kept; links, devices and pipes are refused.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     write_by(path, |file| Ok(file.write_all(bytes)?))
 }
 
 /// Like [`write()`], with a file that `fill` writes incrementally.
-pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<T>) -> Result<T> {
+pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<Bounded>) -> anyhow::Result<T>) -> Result<T> {
     let fail = |e: anyhow::Error| match e.downcast::<Problems>() {
         Ok(problems) => problems,
         Err(e) => cannot_write(path, &e).into(),
     };
+    refuse_foreign(path)?;
     std::fs::create_dir_all(parent(path)).map_err(|e| fail(e.into()))?;
     let _lock = Lock::take(path)?;
     let new = beside(path, "new");
     let write = || {
         // left by a stopped process, or a link that must not be followed
         let _ = std::fs::remove_file(&new);
-        let mut file = BufWriter::new(File::create_new(&new)?);
+        let mut file = BufWriter::new(Bounded::new(File::create_new(&new)?));
         let made = fill(&mut file)?;
-        file.into_inner()?.sync_all()?;
+        // a failed flush would be repeated by the writer
+        file.into_inner().map_err(|e| e.into_parts().0)?.sync_all()?;
+        if let Ok(earlier) = std::fs::symlink_metadata(path) {
+            // of another user's file only the mode can be kept
+            let kept = keep_rights(&earlier, &new);
+            kept.or_else(|_| std::fs::set_permissions(&new, earlier.permissions()))?;
+        }
         std::fs::rename(&new, path)?;
         Ok(made)
     };
@@ -129,29 +237,49 @@ pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> anyho
     })
 }
 
-/// Writes files into a folder and returns their paths.
+/// Paths of the files that are to be written into a folder: no link leads to the folder, and none
+/// from the folder to a file.
+pub fn places<N: AsRef<Path>, const COUNT: usize>(folder: &Path, names: [N; COUNT]) -> Result<[PathBuf; COUNT]> {
+    let paths = names.map(|name| folder.join(name));
+    refuse_linked(folder, &paths)?;
+    Ok(paths)
+}
+
+fn refuse_linked(folder: &Path, paths: &[PathBuf]) -> Result<()> {
+    refuse_foreign(folder)?;
+    paths.iter().try_for_each(|path| refuse_links(folder, path))
+}
+
+/// Writes files into a folder, like [`places`], and returns their paths.
 pub fn write_all<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Result<Vec<String>> {
-    let write = |(name, bytes): &(N, Vec<u8>)| {
-        let path = folder.join(name);
-        write(&path, bytes)?;
+    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
+    // all of them before the first is written
+    refuse_linked(folder, &paths)?;
+    let write = |(path, (_, bytes)): (&PathBuf, &(N, Vec<u8>))| {
+        write(path, bytes)?;
         Ok(path.display().to_string())
     };
-    files.iter().map(write).collect()
+    paths.iter().zip(files).map(write).collect()
 }
 
 /// Like [`write_all`], but fails if any of the files exists.
 pub fn write_new<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Result<Vec<String>> {
-    if let Some(path) = files.iter().map(|(name, _)| folder.join(name)).find(|path| path.exists()) {
+    if let Some(path) = files.iter().map(|(name, _)| folder.join(name)).find(|path| is_taken(path)) {
         return Err(error!("file-exists", file = path.display().to_string()).into());
     }
     write_all(folder, files)
 }
 
-/// Writes a new file and waits until it is on the disk.
-pub(super) fn write_synced(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut file = File::create(path)?;
+/// `true` if anything has this name: a dangling link as well.
+fn is_taken(path: &Path) -> bool {
+    std::fs::symlink_metadata(path).is_ok()
+}
+
+/// Writes a new file, and waits until it is on the disk if it is to be there now.
+pub(super) fn write_file(path: &Path, bytes: &[u8], now: bool) -> std::io::Result<()> {
+    let mut file = Bounded::new(File::create_new(path)?);
     file.write_all(bytes)?;
-    file.sync_all()
+    if now { file.sync_all() } else { Ok(()) }
 }
 
 /// Parent folder of a path.
@@ -190,6 +318,9 @@ impl Lock {
                 Ok(()) => {
                     // dropped, and so removed, if the disk is full
                     let mut lock = Self { path, file };
+                    if file_size_limit().is_some_and(|most| most < LARGEST_LOCK) {
+                        return Err(fail(std::io::ErrorKind::FileTooLarge.into()).into());
+                    }
                     lock.file.set_len(0).and_then(|()| write!(lock.file, "{}", std::process::id())).map_err(fail)?;
                     return Ok(lock);
                 }

@@ -1,10 +1,10 @@
 //! Folder of results that is written beside the earlier one and replaces it as a whole: an
 //! interruption at any moment leaves one of the two complete.
 
-use super::files::{Lock, beside, parent, write_synced};
+use super::files::{Lock, beside, keep_rights, parent, refuse_foreign, write_file};
 use super::message::{Message, Problems, Result};
 use crate::error;
-use std::fs;
+use std::fs::{self, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -22,19 +22,23 @@ pub enum Durability {
 pub struct FolderLock {
     /// Folder, as the user named it.
     named: PathBuf,
-    /// Folder itself, if a link leads to it.
+    /// Folder itself, if a link leads to a folder above it.
     place: PathBuf,
     _lock: Lock,
 }
 
 impl FolderLock {
-    /// Takes the lock, waiting for another process that is replacing the folder.
+    /// Takes the lock, waiting for another process that is replacing the folder. A folder that a
+    /// link leads to, below its campaign, is refused.
     pub fn take(folder: &Path) -> Result<Self> {
+        refuse_foreign(folder)?;
         let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
         fs::create_dir_all(parent(&place)).map_err(|e| cannot_write(folder, &e))?;
         let lock = Lock::take(&place)?;
         let held = Self { named: folder.to_owned(), place, _lock: lock };
         let (new, old) = held.beside();
+        // a link of such a name is not a remain of a run
+        refuse_foreign(&new).and_then(|()| refuse_foreign(&old))?;
         recover(&held.place, &new, &old).map_err(|e| cannot_write(folder, &e))?;
         Ok(held)
     }
@@ -58,8 +62,8 @@ impl FolderLock {
             let _ = sync(parent(place));
         }
         // the earlier folder or, after a failure, the new one
-        let _ = fs::remove_dir_all(&new);
-        let _ = fs::remove_dir_all(&old);
+        let _ = remove(&new);
+        let _ = remove(&old);
         written
     }
 
@@ -79,9 +83,31 @@ fn recover(place: &Path, new: &Path, old: &Path) -> io::Result<()> {
         fs::rename(old, place)?;
     }
     for left in [new, old].into_iter().filter(|left| left.exists()) {
-        fs::remove_dir_all(left)?;
+        remove(left)?;
     }
     Ok(())
+}
+
+/// Removes a folder, including read-only folders in it.
+fn remove(folder: &Path) -> io::Result<()> {
+    fs::remove_dir_all(folder).or_else(|e| {
+        if e.kind() != io::ErrorKind::PermissionDenied {
+            return Err(e);
+        }
+        unlock(folder)?;
+        fs::remove_dir_all(folder)
+    })
+}
+
+/// Lets the owner write into a folder and the folders in it.
+fn unlock(folder: &Path) -> io::Result<()> {
+    let found = fs::symlink_metadata(folder)?;
+    if !found.is_dir() {
+        return Ok(());
+    }
+    #[cfg(unix)]
+    fs::set_permissions(folder, std::os::unix::fs::PermissionsExt::from_mode(0o700))?;
+    fs::read_dir(folder)?.try_for_each(|entry| unlock(&entry?.path()))
 }
 
 fn fill(
@@ -93,30 +119,72 @@ fn fill(
 ) -> io::Result<()> {
     fs::create_dir(new)?;
     for (name, bytes) in files {
-        match durability {
-            Durability::Now => write_synced(&new.join(name), bytes)?,
-            Durability::Later => fs::write(new.join(name), bytes)?,
-        }
+        write_file(&new.join(name), bytes, durability == Durability::Now)?;
     }
     if place.exists() {
-        fs::set_permissions(new, fs::metadata(place)?.permissions())?;
+        let earlier = fs::symlink_metadata(place)?;
         for entry in fs::read_dir(place)? {
             let entry = entry?;
             if keeps(&entry.file_name().to_string_lossy()) {
-                carry(&entry.path(), &new.join(entry.file_name()))?;
+                carry(&entry.path(), &new.join(entry.file_name()), &earlier)?;
             }
         }
+        // a user who replaces another's folder keeps its mode
+        keep_rights(&earlier, new).or_else(|_| fs::set_permissions(new, earlier.permissions()))?;
     }
     if durability == Durability::Now { sync(new) } else { Ok(()) }
 }
 
-/// Links a file or folder under another name; copies it if the file system has no links.
-fn carry(from: &Path, to: &Path) -> io::Result<()> {
-    if !fs::symlink_metadata(from)?.is_dir() {
-        return fs::hard_link(from, to).or_else(|_| fs::copy(from, to).map(drop));
+/// Carries an entry of the earlier folder over: a folder is made again with its mode and owner, a
+/// file or symbolic link gets a second name. Nothing is followed.
+fn carry(from: &Path, to: &Path, earlier: &Metadata) -> io::Result<()> {
+    let named = |e: io::Error| io::Error::new(e.kind(), format!("{}: {e}", from.display()));
+    let found = fs::symlink_metadata(from).map_err(named)?;
+    if !same_device(&found, earlier) {
+        // the contents of a mounted volume would be removed with the earlier folder
+        return Err(named(io::ErrorKind::CrossesDevices.into()));
     }
-    fs::create_dir(to)?;
-    fs::read_dir(from)?.try_for_each(|entry| entry.and_then(|e| carry(&e.path(), &to.join(e.file_name()))))
+    if found.is_dir() {
+        fs::create_dir(to).map_err(named)?;
+        let entries = fs::read_dir(from).map_err(named)?;
+        for entry in entries {
+            let entry = entry.map_err(named)?;
+            carry(&entry.path(), &to.join(entry.file_name()), earlier)?;
+        }
+        return keep_rights(&found, to).map_err(named);
+    }
+    fs::hard_link(from, to).or_else(|e| copy(from, to, &found, e)).map_err(named)
+}
+
+/// Copies a file or symbolic link that can have no second name for the reason `refused`.
+fn copy(from: &Path, to: &Path, found: &Metadata, refused: io::Error) -> io::Result<()> {
+    if found.is_file() {
+        fs::copy(from, to)?;
+    } else {
+        copy_link(from, to, found, refused)?;
+    }
+    keep_rights(found, to)
+}
+
+#[cfg(unix)]
+fn copy_link(from: &Path, to: &Path, found: &Metadata, refused: io::Error) -> io::Result<()> {
+    if found.is_symlink() { std::os::unix::fs::symlink(fs::read_link(from)?, to) } else { Err(refused) }
+}
+
+#[cfg(not(unix))]
+fn copy_link(_: &Path, _: &Path, _: &Metadata, refused: io::Error) -> io::Result<()> {
+    Err(refused)
+}
+
+#[cfg(unix)]
+fn same_device(a: &Metadata, b: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    a.dev() == b.dev()
+}
+
+#[cfg(not(unix))]
+fn same_device(_: &Metadata, _: &Metadata) -> bool {
+    true
 }
 
 /// Exchanges two folders in one step; in two steps if the file system does not support that, or if

@@ -19,3 +19,4 @@ pub mod pose;
 pub mod pose_name;
 pub mod scalar;
 pub mod sketch;
+pub mod template;

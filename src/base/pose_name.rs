@@ -13,6 +13,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
+use unicode_normalization::UnicodeNormalization;
 
 /// Name of a pose: an integer (`7`, `07`), or any other text, as written (`home`, `A-3`, `P7`).
 ///
@@ -49,10 +50,17 @@ static TEXTS: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
 const LONGEST: usize = 100;
 
 impl PoseName {
-    /// Parses a name without surrounding blanks. Names that a table or spreadsheet cannot hold are
-    /// errors.
+    /// Parses a name without surrounding blanks, in the composed form of Unicode (NFC): `ü` is one
+    /// letter, however a program wrote it. Names that a table or spreadsheet cannot hold are errors.
     pub fn new(name: &str) -> Result<Self, Message> {
         let name = name.trim();
+        let composed: String;
+        let name = if name.is_ascii() {
+            name
+        } else {
+            composed = name.nfc().collect();
+            &composed
+        };
         if let Ok(number) = name.parse() {
             return Ok(Self::Number(number));
         }
@@ -81,11 +89,11 @@ impl PoseName {
         }
     }
 
-    /// Name without case, blanks, `_`, `-` and leading zeros; names with equal folded form are
-    /// spellings of one name.
+    /// Name without case, blanks, `_`, `-`, leading zeros and invisible characters; names with equal
+    /// folded form are spellings of one name.
     fn folded(self) -> String {
         let mut folded = String::new();
-        for part in parts(&self.to_string().to_lowercase()) {
+        for part in parts(&visible(&self.to_string()).to_lowercase()) {
             match part {
                 Part::Digits(digits) => folded.push_str(if digits.is_empty() { "0" } else { digits }),
                 Part::Other(c) if matches!(c, '_' | '-') || c.is_whitespace() => {}
@@ -97,20 +105,55 @@ impl PoseName {
 }
 
 /// Finds the first pose that is another spelling of an earlier one (`P1` and `p 01`): message and
-/// index.
+/// index. A number is spelled in another way only by invisible characters.
 pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Option<(Message, usize)> {
-    let mut known: BTreeSet<&'static str> = BTreeSet::new();
-    let mut by_spelling: BTreeMap<String, PoseName> = BTreeMap::new();
+    let mut known: BTreeSet<PoseName> = BTreeSet::new();
+    let mut by_spelling: BTreeMap<Spelling, PoseName> = BTreeMap::new();
     for (i, name) in names.into_iter().enumerate() {
-        let Some(name @ PoseName::Text(text)) = name else { continue };
-        if !known.insert(text) {
-            continue;
-        }
-        if let Some(other) = by_spelling.insert(name.folded(), name) {
-            return Some((error!("pose-name-two-spellings", first = other, second = name), i));
+        let Some(name) = name.filter(|name| known.insert(*name)) else { continue };
+        let spelling = match name {
+            PoseName::Number(number) => Spelling::Number(number),
+            PoseName::Text(text) => {
+                visible(text).trim().parse().map_or_else(|_| Spelling::Text(name.folded()), Spelling::Number)
+            }
+        };
+        if let Some(other) = by_spelling.insert(spelling, name) {
+            return Some((error!("pose-name-two-spellings", first = shown(other), second = shown(name)), i));
         }
     }
     None
+}
+
+/// Form in which names are compared.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Spelling {
+    Number(i64),
+    Text(String),
+}
+
+/// `true` for a character without a picture of its own (Unicode: `Default_Ignorable_Code_Point`).
+fn is_invisible(c: char) -> bool {
+    matches!(c, '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}'
+        | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
+        | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{ffa0}' | '\u{fff0}'..='\u{fff8}'
+        | '\u{e0000}'..='\u{e0fff}')
+}
+
+/// Name without invisible characters.
+fn visible(name: &str) -> String {
+    name.chars().filter(|c| !is_invisible(*c)).collect()
+}
+
+/// Name with the codes of its invisible characters.
+fn shown(name: PoseName) -> String {
+    let mut shown = String::new();
+    for c in name.to_string().chars() {
+        match is_invisible(c) {
+            true => shown.extend(c.escape_unicode()),
+            false => shown.push(c),
+        }
+    }
+    shown
 }
 
 impl IntoArgument for PoseName {
@@ -292,6 +335,26 @@ mod tests {
             let names: [(&str, &dyn IntoArgument); 2] = [("first", &pair[0]), ("second", &pair[1])];
             assert!(message.is("pose-name-two-spellings", &names) && at == 4, "{message:?}");
         }
-        assert!(found(&["7", "07", "P7", "P70", "A1", "B1", "10", "10b", "P1"]).is_none());
+        assert!(found(&["7", "07", "P7", "P70", "A1", "B1", "10", "10b", "P1", "1-1", "11", "1_"]).is_none());
+        // a character that nobody sees is shown by its code
+        for (first, second, code) in [
+            ("P1", "P1\u{200b}", "P1\\u{200b}"),
+            ("P1", "\u{feff}P1", "\\u{feff}P1"),
+            ("7", "7\u{200b}", "7\\u{200b}"),
+            ("home", "ho\u{ad}me", "ho\\u{ad}me"),
+        ] {
+            let (message, at) = found(&["A1", first, second]).unwrap();
+            let names: [(&str, &dyn IntoArgument); 2] = [("first", &first), ("second", &code)];
+            assert!(message.is("pose-name-two-spellings", &names) && at == 2, "{message:?}");
+        }
+    }
+
+    #[test]
+    fn the_forms_of_a_letter_are_one_name() {
+        for (composed, decomposed) in [("Pr\u{fc}f", "Pru\u{308}f"), ("\u{c5}1", "A\u{30a}1"), ("\u{c5}1", "\u{212b}1")]
+        {
+            assert_eq!(named(composed), named(decomposed));
+            assert_eq!(named(decomposed).to_string(), composed);
+        }
     }
 }

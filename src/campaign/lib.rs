@@ -149,6 +149,16 @@ impl Campaign {
         paths::resolve(&self.folder, file.get_ref()).map_err(|m| m.at(self.place(file)).into())
     }
 
+    /// Path of a file or folder that is to be written, like [`Campaign::resolve`].
+    ///
+    /// # Errors
+    /// Fails if a symbolic link below the root of the path leads elsewhere.
+    pub fn written(&self, file: &Spanned<String>) -> Result<PathBuf> {
+        let (root, path) = paths::rooted(&self.folder, file.get_ref()).map_err(|m| m.at(self.place(file)))?;
+        files::refuse_links(&root, &path).map_err(|more| more.at(&self.place(file)))?;
+        Ok(path)
+    }
+
     /// Path of a source file.
     pub fn source(&self, source: &Source) -> Result<PathBuf> {
         match source.kind {
@@ -157,9 +167,17 @@ impl Campaign {
         }
     }
 
-    /// Folder for the documents.
+    /// Folder of the documents, for reading.
     pub fn output(&self) -> Result<PathBuf> {
         self.resolve(&self.file.output)
+    }
+
+    /// Folder of the documents, for writing.
+    ///
+    /// # Errors
+    /// Fails like [`Campaign::written`].
+    pub fn written_output(&self) -> Result<PathBuf> {
+        self.written(&self.file.output)
     }
 
     /// File that describes the robot beside robot.toml, and the files that it includes, as paths

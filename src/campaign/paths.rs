@@ -16,6 +16,12 @@ pub(super) fn missing_variable(file: &str) -> Option<String> {
 
 /// Resolves a path; an error if it leaves the folder, or if its variable is unset.
 pub(super) fn resolve(folder: &Path, file: &str) -> Result<PathBuf, Message> {
+    Ok(rooted(folder, file)?.1)
+}
+
+/// Resolves a path like [`resolve`] and returns it after its root: the folder, or the value of the
+/// variable.
+pub(super) fn rooted(folder: &Path, file: &str) -> Result<(PathBuf, PathBuf), Message> {
     let (root, rest) = match variable(file) {
         Some((name, rest)) => match std::env::var_os(name) {
             Some(root) => (PathBuf::from(root), rest),
@@ -29,7 +35,8 @@ pub(super) fn resolve(folder: &Path, file: &str) -> Result<PathBuf, Message> {
     if !inside {
         return Err(error!("path-outside", file));
     }
-    Ok(root.join(rest))
+    let path = root.join(rest);
+    Ok((root, path))
 }
 
 /// Name of a file that `beside`, a path as [`resolve`] takes it, includes: a path that can be

@@ -127,7 +127,7 @@ fn campaign(
         entry.message = Some(phrase!("data-elsewhere", name).to_string());
         return Ok(Default::default());
     }
-    let output = campaign.output()?;
+    let output = campaign.written_output()?;
     entry.output = Some(output.display().to_string());
     let last = if wanted == Wanted::Reports { "report.html" } else { "import.json" };
     let recent = |documents: &Documents| since.is_none_or(|since| documents.written().is_ok_and(|at| at >= since));

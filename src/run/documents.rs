@@ -6,7 +6,7 @@ use etalon_base::catalogue::IntoArgument;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
-use etalon_base::message::{Message, Place, Result};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_documents::{
@@ -149,6 +149,8 @@ impl Documents {
     pub fn write(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
         let held = FolderLock::take(&self.folder)?;
         self.unchanged()?;
+        let names = added.iter().map(|(name, _)| name.as_str());
+        refuse_foreign(&self.folder, names.filter(|name| !self.manifest.files.contains_key(*name)))?;
         let paths = added.iter().map(|(name, _)| self.path(name).display().to_string()).collect();
         let mut listed = self.manifest.files;
         listed.extend(added.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
@@ -242,6 +244,13 @@ type Files = Vec<(String, Vec<u8>)>;
 pub(super) fn with_manifest(listed: BTreeMap<String, String>, mut files: Files) -> Result<Files> {
     files.push((ManifestDocument::NAME.to_owned(), to_json(&ManifestDocument::new(listed))?));
     Ok(files)
+}
+
+/// Reports the files in a folder whose names are to be written although no run wrote them.
+pub(super) fn refuse_foreign<'a>(folder: &Path, names: impl Iterator<Item = &'a str>) -> Result<()> {
+    let foreign = names.map(|name| folder.join(name)).filter(|path| path.symlink_metadata().is_ok());
+    let problems = foreign.map(|path| error!("foreign-file", file = path.display().to_string()));
+    Problems(problems.collect()).check().map(drop)
 }
 
 /// `true` if a file of this name is among `files`.

@@ -9,7 +9,7 @@ use crate::stages::join::Joined;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
-use etalon_base::message::{Problems, Result};
+use etalon_base::message::Result;
 use etalon_campaign::Campaign;
 use etalon_documents::{FieldDocument, ImportDocument, ManifestDocument, Source, to_json};
 use etalon_formats::table;
@@ -133,11 +133,7 @@ impl Output {
         let earlier = self.earlier();
         if let Some(earlier) = &earlier {
             let written = names.iter().map(String::as_str).chain([ManifestDocument::NAME]);
-            let foreign = written.filter(|name| !earlier.contains(*name)).map(|name| self.folder.join(name));
-            let problems = foreign
-                .filter(|path| path.symlink_metadata().is_ok())
-                .map(|path| error!("foreign-file", file = path.display().to_string()));
-            Problems(problems.collect()).check()?;
+            documents::refuse_foreign(&self.folder, written.filter(|name| !earlier.contains(*name)))?;
         }
         let ours = |name: &str| match &earlier {
             Some(files) => files.contains(name),

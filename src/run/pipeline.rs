@@ -78,7 +78,7 @@ pub fn run(campaign: &Campaign) -> Result<Outcome> {
 
 /// [`run`] for all of its files or some, which are on the disk at once or later.
 pub fn run_for(campaign: &Campaign, wanted: Wanted, durability: Durability) -> Result<Outcome> {
-    let out = Output::new(campaign.output()?);
+    let out = Output::new(campaign.written_output()?);
     write(campaign, wanted, durability, evaluate(campaign)?, out)
 }
 

@@ -197,8 +197,9 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     if let Some(stated) = table {
         texts.push((&stated.file, table::write(&scene, stated, &items, &known)?));
     }
-    for (file, text) in &texts {
-        files::write(&campaign.resolve(file)?, text.as_bytes())?;
+    let paths = texts.iter().map(|(file, _)| campaign.written(file)).collect::<Result<Vec<_>>>()?;
+    for (path, (_, text)) in paths.iter().zip(&texts) {
+        files::write(path, text.as_bytes())?;
     }
     Ok(texts.iter().map(|(file, _)| file.get_ref().clone()).collect())
 }

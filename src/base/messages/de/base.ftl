@@ -25,7 +25,7 @@ pose-name-too-long = der Name der Pose hat { $characters } Zeichen
 pose-name-unprintable = eine Tabelle kann den Namen `{ $name }` nicht enthalten
     .expected = eine ganze Zahl oder ein Name wie `home` oder `A-3`
 
-pose-name-two-spellings = `{ $first }` und `{ $second }` unterscheiden sich nur in Groß- und Kleinschreibung, Leerzeichen, `_`, `-` oder Nullen
+pose-name-two-spellings = `{ $first }` und `{ $second }` unterscheiden sich nur in Groß- und Kleinschreibung, Leerzeichen, `_`, `-`, Nullen oder unsichtbaren Zeichen
     .hint = den Namen einer Pose in allen Zeilen und Dateien gleich schreiben
 
 counts-too-large = zu viele { $of }: { $counts }
@@ -46,6 +46,36 @@ file-exists = `{ $file }` ist schon vorhanden
 lock-foreign = `{ $file }` kann nicht geschrieben werden: `{ $lock }` ist keine Sperrdatei von etalon
     .expected = eine gewöhnliche Datei mit nur einem Namen
     .hint = sie entfernen: etalon braucht diesen Namen, während es schreibt
+
+output-through-link = `{ $file }` kann nicht geschrieben werden: `{ $link }` ist ein symbolischer Link
+    .expected = ein Ordner oder eine Datei, zu denen kein Link führt
+    .hint = den Link durch einen Ordner ersetzen oder den Ordner selbst angeben
+
+output-not-a-file = `{ $file }` kann nicht geschrieben werden: ein Gerät, eine Pipe oder ein Socket
+    .hint = eine gewöhnliche Datei angeben
+
+template-failed = die Vorlage `{ $template }` { $fault ->
+        [time] braucht mehr als eine Minute
+        [memory] braucht mehr als 2 GiB Speicher
+        [ended] endet ohne Ergebnis
+       *[other] kann nicht ausgeführt werden: { $fault }
+    }
+    .hint = die Schleifen der Vorlage prüfen: jede muss enden
+
+template-too-nested = Zeile { $line } der Vorlage `{ $template }` hat mehr als { $most } Ebenen von Klammern, Operatoren und Blöcken
+    .hint = den Ausdruck mit `set` zerlegen
+
+template-width = eine Breite von mehr als { $most }
+template-size = ein Text von mehr als { $most_mib } MiB
+template-instructions = mehr als { $most } Anweisungen
+
+environment-date = die Umgebungsvariable `SOURCE_DATE_EPOCH` ist `{ $value }`
+    .expected = die Sekunden seit 1970, von 0 bis zum Jahr 9999
+    .hint = eine ganze Zahl angeben oder die Variable löschen
+
+environment-threads = die Umgebungsvariable `{ $name }` ist `{ $threads }`
+    .expected = höchstens { $most } Threads
+    .hint = die Zahl der Kerne angeben oder die Variable löschen
 
 locked = Prozess { $process } schreibt `{ $file }`
     .hint = warten, bis er beendet ist

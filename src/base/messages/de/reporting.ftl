@@ -1,13 +1,5 @@
 ### Meldungen von report; Erklärungen in en/report.ftl.
 
-template-failed = die Vorlage `{ $template }` { $fault ->
-        [time] braucht mehr als eine Minute
-        [memory] braucht mehr als 2 GiB Speicher
-        [ended] endet ohne Ergebnis
-       *[other] kann nicht ausgeführt werden: { $fault }
-    }
-    .hint = die Schleifen der Vorlage prüfen: jede muss enden
-
 template-invalid = die Vorlage des Berichts hat einen Fehler: { $reason }
 
 logo-unusable = `{ $file }` { $fault ->

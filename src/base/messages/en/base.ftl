@@ -37,12 +37,13 @@ pose-name-too-long = the name of the pose has { $characters } characters
 pose-name-unprintable = a table cannot hold the name `{ $name }`
     .expected = a whole number, or a name like `home` or `A-3`
 
-# Means: Two names of poses differ only in capital letters, blanks, `_`, `-` or leading zeros.
+# Means: Two names of poses differ only in capital letters, blanks, `_`, `-`, leading zeros or
+# characters that are not visible, such as a zero-width space.
 # Matters: They are probably one pose. Two poses with half of the readings each falsify
 # repeatability.
 # Do: Write the name of a pose the same in all rows and files.
 # Example: `P1` in one row, `p 01` in another
-pose-name-two-spellings = `{ $first }` and `{ $second }` differ only in capital letters, blanks, `_`, `-` or zeros
+pose-name-two-spellings = `{ $first }` and `{ $second }` differ only in capital letters, blanks, `_`, `-`, zeros or invisible characters
     .hint = write the name of a pose the same in all rows and files
 
 # Means: The product of the stated counts exceeds the limit of the program.
@@ -91,6 +92,60 @@ file-exists = `{ $file }` already exists
 lock-foreign = cannot write `{ $file }`: `{ $lock }` is not a lock of etalon
     .expected = a regular file with one name
     .hint = remove it: etalon needs this name for its lock
+
+# Means: A symbolic link leads to the place that would be written.
+# Matters: Files of another folder could be overwritten or lose their mode and owner.
+# Do: Replace the link by a folder, or name the folder itself.
+# Example: a symbolic link `out` in the folder of a campaign
+output-through-link = cannot write `{ $file }`: `{ $link }` is a symbolic link
+    .expected = a folder or file that no link leads to
+    .hint = replace the link by a folder, or name the folder itself
+
+# Means: The place that would be written is a device, a pipe or a socket.
+# Matters: etalon replaces files as a whole; a device would be lost.
+# Do: Name a file; without the option many commands print to stdout.
+# Example: `etalon plan --output /dev/null`
+output-not-a-file = cannot write `{ $file }`: it is a device, a pipe or a socket
+    .hint = name a regular file
+
+# Means: A template exceeds the limit of time or memory, or ends without a result.
+# Matters: No file is written. The usual cause is a loop that does not end.
+# Do: Correct the template.
+# Example: `{% for i in range(10000000) %}` in report.html
+template-failed = the template `{ $template }` { $fault ->
+        [time] takes more than a minute
+        [memory] needs more than 2 GiB of memory
+        [ended] ends without a result
+       *[other] cannot be run: { $fault }
+    }
+    .hint = check the loops of the template: each must end
+
+# Means: Brackets, operators or blocks of a template are nested too deeply.
+# Matters: The template is not read: each level takes memory of the stack.
+# Do: Compute parts of the expression with `set`, one after the other.
+# Example: an expression with 300 opening brackets
+template-too-nested = line { $line } of the template `{ $template }` has more than { $most } levels of brackets, operators and blocks
+    .hint = split the expression with `set`
+
+template-width = a width of more than { $most }
+template-size = a text of more than { $most_mib } MiB
+template-instructions = more than { $most } instructions
+
+# Means: The variable SOURCE_DATE_EPOCH has a value that is not a time.
+# Matters: Reports without a date of their own would have a wrong date.
+# Do: Set it to the seconds since 1970, or unset it.
+# Example: `SOURCE_DATE_EPOCH=-1`
+environment-date = the environment variable `SOURCE_DATE_EPOCH` is `{ $value }`
+    .expected = the seconds since 1970, from 0 to the year 9999
+    .hint = set it to a whole number, or unset it
+
+# Means: A variable states a number of threads that the program cannot start.
+# Matters: The command would take minutes to start its threads, or end without memory.
+# Do: Set a number near that of the cores, or unset the variable.
+# Example: `POLARS_MAX_THREADS=1000000`
+environment-threads = the environment variable `{ $name }` is `{ $threads }`
+    .expected = at most { $most } threads
+    .hint = set the number of cores, or unset the variable
 
 # Means: Another process is writing the same file.
 # Matters: Two processes would mix their results.

@@ -1,17 +1,5 @@
 ### Messages of report. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
-# Means: A template of the laboratory exceeds the limit of time or memory, or ends without a result.
-# Matters: The report is not written. The usual cause is a loop that does not end.
-# Do: Correct the template.
-# Example: `{% for i in range(10000000) %}` in report.html
-template-failed = the template `{ $template }` { $fault ->
-        [time] takes more than a minute
-        [memory] needs more than 2 GiB of memory
-        [ended] ends without a result
-       *[other] cannot be run: { $fault }
-    }
-    .hint = check the loops of the template: each must end
-
 # Means: A template of the laboratory has an error.
 # Matters: The report is not written.
 # Do: Correct the marked line of the template.

@@ -25,7 +25,7 @@ pose-name-too-long = le nom de la pose a { $characters } caractères
 pose-name-unprintable = un tableau ne peut pas contenir le nom `{ $name }`
     .expected = un nombre entier, ou un nom comme `home` ou `A-3`
 
-pose-name-two-spellings = `{ $first }` et `{ $second }` ne diffèrent que par des majuscules, des espaces, `_`, `-` ou des zéros
+pose-name-two-spellings = `{ $first }` et `{ $second }` ne diffèrent que par des majuscules, des espaces, `_`, `-`, des zéros ou des caractères invisibles
     .hint = écrire le nom d’une pose de la même façon dans toutes les lignes et tous les fichiers
 
 counts-too-large = trop de { $of } : { $counts }
@@ -46,6 +46,36 @@ file-exists = `{ $file }` existe déjà
 lock-foreign = impossible d’écrire `{ $file }` : `{ $lock }` n’est pas un verrou d’etalon
     .expected = un fichier ordinaire qui n’a qu’un nom
     .hint = le supprimer : etalon a besoin de ce nom pendant l’écriture
+
+output-through-link = impossible d’écrire `{ $file }` : `{ $link }` est un lien symbolique
+    .expected = un dossier ou un fichier auquel aucun lien ne mène
+    .hint = remplacer le lien par un dossier, ou indiquer le dossier même
+
+output-not-a-file = impossible d’écrire `{ $file }` : c’est un périphérique, un tube ou une socket
+    .hint = indiquer un fichier ordinaire
+
+template-failed = le modèle `{ $template }` { $fault ->
+        [time] prend plus d’une minute
+        [memory] prend plus de 2 Gio de mémoire
+        [ended] se termine sans résultat
+       *[other] ne peut pas être exécuté : { $fault }
+    }
+    .hint = vérifier les boucles du modèle : chacune doit se terminer
+
+template-too-nested = la ligne { $line } du modèle `{ $template }` a plus de { $most } niveaux de parenthèses, d’opérateurs et de blocs
+    .hint = découper l’expression avec `set`
+
+template-width = une largeur de plus de { $most }
+template-size = un texte de plus de { $most_mib } Mio
+template-instructions = plus de { $most } instructions
+
+environment-date = la variable d’environnement `SOURCE_DATE_EPOCH` vaut `{ $value }`
+    .expected = les secondes depuis 1970, de 0 à l’an 9999
+    .hint = indiquer un nombre entier, ou supprimer la variable
+
+environment-threads = la variable d’environnement `{ $name }` vaut `{ $threads }`
+    .expected = au plus { $most } fils
+    .hint = indiquer le nombre de cœurs, ou supprimer la variable
 
 locked = le processus { $process } écrit `{ $file }`
     .hint = attendre la fin de ce processus

@@ -1,13 +1,5 @@
 ### Messages de report ; explications dans en/report.ftl.
 
-template-failed = le modèle `{ $template }` { $fault ->
-        [time] prend plus d’une minute
-        [memory] prend plus de 2 Gio de mémoire
-        [ended] se termine sans résultat
-       *[other] ne peut pas être exécuté : { $fault }
-    }
-    .hint = vérifier les boucles du modèle : chacune doit se terminer
-
 template-invalid = le modèle du rapport a une erreur : { $reason }
 
 logo-unusable = `{ $file }` { $fault ->
