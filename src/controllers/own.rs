@@ -7,8 +7,9 @@
 use super::template::environment;
 use super::{Exporter, Given, status_word};
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Result, nearest};
+use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::pattern::matches_pattern;
+use etalon_base::template::{bound, check_nesting, check_width, fill, innermost, reason, supervised};
 use etalon_base::{error, phrase};
 use etalon_robots::{Parameter, Robot, Role};
 use minijinja::value::Serde;
@@ -39,7 +40,7 @@ impl OwnFormat {
     ///
     /// Rejects a file name without the ending `.j2`, a template whose first line does not state the
     /// parameters that its file holds, and a template with a syntax error.
-    pub fn new(path: &str, text: String) -> std::result::Result<Self, Message> {
+    pub fn new(path: &str, text: String) -> Result<Self> {
         let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
         let at = |line: Option<usize>| Place { line, ..Place::file(path) };
         let file_name = name.strip_suffix(ENDING).filter(|stem| !stem.trim_matches('.').is_empty());
@@ -49,13 +50,24 @@ impl OwnFormat {
         let stated = inside.map(|text| text.trim_matches(['-', ' '])).and_then(|text| text.strip_prefix("holds:"));
         let holds: Vec<String> = stated.into_iter().flat_map(str::split_whitespace).map(str::to_owned).collect();
         if holds.is_empty() {
-            return Err(error!("template-without-holds").at(at(Some(1))));
+            return Err(error!("template-without-holds").at(at(Some(1))).into());
         }
         let format = Self { path: path.to_owned(), file_name, text, holds };
-        match own_environment().and_then(|mut e| e.add_template(&format.path, &format.text)) {
-            Ok(()) => Ok(format),
-            Err(wrong) => Err(format.failed(&wrong)),
-        }
+        let parsed = |format: Self| match own_environment().and_then(|mut e| e.add_template(&format.path, &format.text))
+        {
+            Ok(()) => Ok(()),
+            Err(wrong) => Err(Problems::from(format.failed(&wrong))),
+        };
+        let own = format.clone();
+        check_nesting(path, &format.text).and_then(|()| supervised(path, move || parsed(own)))?;
+        Ok(format)
+    }
+
+    /// File with these values.
+    fn filled(&self, values: Value) -> std::result::Result<Vec<u8>, Error> {
+        let mut environment = own_environment()?;
+        environment.add_template(&self.path, &self.text)?;
+        fill(&environment.get_template(&self.path)?, values).map(String::into_bytes)
     }
 
     fn is_held(&self, name: &str) -> bool {
@@ -76,7 +88,8 @@ impl OwnFormat {
 
     /// Error of the template, with its line.
     fn failed(&self, e: &Error) -> Message {
-        let reason = e.detail().map_or_else(|| e.kind().to_string(), |detail| format!("{}: {detail}", e.kind()));
+        let e = innermost(e);
+        let reason = reason(e, FUEL);
         let line = e.line();
         let text = line.and_then(|line| self.text.lines().nth(line.checked_sub(1)?));
         let place = match (line, text) {
@@ -114,8 +127,6 @@ impl Exporter for OwnFormat {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let failed = |e: Error| self.failed(&e);
-        let mut environment = own_environment().map_err(failed)?;
         let document = given.parameters;
         let parameters: Vec<Value> = document.parameters.iter().filter(|p| self.is_held(&p.name)).map(entry).collect();
         let by_name: BTreeMap<&str, Value> = document.parameters.iter().map(|p| (p.name.as_str(), entry(p))).collect();
@@ -128,9 +139,8 @@ impl Exporter for OwnFormat {
             etalon => document.provenance.version.as_str(),
             sha256_of_parameters => given.sha256()?,
         };
-        environment.add_template(&self.path, &self.text).map_err(failed)?;
-        let template = environment.get_template(&self.path).map_err(failed)?;
-        Ok(template.render(values).map(String::into_bytes).map_err(failed)?)
+        let own = self.clone();
+        supervised(&self.path, move || Ok(own.filled(values).map_err(|e| own.failed(&e))?))
     }
 }
 
@@ -146,13 +156,16 @@ fn entry(p: &etalon_documents::ParameterEntry) -> Value {
 /// checksums.
 fn own_environment<'a>() -> std::result::Result<Environment<'a>, Error> {
     let mut environment = environment()?;
-    environment.set_fuel(Some(FUEL));
+    bound(&mut environment, FUEL);
     environment.add_filter("metres", |mm: f64| mm / 1e3);
     environment.add_filter("micrometres", |mm: f64| mm * 1e3);
     environment.add_filter("inches", |mm: f64| mm / 25.4);
-    environment.add_filter("scientific", |value: f64, decimals: usize| format!("{value:.decimals$e}"));
-    environment.add_filter("right", |text: String, width: usize| format!("{text:>width$}"));
-    environment.add_filter("left", |text: String, width: usize| format!("{text:<width$}"));
+    environment.add_filter("scientific", |value: f64, decimals: usize| {
+        check_width(decimals).map(|()| format!("{value:.decimals$e}"))
+    });
+    environment
+        .add_filter("right", |text: String, width: usize| check_width(width).map(|()| format!("{text:>width$}")));
+    environment.add_filter("left", |text: String, width: usize| check_width(width).map(|()| format!("{text:<width$}")));
     environment.add_filter("crlf", |text: String| text.replace('\n', "\r\n"));
     environment.add_filter("sha256", |text: String| files::sha256(text.as_bytes()));
     environment.add_filter("crc32", |text: String| format!("{:08x}", crc32fast::hash(text.as_bytes())));

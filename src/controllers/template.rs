@@ -4,6 +4,7 @@
 use super::decimals::fixed;
 use etalon_base::error;
 use etalon_base::message::Result;
+use etalon_base::template::check_width;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{Environment, Error, UndefinedBehavior, Value, escape_formatter};
 
@@ -33,7 +34,8 @@ pub(super) fn environment<'a>() -> std::result::Result<Environment<'a>, Error> {
     environment.add_filter("quoted", |text: String| quoted(&text));
     environment.add_filter("literal", literal);
     environment.add_filter("iec", real_literal);
-    environment.add_filter("fixed", fixed);
+    environment
+        .add_filter("fixed", |value: f64, decimals: usize| check_width(decimals).map(|()| fixed(value, decimals)));
     environment.add_filter("radians", f64::to_radians);
     environment.add_filter("degrees", f64::to_degrees);
     environment.add_filter("numbers", |values: Vec<f64>, between: String| {

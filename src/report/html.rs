@@ -3,13 +3,13 @@
 
 use super::TYPESET;
 use super::model::Contents;
-use super::supervised::supervised;
 use super::words::{Words, isolated};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use etalon_base::catalogue::{Arguments, Phrase};
 use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems, Result, one_line};
+use etalon_base::template::{bound, check_nesting, fill, innermost, reason, supervised};
 use etalon_documents::Presentation;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Kwargs, Serde};
@@ -17,7 +17,6 @@ use minijinja::{Environment, UndefinedBehavior, Value};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::error::Error;
 
 /// Built-in templates by file name, whose extension enables escaping.
 pub(super) const BUILT_IN: [(&str, &str); 7] = [
@@ -29,6 +28,9 @@ pub(super) const BUILT_IN: [(&str, &str); 7] = [
     ("style.html", include_str!("html/style.html")),
     ("picture.css", include_str!("html/picture.css")),
 ];
+
+/// Largest number of instructions of a page with templates of a laboratory.
+const INSTRUCTIONS: u64 = 200_000_000;
 
 /// Script for interactive marks; the policy of the page allows no other script.
 pub(super) const SCRIPT: &str = include_str!("html/script.js");
@@ -54,7 +56,10 @@ fn page(
 ) -> Result<String> {
     let own = presentation.templates.keys().any(|name| name != TYPESET.0);
     let (contents, presentation, words) = (Value::from(Serde(contents)), presentation.clone(), *words);
-    supervised(template, own, move || filled(template, script, &contents, &presentation, &words))
+    if !own {
+        return filled(template, script, &contents, &presentation, &words);
+    }
+    supervised(template, move || filled(template, script, &contents, &presentation, &words))
 }
 
 fn filled(
@@ -68,7 +73,11 @@ fn filled(
     environment.add_global("script", script);
     environment.add_global("script_sha256", STANDARD.encode(Sha256::digest(script)));
     let fail = |e: minijinja::Error| Problems::from(failure(&e, presentation));
-    let page = environment.get_template(template).map_err(fail)?.render(contents).map_err(fail)?;
+    let page = environment.get_template(template).and_then(|page| match presentation.templates.is_empty() {
+        true => page.render(contents),
+        false => fill(&page, contents.clone()),
+    });
+    let page = page.map_err(fail)?;
     let is_forbidden = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
     let page = if page.contains(is_forbidden) { page.replace(is_forbidden, "\u{fffd}") } else { page };
     Ok(if page.len() > LARGE { marks_by_number(&page) } else { page })
@@ -103,9 +112,10 @@ fn marks_by_number(page: &str) -> String {
     out.replacen("<script>", &data, 1)
 }
 
-/// Checks the syntax of the laboratory's templates without filling them.
+/// Checks nesting and syntax of the laboratory's templates without filling them.
 pub(super) fn check(presentation: &Presentation) -> Result<()> {
-    environment(presentation, &Words::default()).map(|_| ())
+    let own = presentation.clone();
+    supervised("report.html", move || environment(&own, &Words::default()).map(|_| ()))
 }
 
 fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Environment<'a>> {
@@ -119,10 +129,14 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     environment.add_filter("t", move |id: String, arguments: Kwargs| translated(id, &arguments, &words));
     environment.add_global("lang", presentation.language.code());
     environment.add_global("logo", presentation.logo.as_deref());
+    if !presentation.templates.is_empty() {
+        bound(&mut environment, INSTRUCTIONS);
+    }
     for (name, text) in BUILT_IN {
         environment.add_template(name, text).map_err(|e| failure(&e, presentation))?;
     }
     let own = presentation.templates.iter().filter(|(name, _)| *name != TYPESET.0);
+    own.clone().try_for_each(|(name, text)| check_nesting(name, text))?;
     let read = |(name, text): (&'a String, &'a String)| environment.add_template(name, text).err();
     let problems = Problems(own.filter_map(read).map(|e| failure(&e, presentation)).collect());
     problems.check()?;
@@ -144,13 +158,8 @@ fn translated(id: String, arguments: &Kwargs, words: &Words) -> std::result::Res
 
 /// Error of a template, with its line for a template of the laboratory.
 fn failure(error: &minijinja::Error, presentation: &Presentation) -> Message {
-    // the innermost of nested templates is wrong
-    if let Some(inner) = error.source().and_then(|inner| inner.downcast_ref()) {
-        return failure(inner, presentation);
-    }
-    let reason =
-        error.detail().map_or_else(|| error.kind().to_string(), |detail| format!("{}: {detail}", error.kind()));
-    let message = error!("template-invalid", reason);
+    let error = innermost(error);
+    let message = error!("template-invalid", reason = reason(error, INSTRUCTIONS));
     let Some((name, line)) = error.name().zip(error.line()) else { return message };
     match presentation.templates.get(name).and_then(|text| text.lines().nth(line.saturating_sub(1))) {
         Some(text) => message.at(Place::line(name, line, text)),

@@ -15,14 +15,13 @@ pub(crate) mod number;
 mod pdf;
 mod plots;
 mod sections;
-mod supervised;
 mod terminal;
 #[cfg(test)]
 mod tests;
 pub(crate) mod words;
 mod workbook;
 
-use etalon_base::date::day_of_epoch;
+use etalon_base::date::source_date_epoch;
 use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
@@ -285,9 +284,9 @@ pub struct Renderer {
 
 impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
-        let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.trim().parse().ok());
-        let contents =
-            Contents { built: epoch.and_then(day_of_epoch), ..contents.explained(&words).in_language(&words) };
+        // commands refuse another value of the variable
+        let built = source_date_epoch().unwrap_or_default();
+        let contents = Contents { built, ..contents.explained(&words).in_language(&words) };
         Self { contents, attachments, presentation, words }
     }
 

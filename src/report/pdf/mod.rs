@@ -11,12 +11,12 @@ mod world;
 
 use super::branding::logo_file;
 use super::model::Contents;
-use super::supervised::supervised;
 use super::words::{Words, tr};
 use super::{Attachment, TYPESET};
 use etalon_base::date::date;
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
+use etalon_base::template::{check_brackets, supervised};
 use etalon_documents::Presentation;
 use printable::{Letters, printable, printable_picture};
 use serde_json::{Value, json};
@@ -46,6 +46,7 @@ pub(super) fn pdf(
     let fail = |e: serde_json::Error| error!("typesetting-failed", reason = e.to_string());
     let data = paper(contents, presentation, words).map_err(fail)?;
     let own = presentation.templates.get(TYPESET.0).cloned();
+    own.iter().try_for_each(|text| check_brackets(TYPESET.0, text))?;
     let is_own = own.is_some();
     let template = Bytes::from_string(own.unwrap_or_else(|| TYPESET.1.to_owned()));
     let attached = Bytes::new(serde_json::to_vec(attachments).map_err(fail)?);
@@ -62,8 +63,9 @@ pub(super) fn pdf(
             files.push(("logo", Bytes::new(if ending == "svg" { printable_picture(logo, letters) } else { logo })));
         }
         let files = files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect();
-        let (desk, title) = (Desk::new(files, date)?, contents.title.clone());
-        supervised(TYPESET.0, is_own, move || desk.pdf(&title))
+        let title = contents.title.clone();
+        let made = move || Desk::new(files, date)?.pdf(&title);
+        if is_own { supervised(TYPESET.0, made) } else { made() }
     };
     typeset(Letters::Known).or_else(|problems| match is_own {
         true => Err(problems),
