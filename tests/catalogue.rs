@@ -41,8 +41,7 @@ const OF_OTHERS: [&str; 13] = [
 ];
 
 /// Messages that no test names, each with what it needs.
-const UNTESTED: [(&str, &str); 9] = [
-    ("arrays-too-large", "arrays of more than 2 GiB"),
+const UNTESTED: [(&str, &str); 8] = [
     ("file-too-many-items", "a file of millions of elements, which needs hundreds of MB"),
     ("parameters-unstable", "a campaign in which one half of the poses contradicts the other"),
     ("recording-failed", "a failure of the library that writes recordings, in memory"),

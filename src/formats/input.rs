@@ -3,6 +3,7 @@
 
 use super::exports::Format;
 use super::logs::LogKind;
+use super::workbook::Workbook;
 use super::{magic, ros_bag, workbook};
 use crate::dialect::Encoding;
 use encoding_rs::{DecoderResult, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
@@ -62,11 +63,12 @@ fn topic_not_stated(bytes: &[u8]) -> Message {
 /// Error about a workbook without a statement of the sheet; the hint states the first sheet with
 /// more than one row.
 fn sheet_not_stated(bytes: &[u8]) -> Message {
-    let names = match workbook::sheets(bytes) {
-        Ok(names) => names,
+    let mut book = match Workbook::open(bytes) {
+        Ok(book) => book,
         Err(message) => return message,
     };
-    let has_rows = |name: &&String| workbook::text(bytes, name).is_ok_and(|text| text.lines().nth(1).is_some());
+    let names = book.sheets();
+    let has_rows = |name: &&String| book.text(name).is_ok_and(|text| text.lines().nth(1).is_some());
     let message = error!("sheet-not-stated", sheets = names);
     match names.iter().find(has_rows) {
         Some(sheet) => message.hint(phrase!("state-sheet", sheet)),

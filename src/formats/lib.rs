@@ -23,6 +23,7 @@ mod sqlite;
 pub mod table;
 pub mod tables;
 pub mod tracim;
+mod unpack;
 #[cfg(target_arch = "x86_64")]
 mod wide;
 mod workbook;

@@ -7,10 +7,11 @@
 //! (position in rad or m); REP 103 (m, s).
 
 use crate::sqlite::{self, Database, Value};
+use crate::unpack::Budget;
 use etalon_base::error;
 use etalon_base::message::Message;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::io::Read as _;
 
@@ -18,6 +19,10 @@ use std::io::Read as _;
 pub(crate) const MAGIC: &[u8] = b"\x89MCAP0\r\n";
 /// Maximum unpacked size of a chunk (bytes).
 const LARGEST_CHUNK: usize = 256 << 20;
+/// Maximum unpacked size of all chunks (bytes), which are unpacked one by one.
+const LARGEST_CHUNKS: u64 = 8 << 30;
+/// Maximum number of cells of the table of a topic.
+const MOST_CELLS: usize = 1 << 28;
 /// Maximum size of the messages of a topic (bytes).
 const LARGEST_TOPIC: usize = 2 << 30;
 
@@ -113,41 +118,40 @@ pub(crate) fn topics(bytes: &[u8]) -> Result<Vec<Topic>, Message> {
 /// Fails if the recording cannot be read, lacks the topic, or the messages are of another type or
 /// encoding.
 pub(crate) fn text(bytes: &[u8], wanted: &str) -> Result<String, Message> {
-    let (mut names, mut rows) = (BTreeMap::new(), Table::default());
-    let mut size = 0_usize;
+    texts(bytes, &[wanted])?.pop().unwrap_or_else(|| Err(error!("topic-missing", topic = wanted)))
+}
+
+/// Returns the messages of several topics, each as a table like [`text`]; the recording is unpacked
+/// once.
+///
+/// # Errors
+/// Fails if the recording cannot be read; a topic that cannot be read has an error of its own.
+pub(crate) fn texts(bytes: &[u8], wanted: &[&str]) -> Result<Vec<Result<String, Message>>, Message> {
+    let mut names = BTreeMap::new();
+    let mut tables: BTreeMap<&str, Result<Table, Message>> =
+        wanted.iter().map(|topic| (*topic, Ok(Table::default()))).collect();
     each_message(bytes, |topic, data| {
-        names.entry(topic.name.clone()).or_insert(topic.kind.is_some());
-        if topic.name != wanted {
-            return Ok(());
+        if !names.contains_key(&topic.name) {
+            names.insert(topic.name.clone(), topic.kind.is_some());
         }
-        size = size.saturating_add(data.len());
-        if size > LARGEST_TOPIC {
-            return Err(error!("topic-too-large", topic = wanted, most_mib = LARGEST_TOPIC >> 20));
+        if let Some(table) = tables.get_mut(topic.name.as_str())
+            && let Ok(rows) = table
+            && let Err(wrong) = rows.take(topic, data)
+        {
+            *table = Err(wrong);
         }
-        let Some(kind) = topic.kind else {
-            let known = Kind::ALL.map(|(name, _)| name);
-            return Err(error!("topic-type-unknown", topic = wanted, message = topic.message, known));
-        };
-        if topic.encoding != "cdr" {
-            return Err(error!("topic-encoding-unknown", topic = wanted, encoding = topic.encoding));
-        }
-        let number = rows.rows.len() + 1;
-        rows.add(kind, data).map_err(|reason| match reason {
-            Wrong::Cut => error!("ros-message-malformed", topic = wanted, number),
-            Wrong::Lengths { names, positions } => {
-                error!("joint-state-lengths-differ", topic = wanted, number, names, positions)
-            }
-            Wrong::Twice(joint) => error!("joint-state-name-twice", topic = wanted, number, joint),
-        })
+        Ok(())
     })?;
-    if rows.rows.is_empty() {
-        let readable = names.iter().filter(|(_, readable)| **readable).map(|(name, _)| name.as_str());
-        return Err(error!("topic-missing", topic = wanted).hint_names(wanted, readable));
-    }
-    if rows.joints_without_positions && !rows.columns.iter().any(|name| name.starts_with(POSITION)) {
-        return Err(error!("topic-without-positions", topic = wanted, count = rows.rows.len()));
-    }
-    Ok(rows.text())
+    let readable = || names.iter().filter(|(_, readable)| **readable).map(|(name, _)| name.as_str());
+    let text = |topic: &&str| match tables.get(topic) {
+        Some(Ok(rows)) if rows.rows.is_empty() => {
+            Err(error!("topic-missing", topic = *topic).hint_names(topic, readable()))
+        }
+        Some(Ok(rows)) => rows.text(topic),
+        Some(Err(wrong)) => Err(wrong.clone()),
+        None => Err(error!("topic-missing", topic = *topic)),
+    };
+    Ok(wanted.iter().map(text).collect())
 }
 
 /// Rows with the columns that they have.
@@ -158,6 +162,8 @@ struct Table {
     index: BTreeMap<String, usize>,
     rows: Vec<Vec<(usize, String)>>,
     joints_without_positions: bool,
+    /// Size of the messages (bytes).
+    size: usize,
 }
 
 /// Fault of a message.
@@ -172,6 +178,30 @@ enum Wrong {
 }
 
 impl Table {
+    /// Adds a message of a topic.
+    fn take(&mut self, topic: &Topic, data: &[u8]) -> Result<(), Message> {
+        let wanted = topic.name.as_str();
+        self.size = self.size.saturating_add(data.len());
+        if self.size > LARGEST_TOPIC {
+            return Err(too_large(wanted));
+        }
+        let Some(kind) = topic.kind else {
+            let known = Kind::ALL.map(|(name, _)| name);
+            return Err(error!("topic-type-unknown", topic = wanted, message = topic.message, known));
+        };
+        if topic.encoding != "cdr" {
+            return Err(error!("topic-encoding-unknown", topic = wanted, encoding = topic.encoding));
+        }
+        let number = self.rows.len() + 1;
+        self.add(kind, data).map_err(|reason| match reason {
+            Wrong::Cut => error!("ros-message-malformed", topic = wanted, number),
+            Wrong::Lengths { names, positions } => {
+                error!("joint-state-lengths-differ", topic = wanted, number, names, positions)
+            }
+            Wrong::Twice(joint) => error!("joint-state-name-twice", topic = wanted, number, joint),
+        })
+    }
+
     /// Adds the row of a message.
     fn add(&mut self, kind: Kind, data: &[u8]) -> Result<(), Wrong> {
         let mut from = Cdr::new(data).ok_or(Wrong::Cut)?;
@@ -195,10 +225,9 @@ impl Table {
             return Ok(row);
         }
         let names = from.list(Cdr::string).ok_or(Wrong::Cut)?;
-        for (i, name) in names.iter().enumerate() {
-            if names[..i].contains(name) {
-                return Err(Wrong::Twice(name.clone()));
-            }
+        let mut known = BTreeSet::new();
+        if let Some(twice) = names.iter().find(|name| !known.insert(name.as_str())) {
+            return Err(Wrong::Twice(twice.clone()));
         }
         for quantity in ["position", "velocity", "effort"] {
             let values = from.list(Cdr::f64).ok_or(Wrong::Cut)?;
@@ -224,7 +253,14 @@ impl Table {
         self.columns.len() - 1
     }
 
-    fn text(&self) -> String {
+    fn text(&self, topic: &str) -> Result<String, Message> {
+        if self.joints_without_positions && !self.columns.iter().any(|name| name.starts_with(POSITION)) {
+            return Err(error!("topic-without-positions", topic, count = self.rows.len()));
+        }
+        // messages that name other joints each make a table of blanks
+        if self.rows.len().saturating_mul(self.columns.len()) > MOST_CELLS {
+            return Err(too_large(topic));
+        }
         let mut text = self.columns.join("\t");
         text.push('\n');
         let mut cells = vec![""; self.columns.len()];
@@ -234,8 +270,12 @@ impl Table {
             text.push_str(&cells.join("\t"));
             text.push('\n');
         }
-        text
+        Ok(text)
     }
+}
+
+fn too_large(topic: &str) -> Message {
+    error!("topic-too-large", topic, most_mib = LARGEST_TOPIC >> 20)
 }
 
 /// Returns whole seconds and nanoseconds as a decimal number.
@@ -288,6 +328,7 @@ fn each_message(bytes: &[u8], mut each: impl FnMut(&Topic, &[u8]) -> Result<(), 
     if is_database(bytes) {
         return each_row(bytes, &mut each);
     }
+    check_chunks(bytes)?;
     let mut known = Known::default();
     let mut left = bytes.strip_prefix(MAGIC).ok_or_else(|| unreadable("end"))?;
     loop {
@@ -306,6 +347,23 @@ fn each_message(bytes: &[u8], mut each: impl FnMut(&Topic, &[u8]) -> Result<(), 
             _ => known.take(kind, body, &mut each)?,
         }
     }
+}
+
+/// Checks the sizes that the chunks declare before the first is unpacked.
+fn check_chunks(bytes: &[u8]) -> Result<(), Message> {
+    let budget = Budget::new("recording", bytes.len(), LARGEST_CHUNKS);
+    let mut left = bytes.strip_prefix(MAGIC).unwrap_or_default();
+    let mut declared = 0_u64;
+    // a record that ends early is reported when it is read
+    while let Some((kind, mut body)) = record(&mut left).filter(|(kind, _)| *kind != DATA_END) {
+        if kind == CHUNK
+            && let Some((size, ..)) = chunk_head(&mut body)
+        {
+            declared = declared.saturating_add(size as u64);
+            budget.check(declared)?;
+        }
+    }
+    Ok(())
 }
 
 /// Kinds of records.

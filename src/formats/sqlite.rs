@@ -93,7 +93,7 @@ impl<'a> Database<'a> {
     pub fn each_row(&self, root: usize, each: &mut dyn FnMut(Row) -> Result<(), Message>) -> Result<(), Message> {
         // pages that follow, each with its depth
         let mut open = vec![(root, 0)];
-        let mut visited = 0;
+        let (mut visited, mut room) = (0, self.bytes.len());
         while let Some((number, depth)) = open.pop() {
             visited += 1;
             if depth > DEEPEST || visited > self.bytes.len() / self.page_size {
@@ -112,7 +112,7 @@ impl<'a> Database<'a> {
             match kind {
                 LEAF => {
                     for i in 0..count {
-                        each(self.row(page, cell(i)?)?)?;
+                        each(self.row(page, cell(i)?, &mut room)?)?;
                     }
                 }
                 INTERIOR => {
@@ -135,14 +135,16 @@ impl<'a> Database<'a> {
         page.ok_or_else(|| broken("end"))
     }
 
-    /// Returns the row of a cell.
-    fn row(&self, page: &[u8], at: usize) -> Result<Row, Message> {
+    /// Returns the row of a cell. All rows together are smaller than the file, `room`: a page belongs
+    /// to one row.
+    fn row(&self, page: &[u8], at: usize, room: &mut usize) -> Result<Row, Message> {
         let mut at = at;
         let length = usize::try_from(varint(page, &mut at)?).map_err(|_| broken("record"))?;
         let id = varint(page, &mut at)?;
         if length > LARGEST_ROW {
             return Err(broken("record"));
         }
+        *room = room.checked_sub(length).ok_or_else(|| broken("record"))?;
         // section 1.6: part of a long record is on further pages
         let most = self.usable - 35;
         let least = (self.usable - 12) * 32 / 255 - 23;

@@ -1,6 +1,7 @@
 //! Sheets of an Excel workbook (.xlsx) as rows of text: cells separated by tabs, with the row
 //! numbers of the sheet.
 
+use crate::unpack::Budget;
 use calamine::{DataRef, Reader, Xlsx};
 use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::Message;
@@ -19,55 +20,77 @@ pub(super) fn is_workbook(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
 
-/// Names of the sheets.
-pub(super) fn sheets(bytes: &[u8]) -> Result<Vec<String>, Message> {
-    Ok(open(bytes)?.sheet_names())
+/// Workbook whose size is checked once.
+pub(super) struct Workbook<'a> {
+    book: Xlsx<Cursor<&'a [u8]>>,
+    /// Texts of cells: many cells may repeat one long text.
+    texts: Budget,
 }
 
-/// Cells of a sheet as text. Numbers have a decimal point and all their digits; a line break within
-/// a cell is a blank.
+impl<'a> Workbook<'a> {
+    /// Opens a workbook.
+    ///
+    /// # Errors
+    /// Fails if the bytes are no workbook, or unpack to more than 64 MiB.
+    pub fn open(bytes: &'a [u8]) -> Result<Self, Message> {
+        let mut budget = Budget::new(KIND, bytes.len(), LARGEST);
+        let mut archive = budget.open(bytes, |reason| unreadable(&reason))?;
+        for i in 0..archive.len() {
+            let entry = archive.by_index(i).map_err(|e| unreadable(&e.to_string()))?;
+            // the sizes that an archive declares may be wrong
+            let mut unpacked = entry.take(LARGEST + 1);
+            let size = std::io::copy(&mut unpacked, &mut std::io::sink()).map_err(|e| unreadable(&e.to_string()))?;
+            budget.take(size)?;
+        }
+        let book = Xlsx::new(Cursor::new(bytes)).map_err(|e| unreadable(&e.to_string()))?;
+        Ok(Self { book, texts: Budget::new(KIND, bytes.len(), LARGEST) })
+    }
+
+    /// Names of the sheets.
+    pub fn sheets(&self) -> Vec<String> {
+        self.book.sheet_names()
+    }
+
+    /// Cells of a sheet as text. Numbers have a decimal point and all their digits; a line break
+    /// within a cell is a blank.
+    pub fn text(&mut self, sheet: &str) -> Result<String, Message> {
+        let names = self.sheets();
+        if !names.iter().any(|name| name == sheet) {
+            return Err(error!("sheet-missing", sheet).hint_names(sheet, names.iter().map(String::as_str)));
+        }
+        let mut cells = self.book.worksheet_cells_reader(sheet).map_err(|e| unreadable(&e.to_string()))?;
+        let mut text = String::new();
+        let (mut row, mut column) = (0, 0);
+        while let Some(cell) = cells.next_cell().map_err(|e| unreadable(&e.to_string()))? {
+            let (r, c) = cell.get_position();
+            if r < row || (r == row && c < column) {
+                return Err(unreadable(&phrase!("cells-unordered", sheet, row = u64::from(r) + 1)));
+            }
+            if c > MOST_COLUMNS || r >= MOST_ROWS {
+                let (column, row) = (u64::from(c) + 1, u64::from(r) + 1);
+                return Err(error!("sheet-too-large", sheet, column, row, columns = MOST_COLUMNS, rows = MOST_ROWS));
+            }
+            let before = text.len();
+            if r > row {
+                text.extend(std::iter::repeat_n('\n', (r - row) as usize));
+                (row, column) = (r, 0);
+            }
+            text.extend(std::iter::repeat_n('\t', (c - column) as usize));
+            column = c;
+            text.push_str(&field(cell.get_value()));
+            self.texts.take((text.len() - before) as u64)?;
+        }
+        text.push('\n');
+        Ok(text)
+    }
+}
+
+/// Kind of the file in messages.
+const KIND: &str = "workbook";
+
+/// Cells of a sheet as text, like [`Workbook::text`].
 pub(super) fn text(bytes: &[u8], sheet: &str) -> Result<String, Message> {
-    let mut workbook = open(bytes)?;
-    let names = workbook.sheet_names();
-    if !names.iter().any(|name| name == sheet) {
-        return Err(error!("sheet-missing", sheet).hint_names(sheet, names.iter().map(String::as_str)));
-    }
-    let mut cells = workbook.worksheet_cells_reader(sheet).map_err(|e| unreadable(&e.to_string()))?;
-    let mut text = String::new();
-    let (mut row, mut column) = (0, 0);
-    while let Some(cell) = cells.next_cell().map_err(|e| unreadable(&e.to_string()))? {
-        let (r, c) = cell.get_position();
-        if r < row || (r == row && c < column) {
-            return Err(unreadable(&phrase!("cells-unordered", sheet, row = u64::from(r) + 1)));
-        }
-        if c > MOST_COLUMNS || r >= MOST_ROWS {
-            let (column, row) = (u64::from(c) + 1, u64::from(r) + 1);
-            return Err(error!("sheet-too-large", sheet, column, row, columns = MOST_COLUMNS, rows = MOST_ROWS));
-        }
-        if r > row {
-            text.extend(std::iter::repeat_n('\n', (r - row) as usize));
-            (row, column) = (r, 0);
-        }
-        text.extend(std::iter::repeat_n('\t', (c - column) as usize));
-        column = c;
-        text.push_str(&field(cell.get_value()));
-    }
-    text.push('\n');
-    Ok(text)
-}
-
-fn open(bytes: &[u8]) -> Result<Xlsx<Cursor<&[u8]>>, Message> {
-    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| unreadable(&e.to_string()))?;
-    let mut unpacked = 0;
-    for i in 0..archive.len() {
-        let entry = archive.by_index(i).map_err(|e| unreadable(&e.to_string()))?;
-        unpacked += std::io::copy(&mut entry.take(LARGEST + 1 - unpacked), &mut std::io::sink())
-            .map_err(|e| unreadable(&e.to_string()))?;
-        if unpacked > LARGEST {
-            return Err(error!("workbook-too-large", most_mib = LARGEST >> 20));
-        }
-    }
-    Xlsx::new(Cursor::new(bytes)).map_err(|e| unreadable(&e.to_string()))
+    Workbook::open(bytes)?.text(sheet)
 }
 
 fn unreadable(reason: &impl IntoArgument) -> Message {
@@ -115,6 +138,11 @@ mod tests {
 
     /// A workbook with one sheet of these rows, as the standard (ECMA-376) wants it at least.
     fn workbook(sheet: &str, rows: &str) -> Vec<u8> {
+        workbook_with(sheet, rows, None)
+    }
+
+    /// A workbook with texts that cells share.
+    fn workbook_with(sheet: &str, rows: &str, shared: Option<&str>) -> Vec<u8> {
         let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
         let options = SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
         let office = "application/vnd.openxmlformats-officedocument.spreadsheetml";
@@ -154,7 +182,8 @@ mod tests {
                 format!("<worksheet xmlns=\"{MAIN}\"><sheetData>{rows}</sheetData></worksheet>"),
             ),
         ];
-        for (name, content) in files {
+        let shared = shared.map(|strings| ("xl/sharedStrings.xml", strings.to_owned()));
+        for (name, content) in files.into_iter().chain(shared) {
             zip.start_file(name, options).unwrap();
             zip.write_all(content.as_bytes()).unwrap();
         }
@@ -172,7 +201,7 @@ mod tests {
             + "<c r=\"B5\"><v>0.30000000000000004</v></c><c r=\"C5\"><v>-1234567.5</v></c>\
                    <c r=\"D5\" t=\"e\"><v>#N/A</v></c>";
         let bytes = workbook("CMM 1", &format!("<row r=\"3\">{head}</row><row r=\"5\">{data}</row>"));
-        assert_eq!(sheets(&bytes).unwrap(), ["CMM 1"]);
+        assert_eq!(Workbook::open(&bytes).unwrap().sheets(), ["CMM 1"]);
         assert_eq!(
             text(&bytes, "CMM 1").unwrap(),
             "\n\n\tX [mm]\t\t\"a \"\"b\"\"\"\n\nP 1\t0.30000000000000004\t-1234567.5\t#N/A\n"
@@ -200,8 +229,18 @@ mod tests {
         let bomb = workbook("S", &" ".repeat(LARGEST as usize + 1));
         assert!(bomb.len() < 1 << 20);
         let begun = std::time::Instant::now();
-        assert!(text(&bomb, "S").unwrap_err().is("workbook-too-large", &[("most_mib", &64)]));
+        assert!(text(&bomb, "S").unwrap_err().is("unpacked-too-large", &[("kind", &"workbook"), ("most_mib", &64)]));
         println!("a bomb is reported after {:.2} s", begun.elapsed().as_secs_f64());
+        // many cells of one long text
+        let rows: String =
+            (1..=9).map(|r| format!("<row r=\"{r}\">{}</row>", word(&format!("A{r}"), &"x".repeat(7 << 20)))).collect();
+        assert!(text(&workbook("S", &rows), "S").is_ok());
+        let shared: String =
+            (1..=100_000).map(|r| format!("<row r=\"{r}\"><c r=\"A{r}\" t=\"s\"><v>0</v></c></row>")).collect();
+        let strings =
+            format!("<sst xmlns=\"{MAIN}\" count=\"1\" uniqueCount=\"1\"><si><t>{}</t></si></sst>", "x".repeat(30_000));
+        let bomb = workbook_with("S", &shared, Some(&strings));
+        assert!(text(&bomb, "S").unwrap_err().is("unpacked-too-large", &[("most_mib", &64)]));
     }
 
     #[test]

@@ -7,6 +7,7 @@
 use super::arrays::{self, Array, ArrayParts, LARGEST, Numbers, Spelling};
 use super::{About, LogFormat};
 use crate::magic;
+use crate::unpack::Budget;
 use etalon_base::error;
 use etalon_base::message::Message;
 use std::io::Read as _;
@@ -70,17 +71,13 @@ fn variables(bytes: &[u8]) -> Result<Vec<Array>, Message> {
         _ => return Err(damaged()),
     };
     let mut left = Elements { bytes: &bytes[128..], is_big_endian };
-    let (mut all, mut room) = (Vec::new(), LARGEST);
+    let (mut all, mut budget) = (Vec::new(), Budget::new("arrays", bytes.len(), LARGEST));
     while !left.bytes.is_empty() {
         let (kind, data) = left.next().ok_or_else(damaged)?;
         match kind {
             element::MATRIX => matrix(Elements { bytes: data, is_big_endian }, "", 0, &mut all).ok_or_else(damaged)?,
             element::COMPRESSED => {
-                let mut unpacked = Vec::new();
-                let decoder = flate2::read::ZlibDecoder::new(data);
-                decoder.take(room + 1).read_to_end(&mut unpacked).map_err(|_| damaged())?;
-                let rest = room.checked_sub(unpacked.len() as u64);
-                room = rest.ok_or_else(|| error!("arrays-too-large", most_mib = LARGEST >> 20))?;
+                let unpacked = unpacked(data, is_big_endian, &mut budget)?;
                 let mut inside = Elements { bytes: &unpacked, is_big_endian };
                 match inside.next().ok_or_else(damaged)? {
                     (element::MATRIX, data) => {
@@ -93,6 +90,22 @@ fn variables(bytes: &[u8]) -> Result<Vec<Array>, Message> {
         }
     }
     Ok(all)
+}
+
+/// Unpacks the element of a compressed one, whose tag declares its size.
+fn unpacked(data: &[u8], is_big_endian: bool, budget: &mut Budget) -> Result<Vec<u8>, Message> {
+    let mut decoder = flate2::read::ZlibDecoder::new(data);
+    let mut tag = [0; 8];
+    decoder.read_exact(&mut tag).map_err(|_| damaged())?;
+    let [kind, size] = [0, 4].map(|at| {
+        let word = [tag[at], tag[at + 1], tag[at + 2], tag[at + 3]];
+        if is_big_endian { u32::from_be_bytes(word) } else { u32::from_le_bytes(word) }
+    });
+    // a small element has its size in the upper half of the tag
+    let declared = if kind >> 16 != 0 { 0 } else { u64::from(size) };
+    budget.check(tag.len() as u64 + declared)?;
+    // what follows the element belongs to nothing
+    budget.read((&tag[..]).chain(decoder.take(declared)), damaged)
 }
 
 /// Elements one after the other: a tag, data, padding.
@@ -183,6 +196,11 @@ fn matrix(mut inside: Elements, name_of_field: &str, depth: usize, all: &mut Vec
         return if count == 1 && depth < DEEPEST { fields(inside, name, depth, all) } else { Some(()) };
     }
     if class < 6 || is_complex {
+        return Some(());
+    }
+    // no column is a part of more than two axes
+    if shape.len() > 2 {
+        all.push(Array { name: name.to_owned(), shape, numbers: Numbers::Whole(Vec::new()), by_columns: true });
         return Some(());
     }
     let (kind, data) = inside.next()?;

@@ -6,9 +6,9 @@
 use super::arrays::{self, Array, ArrayParts, LARGEST, Numbers, Spelling};
 use super::{About, LogFormat};
 use crate::magic;
+use crate::unpack::Budget;
 use etalon_base::error;
 use etalon_base::message::Message;
-use std::io::{Cursor, Read as _};
 
 /// Arrays of NumPy.
 pub(super) struct Numpy;
@@ -52,18 +52,14 @@ fn arrays(bytes: &[u8]) -> Result<Vec<Array>, Message> {
         return Ok(array.into_iter().collect());
     }
     let damaged = || error!("arrays-unreadable", format = "numpy");
-    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|_| damaged())?;
-    let (mut all, mut left) = (Vec::new(), LARGEST);
+    let mut budget = Budget::new("arrays", bytes.len(), LARGEST);
+    let mut archive = budget.open(bytes, |_| damaged())?;
+    let mut all = Vec::new();
     for i in 0..archive.len() {
         let file = archive.by_index(i).map_err(|_| damaged())?;
         let name = file.name().map_err(|_| damaged())?.strip_suffix(".npy").map(str::to_owned);
         let Some(name) = name else { continue };
-        let mut unpacked = Vec::new();
-        file.take(left + 1).read_to_end(&mut unpacked).map_err(|_| damaged())?;
-        left = left
-            .checked_sub(unpacked.len() as u64)
-            .ok_or_else(|| error!("arrays-too-large", most_mib = LARGEST >> 20))?;
-        all.extend(array(&name, &unpacked)?);
+        all.extend(array(&name, &budget.read(file, damaged)?)?);
     }
     Ok(all)
 }
@@ -79,6 +75,10 @@ fn array(name: &str, bytes: &[u8]) -> Result<Option<Array>, Message> {
         return Ok(None);
     };
     let count = shape.iter().try_fold(1_usize, |all, n| all.checked_mul(*n)).ok_or_else(damaged)?;
+    // no column is a part of more than two axes: pictures beside the measurements stay packed
+    if shape.len() > 2 {
+        return Ok(Some(Array { name: name.to_owned(), shape, numbers: Numbers::Whole(Vec::new()), by_columns }));
+    }
     let is_big_endian = kind.starts_with('>');
     let numbers = match kind.trim_start_matches(['<', '>', '|', '=']) {
         "f8" => real(data, is_big_endian, f64::from_le_bytes),

@@ -26,6 +26,7 @@ use super::exports::{Format, Recognised, head, recognise};
 use super::guess::{Guess, guesses, names};
 use super::input::{bytes_of, decode};
 use super::logs::LogKind;
+use super::workbook::Workbook;
 use super::{Point, ros_bag, workbook};
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
 use against::Remarks;
@@ -150,9 +151,10 @@ fn of_workbook(
     bytes: &[u8],
     mut correct: Option<Correct>,
 ) -> std::result::Result<FormatsDocument, Message> {
-    let names = workbook::sheets(bytes)?;
+    let mut book = Workbook::open(bytes)?;
+    let names = book.sheets();
     for name in &names {
-        let mut document = propose_in(file, &workbook::text(bytes, name)?, Some(name), reborrowed(&mut correct));
+        let mut document = propose_in(file, &book.text(name)?, Some(name), reborrowed(&mut correct));
         if !document.readings.is_empty() {
             if let Some(doubt) = workbook::others(&names, name) {
                 document.toml.insert_str(0, &format!("# DOUBT: {doubt}\n"));
@@ -250,7 +252,8 @@ fn points_alone(points: &[Point], unit: Option<&'static str>) -> (Table, Interpr
         columns.push(Column { name: Some("label".to_owned()), cells, ..Column::default() });
         found.taken.push(Taken { meaning: Meaning::Label, why: None });
     }
-    (Table { columns, rows: points.len(), sampled: false }, found)
+    let width = columns.len();
+    (Table { columns, rows: points.len(), sampled: false, width }, found)
 }
 
 /// Proposes readings of a text, or of a sheet whose cells are separated by tabs.
@@ -368,6 +371,9 @@ fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
     }
     if table.sampled {
         reasons.push(phrase!("because-sampled", rows = table.rows));
+    }
+    if table.width > table.columns.len() {
+        reasons.push(phrase!("because-columns-sampled", columns = table.columns.len(), width = table.width));
     }
     if let Some(comment) = &best.dialect.comment {
         reasons.push(phrase!("because-comments", comment));

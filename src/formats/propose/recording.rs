@@ -34,8 +34,9 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
     let mut is_named = false;
     // joint values first: the document is a log if there are any
     let (logs, exports): (Vec<_>, Vec<_>) = known.into_iter().partition(|(_, kind)| *kind == Kind::JointState);
-    for (topic, kind) in logs.iter().chain(&exports) {
-        let text = match ros_bag::text(bytes, &topic.name) {
+    let names: Vec<&str> = logs.iter().chain(&exports).map(|(topic, _)| topic.name.as_str()).collect();
+    for ((topic, kind), text) in logs.iter().chain(&exports).zip(ros_bag::texts(bytes, &names)?) {
+        let text = match text {
             Ok(text) => text,
             Err(message) => {
                 document.doubt(phrase!("doubt-topic-unreadable", topic = topic.name, reason = message.phrase()));

@@ -9,6 +9,9 @@ use etalon_robots::Robot;
 /// Maximum number of rows that are read; the proposal states if the file has more.
 pub(super) const MOST_ROWS: usize = 200_000;
 
+/// Maximum number of columns that are interpreted; the proposal states if the file has more.
+const MOST_COLUMNS: usize = 4096;
+
 /// Table of one reading.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Table {
@@ -17,6 +20,8 @@ pub(super) struct Table {
     pub rows: usize,
     /// `true` if there are more rows.
     pub sampled: bool,
+    /// Number of columns of the file.
+    pub width: usize,
 }
 
 /// Column of a table.
@@ -44,7 +49,7 @@ impl Table {
     pub fn of(text: &str, guess: &Guess) -> Self {
         let width = guess.numeric.len();
         let names = names(guess).unwrap_or_default();
-        let mut columns: Vec<Column> = (0..width)
+        let mut columns: Vec<Column> = (0..width.min(MOST_COLUMNS))
             .map(|i| {
                 let name = names.get(i).map(|name| name.trim().to_owned()).filter(|name| !name.is_empty());
                 let heading = name.as_deref().map(Heading::of).unwrap_or_default();
@@ -67,7 +72,7 @@ impl Table {
                 column.add(row.field(i), guess.numeric[i], guess);
             }
         }
-        Self { columns, rows, sampled }
+        Self { columns, rows, sampled, width }
     }
 
     /// Returns the heading of a column in backticks, or its number.

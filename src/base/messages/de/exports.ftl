@@ -72,8 +72,17 @@ sheet-too-large = Blatt `{ $sheet }` hat eine Zelle in Spalte { $column }, Zeile
 
 state-column-or-pose = `columns = {"{"} pose = "{ $heading }" {"}"}` mit ihrer Überschrift angeben (Option --column), oder `pose = "row"`, wenn die Nummer der Zeile die der Pose ist (Option --pose)
 state-column-or-target = `columns = {"{"} target = "{ $heading }" {"}"}` mit ihrer Überschrift angeben (Option --column), oder `target = "NAME"`, wenn alle Zeilen von einem Ziel sind (Option --target)
-workbook-too-large = die entpackte Arbeitsmappe ist größer als { $most_mib } MiB
-    .hint = das Blatt allein oder als Text speichern
+
+unpacked-too-large = { $kind ->
+        [workbook] die entpackte Arbeitsmappe ist
+        [arrays] die entpackten Arrays der Datei sind
+       *[recording] die entpackte Aufzeichnung ist
+    } größer als { $most_mib } MiB
+    .hint = { $kind ->
+        [workbook] das Blatt allein oder als Text speichern
+        [arrays] die Arrays der Messung allein speichern
+       *[recording] die Topics der Messung allein aufzeichnen
+    }
 
 workbook-unreadable = die Arbeitsmappe kann nicht gelesen werden: { $reason }
     .hint = sie neu als .xlsx speichern oder das Blatt als Text
@@ -471,9 +480,6 @@ arrays-unreadable = die Datei kann nicht als Arrays von { $format ->
        *[matlab] MATLAB (.mat im Format -v6 oder -v7)
     } gelesen werden
     .hint = sie neu speichern oder `format` berichtigen
-
-arrays-too-large = die Arrays der Datei sind größer als { $most_mib } MiB
-    .hint = nur die Arrays der Messung speichern
 
 sheet-not-stated = eine Arbeitsmappe, deren Blatt nicht angegeben ist; sie enthält { $sheets }
     .hint = das Blatt (`sheet`) angeben

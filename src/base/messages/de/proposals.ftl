@@ -42,6 +42,7 @@ because-recording = es ist eine Aufzeichnung von ROS 2: { $storage ->
        *[mcap] sie beginnt wie eine MCAP-Datei
     }
 because-sampled = die Werte der ersten { $rows } Zeilen wurden geprüft; die Datei enthält mehr
+because-columns-sampled = die ersten { $columns } von { $width } Spalten wurden geprüft
 because-several-points = die Überschriften nennen { $count } gemessene Punkte je Zeile: jeder ist ein [[export]] der Datei
 because-topic = das Topic `{ $topic }` hat { $count ->
         [one] 1 Nachricht

@@ -116,12 +116,22 @@ sheet-too-large = sheet `{ $sheet }` has a cell in column { $column }, row { $ro
 
 state-column-or-pose = state `columns = {"{"} pose = "{ $heading }" {"}"}` with its heading (option --column), or `pose = "row"` if the number of the row is the number of the pose (option --pose)
 state-column-or-target = state `columns = {"{"} target = "{ $heading }" {"}"}` with its heading (option --column), or `target = "NAME"` if all rows are of one target (option --target)
-# Means: The unpacked workbook exceeds the maximum size.
-# Matters: It would exhaust the memory; a table of measurements is smaller.
-# Do: Save the sheet alone, or as text.
+
+# Means: A packed file (workbook, arrays, recording) unpacks to more than the maximum size. The sizes
+# that it declares are checked before it is unpacked, others while it is unpacked.
+# Matters: It would exhaust the memory or take minutes; files of measurements are smaller.
+# Do: Save the sheet, the arrays or the topics of the measurement alone.
 # Example: a workbook of 200 MiB of blanks that is packed into 1 MiB
-workbook-too-large = the unpacked workbook is larger than { $most_mib } MiB
-    .hint = save the sheet alone, or as text
+unpacked-too-large = the { $kind ->
+        [workbook] workbook unpacks
+        [arrays] arrays of the file unpack
+       *[recording] recording unpacks
+    } to more than { $most_mib } MiB
+    .hint = { $kind ->
+        [workbook] save the sheet alone, or as text
+        [arrays] save the arrays of the measurement alone
+       *[recording] record the topics of the measurement alone
+    }
 
 # Means: The file is not a valid Excel workbook (.xlsx).
 # Matters: Its sheets cannot be read.
@@ -814,12 +824,6 @@ arrays-unreadable = the file cannot be read as arrays of { $format ->
     }
     .hint = save it again, or correct `format`
 
-# Means: The arrays exceed the maximum size in memory.
-# Matters: The file cannot be read as one table.
-# Do: Save the arrays of the measurement alone.
-# Example: a day of joint values at 10 kHz
-arrays-too-large = the arrays of the file are larger than { $most_mib } MiB
-    .hint = save the arrays of the measurement alone
 # Means: The file is a workbook, and no sheet is stated.
 # Matters: A workbook may have several sheets.
 # Do: State the sheet: in `format` of an [[export]], otherwise in the section of the table.

@@ -42,6 +42,7 @@ because-recording = it is a recording of ROS 2: { $storage ->
        *[mcap] it begins like an MCAP file
     }
 because-sampled = the values of the first { $rows } rows were examined; the file has more
+because-columns-sampled = the first { $columns } of { $width } columns were examined
 because-several-points = the headings name { $count } measured points in each row: each is an [[export]] of the file
 because-topic = topic `{ $topic }` has { $count ->
         [one] 1 message

@@ -72,8 +72,17 @@ sheet-too-large = la feuille `{ $sheet }` a une cellule en colonne { $column }, 
 
 state-column-or-pose = indiquer `columns = {"{"} pose = "{ $heading }" {"}"}` avec son en-tête (option --column), ou `pose = "row"` si le numéro de la ligne est celui de la pose (option --pose)
 state-column-or-target = indiquer `columns = {"{"} target = "{ $heading }" {"}"}` avec son en-tête (option --column), ou `target = "NAME"` si toutes les lignes sont d’une seule cible (option --target)
-workbook-too-large = le classeur décompressé dépasse { $most_mib } Mio
-    .hint = enregistrer la feuille seule, ou l’enregistrer en texte
+
+unpacked-too-large = { $kind ->
+        [workbook] le classeur décompressé dépasse
+        [arrays] les tableaux décompressés du fichier dépassent
+       *[recording] l’enregistrement décompressé dépasse
+    } { $most_mib } Mio
+    .hint = { $kind ->
+        [workbook] enregistrer la feuille seule, ou comme texte
+        [arrays] enregistrer seuls les tableaux de la mesure
+       *[recording] enregistrer seuls les topics de la mesure
+    }
 
 workbook-unreadable = le classeur ne peut pas être lu : { $reason }
     .hint = l’enregistrer de nouveau en .xlsx, ou enregistrer la feuille en texte
@@ -471,9 +480,6 @@ arrays-unreadable = le fichier ne peut pas être lu comme tableaux de { $format 
        *[matlab] MATLAB (.mat au format -v6 ou -v7)
     }
     .hint = l’enregistrer de nouveau, ou corriger `format`
-
-arrays-too-large = les tableaux du fichier dépassent { $most_mib } Mio
-    .hint = enregistrer seulement les tableaux de la mesure
 
 sheet-not-stated = un classeur dont la feuille n’est pas indiquée ; il contient { $sheets }
     .hint = indiquer la feuille (`sheet`)

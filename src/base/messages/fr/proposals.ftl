@@ -42,6 +42,7 @@ because-recording = c’est un enregistrement de ROS 2 : { $storage ->
        *[mcap] il commence comme un fichier MCAP
     }
 because-sampled = les valeurs des { $rows } premières lignes ont été examinées ; le fichier en a davantage
+because-columns-sampled = les { $columns } premières des { $width } colonnes ont été examinées
 because-several-points = les en-têtes mentionnent { $count } points mesurés par ligne : chacun est un [[export]] du fichier
 because-topic = le topic `{ $topic }` a { $count ->
         [one] 1 message
