@@ -1,7 +1,9 @@
 //! Time of a run as targets and readings grow: an arm with 20 targets a pose, each target at four poses.
 //!
 //! Synthetic: the arm of the sample draw-wire at drawn joint values, 0.02 mm noise. The time of four times as many
-//! readings is four times as long where it is linear.
+//! readings is four times as long where it is linear. Then `etalon check` of targets at one place in each pose, also as a
+//! rigid part, and `etalon formats` of tables with many columns: the last figure of each line is the growth of the time
+//! over that of the size, 1 where it is linear.
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
@@ -37,6 +39,73 @@ fn main() {
             parameters as f64 / 1e6
         );
     }
+    for (what, rigid) in [("check, targets at one place", false), ("check, a rigid part at one place", true)] {
+        growth(what, &[84, 334, 1667], |targets| {
+            let folder = coinciding(targets, rigid);
+            drop(etalon::cli::in_memory::check(folder.path()));
+        });
+    }
+    growth("formats, columns", &[3_000, 12_000, 50_000], |columns| {
+        let folder = wide(columns);
+        drop(etalon::formats::propose_file(&folder.path().join("t.csv")));
+    });
+}
+
+/// Ratio of the time of each size to that of the size before it, over the ratio of the sizes.
+fn growth(what: &str, sizes: &[usize], mut work: impl FnMut(usize)) {
+    let mut before: Option<(f64, f64)> = None;
+    for &size in sizes {
+        let start = Instant::now();
+        work(size);
+        let (size, time_s) = (size as f64, start.elapsed().as_secs_f64());
+        let ratio = before.map_or(1.0, |(other, other_s)| time_s / other_s / (size / other));
+        println!("{what}, {size}: {time_s:.2} s, {ratio:.2} of linear growth");
+        before = Some((size, time_s));
+    }
+}
+
+/// The sample hexapod with this many targets at one place in each pose.
+fn coinciding(targets: usize, rigid: bool) -> tempfile::TempDir {
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/hexapod");
+    let folder = tempfile::tempdir().expect("folder");
+    std::fs::create_dir(folder.path().join("exports")).expect("folder");
+    for name in ["robot.toml", "encoders.csv", "exports/world.txt"] {
+        std::fs::copy(sample.join(name), folder.path().join(name)).expect("copy");
+    }
+    let mut noise = Noise::new(59, targets as u64);
+    let mut rows = std::fs::read_to_string(sample.join("exports/poses.txt")).expect("poses");
+    let own: Vec<String> = rows.lines().filter(|row| row.starts_with("SMR_1_")).map(str::to_owned).collect();
+    for row in own.iter().filter(|row| row.split(',').next().is_some_and(|label| label.ends_with("_1"))) {
+        let cells: Vec<&str> = row.split(',').collect();
+        let at: Vec<f64> = cells[1..4].iter().map(|cell| cell.parse().expect("number")).collect();
+        for k in 0..targets {
+            let at: Vec<String> = at.iter().map(|v| format!("{:.4}", v + noise.gaussian(0.03))).collect();
+            rows += &format!("{},{}\n", cells[0].replacen("SMR_1", &format!("D{k}"), 1), at.join(","));
+        }
+    }
+    std::fs::write(folder.path().join("exports/poses.txt"), rows).expect("poses");
+    let names: Vec<String> = (0..targets).map(|k| format!("\"D{k}\"")).collect();
+    let text = std::fs::read_to_string(sample.join("campaign.toml")).expect("campaign");
+    let mut text = text.replace("\"SMR_3\"]", &format!("\"SMR_3\", {}]", names.join(", ")));
+    if rigid {
+        text += &format!("\n[[rigid]]\ntargets = [{}]\ntolerance_mm = 0.05\n", names.join(", "));
+    }
+    std::fs::write(folder.path().join("campaign.toml"), text).expect("campaign");
+    folder
+}
+
+/// A table of four rows with this many columns.
+fn wide(columns: usize) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut noise = Noise::new(59, columns as u64);
+    let head: Vec<String> = (0..columns).map(|i| format!("q{i}")).collect();
+    let mut text = head.join(",");
+    for _ in 0..4 {
+        let row: Vec<String> = (0..columns).map(|_| format!("{:.3}", noise.uniform(100.0))).collect();
+        text += &format!("\n{}", row.join(","));
+    }
+    std::fs::write(folder.path().join("t.csv"), text).expect("table");
+    folder
 }
 
 /// The campaign of the sample with these poses and targets.

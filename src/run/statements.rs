@@ -9,6 +9,7 @@ use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
 use etalon_formats::table::LABEL;
 use etalon_robots::Quantity;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
@@ -63,8 +64,9 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         join(campaign, definition, problems);
     }
     let targets: Vec<_> = file.join_targets().collect();
-    for (i, target) in targets.iter().enumerate() {
-        if targets[..i].iter().any(|t| t.get_ref() == target.get_ref()) {
+    let mut known = BTreeSet::new();
+    for target in &targets {
+        if !known.insert(target.get_ref()) {
             problems.0.push(error!("target-named-twice", target = target.get_ref()).at(campaign.place(target)));
         }
     }
@@ -223,10 +225,10 @@ fn stated_twice(campaign: &Campaign, export: &Export, problems: &mut Problems) {
     }
 }
 
-/// Checks that the output folder contains no input.
+/// Checks that the output folder contains no input, and that no link leads to it.
 fn output(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
-    let output = match campaign.output() {
+    let output = match campaign.written_output() {
         Ok(output) => output,
         Err(more) => return problems.0.extend(more.0),
     };

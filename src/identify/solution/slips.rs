@@ -102,7 +102,7 @@ fn exchanged_branches(robot: &dyn Robot, observations: &[Observation]) -> Vec<(P
     pairs.filter_map(exchanged).collect()
 }
 
-/// Maximum number of groups of targets whose unit is questioned.
+/// Maximum number of targets, or groups of targets, whose unit or exchange is questioned.
 const MOST_GROUPS: usize = 12;
 
 /// Observations with one property of the joints changed, and the change.
@@ -179,8 +179,13 @@ fn changes_of_points(robot: &dyn Robot, observations: &[Observation]) -> Vec<(Ph
     }
     let targets = robot.targets();
     if robot.free_base().is_none() {
-        for i in 0..targets.len() {
-            for j in i + 1..targets.len() {
+        // of many targets those with the most readings: the pairs of all grow with their square
+        let mut seen = readings(robot, observations);
+        seen.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let mut some: Vec<usize> = seen.into_iter().map(|(k, _)| k).take(MOST_GROUPS).collect();
+        some.sort_unstable();
+        for (at, &i) in some.iter().enumerate() {
+            for &j in &some[at + 1..] {
                 let what = phrase!("slip-targets", first = targets[i], second = targets[j]);
                 change(what, &|o| o.targets.swap(i, j));
             }

@@ -58,14 +58,16 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
                 continue;
             }
         };
+        problems.0.extend(sampled(campaign, rigid));
         match rigid.places_mm.is_empty() {
             true => problems.0.extend(too_few(campaign, rigid, &groups)),
             false => problems.0.extend(contradicted(campaign, rigid, &columns.points, &groups)),
         }
         let refused = violations(rigid, &columns.points, &groups);
+        let beside = if refused.is_empty() { BTreeMap::new() } else { together(&columns.points) };
         for (&i, reason) in &refused {
             let point = &columns.points[i];
-            let reason = match coincident(point, &columns.points, rigid.tolerance_mm) {
+            let reason = match coincident(point, &beside, rigid.tolerance_mm) {
                 Some(other) => phrase!("rigid-point-coincides", message = reason, other),
                 None => reason.clone(),
             };
@@ -74,9 +76,10 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
             problems.0.push(message.at(point.place()));
             if let Some(source) = sources.iter_mut().find(|s| s.file == *point.export) {
                 source.refused.push(Refused::new(point.line as usize, &point.text, reason));
-                source.refused.sort_by_key(|r| r.line);
             }
         }
+        // sorted once: the rows of many poses may be refused
+        sources.iter_mut().for_each(|source| source.refused.sort_by_key(|r| r.line));
         problems.0.extend(wholly_refused(campaign, rigid, &columns.points, &refused));
         let mut index = 0..;
         columns.points.retain(|_| index.next().is_some_and(|i| !refused.contains_key(&i)));
@@ -131,10 +134,11 @@ fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Resu
 /// Returns the targets of a rigid part that were measured together.
 fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::Result<Groups, Message> {
     let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
+    let index: BTreeMap<&str, usize> = names.iter().copied().zip(0..).collect();
     let mut groups = Groups::new();
     let mut measured = BTreeSet::new();
     for (i, point) in points.iter().enumerate() {
-        let Some(k) = point.target.as_deref().and_then(|t| names.iter().position(|n| *n == t)) else { continue };
+        let Some(&k) = point.target.as_deref().and_then(|target| index.get(target)) else { continue };
         let at = || point.place();
         let key = Together::of(point).ok_or_else(|| error!("rigid-row-without-pose", target = names[k]).at(at()))?;
         let slot = &mut groups.entry(key).or_insert_with(|| vec![None; names.len()])[k];
@@ -152,15 +156,38 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
     Ok(groups)
 }
 
-/// The distances of all pairs of targets.
-fn pairs(rigid: &Rigid) -> Vec<(usize, usize)> {
-    (0..rigid.targets.len()).flat_map(|i| (0..i).map(move |j| (j, i))).collect()
+/// Number of targets of a part up to which all pairs are compared.
+const ALL_PAIRS: usize = 64;
+
+/// The pairs of targets that are compared: all of them or, of many targets, those of each with the
+/// [`ALL_PAIRS`] others whose places in the rule are 1, 2, 4 ... and evenly spaced steps away.
+fn pairs(count: usize) -> Vec<(usize, usize)> {
+    if count <= ALL_PAIRS {
+        return (0..count).flat_map(|i| (0..i).map(move |j| (j, i))).collect();
+    }
+    let near = (0..usize::BITS).map(|k| 1 << k).take_while(|step| 2 * step < count);
+    let wide = (1..ALL_PAIRS / 4).map(|k| k * count / (ALL_PAIRS / 2));
+    let steps: BTreeSet<usize> = near.chain(wide).filter(|step| *step > 0).collect();
+    let pair = |i: usize, step: usize| {
+        let other = (i + step) % count;
+        (i.min(other), i.max(other))
+    };
+    let all: BTreeSet<_> = (0..count).flat_map(|i| steps.iter().map(move |step| pair(i, *step))).collect();
+    all.into_iter().collect()
+}
+
+/// Returns a remark that a part has too many pairs of targets for all of them to be compared.
+fn sampled(campaign: &Campaign, rigid: &Rigid) -> Option<Message> {
+    let count = rigid.targets.len();
+    let compared = pairs(count).len();
+    let message = || warning!("rigid-pairs-sampled", targets = count, compared, pairs = count * (count - 1) / 2);
+    (count > ALL_PAIRS).then(|| message().at(place(campaign, rigid)))
 }
 
 /// Returns a warning about pairs that were measured too rarely for a meaningful median.
 fn too_few(campaign: &Campaign, rigid: &Rigid, groups: &Groups) -> Option<Message> {
     let seen = |p: &(usize, usize)| groups.values().filter(|s| s[p.0].is_some() && s[p.1].is_some()).count();
-    let (a, b) = *pairs(rigid).iter().find(|p| (1..FEWEST).contains(&seen(p)))?;
+    let (a, b) = *pairs(rigid.targets.len()).iter().find(|p| (1..FEWEST).contains(&seen(p)))?;
     let [first, second] = [a, b].map(|i| rigid.targets[i].get_ref());
     let message = warning!("rigid-few-distances", first, second, count = seen(&(a, b)), least = FEWEST);
     Some(message.at(place(campaign, rigid)))
@@ -184,8 +211,12 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
         let variance = of_median + 2.0 * part.standard_uncertainty_mm.powi(2);
         Some((pair, middle, (middle - pair.distance_mm(&part.places_mm)).powi(2) / variance))
     };
-    let pairs = part.pairs().count();
-    let (pair, measured_mm, square) = part.pairs().filter_map(deviation).max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let compared: BTreeSet<(usize, usize)> = pairs(rigid.targets.len()).into_iter().collect();
+    let is_compared =
+        |pair: &TargetPair| compared.contains(&(pair.first.min(pair.second), pair.first.max(pair.second)));
+    let pairs = part.pairs().filter(is_compared).count();
+    let (pair, measured_mm, square) =
+        part.pairs().filter(is_compared).filter_map(deviation).max_by(|a, b| a.2.total_cmp(&b.2))?;
     // the largest of several: no more often beyond than their sum
     let message = || contradicted_places(&part.contradicted(pair, measured_mm, "measurement"));
     chi_square_exceeds(square, pairs).then(|| message().at(place(campaign, rigid)))
@@ -203,7 +234,13 @@ fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usiz
         if all.len() < FEWEST { None } else { median(all) }
     };
     let medians: Vec<((usize, usize), f64)> =
-        pairs(rigid).into_iter().filter_map(|pair| Some((pair, median_of(pair)?))).collect();
+        pairs(names.len()).into_iter().filter_map(|pair| Some((pair, median_of(pair)?))).collect();
+    let mut own: Vec<Vec<usize>> = vec![Vec::new(); names.len()];
+    for (i, ((a, b), _)) in medians.iter().enumerate() {
+        own[*a].push(i);
+        own[*b].push(i);
+    }
+    let exchange = Exchange { medians: &medians, own: &own, tolerance_mm: rigid.tolerance_mm };
     let mut refused = BTreeMap::new();
     for seen in groups.values() {
         let off: Vec<(usize, usize, f64)> = medians
@@ -214,7 +251,7 @@ fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usiz
         if off.is_empty() {
             continue;
         }
-        if let Some((a, b)) = exchanged(seen, &medians, rigid.tolerance_mm, &distance) {
+        if let Some((a, b)) = exchange.found(seen, &off, &distance) {
             let reason = phrase!("rigid-targets-exchanged", first = names[a], second = names[b]);
             refused.extend([a, b].into_iter().filter_map(|k| Some((seen[k]?, reason.clone()))));
             continue;
@@ -236,25 +273,53 @@ fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usiz
     refused
 }
 
-/// Two targets whose exchange brings all distances of a group within the tolerance.
-fn exchanged(
-    seen: &[Option<usize>],
-    medians: &[((usize, usize), f64)],
+/// Usual distances of the targets of a part.
+struct Exchange<'a> {
+    medians: &'a [((usize, usize), f64)],
+    /// Indices of the distances of each target.
+    own: &'a [Vec<usize>],
     tolerance_mm: f64,
-    distance: &impl Fn(&[Option<usize>], (usize, usize)) -> Option<f64>,
-) -> Option<(usize, usize)> {
-    let fits = |&(a, b): &(usize, usize)| {
-        let mut other = seen.to_vec();
-        other.swap(a, b);
+}
+
+impl Exchange<'_> {
+    /// Two targets whose exchange brings all distances of a group within the tolerance; `off` are the
+    /// distances beyond it, at least one.
+    fn found(
+        &self,
+        seen: &[Option<usize>],
+        off: &[(usize, usize, f64)],
+        distance: &impl Fn(&[Option<usize>], (usize, usize)) -> Option<f64>,
+    ) -> Option<(usize, usize)> {
         // the exchange changes distances to other targets alone
-        let mut off = medians.iter().filter_map(|&(pair, median)| Some(distance(&other, pair)? - median));
-        seen[a].is_some() && seen[b].is_some() && off.all(|d| d.abs() <= tolerance_mm)
-    };
-    let measured = seen.iter().flatten().count();
-    let pairs = || (0..seen.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-    let mut found = pairs().filter(fits);
-    // several exchanges, or a distance alone, name nobody
-    found.next().filter(|_| measured > 2 && found.next().is_none())
+        let fits = |&(a, b): &(usize, usize)| {
+            let is_theirs = |(i, j, _): &(usize, usize, f64)| [i, j].into_iter().any(|k| *k == a || *k == b);
+            if seen[a].is_none() || seen[b].is_none() || !off.iter().all(is_theirs) {
+                return false;
+            }
+            let other = |k: usize| {
+                if k == a {
+                    b
+                } else if k == b {
+                    a
+                } else {
+                    k
+                }
+            };
+            self.own[a].iter().chain(&self.own[b]).all(|&i| {
+                let ((i, j), median) = self.medians[i];
+                distance(seen, (other(i), other(j))).is_none_or(|d| (d - median).abs() <= self.tolerance_mm)
+            })
+        };
+        let measured = seen.iter().flatten().count();
+        // one of the two has the first wrong distance
+        let &(first, second, _) = off.first()?;
+        let with =
+            |k: usize| (0..seen.len()).filter(move |other| *other != k).map(move |other| (k.min(other), k.max(other)));
+        let candidates: BTreeSet<(usize, usize)> = with(first).chain(with(second)).collect();
+        let mut found = candidates.into_iter().filter(fits);
+        // several exchanges, or a distance alone, name nobody
+        found.next().filter(|_| measured > 2 && found.next().is_none())
+    }
 }
 
 /// Errors for targets of a rigid part whose rows are all rejected.
@@ -265,24 +330,41 @@ fn wholly_refused(
     refused: &BTreeMap<usize, Phrase>,
 ) -> Vec<Message> {
     let mut messages = Vec::new();
+    let mut by_target: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (i, point) in points.iter().enumerate() {
+        by_target.entry(point.target.as_deref().unwrap_or_default()).or_default().push(i);
+    }
     for target in &rigid.targets {
         let name = target.get_ref();
-        let own = || points.iter().enumerate().filter(|(_, p)| p.target.as_deref() == Some(name.as_str()));
-        let Some((first, point)) = own().next() else { continue };
-        let Some(reason) = refused.get(&first).filter(|_| own().all(|(i, _)| refused.contains_key(&i))) else {
+        let Some(own) = by_target.get(name.as_str()) else { continue };
+        let Some(reason) = refused.get(&own[0]).filter(|_| own.iter().all(|i| refused.contains_key(i))) else {
             continue;
         };
-        let (rows, file) = (own().count(), &*point.export);
+        let point = &points[own[0]];
+        let (rows, file) = (own.len(), &*point.export);
         let message = error!("rigid-target-refused", target = name, rows, file, line = point.line, reason);
         messages.push(message.at(campaign.place(target)));
     }
     messages
 }
 
+/// Most points of a pose that are compared with one of them.
+const MOST_BESIDE: usize = 256;
+
+/// Points that were measured together, by their pose or time.
+fn together(points: &[Point]) -> BTreeMap<Option<Together>, Vec<&Point>> {
+    let mut all: BTreeMap<_, Vec<&Point>> = BTreeMap::new();
+    points.iter().for_each(|point| all.entry(Together::of(point)).or_default().push(point));
+    all
+}
+
 /// Another target measured together with `point` within the tolerance of it.
-fn coincident<'a>(point: &Point, points: &'a [Point], tolerance_mm: f64) -> Option<&'a str> {
-    let together = Together::of(point);
-    let other = |p: &&Point| p.target != point.target && Together::of(p) == together;
+fn coincident<'a>(
+    point: &Point,
+    together: &BTreeMap<Option<Together>, Vec<&'a Point>>,
+    tolerance_mm: f64,
+) -> Option<&'a str> {
+    let beside = together.get(&Together::of(point))?.iter().filter(|p| p.target != point.target).take(MOST_BESIDE);
     let near = |p: &&Point| norm(minus(p.xyz_mm, point.xyz_mm)) <= tolerance_mm;
-    points.iter().filter(other).find(near).and_then(|p| p.target.as_deref())
+    beside.copied().find(near).and_then(|p| p.target.as_deref())
 }

@@ -16,6 +16,10 @@ const FEWEST: usize = 3;
 /// Fewest points of one name that can be a scan, and the number of points that are looked at.
 const FEWEST_OF_SCAN: usize = 20;
 const MOST_OF_SCAN: usize = 1000;
+/// Number of names, and of points of a name, in one cell that a point is compared with.
+const MOST_NAMES: usize = 64;
+/// Maximum number of named pairs.
+const MOST_PAIRS: usize = 50;
 /// Maximum number of points whose cells are compared before the points are.
 const FEW: usize = 100_000;
 
@@ -82,7 +86,14 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         let message = warning!("point-lies-at-another", row = first.row, point = wrong, other, rows = rows.len());
         Some(message.to_decide().at(first.place()))
     };
-    found.into_iter().filter_map(warning).collect()
+    let mut warnings: Vec<Message> = found.into_iter().filter_map(warning).collect();
+    if warnings.len() > MOST_PAIRS {
+        // targets at one place: each pair says the same
+        let pairs = warnings.len();
+        warnings.truncate(MOST_PAIRS);
+        warnings.push(warning!("point-pairs-many", pairs, named = MOST_PAIRS).to_decide());
+    }
+    warnings
 }
 
 /// `true` if points of different names may be neighbours: their cells are equal or adjacent.
@@ -121,7 +132,8 @@ fn neighbours<'a>(points: impl Iterator<Item = &'a Point>, near: f64) -> Vec<(&'
             let others = cells.get(&cell).into_iter().flatten().filter(|(other, _)| **other != name(point));
             pairs.extend(
                 others
-                    .flat_map(|(_, points)| points)
+                    .take(MOST_NAMES)
+                    .flat_map(|(_, points)| points.iter().take(MOST_NAMES))
                     .filter(|o| distance(o, point) <= near)
                     .take(4)
                     .map(|other| (*other, point)),

@@ -286,10 +286,16 @@ pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Re
     if campaign.file.join_by() != Some(JoinBy::Row) {
         return Ok(());
     }
-    let points =
-        || imported.all_points().filter(|p| robot.targets().iter().any(|t| Some(t.as_str()) == p.target.as_deref()));
+    let index = target_index(robot);
+    let points = || imported.all_points().filter(|p| p.target.as_deref().is_some_and(|t| index.contains_key(t)));
     let found = imported.logs.iter().map(|log| equal_counts(campaign, imported, points(), log));
     Problems(found.filter_map(Result::err).flat_map(|p| p.0).collect()).check().map(|_| ())
+}
+
+/// Index of each target of the robot.
+fn target_index(robot: &dyn Robot) -> BTreeMap<&str, usize> {
+    // the first of equal names, which are reported elsewhere
+    robot.targets().iter().enumerate().map(|(k, target)| (target.as_str(), k)).rev().collect()
 }
 
 /// The targets of the robot in the world; targets of poses without a world frame are reported.
@@ -310,10 +316,9 @@ fn targets_in_world<'a>(
     }
     let mut targets = Vec::new();
     let mut lost = BTreeSet::new();
+    let known = target_index(robot);
     for point in &imported.points {
-        let Some(index) = robot.targets().iter().position(|t| Some(t.as_str()) == point.target.as_deref()) else {
-            continue;
-        };
+        let Some(&index) = point.target.as_deref().and_then(|target| known.get(target)) else { continue };
         let key = point.pose.zip(point.cycle);
         let Some(world_T_export) = for_all.or_else(|| by_pose.get(&key?).copied()) else {
             lost.extend(point.pose);
@@ -343,8 +348,9 @@ fn targets_in_world<'a>(
 /// The targets that further stations measured, in the frames of the stations.
 fn stationed<'a>(imported: &'a Gathered, robot: &dyn Robot, remarks: &mut Remarks) -> Vec<Target<'a>> {
     let mut targets = Vec::new();
+    let known = target_index(robot);
     for Stationed { station, point } in &imported.stationed {
-        let Some(index) = robot.targets().iter().position(|t| Some(t.as_str()) == point.target.as_deref()) else {
+        let Some(&index) = point.target.as_deref().and_then(|target| known.get(target)) else {
             let reason = phrase!("row-of-station-unused", station = &**station);
             remarks.unmatched.push(At::point(point).unmatched(point.label.to_string(), &reason));
             continue;

@@ -214,6 +214,11 @@ keys-unmatched = { $count ->
         [log] des Protokolls `{ $log }` ohne Messpunkt
        *[points] von Messpunkten ohne Zeile in Protokoll `{ $log }`
     } ({ $columns }): { $keys }; siehe import.json
+rigid-pairs-sampled = von den { $pairs } Abständen zwischen { $targets } Zielmarken eines starren Teils werden { $compared } verglichen
+
+point-pairs-many = { $pairs } Paare von Namen haben Punkte an derselben Stelle; die ersten { $named } sind aufgeführt
+    .hint = die Bezeichnungen des Exports prüfen
+
 
 pose-misspelt = Pose `{ $pose }` { $of ->
         [log] des Protokolls `{ $log }` wurde nicht gemessen, und gemessene Posen fehlen im Protokoll

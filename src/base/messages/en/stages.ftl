@@ -434,6 +434,19 @@ keys-unmatched = { $count ->
        *[points] measured points without a row of log `{ $log }`
     } ({ $columns }): { $keys }; see import.json
 
+# Means: A rigid part has so many targets that not every pair of them is compared.
+# Matters: A wrong distance of a pair that is not compared is found by the other pairs of its targets.
+# Do: Nothing, or state parts of at most 64 targets.
+# Example: `targets` of [[rigid]] with 300 names
+rigid-pairs-sampled = { $compared } of the { $pairs } distances between { $targets } targets of a rigid part are compared
+
+# Means: Many pairs of names have points at one place; only the first pairs are listed.
+# Matters: The names cannot be told apart by their positions, and some may be exchanged.
+# Do: Check the labels of the export, and whether these targets are at one place.
+# Example: 300 targets with the coordinates of one target
+point-pairs-many = { $pairs } pairs of names have points at one place; the first { $named } are listed
+    .hint = check the labels of the export
+
 # Means: A named pose is only in the export or only in the log, and the other file also has poses
 # without a partner.
 # Matters: The spelling of the pose probably differs between the two files; its measurements would

@@ -214,6 +214,11 @@ keys-unmatched = { $count ->
         [log] du journal `{ $log }` sans point mesuré
        *[points] de points mesurés sans ligne du journal `{ $log }`
     } ({ $columns }) : { $keys } ; voir import.json
+rigid-pairs-sampled = { $compared } des { $pairs } distances entre { $targets } cibles d’une pièce rigide sont comparées
+
+point-pairs-many = { $pairs } paires de noms ont des points au même endroit ; les { $named } premières sont indiquées
+    .hint = vérifier les étiquettes de l’export
+
 
 pose-misspelt = la pose `{ $pose }` { $of ->
         [log] du journal `{ $log }` n’a pas été mesurée, et des poses mesurées ne sont pas dans le journal
