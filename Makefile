@@ -7,7 +7,8 @@
 # make quick   the tests of single files, of the architecture and of golden documents, and the examples of the documentation: before each commit
 # make unit CRATE=NAME those of one crate, some seconds after an edit; T=NAME only those whose path holds NAME
 # make attack  set the program under random attacks for ten minutes, by a seed that is printed: damaged files and bytes, kills, commands at once,
-#              hostile names, mutants of campaigns; SEED= repeats one, ATTACK= states another time in seconds, ETALON_PROGRAM= another build
+#              hostile names, links, mutants of campaigns, drawn tables, archives, templates and values of the environment; SEED= repeats one,
+#              ATTACK= states another time in seconds, DRAWS= the most drawn files (10,000), ETALON_PROGRAM= another build
 # make bench   compare with SciPy, NumPy and Pinocchio, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
@@ -93,17 +94,20 @@ quick:
 	$(SINGLE) $(KEEP) --test etalon -- architecture golden
 	$(EXAMPLES) $(KEEP)
 
-# five parts of the time: two for attacks on files and processes, one each for mutants of statements and of data, one for readers
+# six parts of the time: two for attacks on files and processes, one each for drawn files, for mutants of statements and of data, and for readers
 ATTACK ?= 600
+DRAWS ?= 10000
 SEED ?=
 ATTACKS := cargo test --locked --release
 
 attack:
 	$(ATTACKS) --test etalon --test laws --no-run
-	@seed=$(or $(SEED),$(shell date +%s)); part=$$(($(ATTACK) / 5)); echo "make attack SEED=$$seed ATTACK=$(ATTACK)"; \
+	@seed=$(or $(SEED),$(shell date +%s)); part=$$(($(ATTACK) / 6)); echo "make attack SEED=$$seed ATTACK=$(ATTACK)"; \
 	export ETALON_ATTACK_SEED=$$seed ETALON_MUTANTS_SEED=$$seed ETALON_FUZZ_SEED=$$seed; \
 	export ETALON_ATTACK_SECONDS=$$((2 * part)) ETALON_MUTANTS_SECONDS=$$part ETALON_FUZZ_SECONDS=$$((part / 60)); \
+	export ETALON_DRAWS=$(DRAWS) ETALON_DRAWS_SECONDS=$$part; \
 	$(ATTACKS) --test etalon random_attacks -- --nocapture && \
+	$(ATTACKS) --test etalon drawn_files -- --nocapture && \
 	$(ATTACKS) --test etalon fuzz && \
 	$(ATTACKS) --test laws mutants -- --nocapture --test-threads=1
 

@@ -1,7 +1,7 @@
 //! Command `etalon batch`.
 
 use super::report::Branding;
-use super::{Verdict, print_with, progress, say};
+use super::{Verdict, print_after_writing, progress, say};
 use crate::run::batch::{Batch as Batched, batch, folders};
 use crate::run::pipeline::Wanted;
 use etalon_base::catalogue::Phrase;
@@ -59,17 +59,18 @@ impl Batch {
             }
             progress(ended, campaigns.len());
         };
-        let table = self.to.join("batch.parquet");
+        // before the campaigns are run
+        let [table, page] = files::places(&self.to, ["batch.parquet", "batch.html"])?;
         let Batched { document, figures } =
             files::write_by(&table, |file| Ok(batch(&campaigns, wanted, since, file, said)?))?;
-        let page = self.to.join("batch.html");
         files::write_by(&page, |file| etalon_report::batch::write(&document, &figures, &self.to, &presentation, file))?;
         let verdict = match (document.failed, document.not_met) {
             (0, 0) => Verdict::Met,
             (0, _) => Verdict::LimitNotMet,
             _ => Verdict::NotRun,
         };
-        print_with(if self.json { to_json(&document)? } else { as_text(&document).into_bytes() }, verdict)
+        let data = if self.json { to_json(&document)? } else { as_text(&document).into_bytes() };
+        Ok(print_after_writing(data, verdict))
     }
 }
 

@@ -1,12 +1,12 @@
 //! Command `etalon export`.
 
-use super::{Verdict, print, print_text, progress, remark, validity};
+use super::{Verdict, lines, print_after_writing, progress, remark, validity};
 use crate::run::controller_formats::own_format;
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::validation::{Recommended, identify_recommended};
 use crate::stages::given::{check_described, check_geometry, other_nominal, unknown_geometry};
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, printable};
+use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, OwnFormat, Statement};
@@ -102,12 +102,11 @@ impl ExportCommand {
             None => beside_no_run(&to, &files)?,
         };
         remark(&controllers.iter().flat_map(|file| &file.messages).cloned().collect::<Vec<_>>());
-        if self.json {
-            print(to_json(&WrittenDocument { controllers, ..WrittenDocument::new(written) })?)?;
-        } else {
-            print_text(&written.iter().map(|file| format!("{}\n", printable(file))).collect::<String>())?;
-        }
-        Ok(Verdict::Met)
+        let data = match self.json {
+            true => to_json(&WrittenDocument { controllers, ..WrittenDocument::new(written) })?,
+            false => lines(&written).into_bytes(),
+        };
+        Ok(print_after_writing(data, Verdict::Met))
     }
 }
 

@@ -13,6 +13,7 @@ mod check;
 mod compare;
 mod compensate;
 mod completions;
+mod environment;
 mod explain;
 mod export;
 mod fit;
@@ -143,7 +144,25 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 
 /// Runs one command; errors go to stderr.
 fn run(command: Command) -> u8 {
-    let result = match command {
+    match environment::check().map_err(anyhow::Error::from).and_then(|()| dispatch(command)) {
+        Ok(Verdict::Met) => 0,
+        Ok(Verdict::LimitNotMet) => 1,
+        Ok(Verdict::NotRun) => 2,
+        Err(error) => {
+            match error.downcast_ref::<etalon_base::message::Problems>() {
+                Some(problems) => {
+                    capture::add(|answer| answer.messages.extend_from_slice(&problems.0));
+                    say(problems);
+                }
+                None => say(format_args!("error: {error:#}")),
+            }
+            2
+        }
+    }
+}
+
+fn dispatch(command: Command) -> anyhow::Result<Verdict> {
+    match command {
         Command::Init(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Formats(command) => command.run(),
@@ -174,21 +193,6 @@ fn run(command: Command) -> u8 {
         Command::Selftest(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Man(command) => command.run(),
-    };
-    match result {
-        Ok(Verdict::Met) => 0,
-        Ok(Verdict::LimitNotMet) => 1,
-        Ok(Verdict::NotRun) => 2,
-        Err(error) => {
-            match error.downcast_ref::<etalon_base::message::Problems>() {
-                Some(problems) => {
-                    capture::add(|answer| answer.messages.extend_from_slice(&problems.0));
-                    say(problems);
-                }
-                None => say(format_args!("error: {error:#}")),
-            }
-            2
-        }
     }
 }
 
@@ -244,6 +248,15 @@ fn print_with(data: impl AsRef<[u8]>, verdict: Verdict) -> anyhow::Result<Verdic
     }
 }
 
+/// Prints names or figures of files that are written; the exit code is the verdict's even if
+/// printing fails.
+fn print_after_writing(data: impl AsRef<[u8]>, verdict: Verdict) -> Verdict {
+    if let Err(error) = print(data) {
+        say(format_args!("error: {error:#}"));
+    }
+    verdict
+}
+
 /// Prints a report on the terminal, or the given JSON.
 fn answer(renderer: &Renderer, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
     print_with(json.unwrap_or_else(|| renderer.terminal().into_bytes()), Verdict::of(renderer.passes()))
@@ -275,10 +288,17 @@ fn remark(messages: &[Message]) {
 
 /// Prints the names of written files, as lines or as JSON.
 fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
-    if json {
-        return print(etalon_documents::to_json(&WrittenDocument::new(files))?);
-    }
-    print_text(&files.iter().map(|file| format!("{}\n", printable(file))).collect::<String>())
+    let data = match json {
+        true => etalon_documents::to_json(&WrittenDocument::new(files))?,
+        false => lines(&files).into_bytes(),
+    };
+    print_after_writing(data, Verdict::Met);
+    Ok(())
+}
+
+/// Names of files, one a line.
+fn lines(files: &[String]) -> String {
+    files.iter().map(|file| format!("{}\n", printable(file))).collect()
 }
 
 /// Prints a message to stderr.

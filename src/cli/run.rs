@@ -1,6 +1,6 @@
 //! Command `etalon run`.
 
-use super::{Verdict, next_step, print_with, remark, say, shell_word};
+use super::{Verdict, next_step, print_after_writing, remark, say, shell_word};
 use crate::run::documents::Documents;
 use crate::run::pipeline::{self, Outcome};
 use etalon_base::message::printable;
@@ -65,7 +65,7 @@ impl Run {
             (true, None, None, Some(streams)) => to_json(streams)?,
             (true, None, None, None) => to_json(&tested.compliance)?,
         };
-        let verdict = print_with(data, Verdict::of(met))?;
+        let verdict = print_after_writing(data, Verdict::of(met));
         next.filter(|_| met).inspect(|next| next_step(self.json, next));
         Ok(verdict)
     }

@@ -1,7 +1,7 @@
 //! Last day of validity of given parameters, compared with today: a warning on stderr. Documents
 //! and files have no date of their own.
 
-use etalon_base::date::{date, date_text, day_of_epoch};
+use etalon_base::date::{date, date_text, day_of_epoch, source_date_epoch};
 use etalon_base::message::Message;
 use etalon_base::warning;
 use etalon_documents::{CampaignSummary, ParametersDocument};
@@ -20,9 +20,8 @@ fn passed(valid_until: &str, today: (i32, u8, u8)) -> Option<Message> {
 
 /// Today (UTC), or the day that `SOURCE_DATE_EPOCH` states.
 fn today() -> Option<(i32, u8, u8)> {
-    let stated = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.trim().parse().ok());
     let clock = || i64::try_from(SystemTime::now().duration_since(UNIX_EPOCH).ok()?.as_secs()).ok();
-    day_of_epoch(stated.or_else(clock)?)
+    source_date_epoch().unwrap_or_default().or_else(|| day_of_epoch(clock()?))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ mod commanded;
 mod conventions;
 mod init;
 mod public;
-mod recordings;
+pub(crate) mod recordings;
 mod robot;
 mod several;
 mod six_d;

@@ -9,7 +9,7 @@ use etalon::stages::gather::{Gathered, gather};
 
 /// A message in CDR, little endian: numbers at multiples of their size behind four bytes.
 #[derive(Clone)]
-pub(super) struct Cdr(Vec<u8>);
+pub(crate) struct Cdr(Vec<u8>);
 
 impl Cdr {
     fn new(stamp: (i32, u32)) -> Self {
@@ -32,7 +32,7 @@ impl Cdr {
         values.iter().fold(self, |message, value| message.put(value.to_le_bytes()))
     }
 
-    pub(super) fn joints(stamp: (i32, u32), names: &[&str], positions: &[f64]) -> Vec<u8> {
+    pub(crate) fn joints(stamp: (i32, u32), names: &[&str], positions: &[f64]) -> Vec<u8> {
         let named = Self::new(stamp).put((names.len() as u32).to_le_bytes());
         let named = names.iter().fold(named, |message, name| message.text(name));
         let placed = named.put((positions.len() as u32).to_le_bytes()).numbers(positions);

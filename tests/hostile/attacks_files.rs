@@ -1,6 +1,7 @@
 //! Attacks by files, folders, names and other processes: nothing hangs, nothing is mixed or lost, no
 //! name is executed or steers a terminal.
 
+use super::links;
 use crate::support::scratch::{Scratch, copy_sample, ends, etalon, said};
 use crate::support::{Ended, program, run_for};
 use etalon::base::noise::Noise;
@@ -508,13 +509,14 @@ struct Attack {
 
 type Kind = (&'static str, fn(&mut Attack));
 
-const KINDS: [Kind; 6] = [
+const KINDS: [Kind; 7] = [
     ("special files", Attack::special_file),
     ("kills", Attack::kill),
     ("commands at once", Attack::at_once),
     ("closed streams", Attack::closed_stream),
     ("names of folders", Attack::folder_name),
     ("damaged bytes", Attack::damaged_bytes),
+    ("links", Attack::link),
 ];
 
 const COMMANDS: [&[&str]; 8] = [
@@ -666,6 +668,37 @@ impl Attack {
             assert!(ended.code == Some(0) && !steers(&ended.stdout) && !steers(&ended.stderr), "{ended:?}");
         }
         assert!(files(&to.join("out")) == *self.whole && !self.root.join("pwned").exists());
+    }
+
+    /// A link in the place of a folder or of a name of the exchange leads no command elsewhere.
+    fn link(&mut self) {
+        let victim = links::victim(&self.root);
+        let before = links::state(&victim);
+        let name = ["out", ".out.new", ".out.old", ".out.lock", "exports", "files", "out/link", "report.html"];
+        let name = name[self.below(name.len())];
+        let path = self.campaign().join(name);
+        let _ = std::fs::remove_dir_all(&path);
+        let up = "../".repeat(name.split('/').count());
+        let targets =
+            [format!("{up}victim"), format!("{up}victim/private"), format!("{up}victim/report.html"), "nowhere".into()];
+        symlink(&targets[self.below(targets.len())], &path).unwrap();
+        let more: [&[&str]; 6] = [
+            &["simulate", "campaign"],
+            &["export", "campaign/out/parameters.json", "--to", "campaign/files"],
+            &["batch", "campaign", "--to", "campaign/files"],
+            &["init", "campaign/files/new"],
+            &["validate", "campaign", "--report", "campaign/report.html"],
+            &["report", "--write-templates", "campaign/files"],
+        ];
+        for _ in 0..3 {
+            let choice = self.below(2 * more.len());
+            let arguments = match more.get(choice) {
+                Some(arguments) => arguments.iter().map(OsStr::new).collect(),
+                None => self.command(),
+            };
+            command(&self.root, &arguments);
+            assert!(links::state(&victim) == before, "{name}: {arguments:?}");
+        }
     }
 
     fn damaged_bytes(&mut self) {

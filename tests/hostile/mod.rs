@@ -6,11 +6,15 @@ mod attacks_on_data;
 mod causes;
 mod check;
 mod diagnoses;
+mod draws;
+mod environment;
 mod files;
 mod follow_up;
 mod fuzz;
 mod hints;
 mod kinds;
+#[cfg(unix)]
+mod links;
 pub(crate) mod logs;
 mod qif;
 mod readers;

@@ -23,6 +23,9 @@ const MEASURED: (&str, &str, &str) =
     (E, "", "K;10.2;66.7767;342.3232;0\nL;10.2;212.7986;342.6090;0\nK;20.2;38.5895;66.4283;0\n");
 const WORLD: &str = "columns = [\"label\", \"x\", \"y\", \"z\"]";
 
+/// An expression of 300 levels.
+const NESTED: &str = "{{ not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not not 1 }}";
+
 const CASES: &[Case] = &[
     ("log-times-not-increasing row=3", CMM, &[TIMED, POINTS, (L, "", ROWS), (L, "+", "15,0,300,44\n")], CHECK),
     (
@@ -107,6 +110,7 @@ const CASES: &[Case] = &[
     ("station-join-by-label station=B", "dextar", &[(C, "unit = \"mm\"\n", "unit = \"mm\"\nstation = \"B\"\n")], CHECK),
     ("joint-values-repeat", CMM, &[(L, ",2,0.000000,0.000000,256.000000", ",2,0.000000,300.000000,300.000000")], CHECK),
     ("repeats-scatter", CMM, &[(C, "_um = 2.7", "_um = 0.27")], CHECK),
+    ("template-too-nested", "prexyt-cmm+out", &[("t/report.html", "", NESTED)], "report @/out --templates @/t"),
     ("lock-foreign", CMM, &[(".out.lock/file", "", "")], "run @"),
     (
         "assembly-modes-assumed",
