@@ -5,6 +5,7 @@ mod attacks_files;
 mod attacks_on_data;
 mod causes;
 mod check;
+mod crowds;
 mod diagnoses;
 mod draws;
 mod environment;
