@@ -47,8 +47,8 @@ pub struct CampaignFile {
     pub valid_for_months: Option<u32>,
     /// Largest expanded uncertainty (k = 2) of base and targets, and of parameters without
     /// tolerance, with which parameters may be loaded: a length, an angle, or both ("0.5 mm, 0.1
-    /// deg"). By default ten times the uncertainty of a coordinate, at least 0.5 % and at most 5 %
-    /// of the measured extent; for angles this share in radians.
+    /// deg"). By default ten times the uncertainty of a coordinate, at least 2 % and at most 5 % of
+    /// the measured extent; for angles this share in radians, at least 0.5 %.
     #[schemars(with = "Option<String>")]
     pub uncertainty_bound: Option<Spanned<String>>,
     /// Name of the operator.

@@ -7,8 +7,8 @@ use etalon_identify::UncertaintyBound;
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct BoundOption {
     /// Largest expanded uncertainty (k = 2) of an answer that may be loaded: a length, an angle, or
-    /// both ("0.5 mm, 0.1 deg"). By default ten times the uncertainty of a coordinate, at least
-    /// 0.5 % and at most 5 % of the measured extent; for angles this share in radians.
+    /// both ("0.5 mm, 0.1 deg"). By default ten times the uncertainty of a coordinate, at least 2 %
+    /// and at most 5 % of the measured extent; for angles this share in radians, at least 0.5 %.
     #[arg(long, value_name = "BOUND")]
     uncertainty_bound: Option<String>,
 }

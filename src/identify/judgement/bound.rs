@@ -3,14 +3,14 @@
 //! An answer may be loaded if the expanded uncertainty U (k = 2, GUM 6.2.1) of each component is
 //! at most a bound. The user states it, or it is a share of the measured extent L:
 //!
-//! share = 10 u / L, at least 0.5 % and at most 5 %, with the standard uncertainty u of a
-//! measured coordinate.
+//! share = 10 u / L, for lengths and ratios at least 2 % and for angles at least 0.5 %, at most 5 %,
+//! with the standard uncertainty u of a measured coordinate.
 //!
-//! A length is bounded by share · L, an angle by share in radians, a ratio by share: a point at the
-//! edge of the measured region then moves by share · L at most. A well-conditioned set-up has U
-//! near 2 u, so that ten times u refuses bad geometry only. The lower end admits bad geometry of a
-//! precise instrument (short arcs), whose answer is good enough all the same. The upper end refuses
-//! what is no larger than the noise, however coarse the instrument.
+//! A length is bounded by share · L, an angle by share in radians, a ratio by share. A
+//! well-conditioned set-up has U near 2 u, so that ten times u refuses bad geometry only. The lower
+//! ends admit bad geometry of a precise instrument (a short arc, a tool point by small turns), whose
+//! answer is good enough all the same; an angle acts beyond the measured region, so its end is
+//! lower. The upper end refuses what is no larger than the noise, however coarse the instrument.
 
 use crate::cell::upright;
 use crate::{Identification, Observation, Settings};
@@ -24,8 +24,12 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 pub const COVERAGE: f64 = 2.0;
 /// Standard uncertainties of a measured coordinate in the bound of a length.
 const MULTIPLE: f64 = 10.0;
-/// Smallest and largest share of the measured extent.
-const SHARE: [f64; 2] = [0.005, 0.05];
+/// Smallest share of the measured extent for lengths and ratios.
+const LEAST_OF_LENGTHS: f64 = 0.02;
+/// Smallest share for angles (rad).
+const LEAST_OF_ANGLES: f64 = 0.005;
+/// Largest share.
+const MOST: f64 = 0.05;
 /// Standard uncertainty (mm) of a coordinate that is assumed if nothing shows it: the order of
 /// coordinate measuring systems. Touches by a robot are coarser, so an answer that this
 /// uncertainty refuses is refused by the true one too.
@@ -55,15 +59,19 @@ impl Extent {
         Self { length_mm: 2.0 * radius_mm, coordinate_mm, orientation_rad: 0.0 }
     }
 
-    /// Share of the extent that bounds lengths.
+    /// Share of the extent that ten times the uncertainty of a coordinate is.
+    fn noise(&self) -> f64 {
+        if self.length_mm > 0.0 { MULTIPLE * self.coordinate_mm / self.length_mm } else { f64::INFINITY }
+    }
+
+    /// Share of the extent that bounds lengths and ratios.
     fn share(&self) -> f64 {
-        let noise = if self.length_mm > 0.0 { self.coordinate_mm / self.length_mm } else { f64::INFINITY };
-        (MULTIPLE * noise).clamp(SHARE[0], SHARE[1])
+        self.noise().clamp(LEAST_OF_LENGTHS, MOST)
     }
 
     /// Share (rad) that bounds angles.
     fn angle(&self) -> f64 {
-        self.share().max((MULTIPLE * self.orientation_rad).min(SHARE[1]))
+        self.noise().max(MULTIPLE * self.orientation_rad).clamp(LEAST_OF_ANGLES, MOST)
     }
 }
 
@@ -312,9 +320,10 @@ mod tests {
         let bound = UncertaintyBound::default();
         let at = |length_mm: f64, coordinate_mm: f64| Extent { length_mm, coordinate_mm, orientation_rad: 0.0 };
         let near = |(value, stated): (f64, bool), expected: f64| (value - expected).abs() < 1e-12 && !stated;
-        // a precise instrument: 0.5 %; 10 u between; a coarse one: 5 %
-        assert!(near(bound.bound(LENGTH, &at(1000.0, 0.01)), 5.0));
-        assert!(near(bound.bound(LENGTH, &at(100.0, 0.2)), 2.0));
+        // a precise instrument: 2 % and 0.5 %; 10 u between; a coarse one: 5 %
+        assert!(near(bound.bound(LENGTH, &at(1000.0, 0.01)), 20.0));
+        assert!(near(bound.bound(ANGLE, &at(1000.0, 0.01)), 0.005));
+        assert!(near(bound.bound(LENGTH, &at(100.0, 0.3)), 3.0));
         assert!(near(bound.bound(ANGLE, &at(100.0, 0.2)), 0.02));
         assert!(near(bound.bound(LENGTH, &at(100.0, 3.0)), 5.0));
         assert!(near(bound.bound(ANGLE, &Extent { orientation_rad: 0.004, ..at(1000.0, 0.01) }), 0.04));

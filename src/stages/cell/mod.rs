@@ -11,7 +11,7 @@ use super::table_file::TableFile;
 use bounds::Region;
 use etalon_base::angle::Turn;
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector, centroid, norm};
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{
@@ -168,8 +168,11 @@ fn solve(file: &TableFile, stated: &CellStated) -> Result<CellDocument> {
     if let Some(quality) = &quality {
         found.messages.extend(task.remarks(quality, found.size));
     }
-    let beyond = task.beyond_bounds(&found, quality.as_ref());
-    found.messages.extend(beyond);
+    // uncertainties of refuted data mean nothing
+    if found.messages.iter().all(|message| message.severity != Severity::Error) {
+        let beyond = task.beyond_bounds(&found, quality.as_ref());
+        found.messages.extend(beyond);
+    }
     let is_known = quality.as_ref().map_or(found.region.coordinate_mm.is_some(), Quality::has_uncertainty);
     if !is_known {
         found.withhold_uncertainties();

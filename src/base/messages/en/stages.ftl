@@ -2701,7 +2701,7 @@ poses-beyond-field = { $count } of { $total } poses are beyond the residual fiel
 
 field-parameters-wrong = the identification reports an error, which a field would hide
 
-# Means: The expanded uncertainty (k = 2) of a component of the answer exceeds the bound: the stated one (`--uncertainty-bound`, `uncertainty_bound` in campaign.toml), or the default. The default is a share of the measured extent, ten times the uncertainty of a coordinate over the extent, at least 0.5 % and at most 5 %; for angles this share in radians.
+# Means: The expanded uncertainty (k = 2) of a component of the answer exceeds the bound: the stated one (`--uncertainty-bound`, `uncertainty_bound` in campaign.toml), or the default. The default is a share of the measured extent, ten times the uncertainty of a coordinate over the extent, at least 2 % and at most 5 %; for angles this share in radians, at least 0.5 %.
 # Matters: The answer must not be loaded: a robot with it may move to another place. The uncertainty itself is true.
 # Do: Measure what the hint says, so that the named motion shows. If the uncertainty is good enough for your task, state a larger bound: `--uncertainty-bound "5 mm, 2 deg"`.
 # Example: `x` of three points touched 0.03 mm from the origin
