@@ -94,8 +94,8 @@ struct Attempt {
     size: f64,
 }
 
-/// Point of a curve along the direction in which a nearly singular arm hardly moves its flange; only the error
-/// in the direction that the arm hardly reaches is left.
+/// Point of a curve along the direction in which a nearly singular arm hardly moves its flange; only
+/// the error in the direction that the arm hardly reaches is left.
 struct Valley {
     joints: Vec<f64>,
     /// Direction of the curve (rad or m).
