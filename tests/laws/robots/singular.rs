@@ -99,6 +99,10 @@ fn apart(arm: &dyn Kinematics, a: &[f64], b: &[f64]) -> f64 {
 fn check(name: &str, arm: &dyn Kinematics, truth: &[f64], noise: &mut Noise) {
     let p = arm.nominal();
     let Some(pose) = arm.tool_pose(&p, truth) else { return };
+    // the inverse of towers has carriages above the platform alone
+    if arm.model() == "delta_linear" && truth.iter().any(|rho| *rho < pose.translation_mm[2]) {
+        return;
+    }
     if arm.limit_violation(&p, truth).is_some() {
         // what a limit forbids is not called out of reach
         if let Err(why) = arm.solutions(&p, &pose, truth) {
@@ -124,7 +128,8 @@ fn check(name: &str, arm: &dyn Kinematics, truth: &[f64], noise: &mut Noise) {
         let permitted = if arm.model() == "serial" { 2e-6 } else { 1e-3 };
         assert!(off < permitted && turned < 2e-9, "{name}: {truth:?} {found:?}: {off} mm {turned} rad");
         let (ours, theirs) = (distance(arm, &found, &near), distance(arm, truth, &near));
-        assert!(ours <= theirs + 2e-6, "{name}: {truth:?} from {near:?}: {found:?}, {ours} > {theirs}");
+        // a pose determines a double solution to the square root of its permitted error
+        assert!(ours <= theirs + 2e-5, "{name}: {truth:?} from {near:?}: {found:?}, {ours} > {theirs}");
         assert_eq!(arm.limit_violation(&p, &found), None);
     }
     if arm.joints().len() > 6 {
