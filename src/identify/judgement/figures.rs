@@ -371,6 +371,9 @@ fn matrix(rows: &[f64], columns: usize) -> DMatrix<f64> {
 /// Inverse of a normal matrix; directions that the readings do not determine are omitted.
 fn pseudo_inverse(normal: DMatrix<f64>) -> DMatrix<f64> {
     let n = normal.nrows();
+    if n == 0 {
+        return normal;
+    }
     let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt()).map(|s| if s > 0.0 { 1.0 / s } else { 0.0 }).collect();
     let scaled = DMatrix::from_fn(n, n, |i, j| normal[(i, j)] * scale[i] * scale[j]);
     let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(scaled);
