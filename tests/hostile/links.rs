@@ -201,7 +201,8 @@ fn no_option_writes_through_a_link_or_over_a_device() {
     let page = scratch.root().join("own.html");
     std::fs::write(&page, "").unwrap();
     std::fs::set_permissions(&page, PermissionsExt::from_mode(0o640)).unwrap();
-    assert_eq!(said(&scratch, &["validate", "campaign", "--report", "own.html"]).0, Some(0));
+    // the nominal robot misses the limit
+    assert_eq!(said(&scratch, &["validate", "campaign", "--report", "own.html"]).0, Some(1));
     assert_eq!(std::fs::metadata(&page).unwrap().mode() & 0o7777, 0o640);
 }
 
