@@ -144,7 +144,11 @@ pub(super) fn refuse_foreign(path: &Path) -> Result<()> {
 /// A larger file would end the process before its locks are removed.
 fn file_size_limit() -> Option<u64> {
     let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
-    limits.lines().find_map(|line| line.strip_prefix("Max file size")?.split_whitespace().next()?.parse().ok())
+    let limit = |line: &str| {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        words.strip_prefix(&["Max", "file", "size"])?.first()?.parse().ok()
+    };
+    limits.lines().find_map(limit)
 }
 
 /// File whose writer fails, instead of the process, at the largest size that the system allows.

@@ -51,7 +51,8 @@ const LONGEST: usize = 100;
 
 impl PoseName {
     /// Parses a name without surrounding blanks, in the composed form of Unicode (NFC): `ü` is one
-    /// letter, however a program wrote it. Names that a table or spreadsheet cannot hold are errors.
+    /// letter, however a program wrote it. Names that a table or spreadsheet cannot hold are
+    /// errors.
     pub fn new(name: &str) -> Result<Self, Message> {
         let name = name.trim();
         let composed: String;
@@ -89,8 +90,8 @@ impl PoseName {
         }
     }
 
-    /// Name without case, blanks, `_`, `-`, leading zeros and invisible characters; names with equal
-    /// folded form are spellings of one name.
+    /// Name without case, blanks, `_`, `-`, leading zeros and invisible characters; names with
+    /// equal folded form are spellings of one name.
     fn folded(self) -> String {
         let mut folded = String::new();
         for part in parts(&visible(&self.to_string()).to_lowercase()) {

@@ -135,8 +135,8 @@ impl<'a> Database<'a> {
         page.ok_or_else(|| broken("end"))
     }
 
-    /// Returns the row of a cell. All rows together are smaller than the file, `room`: a page belongs
-    /// to one row.
+    /// Returns the row of a cell. All rows together are smaller than the file, `room`: a page
+    /// belongs to one row.
     fn row(&self, page: &[u8], at: usize, room: &mut usize) -> Result<Row, Message> {
         let mut at = at;
         let length = usize::try_from(varint(page, &mut at)?).map_err(|_| broken("record"))?;

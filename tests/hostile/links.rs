@@ -78,7 +78,7 @@ fn no_link_leads_a_run_out_of_its_campaign() {
     refused("a/b");
     // also if the link leads to another campaign
     std::fs::write(victim.join("campaign.toml"), "").unwrap();
-    ends(&scratch, "run", 2, &["`campaign/a/b` is a symbolic link"]);
+    ends(&scratch, "run", 2, &["[output-through-link] link=campaign/a/b"]);
     // names of the exchange
     std::fs::remove_file(above.join("b")).unwrap();
     std::fs::create_dir(above.join("b")).unwrap();
@@ -223,12 +223,12 @@ fn a_simulation_writes_through_no_link() {
     let before = state(&victim);
     std::fs::remove_dir_all(scratch.path().join("exports")).unwrap();
     symlink("../victim", scratch.path().join("exports")).unwrap();
-    ends(&scratch, "simulate", 2, &["`campaign/exports` is a symbolic link"]);
+    ends(&scratch, "simulate", 2, &["[output-through-link] link=campaign/exports"]);
     std::fs::remove_file(scratch.path().join("exports")).unwrap();
     std::fs::remove_file(scratch.path().join("encoders.csv")).unwrap();
     symlink("../victim/report.html", scratch.path().join("encoders.csv")).unwrap();
     // nothing is written before the link is found
-    ends(&scratch, "simulate", 2, &["`campaign/encoders.csv` is a symbolic link"]);
+    ends(&scratch, "simulate", 2, &["[output-through-link] link=campaign/encoders.csv"]);
     assert!(!scratch.path().join("exports").exists());
     assert!(state(&victim) == before);
 }

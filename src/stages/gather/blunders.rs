@@ -282,8 +282,8 @@ struct Exchange<'a> {
 }
 
 impl Exchange<'_> {
-    /// Two targets whose exchange brings all distances of a group within the tolerance; `off` are the
-    /// distances beyond it, at least one.
+    /// Two targets whose exchange brings all distances of a group within the tolerance; `off` are
+    /// the distances beyond it, at least one.
     fn found(
         &self,
         seen: &[Option<usize>],
