@@ -2,10 +2,11 @@
 
 use super::{etalon, text};
 use crate::support::arms::{SIX_AXES, serial};
+use crate::support::controller_files::universal_robots;
 use crate::support::said::Says;
 use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
-use etalon::base::pose::{Pose, Vector, minus, norm};
+use etalon::base::pose::{Vector, minus, norm};
 use etalon::robots::{Kinematics, Robot, Role, Serial};
 use serde_json::Value;
 use std::fmt::Write;
