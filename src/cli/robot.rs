@@ -108,7 +108,7 @@ fn converted(robot: &dyn Robot, to: Target) -> Result<(String, Vec<Message>)> {
         (Target::Urdf, _) => urdf(&chain, head, &names, &mut messages),
         (_, None) => screws_text(head, &axes, &flange) + &nominal_text(&gains, &[]),
         (_, Some(table)) => {
-            messages.extend(not_held(table, &names));
+            messages.extend(not_held(table));
             table_text(head, to == Target::Mdh, table) + &nominal_text(&gains, &table.tilts)
         }
     };

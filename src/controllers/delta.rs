@@ -142,7 +142,7 @@ impl Exporter for Klipper {
     }
 
     fn frame(&self) -> &'static str {
-        "base of the robot; base_* (the base in the world of the campaign) are not in this file"
+        "base of the robot, the base in the world of the campaign is not in this file"
     }
 
     fn file_name(&self) -> &'static str {
@@ -175,7 +175,7 @@ impl Exporter for RepRapDelta {
     }
 
     fn frame(&self) -> &'static str {
-        "base of the robot; base_* (the base in the world of the campaign) are not in this file"
+        "base of the robot, the base in the world of the campaign is not in this file"
     }
 
     fn file_name(&self) -> &'static str {
@@ -210,7 +210,7 @@ impl Exporter for DeltaHal {
     }
 
     fn frame(&self) -> &'static str {
-        "base of the robot; base_* (the base in the world of the campaign) are not in this file"
+        "base of the robot, the base in the world of the campaign is not in this file"
     }
 
     fn file_name(&self) -> &'static str {

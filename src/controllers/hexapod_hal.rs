@@ -18,7 +18,7 @@ impl Exporter for HexapodHal {
     }
 
     fn frame(&self) -> &'static str {
-        "LinuxCNC's world is the base of the robot, its tool the platform; base_* (the base in the world of the campaign) are not in this file"
+        "the world of LinuxCNC is the base of the robot, the base in the world of the campaign is not in this file"
     }
 
     fn file_name(&self) -> &'static str {

@@ -103,7 +103,7 @@ pub trait Exporter {
 
     /// Frame in which the file describes the robot, for its header.
     fn frame(&self) -> &'static str {
-        "parameters by name; base_* place the base of the robot in the world of the campaign"
+        "parameters by name, those of the base place it in the world of the campaign"
     }
 
     /// `true` if the format holds this parameter of the robot.

@@ -39,7 +39,7 @@ impl Exporter for LinuxCnc {
     }
 
     fn frame(&self) -> &'static str {
-        "LinuxCNC's world is the first frame stated below, its tool the last frame; base_* (the base in the world of the campaign) are not in this file"
+        "the world of LinuxCNC is the first frame stated below, the base in the world of the campaign is not in this file"
     }
 
     fn file_name(&self) -> &'static str {

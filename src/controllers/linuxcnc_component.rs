@@ -28,7 +28,7 @@ impl Exporter for LinuxCncComponent {
     }
 
     fn frame(&self) -> &'static str {
-        "LinuxCNC's world is the world of the campaign for planar robots, otherwise the base of the robot (base_* are then not in this file)"
+        "the world of LinuxCNC is the world of the campaign for planar robots, otherwise the base of the robot"
     }
 
     fn file_name(&self) -> &'static str {

@@ -33,7 +33,7 @@ impl Exporter for UniversalRobots {
     }
 
     fn frame(&self) -> &'static str {
-        "base of the maker: z along axis 1, shoulder above the origin; base_* (the base in the world of the campaign) are not in this file"
+        "base of the maker: z along axis 1, shoulder above the origin, the base in the world of the campaign is not in this file"
     }
 
     fn file_name(&self) -> &'static str {

@@ -38,7 +38,7 @@ impl Exporter for Urdf {
     }
 
     fn frame(&self) -> &'static str {
-        "base_link of robot.toml; base_* (that link in the world of the campaign) are not in this file"
+        "base_link of robot.toml, whose place in the world of the campaign is not in this file"
     }
 
     fn file_name(&self) -> &'static str {

@@ -415,8 +415,8 @@ fn rule_name(rule: BaseRule) -> &'static str {
     }
 }
 
-/// Warnings of what a table cannot hold.
-pub(crate) fn not_held(table: &AxisTable, joints: &[String]) -> Vec<Message> {
+/// Warnings of a base and a flange that a table cannot hold.
+pub(crate) fn not_held(table: &AxisTable) -> Vec<Message> {
     let mut messages = Vec::new();
     for (id, pose) in [(true, &table.base), (false, &table.flange)] {
         let (angle_deg, shift_mm) = (pose.angle_rad().to_degrees(), etalon_base::pose::norm(pose.translation_mm));
@@ -427,7 +427,6 @@ pub(crate) fn not_held(table: &AxisTable, joints: &[String]) -> Vec<Message> {
             });
         }
     }
-    messages.extend(tilts_not_held(table, joints));
     messages
 }
 

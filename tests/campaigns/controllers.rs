@@ -454,7 +454,7 @@ fn genserkins_has_the_axes_of_the_identified_arm() {
         // what genserkins does not have is said, with its consequence
         assert!(said.contains("warning[linuxcnc-joint-offsets]") && text.contains("# NOT IN GENSERKINS"), "{said}");
         assert!(!errors || said.contains("warning[linuxcnc-distant-normal]"), "{said}");
-        assert!(text.contains("# frame: LinuxCNC's world is the first frame"), "{text}");
+        assert!(text.contains("# frame: the world of LinuxCNC is the first frame"), "{text}");
         assert!(text.lines().all(|l| l.starts_with("# ") || l.starts_with("setp genserkins.")), "{text}");
         let mut noise = etalon::base::noise::Noise::new(19, 4);
         for _ in 0..20 {

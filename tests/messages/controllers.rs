@@ -14,7 +14,12 @@ const CASES: &[Case] = &[
     ("controller-format-unknown name=jsn", ARM, &[], "export @/out/parameters.json --format jsn"),
     ("controller-format-unknown name=rapid", ARM, &[], "export @/out/parameters.json --format rapid"),
     ("linuxcnc-joint-offsets", ARM, &[], "export @/out/parameters.json --robot @/robot.toml --format linuxcnc"),
-    ("linuxcnc-distant-normal first=2 second=3", ARM, &[], "export @/out/parameters.json --robot @/robot.toml --format linuxcnc"),
+    (
+        "linuxcnc-distant-normal first=2 second=3",
+        ARM,
+        &[],
+        "export @/out/parameters.json --robot @/robot.toml --format linuxcnc",
+    ),
     ("template-name", ARM, &[("t.txt", "", "")], "export @/out/parameters.json --template @/t.txt"),
     (
         "template-without-holds",

@@ -270,7 +270,7 @@ impl Exporter for StructuredText {
     }
 
     fn frame(&self) -> &'static str {
-        "base of the robot in its robot file, to the flange; base_* (the base in the world of the campaign) and tools are not in this file"
+        "base of the robot in its robot file, to the flange. Tools and the base in the world of the campaign are not in this file"
     }
 
     fn file_name(&self) -> &'static str {
