@@ -1,7 +1,7 @@
 //! Angles of revolute joints and of orientations, which are equal modulo a turn.
 //!
-//! A controller may wrap the angle of a joint, so that 179.999 deg and −179.999 deg are neighbours. A
-//! joint that winds is recorded over more than a turn, and keeps its turns. Lengths never wrap.
+//! A controller may wrap the angle of a joint, so that 179.999 deg and −179.999 deg are neighbours.
+//! A joint that winds is recorded over more than a turn, and keeps its turns. Lengths never wrap.
 
 use std::f64::consts::TAU;
 
@@ -72,8 +72,8 @@ impl Turn {
     ///
     /// ```
     /// use etalon_base::angle::Turn;
-    /// assert_eq!(Turn::DEGREES.unwound(&[179.0, -180.0, -178.0, 179.5]), [179.0, 180.0, 182.0, 179.5]);
-    /// assert_eq!(Turn::DEGREES.unwound(&[-300.0, 0.0, 300.0]), [-300.0, 0.0, 300.0]);
+    /// assert_eq!(Turn::DEGREES.unwound(&[179.0, -180.0, -178.0, 179.5]), [179.0, 180.0, 182.0,
+    /// 179.5]); assert_eq!(Turn::DEGREES.unwound(&[-300.0, 0.0, 300.0]), [-300.0, 0.0, 300.0]);
     /// ```
     pub fn unwound(self, angles: &[f64]) -> Vec<f64> {
         if self.winds(angles) {

@@ -426,9 +426,10 @@ impl Compensator<'_> {
         let deg = |q: &[f64]| -> Vec<f64> { arm.joints().iter().zip(q).map(|(j, &q)| j.quantity.outward(q)).collect() };
         let seen = commands.inverse().then(&found.command).then(&self.tool);
         let Executed { command, joints, pose: attained } = self.carried_out(&seen, &found.joints, &from)?;
-        // the configuration is that of the command as written
+        // the configuration is that of the command as written, and of the joint values beside it
         let kept = target.configuration.is_none_or(|c| c.fits(&deg(&joints)) || !c.fits(&deg(&from)));
-        let same_configuration = kept && self.robot.same_configuration(&from, &joints);
+        let same_configuration =
+            kept && [&joints, &found.joints].iter().all(|to| self.robot.same_configuration(&from, to));
         let angle = if self.freedoms == Freedoms::Point { 0.0 } else { wanted.inverse().then(&attained).angle_rad() };
         let modes = found.joints.get(arm.joints().len()).copied();
         last.clone_from(&found.joints);

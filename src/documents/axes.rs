@@ -56,8 +56,8 @@ pub struct AxisEntry {
     pub point_standard_uncertainty_mm: Option<f64>,
     /// Standard uncertainty of a coordinate: as stated, or from the residuals.
     pub coordinate_standard_uncertainty_mm: f64,
-    /// Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent if
-    /// it is stated.
+    /// Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent
+    /// if it is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub degrees_of_freedom: Option<usize>,
     /// Paths of the targets.

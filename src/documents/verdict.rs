@@ -99,8 +99,8 @@ pub enum Reason {
         /// Required number of cycles.
         required: usize,
     },
-    /// Residuals of the calibration are several times the uncertainty of the instrument: the model is
-    /// incomplete, or readings or joint values are wrong.
+    /// Residuals of the calibration are several times the uncertainty of the instrument: the model
+    /// is incomplete, or readings or joint values are wrong.
     ModelDoesNotFit {
         /// Residuals over the standard uncertainty of the instrument.
         times: f64,

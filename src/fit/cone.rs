@@ -4,8 +4,8 @@ use super::chart::{Chart, length};
 use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
 use super::element::{Element, FitSettings};
-use super::f64x8::{F64x8, Points};
-use super::result::{Fit, QUANTITIES};
+use super::f64x8::{F64x8, Points, along};
+use super::result::{Fit, QUANTITIES, Residuals};
 use super::search::{Axial, no_start, rival_warning, search};
 use super::solver::{ITERATIONS, Refined, Surface, descend, refine};
 use etalon_base::message::Result;
@@ -44,6 +44,10 @@ pub(super) fn cone_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     Ok(fit)
 }
 
+/// Fall of the sum of squares, over the variance, from a plane to the best cone, that noise exceeds
+/// in one of a hundred planes: chi-square of the six parameters of a cone.
+const BY_NOISE: f64 = 16.81;
+
 fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings) -> Result<Fit> {
     let chart = refined.surface.chart;
     let [a, b, h, _, _, distance, half_angle] = refined.x;
@@ -56,7 +60,11 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings)
     if uncertain.is_some_and(|u| u > half_angle.abs()) {
         fit.warnings.push(warning!("cone-is-cylinder"));
     }
-    if uncertain.is_some_and(|u| u > FRAC_PI_2 - half_angle.abs()) {
+    // of a plane the apex is anywhere: its best place makes a cone of noise, which the uncertainty
+    // of the angle at that place does not show
+    let heights = Residuals::of(cloud, |q| along(q, cloud.axes[2]));
+    let improvement = fit.degrees_of_freedom as f64 * ((heights.rms * cloud.scale_mm / fit.rms_mm()).powi(2) - 1.0);
+    if improvement < BY_NOISE || uncertain.is_some_and(|u| u > FRAC_PI_2 - half_angle.abs()) {
         fit.warnings.push(warning!("cone-is-plane"));
     }
     fit.finished(settings)

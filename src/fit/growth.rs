@@ -2,16 +2,16 @@
 //!
 //! The start is the element through few points that leaves the smallest median distance (least
 //! median of squares: Rousseeuw 1984). From the nearest points the fit grows to all points that its
-//! prediction explains. One rule judges all points and elements: the distance of a point is compared
-//! with its deviation from the *other* used points, which has the variance of noise and of the
-//! prediction. With the covariance H σ² of the prediction, this is σ² (1 + H) outside the used points
-//! and σ² (1 − H) for the residual inside (Cook & Weisberg 1982, "Residuals and influence in
+//! prediction explains. One rule judges all points and elements: the distance of a point is
+//! compared with its deviation from the *other* used points, which has the variance of noise and of
+//! the prediction. With the covariance H σ² of the prediction, this is σ² (1 + H) outside the used
+//! points and σ² (1 − H) for the residual inside (Cook & Weisberg 1982, "Residuals and influence in
 //! regression", 2.2), where σ² excludes the point itself.
 //!
-//! H is linear. Where few points lie far from all others, the others may predict them so poorly that
-//! it does not hold: there the sum of squares with the point and without it is compared (likelihood
-//! ratio), first for all remaining points together. Points are set aside only if no element explains
-//! all of them.
+//! H is linear. Where few points lie far from all others, the others may predict them so poorly
+//! that it does not hold: there the sum of squares with the point and without it is compared
+//! (likelihood ratio), first for all remaining points together. Points are set aside only if no
+//! element explains all of them.
 
 use super::prediction::{Offsets, equations};
 use super::{Element, Fit, FitSettings, element};
@@ -40,7 +40,8 @@ const LEVERAGE: f64 = 0.5;
 const BRANCHES: usize = 6;
 /// Least redundancy (1 − H) of a point that others control.
 const REDUNDANCY: f64 = 1e-9;
-/// Largest step of coordinates, as a share of their extent, that is the resolution of an instrument.
+/// Largest step of coordinates, as a share of their extent, that is the resolution of an
+/// instrument.
 const COARSEST: f64 = 1e-3;
 
 /// Points with their settings for the search, which knows no probe.
@@ -322,7 +323,7 @@ pub(super) fn reduction(share: f64, equations: usize) -> f64 {
 }
 
 /// Resolution (mm) of coordinates: the largest step, in decimals of a millimetre or inch, of which
-/// all are multiples; zero if there is none below a share of their extent.
+/// all are multiples; zero without one below a share of their extent.
 fn resolution(points: &[Vector], coordinates: usize) -> f64 {
     let all = || points.iter().flat_map(|p| &p[..coordinates]);
     let range =

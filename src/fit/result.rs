@@ -206,8 +206,8 @@ pub struct Fit {
 
 /// Standard uncertainty (rad) of the direction that separates two principal spreads of points:
 /// √(ρ/ν) / (ρ − 1) for the ratio ρ of their squares and ν degrees of freedom of the smaller one
-/// (Anderson 1963, Ann. Math. Statist. 34, 122, 2.11). As ln ρ has the standard uncertainty 2/√ν, it
-/// is the relative uncertainty of the ratio over twice its distance from one, and infinite where
+/// (Anderson 1963, Ann. Math. Statist. 34, 122, 2.11). As ln ρ has the standard uncertainty 2/√ν,
+/// it is the relative uncertainty of the ratio over twice its distance from one, and infinite where
 /// both spreads are alike. `None` without redundancy.
 pub(super) fn principal_uncertainty(larger: f64, smaller: f64, degrees_of_freedom: usize) -> Option<f64> {
     let apart = (larger - smaller) * (larger + smaller);
@@ -251,9 +251,9 @@ impl Fit {
 
     /// Orthogonal distance of a point: positive outside (circle, sphere, cylinder, cone, torus), on
     /// the side of the normal (plane), or to the left (line in the plane); unsigned for a line in
-    /// space. For a circle in space, the distance within its plane from the circle; if it was fitted by
-    /// orthogonal distances, the unsigned distance from the curve. In the plane z is ignored. For a
-    /// compensated fit, the distance from the touched surface.
+    /// space. For a circle in space, the distance within its plane from the circle; if it was
+    /// fitted by orthogonal distances, the unsigned distance from the curve. In the plane z is
+    /// ignored. For a compensated fit, the distance from the touched surface.
     pub fn residual_mm(&self, point_mm: Vector) -> f64 {
         let mut w = minus(point_mm, self.point_mm);
         if matches!(self.element, Element::Line2d | Element::Circle2d) {

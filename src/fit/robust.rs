@@ -57,8 +57,8 @@ fn listed(indices: &[usize]) -> String {
 /// Largest number of points that a message lists.
 const MOST_LISTED: usize = 20;
 
-/// All warnings about an element and its points, whichever fit is asked for: of the least-squares fit
-/// `fit`, and about foreign points among up to 20,000.
+/// All warnings about an element and its points, whichever fit is asked for: of the least-squares
+/// fit `fit`, and about foreign points among up to 20,000.
 pub fn warnings(fit: &Fit, points: &Source, settings: &FitSettings) -> Vec<Message> {
     let foreign = foreign_points(fit, points, settings).map(|foreign| {
         let (count, points) = (foreign.points.len(), listed(&foreign.points));

@@ -94,8 +94,8 @@ struct Attempt {
     size: f64,
 }
 
-/// Point of a curve along the direction in which a nearly singular arm hardly moves its flange; only
-/// the error in the direction that the arm hardly reaches is left.
+/// Point of a curve along the direction in which a nearly singular arm hardly moves its flange;
+/// only the error in the direction that the arm hardly reaches is left.
 struct Valley {
     joints: Vec<f64>,
     /// Direction of the curve (rad or m).
@@ -629,7 +629,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Permissible solutions, or the reason why there is none.
+    /// Permissible solutions, or the reason why none exists.
     pub fn solutions(&self, near: &[f64]) -> Result<Vec<Vec<f64>>, Phrase> {
         let Solutions { joints, starts } = self.all(near);
         let forbidden = joints.iter().find_map(|q| self.serial.limit_violation(self.parameters, q));

@@ -6,6 +6,7 @@
 //! angles in radians.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
+mod arm_kinematics;
 mod branches;
 mod chain;
 mod compensation;
@@ -431,7 +432,7 @@ pub trait Kinematics: Robot {
     ///
     /// # Errors
     ///
-    /// Describes the limit that forbids a solution, or the reason why there is none.
+    /// Describes the limit that forbids a solution, or the reason why none exists.
     fn solutions(&self, parameters: &[f64], pose: &Pose, _near: &[f64]) -> Result<Vec<Vec<f64>>, Phrase> {
         let all = self.all_joints(parameters, pose);
         let forbidden = all.iter().find_map(|q| self.limit_violation(parameters, q));
@@ -444,7 +445,7 @@ pub trait Kinematics: Robot {
     ///
     /// # Errors
     ///
-    /// Describes the limit that forbids the nearest solution, or the reason why there is none.
+    /// Describes the limit that forbids the nearest solution, or the reason why none exists.
     fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
         if near.len() >= self.joints().len() + usize::from(self.has_assembly_modes())
             && self.tool_pose(parameters, near).is_some_and(|there| is_same(&there, pose))

@@ -5,12 +5,10 @@
 //! bending are common to all conventions.
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, TURNED_MM, Term};
-use super::inverse::Search;
 use super::tables::{AxisLine, error_axes, link_frames};
 use super::{
     AXES, ChainJoint, Circumstance, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
-    OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning,
-    pose_outputs,
+    OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, meaning, pose_outputs,
 };
 use super::{limit_violation, normal_equations, square};
 use etalon_base::catalogue::Phrase;
@@ -777,9 +775,15 @@ fn nominal_axes(
     (axes.iter().zip(&frames).map(line).collect(), frames, flange)
 }
 
-/// Frames of the links in the frames behind the axes.
+/// Frames of the links in the frames behind the axes. A first joint that turns stands on the base:
+/// its link starts at the foot of the perpendicular from the origin of the base, so that base and
+/// joint tilt alike.
 fn links_behind(lines: &[AxisLine], frames: &[Pose], flange: &Pose) -> Vec<Pose> {
-    frames.iter().zip(link_frames(lines, flange)).map(|(behind, link)| behind.inverse().then(&link)).collect()
+    let mut links = link_frames(lines, flange);
+    if let (Some(link), Some(line)) = (links.first_mut(), lines.first().filter(|line| !line.prismatic)) {
+        link.translation_mm = line.foot([0.0; 3]);
+    }
+    frames.iter().zip(links).map(|(behind, link)| behind.inverse().then(&link)).collect()
 }
 
 /// Places the frames of the links and the rotations at them.
@@ -1156,20 +1160,6 @@ impl Serial {
     pub(super) fn with(&self, parameters: &[f64]) -> WithParameters<'_> {
         WithParameters { arm: self, chain: Prepared::new(&self.elements, parameters) }
     }
-
-    /// Inverse kinematics near `start`: joint values at which the flange has the pose
-    /// `world_T_flange`.
-    ///
-    /// Returns `None` if the pose cannot be reached to within 1e-9 mm and 1e-12 rad on the branch
-    /// of `start`.
-    pub fn inverse(&self, parameters: &[f64], world_T_flange: &Pose, start: &[f64]) -> Option<Vec<f64>> {
-        Search::new(self, parameters, *world_T_flange).solve(start)
-    }
-
-    /// Search for the joint values of a pose of the flange in the base.
-    pub(super) fn search<'a>(&'a self, parameters: &'a [f64], pose: &Pose) -> Search<'a> {
-        Search::new(self, parameters, base_pose(parameters).then(pose))
-    }
 }
 
 impl Robot for Serial {
@@ -1319,19 +1309,10 @@ fn correction<T: Scalar>(pose: &[T], linearised: &[T]) -> (Vec<T>, [T; 4]) {
 /// of all joints.
 const SINGULAR: f64 = 1e-14;
 
-impl Kinematics for Serial {
-    fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose> {
-        let pose = base_pose(parameters).inverse().then(&self.direct(parameters, joints));
-        pose.translation_mm.iter().all(|v| v.is_finite()).then_some(pose)
-    }
-
-    fn base_in_world(&self, parameters: &[f64]) -> Option<Pose> {
-        Some(base_pose(parameters))
-    }
-
+impl Serial {
     /// Direct kinematics, without and with derivatives with respect to the joint values: of the
     /// position, and of the rotation as vectors in the base frame.
-    fn formulas(&self, parameters: &[f64]) -> Vec<Formula> {
+    pub(super) fn pose_formulas(&self, parameters: &[f64]) -> Vec<Formula> {
         let joints: Vec<String> = self.joints().iter().map(|joint| joint.name.clone()).collect();
         let record = |name, with_derivatives| {
             Formula::record(name, &joints, |q| {
@@ -1364,32 +1345,13 @@ impl Kinematics for Serial {
     }
 
     /// Determinant of the Jacobian, for six joints.
-    fn singularity_measures(&self, parameters: &[f64], joints: &[f64]) -> Vec<f64> {
+    pub(super) fn jacobian_determinant(&self, parameters: &[f64], joints: &[f64]) -> Vec<f64> {
         if joints.len() != 6 {
             return Vec::new();
         }
         let units: Vec<f64> = self.joint_scales(parameters).iter().map(|joint| joint.unit / TURNED_MM).collect();
         let jacobian = Matrix6::from_row_slice(&self.with(parameters).flange_jacobian(joints).1);
         vec![(jacobian * Matrix6::from_diagonal(&Vector6::from_column_slice(&units))).determinant()]
-    }
-
-    /// Solutions from a search, one of each family; empty for redundant arms, with more joints than
-    /// a pose has degrees of freedom.
-    fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
-        let zero = vec![0.0; self.joints().len()];
-        if zero.len() > 6 { Vec::new() } else { self.search(parameters, pose).all(&zero).joints }
-    }
-
-    fn solutions(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<Vec<f64>>, Phrase> {
-        self.search(parameters, pose).solutions(near)
-    }
-
-    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, Phrase> {
-        self.search(parameters, pose).nearest(near)
-    }
-
-    fn free_joints(&self, parameters: &[f64], joints: &[f64]) -> Vec<usize> {
-        Search::new(self, parameters, self.direct(parameters, joints)).free_joints(joints)
     }
 }
 

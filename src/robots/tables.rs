@@ -97,7 +97,7 @@ impl JointChain {
         self.frames(joints).last().copied().unwrap_or(Pose::identity()).then(&self.flange)
     }
 
-    /// The same chain with the frame of each joint near the arm: a frame farther along its axis
+    /// Chain with the frame of each joint near the arm: a frame farther along its axis
     /// than the arm reaches is moved to the foot of the perpendicular from the previous axis. The
     /// reach is the length of these perpendiculars from the base to the flange.
     pub fn near_arm(&self) -> Self {
@@ -189,7 +189,7 @@ impl Link {
         if self.tilt_rad == 0.0 { self.x } else { self.start(z).then(&self.motion(self.tilt_rad)).axis(0) }
     }
 
-    /// The same link with the sign of its normal for which the frame is turned least from `wish`:
+    /// Link with the sign of its normal for which the frame is turned least from `wish`:
     /// free for lines that meet, otherwise only if the other sign represents `wish` exactly.
     fn facing(self, wish: Vector) -> Self {
         let along = dot(self.x, wish);

@@ -108,7 +108,7 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, formats, summary, identified, tested })
 }
 
-/// What the files of these formats hold in place of the identified parameters: identified again
+/// Contents of the files of these formats in place of the identified parameters: identified again
 /// from the data of the campaign, for parameters that may be written.
 pub(super) fn identified_again(
     campaign: &Campaign,

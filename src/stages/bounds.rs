@@ -24,7 +24,7 @@ pub(crate) fn beyond_bound(
     extent: &Extent,
     components: &[Component],
     covariance: &[f64],
-    remedy: Phrase,
+    hint: Phrase,
 ) -> Option<Message> {
     let quantities: Vec<Quantity> = components.iter().map(|c| c.1).collect();
     let excess = bound.exceeded(&quantities, covariance, extent)?;
@@ -34,7 +34,7 @@ pub(crate) fn beyond_bound(
             | [Quantity::Length, Quantity::Length, Quantity::Length, Quantity::Angle, Quantity::Angle, Quantity::Angle]
     );
     let cause = if is_frame { open_motion(&excess) } else { open_combination(&excess, components) };
-    Some(message(&excess, components, extent, cause).hint(remedy))
+    Some(message(&excess, components, extent, cause).hint(hint))
 }
 
 /// Error about parameters of base and targets, or without tolerances of the robot, that the data
@@ -180,9 +180,10 @@ fn open_motion(excess: &Excess) -> Phrase {
 }
 
 fn open_combination(excess: &Excess, components: &[Component]) -> Phrase {
-    let names: Vec<Phrase> = excess.involved.iter().map(|i| components[*i].0.clone()).collect();
+    let mut names: Vec<Phrase> = excess.involved.iter().map(|i| components[*i].0.clone()).collect();
+    names.dedup();
     match names.len() {
         0 | 1 => phrase!("bound-open-alone"),
-        count => phrase!("bound-open-combination", count, names = shown(names, NAMED)),
+        _ => phrase!("bound-open-combination", names = shown(names, NAMED)),
     }
 }

@@ -197,9 +197,10 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
 /// Returns a warning about gains and zeros of revolute joints that are significantly larger than
 /// encoders and homing leave.
 ///
-/// The encoder of a revolute joint counts whole turns, so that its gain is known; what harmonics add
-/// over part of a turn is below [`ENCODER_GAIN`]. A zero beyond [`ENCODER_ZERO_RAD`] is a mistake of
-/// mastering, or of a log. The data cannot tell them from a mistake in the columns of the joint.
+/// The encoder of a revolute joint counts whole turns, so that its gain is known; what harmonics
+/// add over part of a turn is below [`ENCODER_GAIN`]. A zero beyond [`ENCODER_ZERO_RAD`] is a
+/// mistake of mastering, or of a log. The data cannot tell them from a mistake in the columns of
+/// the joint.
 fn beyond_encoders(
     robot: &dyn Robot,
     observations: &[Observation],

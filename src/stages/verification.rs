@@ -54,7 +54,8 @@ impl<'r> EarlierCalibration<'r> {
         Ok(Self { robot, parameters, noise, nominal, bound: UncertaintyBound::default(), messages })
     }
 
-    /// Returns the calibration with a bound of the smallest changes that chosen poses have to detect.
+    /// Returns the calibration with a bound of the smallest changes that chosen poses have to
+    /// detect.
     #[must_use]
     pub fn with_bound(self, bound: UncertaintyBound) -> Self {
         Self { bound, ..self }

@@ -339,7 +339,8 @@ fn sweeps_that_say_little_are_named() {
         .map(|(joint, q)| (joint, position(&q).map(|v| v + noise.gaussian(0.01)), q))
         .collect();
     let (code, _, err) = run(&table(&short, true), &[]);
-    has((code.unwrap(), err), "warning[sweep-weak] joint=q1");
+    assert!(code == Some(1) && err.says("warning[sweep-weak] joint=q1"), "{err}");
+    assert!(err.says("error[uncertainty-beyond-bound] source=default unit=mm"), "{err}");
     let metres = |_: usize, row: &mut (usize, Vector, [f64; 4])| row.1 = row.1.map(|v| v / 1000.0);
     let mut small = rows();
     small.iter_mut().enumerate().for_each(|(i, row)| metres(i, row));

@@ -276,7 +276,7 @@ fn fitted(points: &str, rest: &[&str]) -> (FitDocument, String) {
 }
 
 fn ids(document: &FitDocument) -> Vec<&str> {
-    document.messages.iter().map(|m| m.id.as_str()).collect()
+    document.messages.iter().map(|m| &*m.id).collect()
 }
 
 const ARC_AND_TWO_FAR: &str = include_str!("points/circle-arc-and-two-far.txt");

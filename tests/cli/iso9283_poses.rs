@@ -271,7 +271,7 @@ fn metres_in_a_column_of_millimetres_are_named() {
     write("commanded.csv", &format!("pose,x_mm,y_mm,z_mm\n{commanded}"));
     let line = "iso9283 pose poses.csv --commanded commanded.csv";
     for (text, code, said) in [
-        (attained(1.0, "A"), 0, "AP"),
+        (attained(1.0, "A"), 0, "warning[few-cycles]"),
         (attained(1e-3, "A"), 2, "error[positions-in-other-unit] table=attained unit=m"),
         (attained(1.0 / 25.4, "A"), 2, "error[positions-in-other-unit] table=attained unit=inch"),
         (attained(1e3, "A"), 2, "error[positions-in-other-unit] table=commanded unit=m"),

@@ -237,6 +237,7 @@ fn too_few_poses_are_said_so() {
         scratch.replace("campaign.toml", "calibration = \"1-8\"", &format!("calibration = \"{poses}\""));
         let (_, said) = etalon(&scratch, "run");
         let named = said.contains("[parameter-held-inseparable]") || said.contains("[parameters-inseparable]");
+        let named = named || said.contains("[joints-do-not-move]");
         assert!(named && !said.contains("panicked"), "{said}");
     }
 }

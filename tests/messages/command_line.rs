@@ -499,8 +499,8 @@ const FITS: &[Case] = &[
     ),
     ("cone-is-cylinder", "", &[("p.txt", "", CYLINDER)], "fit cone @/p.txt --unit mm"),
     ("cone-is-plane", "", &[("p.txt", "", PLATE)], "fit cone @/p.txt --unit mm"),
-    ("element-direction-uncertain element=plane", "", &[("p.txt", "", STRIP)], "fit plane @/p.txt --unit mm"),
-    ("element-ambiguous element=line", "", &[("p.txt", "", CROSS)], "fit line @/p.txt --unit mm"),
+    ("element-direction-uncertain", "", &[("p.txt", "", STRIP)], "fit plane @/p.txt --unit mm"),
+    ("element-ambiguous", "", &[("p.txt", "", CROSS)], "fit line @/p.txt --unit mm"),
 ];
 
 #[test]

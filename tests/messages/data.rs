@@ -294,12 +294,6 @@ const TABLES: &[Case] = &[
         &[],
         "robot convert @/robot.toml --to urdf --parameters @/out/parameters.json",
     ),
-    (
-        "convert-not-reproduced",
-        "probe-poses",
-        &[("robot.toml", "point_mm = [0, 0, 290]", "point_mm = [1e13, 0, 1e13]")],
-        "robot convert @/robot.toml --to urdf",
-    ),
     ("convert-shared-joints", "column-arm", &[], "robot convert @/robot.toml --to poe"),
     ("convert-travel-unknown", "rail-arm", &[], "robot convert @/robot.toml --to urdf"),
     (

@@ -2,8 +2,9 @@
 //! that controllers and programs compile.
 //!
 //! All languages write the same recorded formulas ([`Formula`]). If the inverse, or the direct
-//! kinematics of a hexapod, has no closed form, the code uses Newton's method on these formulas, as
-//! the program itself does.
+//! kinematics of a hexapod, has no closed form, the code uses Newton's method on these formulas.
+//! Near a singular pose of an arm, where solutions lie close to each other, the code returns the
+//! one that the steps from the start reach, the program the nearest to the start.
 
 mod c99;
 mod python;

@@ -97,8 +97,8 @@ mirror! {
         samples: usize = s.standstill.samples.len(),
         /// Mean position of the middle half: x, y and, if measured, z.
         mean_mm: Vec<f64>,
-        /// Means of the measured angles, in the order a, b, c; angles of the middle sample if two of
-        /// them are not separable.
+        /// Means of the measured angles, in the order a, b, c; angles of the middle sample if two
+        /// of them are not separable.
         mean_deg: Vec<f64> = degrees(&s.standstill.angles_rad),
         /// Noise of instrument and hold: mean radius plus three standard deviations of the samples
         /// of the middle half.

@@ -32,6 +32,16 @@ fn turn(column: &str) -> Option<Turn> {
     (is_joint && column.ends_with("_deg")).then_some(Turn::DEGREES)
 }
 
+/// Largest step (deg) between rows that follow a motion.
+const DENSE_DEG: f64 = 45.0;
+
+/// `true` if nine of ten steps are small: the rows follow the motion.
+fn is_dense(turn: Turn, values: &[f64]) -> bool {
+    let steps = values.windows(2).map(|pair| turn.difference(pair[1], pair[0]).abs());
+    let far = steps.filter(|step| *step > DENSE_DEG).count();
+    10 * far < values.len()
+}
+
 /// `true` if a key of `columns` is this joint with a unit, such as `q1_deg` or `q1_rad`.
 pub fn is_joint_column(key: &str, joint: &Joint) -> bool {
     key.rsplit_once('_').is_some_and(|(name, unit)| name == joint.name && factor(unit, joint.quantity).is_some())
@@ -99,10 +109,14 @@ pub struct LogRow {
 
 impl JointLog {
     /// Values of a joint in the order of the rows, without the jumps of a controller that wraps
-    /// angles.
+    /// angles. Between rows that are far apart, such as those of poses, a joint may truly move by
+    /// more than half a turn: such values are returned as they are.
     pub fn motion(&self, joint: usize) -> Vec<f64> {
         let values: Vec<f64> = self.rows.iter().map(|row| row.joints[joint]).collect();
-        turn(&self.joints[joint]).map_or(values.clone(), |turn| turn.unwound(&values))
+        match turn(&self.joints[joint]).filter(|turn| is_dense(*turn, &values)) {
+            Some(turn) => turn.unwound(&values),
+            None => values,
+        }
     }
 
     /// `true` if the log has this column.

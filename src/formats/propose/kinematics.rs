@@ -23,8 +23,8 @@ const NEAR: usize = 64;
 const FINE_MM: f64 = 0.1;
 /// Allowance for base and target, which are fitted to rounded coordinates.
 const ALLOWANCE: f64 = 1.2;
-/// Root mean square residual of rounded coordinates, relative to half a step (its expectation), up to
-/// which nothing but rounding is in the residuals.
+/// Root mean square residual of rounded coordinates, relative to half a step (its expectation), up
+/// to which nothing but rounding is in the residuals.
 const EXCESS: f64 = 1.15;
 /// Difference (mm) of computed coordinates that are not rounded.
 const COMPUTED_MM: f64 = 1e-6;
@@ -568,7 +568,8 @@ mod tests {
         assert!(reading(test(&arm, &sample(&arm, 40, 1.0, 1e-6), false)).rms_mm < 1e-5);
     }
 
-    /// Few measured points, rounded to 0.1 mm, are not commanded ones because many unknowns fit them.
+    /// Few measured points, rounded to 0.1 mm, are not commanded ones because many unknowns fit
+    /// them.
     #[test]
     fn few_measured_points_are_not_taken_for_commanded_ones() {
         let arm = arm();

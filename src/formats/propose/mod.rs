@@ -621,8 +621,8 @@ mod tests {
         assert!(thousands.contains("decimal = \",\", thousands = \".\""), "{thousands}");
     }
 
-    /// Points of which a few exceed a metre, in every pair of marks; the marks are proposed and x, y
-    /// and z are found, with one number in groups of three as with many. A text that two pairs of
+    /// Points of which a few exceed a metre, in every pair of marks; the marks are proposed and x,
+    /// y and z are found, with one number in groups of three as with many. A text that two pairs of
     /// marks read is in doubt.
     #[test]
     fn groups_of_three_digits_are_proposed_with_their_mark() {

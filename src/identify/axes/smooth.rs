@@ -22,7 +22,7 @@ const RATIOS: [f64; 11] = [0.0625, 0.25, 1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 40
 /// Twice the logarithm of the ratio of likelihoods from which deviations are modelled as smooth:
 /// noise alone gives it once in 300 series.
 const MODELLED: f64 = 10.0;
-/// The same, from which smooth deviations are reported: noise alone gives it once in 100 000
+/// Ratio from which smooth deviations are reported: noise alone gives it once in 100 000
 /// series.
 const REPORTED: f64 = 25.0;
 /// Score (standard deviations) from which the models with harmonics are computed at all.
@@ -103,9 +103,9 @@ impl Products {
         Self { count, harmonics: &turned * &basis, cross: turned * &all, own: all.transpose() * &all }
     }
 
-    /// Prior variances of the harmonics in units of the noise. Half of them are those of the bearing
-    /// (low harmonics), half those up to a corner. The first harmonic, which is also a shift of the
-    /// axis, has the variance of the second one.
+    /// Prior variances of the harmonics in units of the noise. Half of them are those of the
+    /// bearing (low harmonics), half those up to a corner. The first harmonic, which is also a
+    /// shift of the axis, has the variance of the second one.
     fn variances(&self, corner: f64, ratio: f64) -> DVector<f64> {
         let up_to = |corner: f64| {
             let of = |n: f64| 1.0 / (1.0 + (n / corner).powi(ORDER));

@@ -123,8 +123,8 @@ impl SweepFit {
         self.residuals_mm.iter_mut().for_each(|r| r[1] = -r[1]);
     }
 
-    /// Coefficients of the trend of a component of the residuals of a path (0 or 1), as functions of
-    /// the parameters of [`SweepFit::cofactors`].
+    /// Coefficients of the trend of a component of the residuals of a path (0 or 1), as functions
+    /// of the parameters of [`SweepFit::cofactors`].
     pub(super) fn trend_rows(&self, path: usize, component: usize) -> DMatrix<f64> {
         let (of_axis, own) = (self.of_axis(), self.of_axis() + OF_PATH * path + component);
         let columns = if self.prismatic { 2 } else { 3 };

@@ -139,8 +139,9 @@ impl Quality {
         self
     }
 
-    /// Standard uncertainty of a measured coordinate (mm) or orientation (rad): the stated one where
-    /// it agrees with the residuals, otherwise theirs; `None` without equations or redundancy.
+    /// Standard uncertainty of a measured coordinate (mm) or orientation (rad): the stated one
+    /// where it agrees with the residuals, otherwise theirs; `None` without equations or
+    /// redundancy.
     pub fn standard_uncertainty(&self, measure: Measure, stated: &Stated) -> Option<f64> {
         let component = self.components.iter().find(|c| c.measure == measure)?;
         match component.agrees {
@@ -248,8 +249,8 @@ pub enum CellFault {
     Undetermined,
 }
 
-/// Spread of directions (rad, root mean square) below which orientations are equal but for rounding.
-/// Whether larger spreads suffice is decided by the uncertainty of the answer
+/// Spread of directions (rad, root mean square) below which orientations are equal but for
+/// rounding. Whether larger spreads suffice is decided by the uncertainty of the answer
 /// ([`crate::UncertaintyBound`]).
 const LEAST_SPREAD: f64 = 1e-7;
 /// Distance from a line, relative to its length, below which points are collinear but for rounding.

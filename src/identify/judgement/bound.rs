@@ -3,14 +3,14 @@
 //! An answer may be loaded if the expanded uncertainty U (k = 2, GUM 6.2.1) of each component is
 //! at most a bound. The user states it, or it is a share of the measured extent L:
 //!
-//! share = 10 u / L, for lengths and ratios at least 2 % and for angles at least 0.5 %, at most 5 %,
-//! with the standard uncertainty u of a measured coordinate.
+//! share = 10 u / L, for lengths and ratios at least 2 % and for angles at least 0.5 %, at most 5
+//! %, with the standard uncertainty u of a measured coordinate.
 //!
 //! A length is bounded by share · L, an angle by share in radians, a ratio by share. A
 //! well-conditioned set-up has U near 2 u, so that ten times u refuses bad geometry only. The lower
-//! ends admit bad geometry of a precise instrument (a short arc, a tool point by small turns), whose
-//! answer is good enough all the same; an angle acts beyond the measured region, so its end is
-//! lower. The upper end refuses what is no larger than the noise, however coarse the instrument.
+//! ends admit bad geometry of a precise instrument (a short arc, a tool point by small turns),
+//! whose answer is good enough all the same; an angle acts beyond the measured region, so its end
+//! is lower. The upper end refuses what is no larger than the noise, however coarse the instrument.
 
 use crate::cell::upright;
 use crate::{Identification, Observation, Settings};

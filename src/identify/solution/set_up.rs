@@ -67,7 +67,8 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
 }
 
 /// Root mean square effect (mm) on the positions of parameters that deviate from nominal as their
-/// tolerances allow, as far as base and targets, at `values`, do not absorb it.
+/// tolerances allow, as far as base and targets, at `values`, do not absorb it; NaN where the robot
+/// cannot be at the joint values.
 pub fn tolerance_effect_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
     let of = |role: fn(Role) -> bool| (0..values.len()).filter(move |&i| role(robot.parameters()[i].role));
     let places: Vec<usize> = of(|role| role != Role::Robot).collect();
@@ -82,7 +83,7 @@ pub fn tolerance_effect_mm(robot: &dyn Robot, observations: &[Observation], valu
     let variance = |k: usize| left(k) * robot.parameters()[free[common[k]]].tolerance.powi(2) / 3.0;
     let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
     let sum: f64 = (first..common.len()).map(variance).sum();
-    Some((sum / points.max(1) as f64).sqrt()).filter(|v| v.is_finite())
+    Some((sum / points.max(1) as f64).sqrt())
 }
 
 /// Returns an error if no position of base and targets brings the nominal robot as near to the
@@ -552,8 +553,8 @@ mod tests {
     }
 
     /// Thirty repeats of one pose, or poses within a few micrometres, are noise about any robot: no
-    /// unit, sign or order explains them, and the nominal robot is not far from them. The same robot
-    /// in the wrong unit over its full range is named, with repeats that show the noise.
+    /// unit, sign or order explains them, and the nominal robot is not far from them. The same
+    /// robot in the wrong unit over its full range is named, with repeats that show the noise.
     #[test]
     fn noise_is_no_misfit_and_no_unit_explains_it() {
         let robot = Prexyt::default();

@@ -92,7 +92,7 @@ impl Task<'_> {
         frames.chain(points).chain(directions).chain(ratios).collect()
     }
 
-    /// What to measure for a smaller uncertainty.
+    /// Measurement that reduces the uncertainty.
     fn remedy(&self) -> Phrase {
         let case = match self.stated.solve {
             CellKind::ToolPoint | CellKind::ToolAxes => "tool",

@@ -19,12 +19,12 @@ use etalon_documents::{
 };
 use etalon_formats::table;
 use etalon_identify::MeasuredRatio;
+use etalon_identify::UncertaintyBound;
 use etalon_identify::cell::{
     AlternativeFit, AxisReading, AxisRole, CellFault, CellFrame, CellPoint, CellResidual, Component, Measure, Mounting,
     ObjectSlip, Quality, RotaryAxis, Size, Stated, ThreePointRole, explained, hand_eye, linear_axis, object_frame,
     object_slips, reflector, rotary_axis, three_points, tool_axes, tool_point,
 };
-use etalon_identify::UncertaintyBound;
 use etalon_robots::Quantity;
 use rayon::prelude::*;
 use readings::WrittenPoses;
@@ -625,7 +625,7 @@ fn explaining<T: Send>(
 /// Deviation of the scale of an axis from one, beside its uncertainty, without a warning: errors of
 /// racks and belts are smaller, and the scale is part of the answer.
 const SCALE: f64 = 0.005;
-/// The same without an uncertainty: a confusion of units is more than a factor of two.
+/// Deviation without an uncertainty: a confusion of units is more than a factor of two.
 const SCALE_ALONE: f64 = 1.0;
 
 /// Warning of an axis that moves otherwise than its values say.

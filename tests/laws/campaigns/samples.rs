@@ -70,6 +70,10 @@ const CHANGES: [(&str, Change); 4] = [
 fn largest_error(name: &str, change: Change) -> (f64, String) {
     let scratch = copy_sample(name);
     change(&scratch);
+    // without noise and nominal values the stated uncertainty leaves single parameters open
+    let campaign = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
+    let bounded = format!("uncertainty_bound = \"1000 mm, 100 deg\"\n{campaign}");
+    std::fs::write(scratch.path().join("campaign.toml"), bounded).unwrap();
     let decimals = std::fs::read_to_string(scratch.path().join("truth.toml")).unwrap();
     let stated = decimals.lines().find(|line| line.starts_with("decimals")).unwrap();
     scratch.replace("campaign.toml", "[identify]", "[identify]\nprior = \"none\"");

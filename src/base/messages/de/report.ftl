@@ -1051,7 +1051,7 @@ reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von A
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, Abschnitt 6)
-reservation-model-does-not-fit = die Residuen sind { $times } × die Unsicherheit des Messgeräts: das Modell passt nicht, und die Parameter beschreiben den Roboter nur so gut, wie die Abweichungen an den Validierungsposen zeigen
+reservation-model-does-not-fit = die Residuen sind { $times } × die Unsicherheit des Messgeräts: das Modell passt nicht, es gelten die Abweichungen an den Validierungsposen
 reservation-no-warm-up = der Roboter wurde vor der Prüfung nicht warmgefahren
 reservations = Vorbehalte: { $reasons }.
 residual-field = Residuenfeld

@@ -1000,7 +1000,7 @@ reservation-instrument-too-coarse = the measurement uncertainty exceeds 25 % of 
         [one] pose { $poses }
        *[other] poses { $poses }
     } (ISO 9283, clause 6)
-reservation-model-does-not-fit = residuals are { $times } × the uncertainty of the instrument: the model does not fit, and the parameters describe the robot only as well as the errors at the validation poses show
+reservation-model-does-not-fit = residuals are { $times } × the uncertainty of the instrument: the model does not fit, and the errors at the validation poses apply
 reservation-no-warm-up = the robot was not warmed up before the test
 reservations = Reservations: { $reasons }.
 residual-field = Residual field

@@ -1057,7 +1057,7 @@ reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, article 6)
-reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude de l’instrument : le modèle ne s’ajuste pas, et les paramètres ne décrivent le robot que comme le montrent les erreurs aux poses de validation
+reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude de l’instrument : le modèle ne s’ajuste pas, et les erreurs aux poses de validation font foi
 reservation-no-warm-up = le robot n’a pas été mis en température avant l’essai
 reservations = Réserves : { $reasons }.
 residual-field = Champ résiduel
