@@ -196,7 +196,7 @@ const IDENTIFIED: &[Case] = &[
     (
         "parameter-held-without-effect",
         "turntable",
-        &[("t.csv", "", ONE_ROW), ("t.csv", "+", "1,2,\n")],
+        &[("t.csv", "", ONE_ROW), ("t.csv", "+", "1,2,\n2,A,10,0,0,0,0,0,0,1,3,\n")],
         "identify --robot @/robot.toml --observations @/t.csv --standard-uncertainty-um 10",
     ),
     (
