@@ -370,7 +370,7 @@ const TABLES: &[Case] = &[
         "plan --robot @/robot.toml --candidates @/t.csv --target A --positions 1",
     ),
     (
-        "coordinates-of-rows-missing axes=x rows=3",
+        "coordinates-of-rows-missing by=line",
         "surfaces",
         &[(
             "t.csv",
