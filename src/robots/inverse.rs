@@ -269,6 +269,10 @@ impl<'a> Search<'a> {
     }
 
     /// Singular values of the Jacobian and its right singular vectors, the largest first.
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "six rows; singular directions are refined by steps that reach the pose"
+    )]
     fn decompose(&self, q: &[f64]) -> (DVector<f64>, Vec<DVector<f64>>) {
         let matrix = DMatrix::from_row_slice(6, q.len(), &self.linearise(q).jacobian);
         let svd = matrix.svd(false, true);
@@ -433,6 +437,10 @@ impl<'a> Search<'a> {
     }
 
     /// Bottom of the valley near joint values; `None` if the arm is not nearly singular there.
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "six rows; singular directions are refined by steps that reach the pose"
+    )]
     fn valley(&self, q: &[f64], before: Option<&Valley>) -> Option<Valley> {
         let mut q = q.to_vec();
         for _ in 0..8 {

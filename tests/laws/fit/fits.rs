@@ -287,7 +287,7 @@ fn residuals_of_a_circle_by_orthogonal_distances_are_distances_from_the_curve() 
 
 #[test]
 fn a_cone_of_points_of_a_plane_is_below_180_deg_and_is_said_to_be_a_plane() {
-    let mut planes = 0;
+    let (mut fits, mut planes) = (0, 0);
     for trial in 0..60 {
         let mut noise = Noise::new(15, trial);
         let turn = Pose::from_xyz_rpy([10.0, -20.0, 30.0], [0; 3].map(|_| noise.uniform(3.0)));
@@ -300,7 +300,9 @@ fn a_cone_of_points_of_a_plane_is_below_180_deg_and_is_said_to_be_a_plane() {
         // one micrometre along the axis the section is larger
         let inside = [0, 1, 2].map(|k| cone.point_mm[k] + 1e-3 * axis[k]);
         assert!(cone.residual_mm(inside) < cone.residual_mm(cone.point_mm), "{trial}");
+        fits += 1;
         planes += usize::from(cone.warnings.iter().any(|w| w.id == "cone-is-plane"));
     }
-    assert!(planes > 40, "{planes}");
+    // most planes have no cone at all
+    assert!(fits >= 10 && 10 * planes >= 9 * fits, "{planes} of {fits}");
 }
