@@ -45,7 +45,7 @@ pub struct RotationCharacteristics {
 
 /// Mean orientation: the rotation vectors from it to all orientations add up to zero.
 pub fn mean_orientation(all: &[Pose]) -> Option<Pose> {
-    let mut mean = all.first()?.clone();
+    let mut mean = *all.first()?;
     for _ in 0..50 {
         let from = |pose: &Pose| pose.then(&mean.inverse()).rotation_vector_rad();
         let sum = all.iter().map(from).fold([0.0; 3], |sum, v| [0, 1, 2].map(|i| sum[i] + v[i]));
