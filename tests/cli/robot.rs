@@ -102,7 +102,7 @@ fn table(convention: &str, seed: u64) -> String {
     for i in 0..6 {
         let alpha = match i % 3 {
             0 => 90.0 + noise.uniform(0.2),
-            1 => noise.uniform(if seed % 2 == 0 { 0.05 } else { 0.0 }),
+            1 => noise.uniform(if seed.is_multiple_of(2) { 0.05 } else { 0.0 }),
             _ => noise.uniform(150.0),
         };
         let a = if i % 3 == 1 || noise.uniform(1.0) > 0.0 { 300.0 + noise.uniform(150.0) } else { 0.0 };

@@ -150,6 +150,7 @@ fn whole<const N: usize>(data: &[u8], is_big_endian: bool, of: impl Fn([u8; N]) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::io::Cursor;
     use std::io::Write as _;
 
     /// A file by NEP 1.

@@ -447,7 +447,7 @@ fn axes_with_run_out_are_within_their_uncertainty() {
     let (mut inside, mut count, mut reported) = (0, 0, 0);
     for trial in 0..40 {
         let mut noise = Noise::new(460, trial);
-        let arc = [1.75, 3.14, 6.2][trial as usize % 3];
+        let arc = [1.75, 3.1, 6.2][trial as usize % 3];
         let waves: Vec<[f64; 5]> = (2..7)
             .map(|n| {
                 [
