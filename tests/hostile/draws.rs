@@ -144,7 +144,7 @@ impl Draw {
 
     /// Targets at one place, in some poses: every target is near every other.
     fn coinciding_targets(&mut self) -> Vec<Arguments> {
-        let (targets, poses) = (1 + self.count(60), 1 + self.below(60));
+        let (targets, poses) = (1 + self.count(400), 1 + self.below(60));
         let scatter = self.of(&[0.0, 1e-6, 0.05]);
         let mut rows = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
         let mut points = String::new();
