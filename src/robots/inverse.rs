@@ -12,7 +12,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::noise::Noise;
 use etalon_base::phrase;
 use etalon_base::pose::{Pose, minus, norm};
-use etalon_math::Factor;
+use etalon_math::{Factor, svd};
 use nalgebra::{DMatrix, DVector};
 
 /// Largest error of an attained pose: 1e-9 mm and 1e-12 rad.
@@ -269,15 +269,8 @@ impl<'a> Search<'a> {
     }
 
     /// Singular values of the Jacobian and its right singular vectors, the largest first.
-    #[expect(
-        clippy::disallowed_methods,
-        reason = "six rows; singular directions are refined by steps that reach the pose"
-    )]
     fn decompose(&self, q: &[f64]) -> (DVector<f64>, Vec<DVector<f64>>) {
-        let matrix = DMatrix::from_row_slice(6, q.len(), &self.linearise(q).jacobian);
-        let svd = matrix.svd(false, true);
-        let rows = svd.v_t.map_or_else(Vec::new, |v| v.row_iter().map(|row| row.transpose()).collect());
-        (svd.singular_values, rows)
+        decomposed(&self.linearise(q).jacobian, q.len())
     }
 
     /// Lower bound of the smallest singular value of the Jacobian, at least 1/√6 of it.
@@ -437,30 +430,28 @@ impl<'a> Search<'a> {
     }
 
     /// Bottom of the valley near joint values; `None` if the arm is not nearly singular there.
-    #[expect(
-        clippy::disallowed_methods,
-        reason = "six rows; singular directions are refined by steps that reach the pose"
-    )]
     fn valley(&self, q: &[f64], before: Option<&Valley>) -> Option<Valley> {
         let mut q = q.to_vec();
         for _ in 0..8 {
             let at = self.linearise(&q);
             let error = DVector::from_column_slice(&at.error);
-            let svd = DMatrix::from_row_slice(6, q.len(), &at.jacobian).svd(true, true);
-            let (values, u, v) = (svd.singular_values, svd.u?, svd.v_t?);
+            let (values, v) = decomposed(&at.jacobian, q.len());
             let last = values.len() - 1;
             if values[last] > SHALLOW * values[0] {
                 return None;
             }
+            let jacobian = DMatrix::from_row_slice(6, q.len(), &at.jacobian);
             let mut step = DVector::zeros(q.len());
-            for k in 0..last {
-                step += v.row(k).transpose() * (u.column(k).dot(&error) / values[k]);
+            for (value, v) in values.iter().zip(&v).take(last) {
+                step += v * ((&jacobian * v).dot(&error) / value.powi(2));
             }
             if step.amax() < SETTLED || (step.amax() < SAME && at.size < RESOLUTION) {
                 let sign = |new: &DVector<f64>, old: Option<&DVector<f64>>| {
                     if old.is_some_and(|old| old.dot(new) < 0.0) { -1.0 } else { 1.0 }
                 };
-                let (along, across) = (v.row(last).transpose(), u.column(last).into_owned());
+                // the last vector across cannot be computed from the one along where the value is zero
+                let (_, mut u) = decomposed(jacobian.as_slice(), 6);
+                let (along, across) = (v[last].clone(), u.swap_remove(last));
                 let along = &along * sign(&along, before.map(|b| &b.along));
                 let across = &across * sign(&across, before.map(|b| &b.across));
                 return Some(Valley { joints: q, left: across.dot(&error), along, across });
@@ -644,6 +635,17 @@ impl<'a> Search<'a> {
         let within: Vec<Vec<f64>> = joints.into_iter().filter(|q| self.is_within(q)).collect();
         if within.is_empty() { Err(forbidden.unwrap_or_else(|| self.unreached(starts))) } else { Ok(within) }
     }
+}
+
+/// Singular values, at most six, of a matrix with `n` columns and its right singular vectors, the
+/// largest first.
+fn decomposed(rows: &[f64], n: usize) -> (DVector<f64>, Vec<DVector<f64>>) {
+    let m = rows.len() / n;
+    let mut square = rows.to_vec();
+    square.resize(m.max(n) * n, 0.0);
+    let svd = svd(&Factor::new(&square, &vec![0.0; m.max(n)], &vec![1.0; n]));
+    let vectors = svd.vectors.into_iter().map(DVector::from_vec).take(6).collect();
+    (DVector::from_iterator(n.min(6), svd.values.into_iter().take(6)), vectors)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
 /// A browser that hangs is ended after this many seconds, and the test fails.
-const PATIENCE_S: u32 = 600;
+const PATIENCE_S: u32 = 1500;
 
 /// One page in one browser.
 pub struct Browser {

@@ -134,7 +134,7 @@ fn compare(problem: &Residuals, plain: &[f64], dof: usize) -> Option<RobustCompa
     };
     let (mut x, (mut scale, mut r)) = (plain.to_vec(), scale_at(plain)?);
     for _ in 0..FITS {
-        let options = Options { iterations: 50, step: 1e-9, loss: Loss::Cauchy(CAUCHY * scale), ..Options::default() };
+        let options = Options { step: 1e-9, loss: Loss::Cauchy(CAUCHY * scale), ..Options::default() };
         let solution = solve(problem, &x, options);
         if !solution.termination.is_success() {
             return None;

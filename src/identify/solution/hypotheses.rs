@@ -8,7 +8,7 @@
 use crate::Observation;
 use crate::model::prior::DIFFUSE;
 use crate::model::residuals::Residuals;
-use crate::solution::placing::{PLAIN, spread_mm};
+use crate::solution::placing::{PLAIN, shown_parameters, spread_mm};
 use etalon_base::angle::Turn;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_math::statistics::rms;
@@ -68,23 +68,23 @@ impl Hypothesis<'_> {
     /// is out of reach.
     pub fn fit(&self, sigma_mm: f64) -> Option<Fitted> {
         let parameters = self.robot.parameters();
-        let all: Vec<usize> = (0..parameters.len()).collect();
-        let problem = Residuals::new(self.robot, self.observations, &PLAIN, &all, &self.placed).ok()?;
-        let prior = |parameter: usize| {
-            let p = &parameters[parameter];
-            let (value, u) = match p.tolerance.is_finite() && self.loose != Some(parameter) {
+        let free = shown_parameters(self.robot, self.observations);
+        let problem = Residuals::new(self.robot, self.observations, &PLAIN, &free, &self.placed).ok()?;
+        let prior = |(parameter, &i): (usize, &usize)| {
+            let p = &parameters[i];
+            let (value, u) = match p.tolerance.is_finite() && self.loose != Some(i) {
                 true => (p.nominal, uncertainty(p.tolerance)),
-                false => (self.placed[parameter], DIFFUSE * p.known_within()),
+                false => (self.placed[i], DIFFUSE * p.known_within()),
             };
             Prior { parameter, value, weight: sigma_mm / u.max(1e-9) }
         };
-        let priors: Vec<Prior> = all.iter().map(|&i| prior(i)).collect();
+        let priors: Vec<Prior> = free.iter().enumerate().map(prior).collect();
+        let start: Vec<f64> = free.iter().map(|&i| self.start.unwrap_or(&self.placed)[i]).collect();
         let options = Options { iterations: ITERATIONS, step: 1e-9, ..Options::default() };
-        let solution =
-            etalon_math::solve(&WithPriors::new(&problem, &priors), self.start.unwrap_or(&self.placed), options);
+        let solution = etalon_math::solve(&WithPriors::new(&problem, &priors), &start, options);
         let rows = problem.residual_count();
         let counts = |i: &usize| parameters[*i].tolerance.is_finite() && self.loose != Some(*i);
-        let mut values = solution.x.clone();
+        let mut values = problem.all(&solution.x);
         for (value, p) in values.iter_mut().zip(parameters).filter(|(_, p)| p.tolerance.is_finite()) {
             if p.quantity == Quantity::Angle {
                 *value = Turn::RADIANS.near(*value, p.nominal);
@@ -97,18 +97,18 @@ impl Hypothesis<'_> {
             .flat_map(|o| o.misses(self.robot, &values).map(|m| m.1).collect::<Vec<_>>())
             .collect();
         let squares: f64 = misses.iter().map(|m| norm(*m).powi(2)).sum();
-        let deviations: f64 = all.iter().filter(|i| counts(i)).map(|&i| off(i).powi(2)).sum();
+        let deviations: f64 = free.iter().filter(|i| counts(i)).map(|&i| off(i).powi(2)).sum();
         // the data determine this many parameters
         let covariance = solution.covariance().unwrap_or_default();
-        let share = |k: usize| covariance.get(k * all.len() + k).map_or(0.0, |v| 1.0 - v * priors[k].weight.powi(2));
-        let determined: f64 = (0..all.len()).map(|k| share(k).clamp(0.0, 1.0)).sum();
+        let share = |k: usize| covariance.get(k * free.len() + k).map_or(0.0, |v| 1.0 - v * priors[k].weight.powi(2));
+        let determined: f64 = (0..free.len()).map(|k| share(k).clamp(0.0, 1.0)).sum();
         let dof = (rows as f64 - determined).max(1.0);
         let fitted = Fitted {
             left_mm: rms(misses.iter().map(|m| norm(*m))),
             noise_mm: (squares / dof).sqrt(),
             cost: squares / sigma_mm.powi(2) + deviations,
             rows,
-            off: all.iter().filter(|i| counts(i)).map(|&i| off(i)).fold(0.0, f64::max),
+            off: free.iter().filter(|i| counts(i)).map(|&i| off(i)).fold(0.0, f64::max),
             share: rms(misses.iter().map(|m| norm(*m))) / self.spread_mm(&values),
             values,
         };

@@ -60,9 +60,27 @@ pub(crate) fn place(
     nominal: &[f64],
     places: &[usize],
 ) -> Result<Option<Placed>> {
+    let Some((few, others)) = with_few_targets(robot, observations) else {
+        return place_all(robot, arm, observations, nominal, places);
+    };
+    let shown: BTreeSet<usize> = shown_parameters(robot, &few).into_iter().collect();
+    let places: Vec<usize> = places.iter().copied().filter(|i| shown.contains(i)).collect();
+    let mut placed = place_all(robot, arm, &few, nominal, &places)?;
+    if let Some(placed) = &mut placed {
+        place_targets(arm, observations, &others, &mut placed.values);
+    }
+    Ok(placed)
+}
+
+/// Observations of the [`MOST_TARGETS`] targets with the most readings, and the other targets;
+/// `None` if there are no others.
+pub(crate) fn with_few_targets(
+    robot: &dyn Robot,
+    observations: &[Observation],
+) -> Option<(Vec<Observation>, BTreeSet<usize>)> {
     let mut targets = readings(robot, observations);
     if targets.len() <= MOST_TARGETS {
-        return place_all(robot, arm, observations, nominal, places);
+        return None;
     }
     targets.sort_by_key(|(_, readings)| std::cmp::Reverse(*readings));
     let others: BTreeSet<usize> = targets.split_off(MOST_TARGETS).into_iter().map(|t| t.0).collect();
@@ -70,15 +88,19 @@ pub(crate) fn place(
     for o in &mut few {
         others.iter().for_each(|&k| o.targets[k] = None);
     }
-    // a target without a reading here has nothing to place either
-    let shown: BTreeSet<usize> = targets.iter().flat_map(|t| target_parameters(arm, t.0)).collect();
-    let of_targets: BTreeSet<usize> = (0..robot.targets().len()).flat_map(|k| target_parameters(arm, k)).collect();
-    let places: Vec<usize> = places.iter().copied().filter(|i| shown.contains(i) || !of_targets.contains(i)).collect();
-    let mut placed = place_all(robot, arm, &few, nominal, &places)?;
-    if let Some(placed) = &mut placed {
-        place_targets(arm, observations, &others, &mut placed.values);
+    Some((few, others))
+}
+
+/// Indices of the parameters except those of targets without a reading.
+pub(crate) fn shown_parameters(robot: &dyn Robot, observations: &[Observation]) -> Vec<usize> {
+    let mut hidden: BTreeSet<usize> = BTreeSet::new();
+    if let Some(arm) = robot.free_base() {
+        hidden.extend((0..robot.targets().len()).flat_map(|k| target_parameters(arm, k)));
+        for (k, _) in readings(robot, observations) {
+            target_parameters(arm, k).for_each(|i| _ = hidden.remove(&i));
+        }
     }
-    Ok(placed)
+    (0..robot.parameters().len()).filter(|i| !hidden.contains(i)).collect()
 }
 
 /// Indices of the three coordinates of a target among the parameters.

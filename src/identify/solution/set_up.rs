@@ -6,7 +6,7 @@
 use crate::Observation;
 use crate::model::residuals::Residuals;
 use crate::solution::hypotheses::{Fitted, Hypothesis, LEAST_MM};
-use crate::solution::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
+use crate::solution::placing::{PLAIN, UNEXPLAINED, place, shown_parameters, spread_mm, spread_over, with_few_targets};
 use crate::solution::scatter::shown_noise_mm;
 use crate::solution::slips::{Change, changes, shifted};
 use crate::warning::{Origin, SetUpError, Subject, Warning};
@@ -70,9 +70,11 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
 /// tolerances allow, as far as base and targets, at `values`, do not absorb it; NaN where the robot
 /// cannot be at the joint values.
 pub fn tolerance_effect_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
-    let of = |role: fn(Role) -> bool| (0..values.len()).filter(move |&i| role(robot.parameters()[i].role));
-    let places: Vec<usize> = of(|role| role != Role::Robot).collect();
-    let free: Vec<usize> = places.iter().copied().chain(of(|role| role == Role::Robot)).collect();
+    let few = with_few_targets(robot, observations);
+    let observations = few.as_ref().map_or(observations, |few| &few.0);
+    let shown = shown_parameters(robot, observations);
+    let (own, places): (Vec<usize>, _) = shown.iter().partition(|&&i| robot.parameters()[i].role == Role::Robot);
+    let free = [places.as_slice(), &own].concat();
     let problem = Residuals::new(robot, observations, &PLAIN, &free, values).ok()?;
     let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
     let (factor, norms) = factor_at(&problem, &x);
@@ -117,13 +119,15 @@ pub fn far_from_nominal(
 /// The change of the set-up that explains the measurements, if they cannot be explained without a
 /// change.
 ///
-/// Each hypothesis is fitted separately. Its criterion is the sum of squares of standardised
+/// Each hypothesis is fitted separately, to some of the poses and of many targets. Its criterion is the sum of squares of standardised
 /// residuals and of deviations from nominal over tolerances. The standard deviation of a coordinate
 /// is the smallest of all fits, and at least `noise_mm`.
 pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<SetUpError> {
     if observations.is_empty() {
         return None;
     }
+    let few = with_few_targets(robot, observations);
+    let observations = few.as_ref().map_or(observations, |few| &few.0);
     let subset = spread_over(observations, SUBSET);
     let least_mm = shown_noise_mm(robot, observations, noise_mm).max(LEAST_MM);
     let stated = Case::placed(robot, &subset, false);
