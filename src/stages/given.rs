@@ -225,10 +225,11 @@ impl ExpectedDeviation {
             return Ok(Self { measured_mm, model_mm, variance: Variance::Estimated(dof) });
         };
         let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
-        // only where chi-square rejects that the instrument explains all
+        // only where chi-square rejects that the instrument explains all; residuals of positions alone,
+        // because other kinds have their own misfit
         let rejected = residuals.chi_square_rejected && dof > 0.0;
-        let excess = residuals.chi_square.map_or(0.0, |chi_square| (chi_square / dof - 1.0).max(0.0));
-        let model_mm = if rejected { u * excess.sqrt() } else { 0.0 };
+        let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
+        let model_mm = if rejected { (shown_mm.powi(2) - u.powi(2)).max(0.0).sqrt() } else { 0.0 };
         let variance = if model_mm > 0.0 { Variance::Estimated(dof) } else { Variance::Stated };
         Ok(Self { measured_mm: stated_mm.unwrap_or(u), model_mm, variance })
     }

@@ -1,326 +1,248 @@
-//! Misfit as a field over joint space: model errors are alike at neighbouring poses.
+//! Covariance of effective parameters by a jackknife over regions of joint space.
 //!
-//! A reading of target k at pose i is off by f(qᵢ) + e: f is a Gaussian process, independent along
-//! each axis of the world and common to all targets of a pose, with a Matérn covariance v (1 + d)
-//! exp(−d), d = √3 |qᵢ − qⱼ| / ℓ (smoothness 3/2; Rasmussen & Williams 2006, eq. 4.17); e is white.
-//! The variances and the length ℓ are those of largest restricted likelihood (REML; Patterson &
-//! Thompson 1971; Harville 1977), in which the parameters that were identified are integrated out.
+//! A model that lacks an effect leaves a misfit that is alike at neighbouring poses. Least squares
+//! then estimates effective parameters: those that describe the robot best over the region of the
+//! measured poses (White 1982). The scatter of the estimate from region to region is their
+//! uncertainty. Each region is left out once, to first order (delete-a-group jackknife, CR3 in
+//! Bell & McCaffrey 2002): C = F (Σ h hᵀ) Fᵀ with h = Qᵀ (I − Q Qᵀ)⁻¹ r, Q = J F of the region's
+//! rows, F Fᵀ = (Jᵀ J)⁻¹.
+//!
+//! Few regions show the scatter of slow misfit but not every direction of the parameters. The sum
+//! is therefore the mean over several divisions, and is shrunk towards a common factor of the
+//! classical covariance (Ledoit & Wolf 2004, J. Multivar. Anal. 88, 365). Both make it a continuous
+//! function of the data. docs/decisions/0012 compares the alternatives.
 
 use crate::model::elimination::{Remaining, carried, transposed_times};
 use crate::model::residuals::Residuals;
+use etalon_base::noise::Noise;
 use etalon_robots::Quantity;
-use nalgebra::{Cholesky, DMatrix, DMatrixView, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rayon::prelude::*;
 
-/// Candidate lengths ℓ (rad); for prismatic joints, shares of half their range.
-const LENGTHS: [f64; 5] = [0.3, 0.7, 1.5, 3.0, 6.0];
-/// Candidate ratios of the variance of the field to that of a white residual.
-const RATIOS: [f64; 7] = [0.1, 0.4, 1.6, 6.4, 25.0, 100.0, 400.0];
-/// Maximum number of poses from which length and variances are estimated.
-const ESTIMATED_FROM: usize = 64;
-/// Number of poses whose mutual covariances are summed at once.
-const SUMMED: usize = 200;
-/// Fall of −2 ln L that noise alone exceeds in one of a hundred campaigns: chi-square of two more
-/// parameters, variance and length.
-const SIGNIFICANT: f64 = 9.21;
-/// Rise of −2 ln L up to which variance and length are compatible with the best ones, at a level of
-/// 0.1 % (chi-square of two).
-const AS_PROBABLE: f64 = 13.82;
-/// Maximum number of iterations per eigenvalue, for which two are usual.
-const EIGEN_STEPS: usize = 100;
-/// Minimum number of poses for a field.
-const FEWEST: usize = 8;
+/// Number of regions that poses are divided into.
+const REGIONS: usize = 8;
+/// Minimum number of poses of a region.
+const POSES: usize = 2;
+/// Minimum number of regions.
+const FEWEST: usize = 4;
+/// Number of divisions: one by the order of measurement, the others along random directions of
+/// joint space.
+const DIVISIONS: usize = 8;
+/// Seed of the random directions.
+const SEED: u64 = 60;
+/// Smallest share (1 − leverage) of an error that a residual may show; a region that determines a
+/// direction almost alone counts with this share.
+const SHOWN: f64 = 0.05;
 
-/// The field in the residuals of a solution.
-pub(crate) struct Field {
-    /// Fᵀ Jᵀ V J F of the readings with the covariance V of the field, and with that of the white
-    /// rest.
-    parts: [DMatrix<f64>; 2],
-    /// Effective degrees of freedom of both variances.
-    degrees: [f64; 2],
+/// Scatter of the parameters between regions.
+pub(crate) struct Regional {
+    /// Σ h hᵀ, the covariance in the coordinates in which Jᵀ J is the identity.
+    middle: DMatrix<f64>,
+    /// Effective degrees of freedom of each variance.
+    degrees: Vec<f64>,
 }
 
-/// A pose: its joint values and the rows of its readings.
+/// A pose: its joint values in units of their scatter, and its rows.
 struct Pose {
     joints: Vec<f64>,
-    /// First row and number of readings.
-    first: usize,
-    readings: usize,
+    rows: Vec<usize>,
 }
 
-/// Rows along one axis, with one column for each parameter and the residuals as the last column:
-/// sums over the readings of a pose.
-struct Sums {
-    axes: Vec<DMatrix<f64>>,
-}
-
-/// Variances and length with their −2 ln L.
-#[derive(Clone, Copy)]
-struct Estimate {
-    improbability: f64,
-    white: f64,
-    ratio: f64,
-    length: f64,
-    /// Sum of the variances of the parameters from the field, relative to those of the columns.
-    spread: f64,
-}
-
-impl Field {
-    /// Field of residuals; the Jacobian has one row per residual. `None` if readings are not
-    /// coordinates in one unit, or if no field is detected.
+impl Regional {
+    /// Scatter of the parameters of a linear problem; `None` with fewer than eight poses, or if a
+    /// reading is common to several poses.
     pub fn new(problem: &Residuals, remaining: &Remaining) -> Option<Self> {
+        let parts = divisions(problem)?;
         let Remaining { residuals, jacobian, root } = remaining;
-        let poses = poses(problem)?;
-        let n = jacobian.len() / residuals.len();
-        let dimension = problem.robot.dimension();
-        let rows = Rows { residuals, jacobian, n, dimension };
-        let sample = near_each_other(&poses);
-        let sums = rows.sums(&sample, |p| 1.0 / (p.readings as f64).sqrt());
-        let stated = rows.stated(problem.measured_count());
-        let found = estimate(&sample, &sums, &stated)?;
-        let least = problem.noise(None).powi(2);
-        let (variance, white) = (found.ratio * found.white, found.white.max(least));
-
-        let step = poses.len().div_ceil(SUMMED);
-        let some: Vec<&Pose> = poses.iter().step_by(step).collect();
-        // J F has orthogonal columns: sums of its squares keep the digits of all parameters
-        let white_jacobian = transposed_times(root.as_view(), DMatrixView::from_slice(jacobian, n, residuals.len()));
-        let rows = Rows { jacobian: white_jacobian.as_slice(), ..rows };
-        let correlation = correlation(&some, found.length);
-        let share = (poses.len() as f64 / some.len() as f64).powi(2);
-        let mut of_field = DMatrix::zeros(n, n);
-        for axis in rows.sums(&some, |_| 1.0).axes {
-            let axis = axis.columns(0, n);
-            of_field += transposed_times(axis, (&correlation * axis).as_view()) * (share * variance);
-        }
-        // means of a pose have the white variance, differences from these their own
-        let all: Vec<&Pose> = poses.iter().collect();
-        let means = rows.sums(&all, |p| 1.0 / (p.readings as f64).sqrt());
-        let count = problem.measured_count();
-        let differences = rows.differences(&means, count).max(least);
-        let measured = white_jacobian.columns(0, count);
-        let mut of_means = DMatrix::zeros(n, n);
-        means.axes.iter().for_each(|axis| of_means += transposed_times(axis.columns(0, n), axis.columns(0, n)));
-        let of_rest = (measured * measured.transpose() - &of_means) * differences + of_means * white;
-        let degrees = degrees(&sample, &found, dimension, n);
-        Some(Self { parts: [of_field, of_rest], degrees })
+        let (n, measured) = (root.nrows(), problem.measured_count());
+        let q = DMatrix::from_row_slice(measured, n, &jacobian[..measured * n]) * root;
+        let scatter = |rows: &Vec<usize>| influence(&q, residuals, rows);
+        let steps: Vec<DMatrix<f64>> = parts
+            .par_iter()
+            .map(|part| DMatrix::from_columns(&part.iter().map(scatter).collect::<Vec<DVector<f64>>>()))
+            .collect();
+        let shrunk: Vec<(DMatrix<f64>, f64)> = steps.iter().map(shrink).collect();
+        let mean = |all: &mut dyn Iterator<Item = f64>| all.sum::<f64>() / DIVISIONS as f64;
+        let middle = shrunk.iter().fold(DMatrix::zeros(n, n), |sum, (m, _)| sum + m) / DIVISIONS as f64;
+        let share = mean(&mut shrunk.iter().map(|(_, share)| *share));
+        let degrees = Degrees { q: &q, root, parts: &parts, rows: q.nrows() }.all(share);
+        Some(Self { middle, degrees })
     }
 
-    /// Covariance of the parameters from the readings, A⁻¹ Jᵀ V J A⁻¹ with A⁻¹ = F Fᵀ, and the
-    /// effective degrees of freedom of each variance (Satterthwaite; GUM G.4.1).
+    /// Covariance of the parameters, row by row, and their effective degrees of freedom.
     pub fn covariance(&self, root: &DMatrix<f64>) -> (Vec<f64>, Vec<f64>) {
-        let parts = self.parts.each_ref().map(|part| carried(root, part));
-        let degrees = |k: usize| {
-            let [field, rest] = parts.each_ref().map(|part| part[(k, k)].max(0.0));
-            (field + rest).powi(2) / (field.powi(2) / self.degrees[0] + rest.powi(2) / self.degrees[1])
-        };
-        ((&parts[0] + &parts[1]).as_slice().to_vec(), (0..root.nrows()).map(degrees).collect())
+        (carried(root, &self.middle).as_slice().to_vec(), self.degrees.clone())
     }
 }
 
-/// Poses with readings; `None` if residuals are not coordinates, or have their own covariances.
+/// Rows of the regions of each division; `None` with fewer than eight poses, or if a reading is
+/// common to several poses.
+pub(crate) fn divisions(problem: &Residuals) -> Option<Vec<Vec<Vec<usize>>>> {
+    let poses = poses(problem)?;
+    let regions = REGIONS.min(poses.len() / POSES);
+    (regions >= FEWEST).then(|| (0..DIVISIONS).map(|k| divide(&poses, regions, k)).collect())
+}
+
+/// Poses in the order of measurement; `None` if residuals are whitened, so that they belong to
+/// several poses.
 fn poses(problem: &Residuals) -> Option<Vec<Pose>> {
-    if !problem.is_coordinates() || problem.is_whitened() || problem.is_weighted() {
+    if problem.is_whitened() {
         return None;
     }
-    let (joints, dimension) = (problem.robot.joints(), problem.robot.dimension());
+    let mut all: Vec<Pose> = Vec::new();
+    let mut index = std::collections::BTreeMap::new();
     let mut row = 0;
-    let mut all = Vec::new();
-    for (values, rows) in problem.coordinate_rows() {
-        if rows > 0 {
-            all.push(Pose { joints: values[..joints.len()].to_vec(), first: row, readings: rows / dimension });
-        }
+    for (name, joints, rows) in problem.pose_rows() {
+        let at = *index.entry(name).or_insert_with(|| {
+            all.push(Pose { joints: joints.to_vec(), rows: Vec::new() });
+            all.len() - 1
+        });
+        all[at].rows.extend(row..row + rows);
         row += rows;
     }
-    let sliding = (0..joints.len()).filter(|&j| joints[j].quantity == Quantity::Length);
-    for j in sliding {
-        let end = |pick: fn(f64, f64) -> f64| all.iter().map(|p| p.joints[j]).reduce(pick).unwrap_or(0.0);
-        let half = 0.5 * (end(f64::max) - end(f64::min));
-        all.iter_mut().for_each(|p| p.joints[j] /= if half > 0.0 { half } else { 1.0 });
+    all.retain(|pose| !pose.rows.is_empty());
+    let count = all.len() as f64;
+    for j in 0..problem.robot.joints().len() {
+        let mean = all.iter().map(|pose| pose.joints[j]).sum::<f64>() / count;
+        let scatter = (all.iter().map(|pose| (pose.joints[j] - mean).powi(2)).sum::<f64>() / count).sqrt();
+        let scale = if scatter > f64::EPSILON * mean.abs() { 1.0 / scatter } else { 0.0 };
+        all.iter_mut().for_each(|pose| pose.joints[j] *= scale);
     }
-    (all.len() >= FEWEST).then_some(all)
+    Some(all)
 }
 
-/// Subset of many poses that is spread over all poses, each with its nearest neighbour: it shows
-/// both length scales and noise.
-fn near_each_other(poses: &[Pose]) -> Vec<&Pose> {
-    if poses.len() <= ESTIMATED_FROM {
-        return poses.iter().collect();
-    }
-    let step = poses.len().div_ceil(ESTIMATED_FROM / 2);
-    let mut taken = vec![false; poses.len()];
-    (0..poses.len()).step_by(step).for_each(|k| taken[k] = true);
-    for k in (0..poses.len()).step_by(step) {
-        let others = (0..poses.len()).filter(|&j| !taken[j]).map(|j| (distance(&poses[k], &poses[j]), j));
-        if let Some((_, nearest)) = others.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            taken[nearest] = true;
+/// Rows of each region of division `number`. Parts are halved along a random direction of joint
+/// space, the largest part first; the first division is along the order of measurement.
+fn divide(poses: &[Pose], regions: usize, number: usize) -> Vec<Vec<usize>> {
+    let mut noise = Noise::new(SEED, number as u64);
+    let mut parts: Vec<Vec<usize>> = vec![(0..poses.len()).collect()];
+    while parts.len() < regions {
+        let Some(k) = (0..parts.len()).max_by_key(|&k| (parts[k].len(), std::cmp::Reverse(k))) else { break };
+        let mut part = parts.swap_remove(k);
+        if number > 0 {
+            let along: Vec<f64> = poses[0].joints.iter().map(|_| noise.gaussian(1.0)).collect();
+            let place = |i: &usize| poses[*i].joints.iter().zip(&along).map(|(q, a)| q * a).sum::<f64>();
+            part.sort_by(|a, b| place(a).total_cmp(&place(b)));
         }
+        let rest = part.split_off(part.len() / 2);
+        parts.extend([part, rest]);
     }
-    poses.iter().zip(taken).filter(|(_, taken)| *taken).map(|(pose, _)| pose).collect()
+    parts.iter().map(|part| part.iter().flat_map(|&i| poses[i].rows.iter().copied()).collect()).collect()
 }
 
-fn distance(a: &Pose, b: &Pose) -> f64 {
-    a.joints.iter().zip(&b.joints).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
-}
-
-fn correlation(poses: &[&Pose], length: f64) -> DMatrix<f64> {
-    let mut all = DMatrix::identity(poses.len(), poses.len());
-    for (i, j) in (0..poses.len()).flat_map(|j| (0..j).map(move |i| (i, j))) {
-        let d = 3f64.sqrt() * distance(poses[i], poses[j]) / length;
-        (all[(i, j)], all[(j, i)]) = ((1.0 + d) * (-d).exp(), (1.0 + d) * (-d).exp());
+/// Change of the parameters without these rows, in the coordinates in which Jᵀ J is the identity.
+fn influence(q: &DMatrix<f64>, residuals: &[f64], rows: &[usize]) -> DVector<f64> {
+    let n = q.ncols();
+    let mut part = DMatrix::from_fn(rows.len(), n, |i, k| q[(rows[i], k)]);
+    let mut r = DVector::from_fn(rows.len(), |i, _| residuals[rows[i]]);
+    if rows.len() > n {
+        // of many rows the factor has the same products
+        let qr = part.qr();
+        qr.q_tr_mul(&mut r);
+        (part, r) = (qr.r(), r.rows(0, n).into_owned());
     }
-    all
+    let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(&part * part.transpose());
+    let along = eigenvectors.tr_mul(&r);
+    let shown = along.zip_map(&eigenvalues, |a, leverage| a / (1.0 - leverage).max(SHOWN));
+    part.tr_mul(&(eigenvectors * shown))
 }
 
-/// All residuals and their Jacobian.
-struct Rows<'a> {
-    residuals: &'a [f64],
-    jacobian: &'a [f64],
-    n: usize,
-    dimension: usize,
+/// Σ h hᵀ of the columns h, shrunk towards a multiple of the identity, and the share of that
+/// multiple: the ratio of the variance of the sum to its distance from the multiple (Ledoit & Wolf
+/// 2004, lemma 3.4).
+fn shrink(steps: &DMatrix<f64>) -> (DMatrix<f64>, f64) {
+    let (n, count) = (steps.nrows() as f64, steps.ncols() as f64);
+    let sum = transposed_times(steps.transpose().as_view(), steps.transpose().as_view());
+    let mean = sum.trace() / n;
+    let fourths: f64 = steps.column_iter().map(|h| h.norm_squared().powi(2)).sum();
+    let (variance, distance) =
+        (fourths - sum.norm_squared() / count, sum.norm_squared() - sum.trace().powi(2) / n);
+    let share = if distance > 0.0 { (variance / distance).clamp(0.0, 1.0) } else { 1.0 };
+    let size = steps.nrows();
+    (sum * (1.0 - share) + DMatrix::identity(size, size) * (share * mean), share)
 }
 
-impl Rows<'_> {
-    /// Sums of the rows of each pose along each axis, times what `scale` gives.
-    fn sums(&self, poses: &[&Pose], scale: impl Fn(&Pose) -> f64) -> Sums {
-        let n = self.n;
-        let mut axes = vec![DMatrix::zeros(poses.len(), n + 1); self.dimension];
-        for (i, pose) in poses.iter().enumerate() {
-            let scale = scale(pose);
-            for (k, row) in (pose.first..pose.first + pose.readings * self.dimension).enumerate() {
-                let axis = &mut axes[k % self.dimension];
-                let here = &self.jacobian[row * n..][..n];
-                here.iter().enumerate().for_each(|(j, v)| axis[(i, j)] += scale * v);
-                axis[(i, n)] += scale * self.residuals[row];
+/// Effective degrees of freedom for independent residuals (Satterthwaite; GUM G.4.1).
+struct Degrees<'a> {
+    q: &'a DMatrix<f64>,
+    root: &'a DMatrix<f64>,
+    /// Rows of the regions of each division.
+    parts: &'a [Vec<Vec<usize>>],
+    rows: usize,
+}
+
+impl Degrees<'_> {
+    /// Degrees of all parameters. The variance of a mean over divisions is ρᵀ M ρ with the row ρ of
+    /// F: a sum of squares of bᵀ r, one b a region. Two of them have the product of their common
+    /// rows. The common factor has the degrees of freedom of all directions together.
+    fn all(&self, share: f64) -> Vec<f64> {
+        let labels: Vec<Vec<usize>> = self.parts.iter().map(|parts| self.labels(parts)).collect();
+        let sensitivities = self.q * self.root.transpose();
+        let degrees: Vec<f64> = (0..self.root.nrows())
+            .into_par_iter()
+            .map(|k| self.of_sum(&labels, sensitivities.column(k).map(|v| v * v).as_slice()))
+            .collect();
+        let of_factor: f64 = degrees.iter().sum();
+        let all = |d: f64| 1.0 / ((1.0 - share).powi(2) / d + share.powi(2) / of_factor);
+        degrees.into_iter().map(all).collect()
+    }
+
+    /// Region of each row.
+    fn labels(&self, parts: &[Vec<usize>]) -> Vec<usize> {
+        let mut labels = vec![0; self.rows];
+        parts.iter().enumerate().for_each(|(k, rows)| rows.iter().for_each(|&row| labels[row] = k));
+        labels
+    }
+
+    /// Degrees of a sum in which the rows have these weights.
+    fn of_sum(&self, labels: &[Vec<usize>], weights: &[f64]) -> f64 {
+        let mut squares = 0.0;
+        for (a, first) in labels.iter().enumerate() {
+            for second in &labels[..=a] {
+                let mut common = [0.0; REGIONS * REGIONS];
+                for ((&i, &j), w) in first.iter().zip(second).zip(weights) {
+                    common[i * REGIONS + j] += w;
+                }
+                let sum: f64 = common.iter().map(|c| c * c).sum();
+                squares += if std::ptr::eq(first, second) { sum } else { 2.0 * sum };
             }
         }
-        Sums { axes }
+        let total: f64 = weights.iter().sum::<f64>() * labels.len() as f64;
+        total * total / squares
     }
-
-    /// Rows after the readings: stated values and nominal values.
-    fn stated(&self, measured: usize) -> DMatrix<f64> {
-        let count = self.residuals.len() - measured;
-        let of = |i: usize, j: usize| match j {
-            j if j < self.n => self.jacobian[(measured + i) * self.n + j],
-            _ => self.residuals[measured + i],
-        };
-        DMatrix::from_fn(count, self.n + 1, of)
-    }
-
-    /// Variance of readings about the means of their poses; 0 with one reading per pose.
-    fn differences(&self, means: &Sums, measured: usize) -> f64 {
-        let of_means: f64 = means.axes.iter().map(|axis| axis.column(self.n).norm_squared()).sum();
-        let rows = measured - means.axes.iter().map(DMatrix::nrows).sum::<usize>();
-        let squares: f64 = self.residuals[..measured].iter().map(|r| r * r).sum();
-        if rows > 0 { (squares - of_means).max(0.0) / rows as f64 } else { 0.0 }
-    }
-}
-
-/// The estimate of largest restricted likelihood; `None` if white residuals are equally probable.
-fn estimate(poses: &[&Pose], sums: &Sums, stated: &DMatrix<f64>) -> Option<Estimate> {
-    let readings: Vec<f64> = poses.iter().map(|p| (p.readings as f64).sqrt()).collect();
-    let white = improbability(&DVector::zeros(poses.len()), sums, stated)?;
-    let n = stated.ncols() - 1;
-    let squares: Vec<f64> = (0..n)
-        .map(|k| sums.axes.iter().map(|axis| axis.column(k).norm_squared()).sum::<f64>().max(f64::MIN_POSITIVE))
-        .collect();
-    let of_length = |&length: &f64| {
-        let correlation = correlation(poses, length);
-        let of_axis = |axis: &DMatrix<f64>| -> f64 {
-            let moved = &correlation * axis.columns(0, n);
-            (0..n).map(|k| moved.column(k).dot(&axis.column(k)) / squares[k]).sum()
-        };
-        let spread: f64 = sums.axes.iter().map(of_axis).sum();
-        let shared = DMatrix::from_fn(poses.len(), poses.len(), |i, j| readings[i] * readings[j] * correlation[(i, j)]);
-        let most = EIGEN_STEPS * poses.len();
-        let Some(SymmetricEigen { eigenvectors, eigenvalues }) = SymmetricEigen::try_new(shared, f64::EPSILON, most)
-        else {
-            return Vec::new();
-        };
-        let turned = |axis: &DMatrix<f64>| transposed_times(eigenvectors.as_view(), axis.as_view());
-        let turned = Sums { axes: sums.axes.iter().map(turned).collect() };
-        let of_ratio = |&ratio: &f64| {
-            let (improbability, white) = improbability(&(&eigenvalues * ratio), &turned, stated)?;
-            Some(Estimate { improbability, white, ratio, length, spread: ratio * white * spread })
-        };
-        RATIOS.iter().filter_map(of_ratio).collect::<Vec<Estimate>>()
-    };
-    let all: Vec<Estimate> = LENGTHS.par_iter().flat_map_iter(of_length).collect();
-    let best = all.iter().min_by(|a, b| a.improbability.total_cmp(&b.improbability))?;
-    if white.0 - best.improbability <= SIGNIFICANT {
-        return None;
-    }
-    // of those that are as probable but for chance, the one that leaves most uncertain
-    let as_probable = all.iter().filter(|e| e.improbability <= best.improbability + AS_PROBABLE);
-    as_probable.max_by(|a, b| a.spread.total_cmp(&b.spread)).copied()
-}
-
-/// −2 ln of the restricted likelihood without a constant, and the variance of a white residual at
-/// its maximum. The rows of `sums` are along the eigenvectors of the covariance of the field;
-/// `shared` are its eigenvalues relative to the white variance.
-fn improbability(shared: &DVector<f64>, sums: &Sums, stated: &DMatrix<f64>) -> Option<(f64, f64)> {
-    let (poses, n) = (shared.len(), stated.ncols() - 1);
-    let variances = shared.map(|v| 1.0 + v.max(0.0));
-    let weights = variances.map(|v| 1.0 / v.sqrt());
-    let mut normal = transposed_times(stated.as_view(), stated.as_view());
-    for axis in &sums.axes {
-        let white = DMatrix::from_fn(poses, n + 1, |i, k| axis[(i, k)] * weights[i]);
-        normal += transposed_times(white.as_view(), white.as_view());
-    }
-    let information = Cholesky::new(normal.view((0, 0), (n, n)).into_owned())?;
-    let right = normal.view((0, n), (n, 1)).into_owned();
-    let squares = normal[(n, n)] - right.dot(&information.solve(&right));
-    let degrees = (poses * sums.axes.len() + stated.nrows()) as f64 - n as f64;
-    let of_information = 2.0 * information.l_dirty().diagonal().iter().map(|v| v.ln()).sum::<f64>();
-    let of_field = variances.iter().map(|v| v.ln()).sum::<f64>();
-    let determinants = sums.axes.len() as f64 * of_field + of_information;
-    let white = squares / degrees;
-    (degrees >= 1.0 && white > 0.0).then(|| (degrees * white.ln() + determinants, white))
-}
-
-/// Effective degrees of freedom of the variance of the field and of the white residuals: twice the
-/// information on its logarithm.
-fn degrees(poses: &[&Pose], found: &Estimate, dimension: usize, parameters: usize) -> [f64; 2] {
-    let correlation = correlation(poses, found.length) * found.ratio;
-    let eigen = correlation.symmetric_eigenvalues();
-    let of_field: f64 = eigen.iter().map(|v| (v / (1.0 + v)).powi(2)).sum();
-    let of_rest = (poses.len() * dimension) as f64 - parameters as f64;
-    [(dimension as f64 * of_field).max(1.0), of_rest.max(1.0)]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn poses(readings: usize) -> Vec<Pose> {
-        (0..4).map(|i| Pose { joints: vec![0.1 * i as f64], first: readings * i, readings }).collect()
+    /// Two regions with influences (1, 0) and (0, 2): Σ h hᵀ = diag(1, 4), its mean 2.5; fourth
+    /// powers 17, variance 17 − 17/2, distance 17 − 25/2: the share is beyond 1.
+    #[test]
+    fn the_share_of_the_common_factor_by_hand() {
+        let (all, share) = shrink(&DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 2.0]));
+        assert_eq!((all, share), (DMatrix::from_diagonal_element(2, 2, 2.5), 1.0));
+        // eight equal influences have no variance: nothing is shrunk
+        let (all, share) = shrink(&DMatrix::from_fn(2, 8, |i, _| [1.0, 0.0][i]));
+        assert_eq!((all, share), (DMatrix::from_row_slice(2, 2, &[8.0, 0.0, 0.0, 0.0]), 0.0));
     }
 
-    /// Information of a mean of white readings: 3 ln s² + ln 4 with s² = 10/3. If all share half of
-    /// their variance, V = s² (I + 11ᵀ), ln |I + 11ᵀ| = ln 5, and the mean has the information 4/5.
+    /// The mean of readings 0, 0, 6, 6 in two regions: residuals −3, −3, 3, 3. Without the first
+    /// region the mean is 6, 3 away from 3; h in units of F = 1/2 is −6.
     #[test]
-    fn the_restricted_likelihood_of_a_mean_by_hand() {
-        let (residuals, jacobian) = ([1.0, -1.0, 2.0, -2.0], [1.0; 4]);
-        let rows = Rows { residuals: &residuals, jacobian: &jacobian, n: 1, dimension: 1 };
-        let all = poses(1);
-        let sums = rows.sums(&all.iter().collect::<Vec<_>>(), |_| 1.0);
-        let none = rows.stated(4);
-        for (shared, determinants) in [(0.0, 4f64.ln()), (1.0, 5f64.ln() + 0.8f64.ln())] {
-            let SymmetricEigen { eigenvectors, eigenvalues } = DMatrix::from_element(4, 4, shared).symmetric_eigen();
-            let turned = Sums { axes: sums.axes.iter().map(|axis| eigenvectors.tr_mul(axis)).collect() };
-            let (improbability, white) = improbability(&eigenvalues, &turned, &none).unwrap();
-            assert!((white - 10.0 / 3.0).abs() < 1e-12, "{white}");
-            assert!((improbability - 3.0 * (10f64 / 3.0).ln() - determinants).abs() < 1e-12, "{improbability}");
-        }
+    fn the_influence_of_a_region_is_the_change_without_it() {
+        let q = DMatrix::from_element(4, 1, 0.5);
+        let h = influence(&q, &[-3.0, -3.0, 3.0, 3.0], &[0, 1]);
+        assert!((h[0] + 6.0).abs() < 1e-12, "{}", h[0]);
     }
 
-    /// Two readings of each pose that differ by 2: variance 2 about the means.
+    /// One division into eight regions of equal weight has eight degrees of freedom.
     #[test]
-    fn differences_within_poses_by_hand() {
-        let (residuals, jacobian) = ([1.0, -1.0, 2.0, 0.0, 5.0, 3.0, 0.0, -2.0], [1.0; 8]);
-        let rows = Rows { residuals: &residuals, jacobian: &jacobian, n: 1, dimension: 1 };
-        let all = poses(2);
-        let means = rows.sums(&all.iter().collect::<Vec<_>>(), |p| 1.0 / (p.readings as f64).sqrt());
-        assert!((rows.differences(&means, 8) - 2.0).abs() < 1e-12);
+    fn degrees_of_freedom_of_one_division() {
+        let q = DMatrix::from_element(16, 1, 0.25);
+        let root = DMatrix::from_element(1, 1, 0.25);
+        let parts = vec![(0..8).map(|k| vec![2 * k, 2 * k + 1]).collect::<Vec<_>>()];
+        let degrees = Degrees { q: &q, root: &root, parts: &parts, rows: 16 }.all(0.0);
+        assert!((degrees[0] - 8.0).abs() < 1e-12, "{degrees:?}");
     }
 }

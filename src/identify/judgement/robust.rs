@@ -2,6 +2,7 @@
 //! others, and the poses that disagree with the rest.
 
 use crate::Result;
+use crate::judgement::regional;
 use crate::model::residuals::{OF_MEDIAN, ResidualKind, Residuals};
 use crate::{Identification, Observation, Settings};
 use etalon_base::pose_name::PoseName;
@@ -24,8 +25,6 @@ const FITS: usize = 3;
 /// Cap of the residuals, in standard deviations, in the scatter of the poses: gross errors must not
 /// make the difference that they cause look probable.
 const CLIPPED: f64 = 2.5;
-/// Regions of joint space per parameter, if poses are many.
-const REGIONS_PER_PARAMETER: usize = 3;
 
 /// A parameter in both fits.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -190,24 +189,35 @@ fn differences(problem: &Residuals, x: &[f64], r: &[f64], n: usize) -> Option<Ve
     let jacobian = problem.jacobian_at(x);
     let loss = Loss::Cauchy(CAUCHY);
     let curvature = mean(r.iter().map(|&r| loss.curvature(r)));
-    let mut steps: BTreeMap<PoseName, DVector<f64>> = BTreeMap::new();
-    for (row, cluster) in problem.clusters(REGIONS_PER_PARAMETER * n).into_iter().enumerate().take(r.len()) {
+    let step = |row: usize| {
         let j = DVector::from_column_slice(&jacobian[row * n..][..n]);
         // a residual is smaller than the error, as far as the fit follows it
         let redundancy = (1.0 - (&inverse * &j).dot(&j)).max(0.1);
         let r = (r[row] / redundancy.sqrt()).clamp(-CLIPPED, CLIPPED);
-        let step = loss.influence(r) / curvature.max(0.5) - r;
-        *steps.entry(cluster).or_insert_with(|| DVector::zeros(n)) += j * step;
-    }
-    let count = steps.len() as f64;
+        j * (loss.influence(r) / curvature.max(0.5) - r)
+    };
+    let steps: Vec<DVector<f64>> = (0..r.len()).map(step).collect();
+    let divisions = regional::divisions(problem).unwrap_or_else(|| vec![by_cluster(problem)]);
     let mut scatter = vec![0.0; n];
-    for step in steps.values() {
-        let step = &inverse * step;
-        scatter.iter_mut().zip(step.iter()).for_each(|(sum, step)| *sum += step * step);
+    for parts in &divisions {
+        let count = parts.len() as f64;
+        let share = count / (count - 1.0).max(1.0) / divisions.len() as f64;
+        for part in parts {
+            let sum = part.iter().filter_map(|&row| steps.get(row)).fold(DVector::zeros(n), |sum, step| sum + step);
+            let step = &inverse * sum;
+            scatter.iter_mut().zip(step.iter()).for_each(|(sum, step)| *sum += share * step * step);
+        }
     }
     let normal = 1.0 / EFFICIENCY - 1.0;
-    let larger = |k: usize| (normal * inverse[(k, k)]).max(scatter[k] * count / (count - 1.0).max(1.0)).sqrt();
+    let larger = |k: usize| (normal * inverse[(k, k)]).max(scatter[k]).sqrt();
     Some((0..n).map(larger).collect())
+}
+
+/// Rows of each cluster.
+fn by_cluster(problem: &Residuals) -> Vec<Vec<usize>> {
+    let mut rows: BTreeMap<PoseName, Vec<usize>> = BTreeMap::new();
+    problem.clusters().into_iter().enumerate().for_each(|(row, cluster)| rows.entry(cluster).or_default().push(row));
+    rows.into_values().collect()
 }
 
 #[cfg(test)]

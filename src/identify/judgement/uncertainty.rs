@@ -5,7 +5,7 @@ use crate::error::quoted;
 use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
-use crate::judgement::regional::Field;
+use crate::judgement::regional::Regional;
 use crate::model::elimination::{Remaining, carried, root};
 use crate::model::frame_error::FrameError;
 use crate::model::prior::Prior;
@@ -42,9 +42,6 @@ pub enum UncertaintyFrom {
 
 /// Parameters of a group that a message names.
 const NAMED: usize = 40;
-/// Regions of joint space per parameter whose scatter gives a covariance, if there are twice as
-/// many poses.
-const REGIONS_PER_PARAMETER: usize = 3;
 
 /// Creates the identification of a solution, with its uncertainty.
 pub(crate) fn with_uncertainty(
@@ -277,7 +274,7 @@ fn from_residuals(
             ..Found::new(UncertaintyFrom::Nothing, None)
         };
     }
-    let found = by_field(problem, solution, jacobian);
+    let found = by_region(problem, solution, jacobian);
     if let Some(found) = found.or_else(|| Some(by_cluster(problem, solution, jacobian)?.0)) {
         return found;
     }
@@ -292,36 +289,31 @@ fn from_residuals(
 fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
     let (found, clusters) = by_cluster(problem, solution, jacobian).filter(|found| found.1.exceeds())?;
     let warning = warning!("pose-residuals-correlated", ratio = clusters.ratio.sqrt());
-    let found = by_field(problem, solution, jacobian).unwrap_or(found);
+    let found = by_region(problem, solution, jacobian).unwrap_or(found);
     Some(Found { warning: Some(warning), ..found })
 }
 
-/// Covariance from residuals that are alike in regions of joint space; `None` if they are not.
-fn by_field(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
+/// Covariance from the scatter between regions of joint space; `None` with few poses.
+fn by_region(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
     let remaining = Remaining::new(&problem.poses(), solution, problem.rows_of(jacobian))?;
-    let (covariance, degrees) = Field::new(problem, &remaining)?.covariance(&remaining.root);
+    let (covariance, degrees) = Regional::new(problem, &remaining)?.covariance(&remaining.root);
     let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
     Some(Found { degrees, ..Found::new(UncertaintyFrom::ResidualsByRegion, Some(covariance)) })
 }
 
-/// Covariance from the scatter of poses, or of regions of joint space if poses are many; `None` if
-/// there are too few.
+/// Covariance from the scatter of poses, or of readings common to several poses; `None` if there
+/// are too few.
 ///
 /// Of points that are eliminated the readings have the variance of all residuals, and the other
 /// parameters' covariance comes on top.
 pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
-    let factor = solution.factor.as_ref()?;
-    let n = factor.common().len();
-    let count = REGIONS_PER_PARAMETER * n;
-    let regions = !problem.is_whitened() && problem.pose_count() >= 2 * count;
-    let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
-    let numbers = problem.clusters(count);
+    let numbers = problem.clusters();
     let remaining = Remaining::new(&numbers, solution, problem.rows_of(jacobian))?;
     let Remaining { jacobian, residuals, root } = &remaining;
     let clusters = ByCluster::new(&numbers, root, residuals, jacobian).filter(ByCluster::is_usable)?;
     let (covariance, degrees) = (clusters.covariance.clone(), clusters.degrees_of_freedom.clone());
     let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
-    Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
+    Some((Found { degrees, ..Found::new(UncertaintyFrom::ResidualsByPose, Some(covariance)) }, clusters))
 }
 
 /// Covariance and degrees of freedom of all parameters, from those of the parameters that remain

@@ -245,9 +245,9 @@ impl<'a> Residuals<'a> {
         self.platform.is_none() && self.conditions.is_empty()
     }
 
-    /// Joints of each observation, with the number of its residuals.
-    pub fn coordinate_rows(&self) -> impl Iterator<Item = (&[f64], usize)> {
-        self.observations.iter().zip(&self.rows).map(|(o, &rows)| (o.joints.as_slice(), rows))
+    /// Pose and joints of every observation and condition, with the number of its residuals.
+    pub fn pose_rows(&self) -> impl Iterator<Item = (PoseName, &[f64], usize)> {
+        self.seen().map(|s| (s.pose, s.joints, s.rows))
     }
 
     /// The pose of each residual.
@@ -256,52 +256,12 @@ impl<'a> Residuals<'a> {
     }
 
     /// Cluster to which the error of each residual belongs: a reading common to several residuals,
-    /// or the pose; with at least twice as many poses as `count`, one of `count` regions of joint
-    /// space.
-    pub fn clusters(&self, count: usize) -> Vec<PoseName> {
-        if let Some(common) = &self.common {
-            return common.numbers(self.measured_count());
+    /// or the pose.
+    pub fn clusters(&self) -> Vec<PoseName> {
+        match &self.common {
+            Some(common) => common.numbers(self.measured_count()),
+            None => self.poses(),
         }
-        let regions = self.regions(count);
-        let of = |pose: PoseName| regions.get(&pose).map_or(pose, |&region| (region as i64).into());
-        self.seen().flat_map(|s| std::iter::repeat_n(of(s.pose), s.rows)).collect()
-    }
-
-    /// Poses, regardless of their repeats.
-    pub fn pose_count(&self) -> usize {
-        self.seen().map(|s| s.pose).collect::<BTreeSet<PoseName>>().len()
-    }
-
-    /// The region of each pose: the joints' ranges, divided into halves with equal numbers of poses
-    /// along the widest joint until there are `count` parts; empty if poses are fewer than twice as
-    /// many.
-    fn regions(&self, count: usize) -> BTreeMap<PoseName, usize> {
-        let poses: BTreeMap<PoseName, &[f64]> = self.seen().map(|s| (s.pose, s.joints)).collect();
-        let n = self.robot.joints().len();
-        if poses.len() < 2 * count || count < 2 {
-            return BTreeMap::new();
-        }
-        let range = |part: &[(PoseName, &[f64])], j: usize| {
-            let of = |pick: fn(f64, f64) -> f64| part.iter().map(|p| p.1[j]).reduce(pick).unwrap_or(0.0);
-            of(f64::max) - of(f64::min)
-        };
-        let whole: Vec<(PoseName, &[f64])> = poses.into_iter().collect();
-        let all: Vec<f64> = (0..n).map(|j| range(&whole, j)).collect();
-        let widest = |part: &[(PoseName, &[f64])]| {
-            let width = |j: usize| if all[j] > 0.0 { range(part, j) / all[j] } else { 0.0 };
-            (0..n).map(|j| (width(j), j)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0))
-        };
-        let mut parts = vec![whole];
-        while parts.len() < count {
-            let largest = (0..parts.len()).filter(|&k| parts[k].len() > 1);
-            let Some(k) = largest.max_by_key(|&k| parts[k].len()) else { break };
-            let mut part = parts.swap_remove(k);
-            let joint = widest(&part).1;
-            part.sort_by(|a, b| a.1[joint].total_cmp(&b.1[joint]));
-            let rest = part.split_off(part.len() / 2);
-            parts.extend([part, rest]);
-        }
-        parts.iter().enumerate().flat_map(|(k, part)| part.iter().map(move |p| (p.0, k))).collect()
     }
 
     /// The robot with all parameters `values`.
