@@ -5,31 +5,32 @@ use super::given::Given;
 use super::identify::{check_uncertainty, unread};
 use super::plan::candidates_of;
 use super::report::Reports;
-use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, progress, remark, validity};
 use crate::run::documents::read_parameters_and_run;
 use crate::stages::given::unknown_geometry;
 use crate::stages::joint_range::{self, Joints};
-use crate::stages::kinds;
-use crate::stages::positions;
+use crate::stages::kinds::{self, RowDefaults};
+use crate::stages::orientations::AngleOrder;
+use crate::stages::table_file::{TableFile, TableForm};
 use crate::stages::verification::{EarlierCalibration, plan, verify};
 use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems};
-use etalon_campaign::{RobotFile, read_robot};
+use etalon_base::message::{Message, Place, Problems};
+use etalon_campaign::{Campaign, ObservationsDefinition, RobotFile, read_robot};
 use etalon_documents::{
     CampaignReference, CampaignSummary, ParametersDocument, Presentation, VerificationDocument, to_json,
 };
+use etalon_identify::Settings;
 use etalon_identify::plan::candidates::Candidates;
 use etalon_report::Renderer;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Check whether identified parameters still apply, from a few measured poses.
 ///
-/// Nothing is identified. The positions of the targets are compared with the positions that the
-/// parameters predict. The difference is judged by the uncertainty of the measurement, of the
+/// Nothing is identified. The measured positions and orientations are compared with the values that
+/// the parameters predict. The difference is judged by the uncertainty of the measurement, of the
 /// parameters, and of the model in the calibration.
 #[derive(Debug, clap::Args)]
 #[command(
@@ -41,7 +42,8 @@ Exit code 1 if the parameters are no longer valid."
 )]
 pub struct Verify {
     /// Observations of the calibration's targets: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] in
-    /// the same world frame, and one column per joint with its unit.
+    /// the same world frame, and one column per joint with its unit; also of other kinds that the
+    /// calibration observed (docs/observations.md).
     #[arg(required_unless_present = "candidates")]
     observations: Option<PathBuf>,
     /// Candidates, instead of observations, from which the poses that detect the smallest changes
@@ -61,6 +63,18 @@ pub struct Verify {
     /// the calibration.
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
+    /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, if the
+    /// table has no `urot_deg`.
+    #[arg(long, value_name = "DEG")]
+    rotation_uncertainty_deg: Option<f64>,
+    /// Order of the angles `a_deg`, `b_deg`, `c_deg` of an orientation: "zyx" (successively about
+    /// the axes of the body), "fixed xyz" ...
+    #[arg(long, value_name = "ORDER")]
+    orientation: Option<String>,
+    /// Campaign whose `[observations]` state how the table is read, in place of the options of
+    /// tables.
+    #[arg(long, value_name = "CAMPAIGN")]
+    like: Option<PathBuf>,
     #[command(flatten)]
     bound: BoundOption,
     #[command(flatten)]
@@ -83,7 +97,7 @@ impl Verify {
         remark(validity::expired(&document, campaign.as_ref()).as_slice());
         remark(unknown_geometry(&document, &files::sha256(&files::read(&self.robot)?)).as_slice());
         let Some(observations) = &self.observations else { return self.plan(&robot_file, &document) };
-        let observed = self.format.read(observations)?;
+        let observed = self.table(observations)?;
         let described = robot_file.description_paths();
         let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;
         let mut found = self.verified(&robot_file, &document, &observed, inputs)?;
@@ -117,11 +131,16 @@ impl Verify {
         let here = |problems: Problems| observed.place(problems);
         let targets = kinds::targets(&observed.table, &robot_file.branches()).map_err(here)?;
         let mut robot = robot_file.build(&targets).map_err(here)?;
-        only_points(observed)?;
         let mut messages: Vec<Message> = unread(robot.as_ref(), observed).into_iter().collect();
         joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
-        let measured = positions::observations(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
+        let without = RowDefaults {
+            length_mm: stated_mm.or(document.residuals.stated_standard_uncertainty_mm),
+            rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
+            order: self.order()?,
+        };
+        let measured = kinds::observed(robot.as_mut(), &observed.table, without, Settings::default(), &mut messages);
+        let measured = measured.map_err(here)?;
         let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
         let mut found = verify(calibration, measured, inputs)?;
         found.messages.splice(0..0, messages);
@@ -130,6 +149,32 @@ impl Verify {
 }
 
 impl Verify {
+    /// Statements of the campaign of `--like` on its first table of observations.
+    fn like(&self) -> Result<Option<ObservationsDefinition>, Problems> {
+        let Some(folder) = &self.like else { return Ok(None) };
+        match Campaign::read(folder)?.file.observations.into_iter().next() {
+            Some(stated) => Ok(Some(stated)),
+            None => Err(error!("campaign-without-observations", campaign = folder.display().to_string()).into()),
+        }
+    }
+
+    /// The table of a file, read as options or the campaign of `--like` state it.
+    fn table(&self, path: &Path) -> Result<TableFile, Problems> {
+        match self.like()? {
+            Some(stated) => {
+                TableFile::observations(path, &etalon_formats::bytes_of(path)?, &TableForm::observations(&stated))
+            }
+            None => self.format.read(path),
+        }
+    }
+
+    /// Order of the angles of an orientation, from the option or the campaign of `--like`.
+    fn order(&self) -> Result<Option<AngleOrder>, Problems> {
+        let stated = self.like()?.and_then(|stated| stated.orientation).map(toml::Spanned::into_inner);
+        let order = self.orientation.clone().or(stated).map(|order| order.parse()).transpose();
+        order.map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))
+    }
+
     /// Chooses candidates to measure.
     fn plan(&self, robot_file: &RobotFile, document: &ParametersDocument) -> anyhow::Result<Verdict> {
         let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
@@ -148,15 +193,5 @@ impl Verify {
         let renderer = Renderer::verification_plan(&found, self.reports.over(Presentation::default())?)?;
         self.reports.write(&renderer)?;
         answer(&renderer, self.json.then(|| to_json(&found)).transpose()?)
-    }
-}
-
-/// Rejects other kinds of observations, because they would be ignored.
-fn only_points(observed: &TableFile) -> Result<(), Problems> {
-    // the uncertainty of a row is that of its position
-    let mut others = kinds::columns().into_iter().filter(|name| *name != "u_mm");
-    match others.find(|name| observed.table.column(name).is_ok()) {
-        Some(name) => Err(observed.place(error!("verify-other-column", column = name).into())),
-        None => Ok(()),
     }
 }

@@ -63,6 +63,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             uncertainties_from: etalon_documents::UncertaintyFrom::Instrument,
             chi_square_rejected: false,
             uncertainties_enlarged_by: 1.0,
+            conditions: Vec::new(),
         },
         reliability: None,
         robust: None,

@@ -5,10 +5,10 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_base::phrase;
 use etalon_identify::{
-    Contradicted, Group, Identification, Observability, Origin, RANK_TOLERANCE, SetUpError, Settings, SingularValue,
-    Status, Subject, Warning,
+    ConditionResiduals, Contradicted, Group, Identification, Observability, Origin, RANK_TOLERANCE, SetUpError,
+    Settings, SingularValue, Status, Subject, Warning,
 };
-use etalon_robots::Robot;
+use etalon_robots::{Quantity, Robot};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Largest group whose members list all other members; listing larger groups would grow with the
@@ -27,6 +27,18 @@ fn confounded(parameters: usize, groups: &[Group]) -> Vec<BTreeSet<usize>> {
         }
     }
     others
+}
+
+/// Residuals of a quantity in the unit of the document.
+fn quantity_residuals(found: &ConditionResiduals) -> QuantityResiduals {
+    let quantity = if found.kind.is_some() { Quantity::Length } else { Quantity::Angle };
+    QuantityResiduals {
+        quantity: found.kind.map_or(ErrorQuantity::Orientation, Into::into),
+        unit: quantity.unit().to_owned(),
+        count: found.count,
+        rms: quantity.outward(found.rms),
+        standard_uncertainty: quantity.outward(found.standard_uncertainty),
+    }
 }
 
 /// Creates the document of an identification. `before` holds the values with only base and targets
@@ -98,6 +110,7 @@ pub fn parameters_document(
             repeats: found.replicates.map(Into::into),
             uncertainties_from: found.uncertainty_from.into(),
             uncertainties_enlarged_by: found.inflation_factor,
+            conditions: found.conditions.iter().map(quantity_residuals).collect(),
         },
         reliability: None,
         robust: None,

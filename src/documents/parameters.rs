@@ -1,7 +1,8 @@
 //! `parameters.json`: identified parameters with the evidence for them.
 
 use super::{
-    Provenance, ReferencePose, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource,
+    ErrorQuantity, Provenance, ReferencePose, Replicates, ResidualKind, Role, Termination, UncertaintyFrom,
+    UncertaintySource,
 };
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
@@ -271,9 +272,30 @@ pub struct ResidualSummary {
     pub repeats: Option<Replicates>,
     /// Basis of the standard uncertainties.
     pub uncertainties_from: UncertaintyFrom,
-    /// Ratio of the standard uncertainties to those from the instrument alone (median); 1 if
-    /// chi-square does not reject the model, or if no uncertainty is stated.
+    /// Median ratio of the standard uncertainties to the uncertainties from the instrument alone.
+    /// Without a stated uncertainty of the instrument, to the uncertainties from independent
+    /// residuals.
     pub uncertainties_enlarged_by: f64,
+    /// Residuals of each quantity other than positions of targets.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub conditions: Vec<QuantityResiduals>,
+}
+
+/// Residuals of the observations of one quantity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct QuantityResiduals {
+    /// `position`, `orientation`, `distance`, `surface`, `contact` or `coordinate`.
+    #[schemars(with = "String")]
+    pub quantity: ErrorQuantity,
+    /// Unit of the residuals: `mm` or `deg`.
+    pub unit: String,
+    /// Number of residuals.
+    pub count: usize,
+    /// Root mean square of the residuals.
+    pub rms: f64,
+    /// Root mean square of the standard uncertainties of the observed values.
+    pub standard_uncertainty: f64,
 }
 
 impl ResidualSummary {

@@ -74,8 +74,10 @@ mirror! {
         /// Residuals grouped by pose: errors of the robot are common to all targets and repeats of
         /// a pose (cluster-robust covariance, Liang & Zeger 1986).
         ResidualsByPose,
-        /// Residuals grouped by region of joint space: unmodelled errors are common to neighbouring
-        /// poses (cluster-robust covariance as above; Conley 1999 for spatially correlated errors).
+        /// Residuals grouped by region of joint space, because unmodelled errors are alike at
+        /// neighbouring poses: uncertainty of effective parameters, from leaving out each of eight
+        /// regions, averaged over eight divisions (delete-a-group jackknife, Bell & McCaffrey
+        /// 2002).
         ResidualsByRegion,
         /// No basis: there is no redundancy, and no uncertainty is stated.
         Nothing,

@@ -20,7 +20,7 @@ pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systemati
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
 pub use judgement::excitation::{Unmoved, left_to_tolerances, unmoved};
-pub use judgement::figures::{ErrorKind, FigureUncertainty, JudgedErrors};
+pub use judgement::figures::{ConditionResiduals, ErrorKind, FigureUncertainty, JudgedErrors};
 pub use judgement::loads::{LoadContradiction, LoadSlip, load_slips};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
@@ -200,6 +200,8 @@ pub struct Identification {
     /// Ratio (median) of the standard uncertainties to those from the instrument's uncertainty
     /// alone.
     pub inflation_factor: f64,
+    /// Residuals of each quantity other than positions of targets.
+    pub conditions: Vec<ConditionResiduals>,
     /// Sets of parameters that are not separately identifiable.
     pub groups: Vec<Group>,
     /// Sets of parameters that are weakly identifiable.

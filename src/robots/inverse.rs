@@ -449,7 +449,7 @@ impl<'a> Search<'a> {
                 let sign = |new: &DVector<f64>, old: Option<&DVector<f64>>| {
                     if old.is_some_and(|old| old.dot(new) < 0.0) { -1.0 } else { 1.0 }
                 };
-                // the last vector across cannot be computed from the one along where the value is zero
+                // where its value is zero, the last left vector does not follow from the right one
                 let (_, mut u) = decomposed(jacobian.as_slice(), 6);
                 let (along, across) = (v[last].clone(), u.swap_remove(last));
                 let along = &along * sign(&along, before.map(|b| &b.along));

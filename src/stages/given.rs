@@ -4,9 +4,11 @@ use crate::stages::shown;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument};
-use etalon_identify::{GivenParameters, Observation, Settings, Variance};
-use etalon_robots::{Parameter, Robot, Role};
+use etalon_documents::{
+    ErrorQuantity, ParameterEntry, ParameterStatus, ParametersDocument, QuantityResiduals, ResidualSummary,
+};
+use etalon_identify::{Condition, GivenParameters, Kind, Observation, Settings, Variance};
+use etalon_robots::{Parameter, Quantity, Robot, Role};
 use std::collections::BTreeMap;
 
 /// The parameters of `robot` in a document, without those of other targets.
@@ -196,7 +198,7 @@ pub fn worse_than_nominal(errors: &PoseErrors, readings: usize) -> Option<Messag
 }
 
 /// Expected deviation of a measured coordinate from the given parameters, if nothing has changed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ExpectedDeviation {
     /// Standard uncertainty of a measured coordinate, mm.
     pub measured_mm: f64,
@@ -204,6 +206,9 @@ pub struct ExpectedDeviation {
     pub model_mm: f64,
     /// Source of both variances.
     pub variance: Variance,
+    /// Model error of each quantity other than positions of targets (standard deviation, mm or
+    /// rad).
+    conditions: Vec<(ErrorQuantity, f64)>,
 }
 
 impl ExpectedDeviation {
@@ -215,6 +220,7 @@ impl ExpectedDeviation {
     pub fn of(document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let residuals = &document.residuals;
         let dof = residuals.degrees_of_freedom as f64;
+        let conditions = model_errors(residuals);
         let Some(u) = residuals.stated_standard_uncertainty_mm else {
             let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
             if dof == 0.0 || !shown_mm.is_finite() {
@@ -222,16 +228,16 @@ impl ExpectedDeviation {
             }
             let measured_mm = stated_mm.unwrap_or(shown_mm);
             let model_mm = (shown_mm.powi(2) - measured_mm.powi(2)).max(0.0).sqrt();
-            return Ok(Self { measured_mm, model_mm, variance: Variance::Estimated(dof) });
+            return Ok(Self { measured_mm, model_mm, variance: Variance::Estimated(dof), conditions });
         };
         let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
-        // only where chi-square rejects that the instrument explains all; residuals of positions alone,
-        // because other kinds have their own misfit
+        // only where chi-square rejects that the instrument explains all; other quantities have their
+        // own model error
         let rejected = residuals.chi_square_rejected && dof > 0.0;
         let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
         let model_mm = if rejected { (shown_mm.powi(2) - u.powi(2)).max(0.0).sqrt() } else { 0.0 };
         let variance = if model_mm > 0.0 { Variance::Estimated(dof) } else { Variance::Stated };
-        Ok(Self { measured_mm: stated_mm.unwrap_or(u), model_mm, variance })
+        Ok(Self { measured_mm: stated_mm.unwrap_or(u), model_mm, variance, conditions })
     }
 
     /// Root sum of squares of both (mm).
@@ -256,6 +262,45 @@ impl ExpectedDeviation {
                 (0..3).for_each(|i| covariance[i][i] += model);
             }
         }
-        Settings { standard_uncertainty_mm: Some(self.measured_mm), ..settings }
+        let conditions = self.with_model_errors(settings.conditions);
+        Settings { standard_uncertainty_mm: Some(self.measured_mm), conditions, ..settings }
     }
+
+    /// Conditions whose standard uncertainties contain the model error of their quantity, which is
+    /// common to all of them in a pose.
+    fn with_model_errors(&self, mut conditions: Vec<Condition>) -> Vec<Condition> {
+        let key = |c: &Condition| (c.pose, quantity(c));
+        let mut count: BTreeMap<(PoseName, ErrorQuantity), usize> = BTreeMap::new();
+        conditions.iter().for_each(|c| *count.entry(key(c)).or_default() += 1);
+        for c in conditions.iter_mut().filter(|c| !matches!(c.kind, Kind::Joint(_))) {
+            let model = self.conditions.iter().find(|(of, _)| *of == quantity(c)).map_or(0.0, |(_, model)| *model);
+            c.standard_uncertainty = c.standard_uncertainty.hypot(model * (count[&key(c)] as f64).sqrt());
+        }
+        conditions
+    }
+
+    /// Returns an error if the calibration has no residuals of the quantity of a condition.
+    pub fn unknown_quantity(&self, conditions: &[Condition]) -> Option<Message> {
+        let is_known = |c: &&Condition| self.conditions.iter().any(|(of, _)| *of == quantity(c));
+        let unknown = conditions.iter().filter(|c| !matches!(c.kind, Kind::Joint(_))).find(|c| !is_known(c))?;
+        Some(error!("verify-quantity-without-residuals", quantity = quantity(unknown).phrase()))
+    }
+}
+
+/// Quantity that a condition observes.
+fn quantity(condition: &Condition) -> ErrorQuantity {
+    condition.kind.error_kind().map_or(ErrorQuantity::Orientation, Into::into)
+}
+
+/// Model error of each quantity (standard deviation, mm or rad): residual variance minus the
+/// variance of the observed values.
+fn model_errors(residuals: &ResidualSummary) -> Vec<(ErrorQuantity, f64)> {
+    let rows = residuals.count as f64 / residuals.degrees_of_freedom.max(1) as f64;
+    let of_quantity = |found: &QuantityResiduals| {
+        let unit = if found.quantity == ErrorQuantity::Orientation { Quantity::Angle } else { Quantity::Length };
+        let excess = found.rms.powi(2) * rows - found.standard_uncertainty.powi(2);
+        let model = if residuals.chi_square_rejected { excess.max(0.0).sqrt() } else { 0.0 };
+        (found.quantity, unit.inward(model))
+    };
+    residuals.conditions.iter().map(of_quantity).collect()
 }

@@ -169,6 +169,11 @@ impl Default for TableForm {
 }
 
 impl TableForm {
+    /// Form of a table of observations of a campaign.
+    pub fn observations(stated: &ObservationsDefinition) -> Self {
+        Self { layout: stated.layout(), encoding: stated.encoding, sheet: stated.sheet.clone() }
+    }
+
     /// Form of a table with keys of its own in a section of this form: the marks, the encoding and
     /// the comments of the section apply where the table states none.
     fn of_table(&self, keys: &TableKeys) -> Self {
@@ -253,8 +258,7 @@ impl CampaignTables<'_> {
         }
         let holds = phrase!("table-of-observations");
         let table = self.listed(&stated.file, SourceKind::Table, holds.clone(), |path, bytes| {
-            let form = TableForm { layout: stated.layout(), encoding: stated.encoding, sheet: stated.sheet.clone() };
-            TableFile::observations(path, &bytes, &form)
+            TableFile::observations(path, &bytes, &TableForm::observations(stated))
         })?;
         let unread = self.not_read(&table);
         if let Some(source) = self.sources.last_mut().filter(|_| !unread.is_empty()) {

@@ -2,6 +2,7 @@
 
 use super::bounds::significant;
 use super::given::{ExpectedDeviation, PoseErrors, given, other_nominal, worse_than_nominal};
+use super::kinds::Observed;
 use super::repeats::stale;
 use crate::stages::remedies::remedied;
 use etalon_base::catalogue::Phrase;
@@ -66,15 +67,22 @@ impl<'r> EarlierCalibration<'r> {
 /// SHA-256.
 pub fn verify(
     calibration: EarlierCalibration,
-    mut observations: Vec<Observation>,
+    observed: Observed,
     inputs: BTreeMap<String, String>,
 ) -> Result<VerificationDocument> {
     let EarlierCalibration { robot, parameters, noise, nominal, mut messages, .. } = calibration;
+    let Observed { mut observations, settings } = observed;
+    if observations.is_empty() {
+        return Err(error!("verify-without-positions").into());
+    }
+    if let Some(unknown) = noise.unknown_quantity(&settings.conditions) {
+        return Err(unknown.into());
+    }
     messages.extend(stale(robot, &observations));
     if let Some(problem) = set_up_problem(robot, &observations, noise.total_mm()) {
         return Err(etalon_documents::warning_message(&problem).into());
     }
-    let settings = noise.applied(&mut observations, Settings::default());
+    let settings = noise.applied(&mut observations, settings);
     let comparison = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
     let found = comparison.verify(noise.variance).map_err(remedied)?;
     let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();

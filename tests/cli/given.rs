@@ -319,6 +319,55 @@ fn a_verification_says_what_has_moved() {
     assert_eq!((code(&odd), json(&odd)["verdict"].as_str()), (Some(1), Some("other")));
 }
 
+/// Poses with orientations, in the table that the campaign describes: own rows are valid, and a joint whose zero has moved is named.
+#[test]
+fn a_verification_takes_orientations_in_the_table_of_the_campaign() {
+    let folder = run("probe-poses");
+    let table = std::fs::read_to_string(folder.path().join("observations.csv")).unwrap();
+    let verify = |table: &str| {
+        std::fs::write(folder.path().join("few.csv"), table).unwrap();
+        let arguments = [
+            "verify",
+            "few.csv",
+            "--robot",
+            "robot.toml",
+            "--parameters",
+            "out/parameters.json",
+            "--like",
+            ".",
+            "--json",
+        ];
+        etalon(&folder.path(), &arguments)
+    };
+    let few = |change: &dyn Fn(&mut Vec<String>)| -> String {
+        let (head, rows) = table.split_once('\n').unwrap();
+        let row = |line: &str| {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            change(&mut cells);
+            cells.join(",")
+        };
+        let rows: Vec<String> = rows.lines().step_by(2).take(15).map(row).collect();
+        format!("{head}\n{}\n", rows.join("\n"))
+    };
+    let valid = verify(&few(&|_| {}));
+    assert_eq!((code(&valid), json(&valid)["verdict"].as_str()), (Some(0), Some("valid")), "{}", text(&valid.stderr));
+    // the wrist turns the probe, which the orientations show
+    let q5 = table.split(',').position(|name| name == "q5_deg").unwrap();
+    let slipped = verify(&few(&|cells| cells[q5] = (cells[q5].parse::<f64>().unwrap() + 0.3).to_string()));
+    let answer = json(&slipped);
+    assert_eq!((code(&slipped), answer["verdict"].as_str()), (Some(1), Some("joint")), "{answer}");
+    assert_eq!(answer["moved"]["name"], "q5", "{answer}");
+    // orientations alone may contradict the calibration
+    let turned = verify(&few(&|cells| {
+        let at = cells.len() - 4;
+        let [w, x, y, z] = [0, 1, 2, 3].map(|k| cells[at + k].parse::<f64>().unwrap());
+        let (c, s) = (0.5f64.to_radians().cos(), 0.5f64.to_radians().sin());
+        let turned = [c * w - s * x, c * x + s * w, c * y + s * z, c * z - s * y];
+        turned.iter().enumerate().for_each(|(k, v)| cells[at + k] = v.to_string());
+    }));
+    assert_eq!(code(&turned), Some(1), "{}", json(&turned));
+}
+
 #[test]
 fn a_verification_refuses_what_it_cannot_compare() {
     let folder = run("prexyt-cmm");
@@ -333,10 +382,10 @@ fn a_verification_refuses_what_it_cannot_compare() {
     assert!(refused(&good.replace(",K,", ",M,"), &[]).contains("`M`"));
     assert!(refused(&good.replace("pose,", "kind,").replace('\n', "\npoint,"), &[]).contains("error"));
     assert!(refused(&good.replace("rho1_mm", "rho1_deg"), &[]).contains("rho1"));
-    // what would be left out: a measured orientation in any form
+    // an orientation that the robot does not have
     let with_angle = observations(&folder.path(), |_, cells| cells.push("0".to_owned()));
     let with_angles = with_angle.replacen('\n', ",rx_rad\n", 1);
-    assert!(refused(&with_angles, &[]).contains("[verify-other-column]"));
+    assert!(refused(&with_angles, &[]).contains("error"));
     // inches, and actuators that are exchanged
     let inch = observations(&folder.path(), |header, cells| {
         for column in ["x_mm", "y_mm"] {

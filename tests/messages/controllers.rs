@@ -189,10 +189,26 @@ const CASES: &[Case] = &[
         VERIFY,
     ),
     (
-        "verify-other-column",
+        "verify-without-positions",
         "draw-wire+out",
         &[],
         "verify @/observations.csv --robot @/robot.toml --parameters @/out/parameters.json",
+    ),
+    (
+        "campaign-without-observations",
+        TABLE,
+        &[],
+        "verify @/out/observations.csv --robot @/robot.toml --parameters @/out/parameters.json --like @",
+    ),
+    (
+        "verify-quantity-without-residuals quantity=orientation",
+        "column-arm+out",
+        &[(
+            "few.csv",
+            "",
+            "pose,target,x_mm,y_mm,z_mm,qw,qx,qy,qz,urot_deg,lift_m,shoulder_pan_rad,shoulder_lift_rad,elbow_rad,wrist_1_rad,wrist_2_rad,wrist_3_rad\n1,SMR_1,100,200,300,1,0,0,0,0.01,0.6,0.5,-0.6,-1.6,-0.1,2.5,-2.1\n",
+        )],
+        "verify @/few.csv --robot @/robot.toml --parameters @/out/parameters.json",
     ),
 ];
 

@@ -17,7 +17,7 @@ use crate::{Identification, Observation, Settings};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, centroid, minus, norm, unit};
-use etalon_robots::{Quantity, Robot, Role};
+use etalon_robots::{Kinematics, Quantity, Robot, Role};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Coverage factor of U.
@@ -260,7 +260,8 @@ impl Identification {
         Some(OpenSetUp { parameters: open.iter().map(|&k| self.free[k]).collect(), excess, extent })
     }
 
-    /// Extent of the targets at the measured poses together with the base of the robot.
+    /// Extent of the targets at the measured poses, or of the moving part and the base of the robot
+    /// if that is larger. Base and targets of a far set-up do not add to it.
     pub fn extent(&self, robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Extent {
         let seen = observations.iter().flat_map(|o| {
             let targets = o.targets.iter().enumerate().filter(|(_, at)| at.is_some());
@@ -268,9 +269,18 @@ impl Identification {
         });
         let conditions = settings.conditions.iter().map(|c| (&c.joints, c.target));
         let places = seen.chain(conditions).map(|(joints, target)| robot.position(&self.values, joints, target));
-        let base = robot.kinematics().and_then(|k| k.base_in_world(&self.values)).map(|base| base.translation_mm);
-        let points: Vec<Vector> = places.chain(base).filter(|p| p.iter().all(|v| v.is_finite())).collect();
-        Extent::of_points(&points, settings.coordinate_uncertainty_mm().max(self.rms))
+        let all_joints = observations.iter().map(|o| &o.joints).chain(settings.conditions.iter().map(|c| &c.joints));
+        let part = |k: &dyn Kinematics| -> Vec<Vector> {
+            let moved = all_joints.filter_map(|q| Some(k.tool_pose(&self.values, q)?.translation_mm));
+            moved.chain([[0.0; 3]]).collect()
+        };
+        let part = robot.kinematics().map(part).unwrap_or_default();
+        let coordinate_mm = settings.coordinate_uncertainty_mm().max(self.rms);
+        let [targets, part] = [places.collect(), part].map(|points| {
+            let finite: Vec<Vector> = points.into_iter().filter(|p| p.iter().all(|v| v.is_finite())).collect();
+            Extent::of_points(&finite, coordinate_mm)
+        });
+        if part.length_mm > targets.length_mm { part } else { targets }
     }
 }
 

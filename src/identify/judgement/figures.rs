@@ -45,6 +45,41 @@ impl Kind {
     }
 }
 
+/// Residuals of the observations of one quantity, other than positions of targets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConditionResiduals {
+    /// Quantity; `None` for orientations.
+    pub kind: Option<ErrorKind>,
+    /// Number of residuals.
+    pub count: usize,
+    /// Root mean square of the residuals (mm or rad).
+    pub rms: f64,
+    /// Root mean square of the standard uncertainties of the observed values (mm or rad).
+    pub standard_uncertainty: f64,
+}
+
+impl ConditionResiduals {
+    /// Residuals of each quantity at `values`. Observed joint values have none: they are inputs of
+    /// the model.
+    pub(crate) fn all(robot: &dyn Robot, values: &[f64], conditions: &[Condition]) -> Vec<Self> {
+        let mut all: BTreeMap<Option<ErrorKind>, [f64; 3]> = BTreeMap::new();
+        for c in conditions.iter().filter(|c| !matches!(c.kind, Kind::Joint(_))) {
+            let rows = c.kind.rows() as f64;
+            let squares: f64 = c.error(robot, values).iter().map(|e| e * e).sum();
+            let sums = all.entry(c.kind.error_kind()).or_default();
+            let more = [rows, squares, rows * c.standard_uncertainty.powi(2)];
+            sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+        }
+        let of_sums = |(kind, [count, squares, variances]): (Option<ErrorKind>, [f64; 3])| Self {
+            kind,
+            count: count as usize,
+            rms: (squares / count).sqrt(),
+            standard_uncertainty: (variances / count).sqrt(),
+        };
+        all.into_iter().map(of_sums).collect()
+    }
+}
+
 /// Variance (mm²) that each source contributes to a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FigureUncertainty {

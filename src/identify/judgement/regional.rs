@@ -10,12 +10,11 @@
 //! Few regions show the scatter of slow misfit but not every direction of the parameters. The sum
 //! is therefore the mean over several divisions, and is shrunk towards a common factor of the
 //! classical covariance (Ledoit & Wolf 2004, J. Multivar. Anal. 88, 365). Both make it a continuous
-//! function of the data. docs/decisions/0012 compares the alternatives.
+//! function of the data. docs/decisions/0013 compares the alternatives.
 
 use crate::model::elimination::{Remaining, carried, transposed_times};
 use crate::model::residuals::Residuals;
 use etalon_base::noise::Noise;
-use etalon_robots::Quantity;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rayon::prelude::*;
 
@@ -155,8 +154,7 @@ fn shrink(steps: &DMatrix<f64>) -> (DMatrix<f64>, f64) {
     let sum = transposed_times(steps.transpose().as_view(), steps.transpose().as_view());
     let mean = sum.trace() / n;
     let fourths: f64 = steps.column_iter().map(|h| h.norm_squared().powi(2)).sum();
-    let (variance, distance) =
-        (fourths - sum.norm_squared() / count, sum.norm_squared() - sum.trace().powi(2) / n);
+    let (variance, distance) = (fourths - sum.norm_squared() / count, sum.norm_squared() - sum.trace().powi(2) / n);
     let share = if distance > 0.0 { (variance / distance).clamp(0.0, 1.0) } else { 1.0 };
     let size = steps.nrows();
     (sum * (1.0 - share) + DMatrix::identity(size, size) * (share * mean), share)

@@ -5,6 +5,7 @@ use crate::error::quoted;
 use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
+use crate::judgement::figures::ConditionResiduals;
 use crate::judgement::regional::Regional;
 use crate::model::elimination::{Remaining, carried, root};
 use crate::model::frame_error::FrameError;
@@ -33,8 +34,9 @@ pub enum UncertaintyFrom {
     /// Residuals, grouped by pose: errors of the robot are common to all targets and repeats of a
     /// pose (cluster-robust covariance, Liang & Zeger 1986).
     ResidualsByPose,
-    /// Residuals, grouped by region of joint space: the model error is common to neighbouring poses
-    /// (Conley 1999 for errors that are correlated in space; clusters as above).
+    /// Residuals, grouped by region of joint space, because the model error is alike at
+    /// neighbouring poses: uncertainty of effective parameters (delete-a-group jackknife, Bell &
+    /// McCaffrey 2002).
     ResidualsByRegion,
     /// No source: there are as many equations as parameters, and no uncertainty is stated.
     Nothing,
@@ -89,11 +91,13 @@ pub(crate) fn with_uncertainty(
         budget.carry_frames(frames, all, unseen, total);
         budget.carry(systematic.errors(&observed)?, all, total);
     }
-    let inflation_factor = inflation(instrument.as_deref(), covariance.as_deref(), n);
+    let plain = instrument.or_else(|| independent(problem, solution));
+    let inflation_factor = inflation(plain.as_deref(), covariance.as_deref(), n);
     warnings
         .extend(chi_square.and_then(|chi| of_chi_square(chi, dof, inflation_factor, uncertainty_from)).map(Into::into));
 
     let lengths = lengths(problem, solution);
+    let conditions = ConditionResiduals::all(robot, &values, &settings.conditions);
     let factor = solution.factor.as_ref();
     let own = factor.map(|f| f.own()).unwrap_or_default();
     let shown = Shown::new(problem, solution, &by_nominal, covariance.as_deref());
@@ -115,6 +119,7 @@ pub(crate) fn with_uncertainty(
         uncertainty_from,
         effective_degrees,
         inflation_factor,
+        conditions,
         groups,
         weak,
         observability,
@@ -278,10 +283,18 @@ fn from_residuals(
     if let Some(found) = found.or_else(|| Some(by_cluster(problem, solution, jacobian)?.0)) {
         return found;
     }
-    let variance = chi_square.unwrap_or_else(|| problem.squares(solution)) / dof as f64;
-    let covariance = instrument.map(<[f64]>::to_vec).or_else(|| solution.covariance());
-    let scaled = covariance.map(|c| c.into_iter().map(|v| v * variance).collect());
+    let scaled = match (instrument, chi_square) {
+        (Some(instrument), Some(chi)) => Some(instrument.iter().map(|v| v * chi / dof as f64).collect()),
+        _ => independent(problem, solution),
+    };
     Found { degrees: vec![dof as f64; n], ..Found::new(UncertaintyFrom::Residuals, scaled) }
+}
+
+/// Covariance from residuals that are taken as independent; `None` without redundancy.
+fn independent(problem: &Residuals, solution: &Solution) -> Option<Vec<f64>> {
+    let dof = Some(problem.degrees_of_freedom(solution).round()).filter(|dof| *dof > 0.0)?;
+    let variance = problem.squares(solution) / dof;
+    Some(solution.covariance()?.into_iter().map(|v| v * variance).collect())
 }
 
 /// Covariance from the scatter of poses whose readings share errors. Shared errors may be too small

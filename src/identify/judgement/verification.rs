@@ -269,6 +269,8 @@ impl Comparison<'_> {
     fn refine(self, moved: Moved, variance: Variance, whole: f64) -> Option<Explanation> {
         let mut change = vec![0.0; 3];
         let mut motion = Pose::identity();
+        // positions determine a large motion
+        let positions = Settings { conditions: Vec::new(), ..self.settings.clone() };
         for _ in 0..ITERATIONS {
             let (mut back, mut place) = (self.observations.to_vec(), self.given.clone());
             let origin = self.robot.base_origin(&self.given.values);
@@ -283,7 +285,8 @@ impl Comparison<'_> {
                     *p = std::array::from_fn(|i| origin[i] + placed[i]);
                 }),
             }
-            let space = Space::new(Comparison { observations: &back, given: &place, ..self }).ok()?;
+            let positions = Comparison { observations: &back, settings: &positions, given: &place, ..self };
+            let space = Space::new(positions).ok()?;
             let fit = space.fit(&space.columns_of(moved)?);
             let left = space.sum() - fit.explained;
             change.iter_mut().zip(fit.change.iter()).for_each(|(sum, step)| *sum += step);
@@ -489,12 +492,15 @@ impl<'a> Space<'a> {
 
     /// Root mean square (mm) of the residual of a coordinate, and its expected value.
     fn rms_mm(&self) -> [f64; 2] {
-        let (n, d) = (self.r.len(), self.of.robot.dimension());
-        let mut r = vec![0.0; n];
+        let (all, d) = (self.r.len(), self.of.robot.dimension());
+        let mut r = vec![0.0; all];
         self.problem.plain_residuals(&self.x, &mut r);
-        let mut jacobian = vec![0.0; n * self.x.len()];
+        let mut jacobian = vec![0.0; all * self.x.len()];
         self.problem.plain_jacobian(&self.x, &mut jacobian);
-        let ours = DMatrix::from_row_slice(n, self.x.len(), &jacobian) * &self.root;
+        // the first rows are coordinates of targets
+        let n = self.problem.coordinate_count();
+        r.truncate(n);
+        let ours = DMatrix::from_row_slice(n, self.x.len(), &jacobian[..n * self.x.len()]) * &self.root;
         let unit2 = self.problem.unit.powi(2);
         let stated2 = self.of.settings.standard_uncertainty_mm.unwrap_or(0.0).powi(2);
         let of_reading = |o: &Observation, k: usize| match o.covariances_mm2.get(k).copied().flatten() {

@@ -31,6 +31,8 @@ pub enum ResidualKind {
 }
 
 const CHUNK: usize = 32;
+/// Step (mm or rad) of differences with respect to joint values.
+const JOINT_STEP: f64 = 1e-5;
 /// Standard deviation of normal residuals over their median size.
 pub const OF_MEDIAN: f64 = 1.4826;
 
@@ -163,7 +165,7 @@ impl<'a> Residuals<'a> {
     }
 
     /// Number of residuals of measured coordinates; those of conditions follow.
-    fn coordinate_count(&self) -> usize {
+    pub fn coordinate_count(&self) -> usize {
         self.rows.iter().sum()
     }
 
@@ -446,8 +448,8 @@ impl<'a> Residuals<'a> {
         Some(self.observations.iter().filter_map(of).collect())
     }
 
-    /// Derivatives of the predicted positions of targets with respect to the joint values at `x`,
-    /// whitened like the residuals: rows of all joints.
+    /// Derivatives of the predicted values with respect to the joint values at `x`, whitened like
+    /// the residuals: rows of all joints. Derivatives of conditions are central differences.
     pub fn joint_jacobian(&self, x: &[f64]) -> Vec<f64> {
         let (all, dimension) = (self.all(x), self.robot.dimension());
         let n = self.robot.joints().len();
@@ -462,6 +464,24 @@ impl<'a> Residuals<'a> {
             }
         }
         self.whiten(&mut rows, n);
+        for c in self.conditions {
+            let mut columns = vec![0.0; c.kind.rows() * n];
+            for j in 0..n {
+                let residuals = |by: f64| {
+                    let mut moved = c.clone();
+                    moved.joints[j] += by;
+                    let position = self.robot.position(&all, &moved.joints, c.target);
+                    let mut r = vec![0.0; c.kind.rows()];
+                    moved.residuals(&moved.at(self.robot.free_base(), &all, position), &mut r);
+                    r
+                };
+                let (ahead, behind) = (residuals(JOINT_STEP), residuals(-JOINT_STEP));
+                for (i, (a, b)) in ahead.iter().zip(&behind).enumerate() {
+                    columns[i * n + j] = (a - b) / (2.0 * JOINT_STEP);
+                }
+            }
+            rows.extend(columns);
+        }
         rows
     }
 

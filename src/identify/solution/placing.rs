@@ -6,13 +6,13 @@
 
 use crate::Result;
 use crate::model::effects::Effects;
-use crate::model::prior::Prior;
+use crate::model::prior::{DIFFUSE, Prior};
 use crate::model::residuals::Residuals;
 use crate::solution::identifiability::Analysis;
 use crate::{Observation, ResidualKind, Settings};
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, norm, turning_axes};
 use etalon_math::statistics::rms;
-use etalon_math::{Factor, Options, Problem, Termination};
+use etalon_math::{Factor, Options, ParameterPrior, Problem, Termination, WithPriors};
 use etalon_robots::{FreeBase, Quantity, Robot, base_pose};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
@@ -167,8 +167,18 @@ fn place_all(
             continue;
         }
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-        let solution = etalon_math::solve(&problem, &x, Options { iterations: 50, step: 1e-6, ..Options::default() });
-        let rms_mm = (solution.cost / points).sqrt();
+        let options = Options { iterations: 50, step: 1e-6, ..Options::default() };
+        let found = etalon_math::solve(&problem, &x, options);
+        // what the poses hardly determine stays within a rough estimate, not where errors of the
+        // nominal robot carry it
+        let error_mm = (found.cost / points).sqrt();
+        let rough = |(k, &i): (usize, &usize)| {
+            let u = DIFFUSE * robot.parameters()[i].known_within();
+            ParameterPrior { parameter: k, value: nominal[i], weight: error_mm / u }
+        };
+        let priors: Vec<ParameterPrior> = free.iter().enumerate().map(rough).collect();
+        let solution = etalon_math::solve(&WithPriors::new(&problem, &priors), &found.x, options);
+        let rms_mm = (problem.squares(&solution.x) / points).sqrt();
         let moved = solution.termination.is_success() || solution.termination == Termination::IterationLimit;
         if moved && best.as_ref().is_none_or(|b| rms_mm < b.rms_mm) {
             best = Some(Placed { rms_mm, values: problem.all(&solution.x) });
@@ -255,11 +265,16 @@ impl Placing<'_> {
         values
     }
 
+    /// Sum of the squared residuals.
+    fn squares(&self, x: &[f64]) -> f64 {
+        let mut r = vec![0.0; self.residual_count()];
+        self.residuals(x, &mut r);
+        r.iter().map(|v| v * v).sum()
+    }
+
     /// Residual of the values as they are; `None` if it is not finite.
     fn as_stated(&self, points: f64) -> Option<Placed> {
-        let mut r = vec![0.0; self.residual_count()];
-        self.residuals(&[], &mut r);
-        let rms_mm = (r.iter().map(|v| v * v).sum::<f64>() / points).sqrt();
+        let rms_mm = (self.squares(&[]) / points).sqrt();
         rms_mm.is_finite().then(|| Placed { rms_mm, values: self.values.to_vec() })
     }
 }

@@ -119,9 +119,9 @@ pub fn far_from_nominal(
 /// The change of the set-up that explains the measurements, if they cannot be explained without a
 /// change.
 ///
-/// Each hypothesis is fitted separately, to some of the poses and of many targets. Its criterion is the sum of squares of standardised
-/// residuals and of deviations from nominal over tolerances. The standard deviation of a coordinate
-/// is the smallest of all fits, and at least `noise_mm`.
+/// Each hypothesis is fitted separately, to some of the poses and of many targets. Its criterion is
+/// the sum of squares of standardised residuals and of deviations from nominal over tolerances. The
+/// standard deviation of a coordinate is the smallest of all fits, and at least `noise_mm`.
 pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<SetUpError> {
     if observations.is_empty() {
         return None;

@@ -100,9 +100,10 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         }
         UncertaintyFrom::Nothing => tr!(words, "unknown-without-redundancy"),
     };
+    let beside = if r.stated_standard_uncertainty_mm.is_some() { "instrument" } else { "residuals" };
     let enlarged = match r.uncertainties_enlarged_by {
         1.0 => String::new(),
-        by => format!(", {}", tr!(words, "uncertainty-inflation", factor = three(by))),
+        by => format!(", {}", tr!(words, "uncertainty-inflation", factor = three(by), beside)),
     };
     let own = match (r.stated_standard_uncertainty_mm.map(derived), r.common_standard_uncertainty_mm.map(derived)) {
         (Some(own), Some(common)) => Some(tr!(words, "coordinate-uncertainty-in-common", uncertainty = own, common)),

@@ -350,6 +350,7 @@ fn residuals() -> ResidualSummary {
         uncertainties_from: etalon_documents::UncertaintyFrom::Instrument,
         chi_square_rejected: true,
         uncertainties_enlarged_by: 1.194,
+        conditions: Vec::new(),
     }
 }
 

@@ -28,6 +28,7 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
         chi_square_rejected: false,
         uncertainties_from: etalon::documents::UncertaintyFrom::Instrument,
         uncertainties_enlarged_by: 1.0,
+        conditions: Vec::new(),
     }
 }
 

@@ -159,7 +159,7 @@ fn errors_common_to_a_pose_are_in_the_uncertainty() {
         }
         let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
         let found = identify(arm.as_ref(), &observations, &settings).unwrap();
-        assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByPose);
+        assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByRegion);
         for &i in &found.free {
             let pull = (found.values[i] - truth[i]) / found.standard_uncertainty(i).unwrap();
             squares[i].0 += pull * pull;
@@ -169,9 +169,10 @@ fn errors_common_to_a_pose_are_in_the_uncertainty() {
     let spread: Vec<f64> = squares.iter().filter(|s| s.1 > 0).map(|s| (s.0 / f64::from(s.1)).sqrt()).collect();
     let pooled = (spread.iter().map(|s| s * s).sum::<f64>() / spread.len() as f64).sqrt();
     println!("spread over uncertainty: pooled {pooled:.3}, {spread:.2?}");
-    // taken as independent, the same residuals make uncertainties about half of what they are
-    assert!((pooled - 1.0).abs() < 0.1, "{pooled}");
-    assert!(spread.iter().all(|s| (s - 1.0).abs() < 0.5), "{spread:.2?}");
+    // taken as independent, the same residuals make uncertainties about half of what they are; the uncertainty also covers a scatter
+    // between regions, which these robots do not have
+    assert!((0.75..1.1).contains(&pooled), "{pooled}");
+    assert!(spread.iter().all(|s| (0.4..1.5).contains(s)), "{spread:.2?}");
 }
 
 #[test]
@@ -266,11 +267,11 @@ fn small_campaigns_whose_targets_share_errors_hold_the_truth() {
         let share = all.iter().map(|a| a.1).sum::<f64>() / all.len() as f64;
         let from = |from| all.iter().filter(|a| a.0 == from).count() as f64 / all.len() as f64;
         println!(
-            "{POSES} poses, joints stop {stop_rad} rad beside: intervals hold {:.1} %, from the instrument {:.3}, by pose {:.3}, fewest \
+            "{POSES} poses, joints stop {stop_rad} rad beside: intervals hold {:.1} %, from the instrument {:.3}, by region {:.3}, fewest \
              degrees of freedom {:.1}",
             100.0 * share,
             from(UncertaintyFrom::Instrument),
-            from(UncertaintyFrom::ResidualsByPose),
+            from(UncertaintyFrom::ResidualsByRegion),
             all.iter().map(|a| a.2).fold(f64::INFINITY, f64::min)
         );
         let chance = 3.0 * (0.05f64 * 0.95 / all.len() as f64).sqrt(); // as if all parameters of a campaign were one
@@ -280,8 +281,13 @@ fn small_campaigns_whose_targets_share_errors_hold_the_truth() {
             // half of the instrument's uncertainty, which cannot always be seen
             1e-5 => assert!(share > 0.90, "{share}"),
             _ => {
-                assert!(from(UncertaintyFrom::ResidualsByPose) > 0.99, "{}", from(UncertaintyFrom::ResidualsByPose));
-                assert!((share - 0.95).abs() < 0.015 + 0.01, "{share}");
+                assert!(
+                    from(UncertaintyFrom::ResidualsByRegion) > 0.99,
+                    "{}",
+                    from(UncertaintyFrom::ResidualsByRegion)
+                );
+                // the interval also covers a scatter between regions, which these robots do not have
+                assert!((0.94..=0.995).contains(&share), "{share}");
             }
         }
     }

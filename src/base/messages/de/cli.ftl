@@ -185,8 +185,14 @@ earlier-run-left = nichts wurde geschrieben: `{ $report }` und die Dateien daneb
 
 schema-unknown = unbekanntes Schema `{ $name }`
 
-verify-other-column = die Beobachtungen haben eine Spalte `{ $column }`: nur Positionen werden verglichen
-    .hint = Zeilen anderer Arten und ihre Spalten weglassen
+verify-quantity-without-residuals = die Kalibrierung hat keine Residuen der Größe „{ $quantity }“: ihr Modellfehler ist unbekannt
+    .hint = diese Zeilen weglassen, oder mit Beobachtungen dieser Größe kalibrieren
+
+verify-without-positions = die Beobachtungen enthalten keine Position eines Ziels
+    .hint = Positionen der Ziele der Kalibrierung messen
+
+campaign-without-observations = die Kampagne `{ $campaign }` hat keinen Abschnitt `[observations]`
+    .hint = eine Kampagne mit diesem Abschnitt angeben, oder die Optionen von Tabellen (`--column` ...)
 
 workspace-numbers = --workspace-mm hat { $count ->
         [one] 1 Zahl

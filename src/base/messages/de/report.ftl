@@ -537,7 +537,7 @@ from-pose = von Pose
 from-pose-named = von Pose { $pose }
 from-residuals = aus den Residuen (als unabhängig behandelt)
 from-residuals-by-pose = aus den Residuen, nach Posen gruppiert
-from-residuals-by-region = aus den Residuen, nach Bereichen des Arbeitsraums gruppiert
+from-residuals-by-region = der effektiven Parameter, aus der Streuung zwischen Bereichen des Arbeitsraums
 from-the-instrument = aus dem Messgerät
 gain-over-u = Gewinn / u
 generated-candidates = gezogene Kandidaten
@@ -1378,7 +1378,10 @@ uncertainties-enlarged-by = Vergrößerungsfaktor der Unsicherheiten
 uncertainties-of-robot = Unsicherheiten des Roboters { $robot }
 uncertainty-budget = Messunsicherheitsbudget
 uncertainty-for-outliers = ± { $uncertainty } µm je Koordinate ({ $factor } Standardabweichungen), unabhängig für jede Beobachtung
-uncertainty-inflation = das { $factor }-Fache des Werts aus dem Messgerät allein (Median)
+uncertainty-inflation = das { $factor }-Fache des Werts aus { $beside ->
+        [instrument] dem Messgerät allein
+       *[residuals] unabhängigen Residuen
+    } (Median)
 uncertainty-of-instrument = der Standardunsicherheit des Messgeräts
 uncertainty-of-instrument-and-contact = der Standardunsicherheit von Messgerät und Antastung
 uncertainty-of-rp = Unsicherheit von RP

@@ -410,12 +410,26 @@ earlier-run-left = nothing is written: `{ $report }` and the files beside it are
 # Example: `etalon schema parameter`
 schema-unknown = unknown schema `{ $name }`
 
-# Means: The table of `etalon verify` has columns of other kinds of observations.
-# Matters: Only positions are compared.
-# Do: Leave rows of other kinds and their columns out.
-# Example: a column `distance_mm`
-verify-other-column = the observations have a column `{ $column }`: only positions are compared
-    .hint = leave rows of other kinds and their columns out
+# Means: The observations contain a quantity that the calibration did not observe.
+# Matters: The model error of this quantity is unknown, so its deviations cannot be judged.
+# Do: Leave these rows out, or calibrate with observations of this quantity.
+# Example: orientations, where only positions were calibrated
+verify-quantity-without-residuals = the calibration has no residuals of the quantity "{ $quantity }": its model error is unknown
+    .hint = leave these rows out, or calibrate with observations of this quantity
+
+# Means: No row of the observations has a whole position of a target.
+# Matters: Motions of base and joints are found from positions.
+# Do: Measure positions of targets.
+# Example: a table of contacts alone
+verify-without-positions = the observations contain no position of a target
+    .hint = measure positions of the targets of the calibration
+
+# Means: The campaign of `--like` has no section `[observations]`.
+# Matters: The section states how the table is read.
+# Do: State a campaign with this section, or the options of tables.
+# Example: a campaign with exports and a log
+campaign-without-observations = the campaign `{ $campaign }` has no section `[observations]`
+    .hint = state a campaign with this section, or the options of tables (`--column` ...)
 
 # Means: The workspace does not have six or four numbers.
 # Matters: A box has six coordinates, a rectangle four.

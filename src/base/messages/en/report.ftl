@@ -510,7 +510,7 @@ from-pose = from pose
 from-pose-named = from pose { $pose }
 from-residuals = from the residuals (treated as independent)
 from-residuals-by-pose = from the residuals, grouped by pose
-from-residuals-by-region = from the residuals, grouped by region of the workspace
+from-residuals-by-region = of effective parameters, from the scatter between regions of the workspace
 from-the-instrument = from the instrument
 gain-over-u = gain over u
 generated-candidates = generated candidates
@@ -1312,7 +1312,10 @@ uncertainties-enlarged-by = uncertainty inflation factor
 uncertainties-of-robot = Uncertainties of robot { $robot }
 uncertainty-budget = Uncertainty budget
 uncertainty-for-outliers = ± { $uncertainty } µm per coordinate ({ $factor } standard deviations), independent for each observation
-uncertainty-inflation = { $factor } × the value from the instrument alone (median)
+uncertainty-inflation = { $factor } × the value from { $beside ->
+        [instrument] the instrument alone
+       *[residuals] independent residuals
+    } (median)
 uncertainty-of-instrument = the instrument's standard uncertainty
 uncertainty-of-instrument-and-contact = the standard uncertainty of instrument and contact
 uncertainty-of-rp = Uncertainty of RP

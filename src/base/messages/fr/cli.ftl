@@ -185,8 +185,14 @@ earlier-run-left = rien n’est écrit : `{ $report }` et les fichiers voisins 
 
 schema-unknown = schéma inconnu `{ $name }`
 
-verify-other-column = les observations ont une colonne `{ $column }` : seules les positions sont comparées
-    .hint = omettre les lignes d’autres types et leurs colonnes
+verify-quantity-without-residuals = l’étalonnage n’a pas de résidus de la grandeur « { $quantity } » : son erreur de modèle est inconnue
+    .hint = omettez ces lignes, ou étalonnez avec des observations de cette grandeur
+
+verify-without-positions = les observations ne contiennent aucune position de cible
+    .hint = mesurez des positions des cibles de l’étalonnage
+
+campaign-without-observations = la campagne `{ $campaign }` n’a pas de section `[observations]`
+    .hint = indiquez une campagne avec cette section, ou les options des tableaux (`--column` ...)
 
 workspace-numbers = --workspace-mm a { $count ->
         [one] { $count } nombre

@@ -540,7 +540,7 @@ from-pose = de la pose
 from-pose-named = depuis la pose { $pose }
 from-residuals = d’après les résidus (traités comme indépendants)
 from-residuals-by-pose = d’après les résidus, regroupés par pose
-from-residuals-by-region = d’après les résidus, regroupés par région de l’espace de travail
+from-residuals-by-region = des paramètres effectifs, d’après la dispersion entre régions de l’espace de travail
 from-the-instrument = d’après l’instrument
 gain-over-u = gain / u
 generated-candidates = candidates tirées
@@ -1384,7 +1384,10 @@ uncertainties-enlarged-by = facteur de majoration des incertitudes
 uncertainties-of-robot = Incertitudes du robot { $robot }
 uncertainty-budget = Bilan d’incertitude
 uncertainty-for-outliers = ± { $uncertainty } µm par coordonnée ({ $factor } écarts-types), indépendante pour chaque observation
-uncertainty-inflation = { $factor } fois la valeur due à l’instrument seul (médiane)
+uncertainty-inflation = { $factor } fois la valeur due { $beside ->
+        [instrument] à l’instrument seul
+       *[residuals] à des résidus indépendants
+    } (médiane)
 uncertainty-of-instrument = l’incertitude-type de l’instrument
 uncertainty-of-instrument-and-contact = l’incertitude-type de l’instrument et du contact
 uncertainty-of-rp = Incertitude de RP
