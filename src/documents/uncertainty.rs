@@ -24,8 +24,8 @@ pub struct UncertaintyDocument {
     /// Number of bootstrap resamples of poses and cycles; 0 if resamples do not determine the
     /// parameters.
     pub resamples: usize,
-    /// Basis of the standard uncertainties of the identification. Draws contain stated
-    /// uncertainties, but no unmodelled errors.
+    /// Basis of the standard uncertainties of the identification. Draws of parameters contain the
+    /// stated uncertainties and the model error; draws of errors contain the stated uncertainties.
     pub uncertainties_from: UncertaintyFrom,
     /// Identified parameters.
     pub parameters: Vec<DistributionEntry>,
@@ -48,8 +48,7 @@ pub struct DistributionEntry {
     pub unit: String,
     /// Result of the campaign.
     pub value: f64,
-    /// Standard uncertainty by linear propagation of the stated uncertainties, for comparison with
-    /// the draws.
+    /// Standard uncertainty by linear propagation of what the draws contain, for comparison.
     pub linear: Option<f64>,
     /// Standard uncertainty in the report, including unmodelled errors.
     pub standard_uncertainty: Option<f64>,

@@ -15,7 +15,7 @@ use etalon_documents::{
     DistributionEntry, ErrorQuantity, Figure, FigureBudget, FramePose, FramesDocument, Provenance, UncertaintyDocument,
 };
 use etalon_formats::Point;
-use etalon_identify::{Identification, Observation, Repeated, Settings, UncertaintySource};
+use etalon_identify::{Identification, Observation, Repeated, Settings};
 use etalon_math::statistics::{mean, standard_deviation};
 use etalon_robots::{Quantity, Robot, State};
 use nalgebra::{Matrix3, Vector3};
@@ -74,6 +74,8 @@ pub struct Trials<'a> {
     systematic: etalon_identify::Systematic,
     /// Budgets of the figures of the validation errors.
     budget: &'a [FigureBudget],
+    /// Root of the covariance of the identified parameters from the model error, row by row.
+    model_root: Option<Vec<f64>>,
     seed: u64,
 }
 
@@ -122,6 +124,7 @@ impl<'a> Trials<'a> {
             planar,
             height_mm,
             budget: &identified.accuracy.budget,
+            model_root: identified.found.budget.model_root(),
             seed: 0,
         }
     }
@@ -139,10 +142,8 @@ impl<'a> Trials<'a> {
         let bootstrap = trials.bootstrap(draws.resamples);
         let n = found.free.len();
         let linear = |k: usize| -> Option<f64> {
-            use UncertaintySource::{Model, Repeatability, Residuals};
             let parts = found.budget.of_parameter(k);
-            let stated = parts.iter().filter(|(s, _)| ![Model, Repeatability, Residuals].contains(s)).map(|(_, v)| v);
-            (!parts.is_empty()).then(|| stated.sum::<f64>().sqrt())
+            (!parts.is_empty()).then(|| parts.iter().map(|(_, v)| v).sum::<f64>().sqrt())
         };
         // so far do ends of intervals go apart by the number of draws alone, of all parameters in
         // one of a hundred campaigns
@@ -278,6 +279,12 @@ impl<'a> Trials<'a> {
         let drawn = again.stated().iter().map(|u| noise.gaussian(*u)).collect();
         let values = again.identify(calibration, drawn)?;
         let mut all: Vec<f64> = self.found.free.iter().map(|&i| values[i]).collect();
+        if let Some(root) = &self.model_root {
+            // another sample of the region has other effective parameters
+            let z: Vec<f64> = all.iter().map(|_| noise.gaussian(1.0)).collect();
+            let by_row = all.iter_mut().zip(root.chunks_exact(z.len()));
+            by_row.for_each(|(value, row)| *value += row.iter().zip(&z).map(|(l, z)| l * z).sum::<f64>());
+        }
         all.extend(self.figures(&values, validation.iter()));
         Some(all)
     }

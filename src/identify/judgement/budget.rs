@@ -105,6 +105,8 @@ pub struct Replicates {
     pub p_value: f64,
 }
 
+/// Largest share of a variance that is attributed to rounding.
+const ROUNDING: f64 = 1e-9;
 /// Joint values of repeats differ by less than this, mm or rad.
 const SAME_JOINTS: f64 = 0.005;
 
@@ -240,6 +242,31 @@ impl Budget {
         self.contributions(|covariance| covariance[k * n + k], |e| self.common[e].1[k])
     }
 
+    /// Root L of the covariance of the parameters beyond the stated uncertainties of single readings,
+    /// row by row: the model error, and the scatter of repeats. `None` if there is none.
+    pub fn model_root(&self) -> Option<Vec<f64>> {
+        let n = self.readings.len().isqrt();
+        let mut rest = DMatrix::from_row_slice(n, n, &self.readings);
+        for (_, covariance) in &self.stated {
+            rest -= DMatrix::from_row_slice(n, n, covariance);
+        }
+        // parameters in units of their standard uncertainties
+        let scale: Vec<f64> = (0..n).map(|k| self.readings[k * n + k].sqrt()).collect();
+        let scaled = DMatrix::from_fn(n, n, |i, j| match scale[i] * scale[j] {
+            0.0 => 0.0,
+            s => 0.5 * (rest[(i, j)] + rest[(j, i)]) / s,
+        });
+        let SymmetricEigen { mut eigenvectors, eigenvalues } = SymmetricEigen::new(scaled);
+        if eigenvalues.iter().all(|value| *value <= ROUNDING) {
+            return None;
+        }
+        for (mut column, value) in eigenvectors.column_iter_mut().zip(eigenvalues.iter()) {
+            column *= value.max(0.0).sqrt();
+        }
+        eigenvectors.row_iter_mut().zip(&scale).for_each(|(mut row, s)| row *= *s);
+        Some(eigenvectors.transpose().as_slice().to_vec())
+    }
+
     /// Contributions by `form`, the variance from a covariance of the parameters, and by
     /// `response`, the derivative of the figure with respect to each common error.
     fn contributions(&self, form: impl Fn(&[f64]) -> f64, response: impl Fn(usize) -> f64) -> Contributions {
@@ -254,7 +281,7 @@ impl Budget {
             add(*source, variance);
         }
         // what is left of small differences of equal numbers is nothing
-        let rest = if rest > 1e-9 * of_instrument { rest } else { 0.0 };
+        let rest = if rest > ROUNDING * of_instrument { rest } else { 0.0 };
         let repeats = (of_instrument * self.repeats).min(rest);
         if self.stated.is_empty() {
             add(Source::Residuals, rest);

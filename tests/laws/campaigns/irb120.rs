@@ -6,9 +6,10 @@ use etalon::base::phrase;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::{Campaign, read_robot};
 use etalon::documents::{ImportDocument, ParameterStatus, VerificationDocument, VerificationVerdict};
-use etalon::identify::Observation;
+use etalon::identify::{Observation, Settings};
 use etalon::robots::Calibrated;
 use etalon::run::pipeline::{self, Outcome};
+use etalon::stages::kinds::Observed;
 use etalon::stages::verification::{EarlierCalibration, verify};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -63,6 +64,10 @@ fn the_18_blunders_and_only_those() {
     assert_eq!(refused("the point coincides with `SMR_2`"), BTreeSet::from([135, 399]));
 }
 
+fn observed(observations: Vec<Observation>) -> Observed {
+    Observed { observations, settings: Settings::default() }
+}
+
 /// What the model leaves unexplained is 20 times the tracker's uncertainty here, and it is in the judgement: a robot that has not changed is
 /// seldom called changed, and a joint that has moved is found.
 #[test]
@@ -77,7 +82,7 @@ fn ten_poses_verify_the_parameters() {
             observations.iter_mut().for_each(|o| o.joints[3] -= by_rad);
             let mut robot = campaign.build_robot().unwrap();
             let calibration = EarlierCalibration::new(robot.as_mut(), &found.parameters, None).unwrap();
-            verify(calibration, observations, BTreeMap::new()).unwrap()
+            verify(calibration, observed(observations), BTreeMap::new()).unwrap()
         };
         groups.map(of).collect::<Vec<_>>()
     };
@@ -100,7 +105,7 @@ fn ten_poses_verify_the_parameters() {
         observations.iter_mut().enumerate().for_each(|(i, o)| change(i, o));
         let mut robot = campaign.build_robot().unwrap();
         let calibration = EarlierCalibration::new(robot.as_mut(), &found.parameters, None).unwrap();
-        verify(calibration, observations, BTreeMap::new())
+        verify(calibration, observed(observations), BTreeMap::new())
     };
     let exchanged = changed(&|_, o| o.targets.swap(0, 1)).unwrap_err();
     assert!(exchanged.0[0].is("target-names-exchanged", &[("first", &"SMR_1"), ("second", &"SMR_2")]), "{exchanged}");
