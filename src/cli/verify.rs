@@ -8,7 +8,7 @@ use super::report::Reports;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, progress, remark, validity};
 use crate::run::documents::read_parameters_and_run;
-use crate::stages::given::unknown_geometry;
+use crate::stages::given::{orientation_uncertainty_rad, unknown_geometry, unknown_quantity};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{self, RowDefaults};
 use crate::stages::orientations::AngleOrder;
@@ -64,7 +64,7 @@ pub struct Verify {
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
     /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, if the
-    /// table has no `urot_deg`.
+    /// table has no `urot_deg` and it is not that of the calibration.
     #[arg(long, value_name = "DEG")]
     rotation_uncertainty_deg: Option<f64>,
     /// Order of the angles `a_deg`, `b_deg`, `c_deg` of an orientation: "zyx" (successively about
@@ -134,13 +134,17 @@ impl Verify {
         let mut messages: Vec<Message> = unread(robot.as_ref(), observed).into_iter().collect();
         joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
+        let stated_rad = self.rotation_uncertainty_deg.map(f64::to_radians);
         let without = RowDefaults {
             length_mm: stated_mm.or(document.residuals.stated_standard_uncertainty_mm),
-            rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
+            rotation_rad: stated_rad.or_else(|| orientation_uncertainty_rad(document)),
             order: self.order()?,
         };
         let measured = kinds::observed(robot.as_mut(), &observed.table, without, Settings::default(), &mut messages);
         let measured = measured.map_err(here)?;
+        if let Some(unknown) = unknown_quantity(document, &measured.settings.conditions) {
+            return Err(here(unknown.into()));
+        }
         let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
         let mut found = verify(calibration, measured, inputs)?;
         found.messages.splice(0..0, messages);

@@ -231,8 +231,8 @@ impl ExpectedDeviation {
             return Ok(Self { measured_mm, model_mm, variance: Variance::Estimated(dof), conditions });
         };
         let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
-        // only where chi-square rejects that the instrument explains all; other quantities have their
-        // own model error
+        // only where chi-square rejects that the instrument explains all; other quantities have a
+        // model error of their own
         let rejected = residuals.chi_square_rejected && dof > 0.0;
         let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
         let model_mm = if rejected { (shown_mm.powi(2) - u.powi(2)).max(0.0).sqrt() } else { 0.0 };
@@ -278,13 +278,19 @@ impl ExpectedDeviation {
         }
         conditions
     }
+}
 
-    /// Returns an error if the calibration has no residuals of the quantity of a condition.
-    pub fn unknown_quantity(&self, conditions: &[Condition]) -> Option<Message> {
-        let is_known = |c: &&Condition| self.conditions.iter().any(|(of, _)| *of == quantity(c));
-        let unknown = conditions.iter().filter(|c| !matches!(c.kind, Kind::Joint(_))).find(|c| !is_known(c))?;
-        Some(error!("verify-quantity-without-residuals", quantity = quantity(unknown).phrase()))
-    }
+/// Returns an error if the calibration has no residuals of the quantity of a condition.
+pub fn unknown_quantity(document: &ParametersDocument, conditions: &[Condition]) -> Option<Message> {
+    let is_known = |c: &&Condition| document.residuals.conditions.iter().any(|found| found.quantity == quantity(c));
+    let unknown = conditions.iter().filter(|c| !matches!(c.kind, Kind::Joint(_))).find(|c| !is_known(c))?;
+    Some(error!("verify-quantity-without-residuals", quantity = quantity(unknown).phrase()))
+}
+
+/// Standard uncertainty (rad) of the orientations of a calibration, if it observed orientations.
+pub fn orientation_uncertainty_rad(document: &ParametersDocument) -> Option<f64> {
+    let found = document.residuals.conditions.iter().find(|found| found.quantity == ErrorQuantity::Orientation)?;
+    Some(Quantity::Angle.inward(found.standard_uncertainty))
 }
 
 /// Quantity that a condition observes.

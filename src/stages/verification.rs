@@ -75,9 +75,6 @@ pub fn verify(
     if observations.is_empty() {
         return Err(error!("verify-without-positions").into());
     }
-    if let Some(unknown) = noise.unknown_quantity(&settings.conditions) {
-        return Err(unknown.into());
-    }
     messages.extend(stale(robot, &observations));
     if let Some(problem) = set_up_problem(robot, &observations, noise.total_mm()) {
         return Err(etalon_documents::warning_message(&problem).into());

@@ -242,8 +242,8 @@ impl Budget {
         self.contributions(|covariance| covariance[k * n + k], |e| self.common[e].1[k])
     }
 
-    /// Root L of the covariance of the parameters beyond the stated uncertainties of single readings,
-    /// row by row: the model error, and the scatter of repeats. `None` if there is none.
+    /// Root L of the covariance of the parameters beyond the stated uncertainties of readings, row
+    /// by row: the model error, and the scatter of repeats. `None` without such a part.
     pub fn model_root(&self) -> Option<Vec<f64>> {
         let n = self.readings.len().isqrt();
         let mut rest = DMatrix::from_row_slice(n, n, &self.readings);
