@@ -245,7 +245,7 @@ impl Budget {
     /// Root L of the covariance of the parameters beyond the stated uncertainties of readings, row
     /// by row: the model error, and the scatter of repeats. `None` without such a part.
     pub fn model_root(&self) -> Option<Vec<f64>> {
-        let n = self.readings.len().isqrt();
+        let n = Some(self.readings.len().isqrt()).filter(|n| *n > 0)?;
         let mut rest = DMatrix::from_row_slice(n, n, &self.readings);
         for (_, covariance) in &self.stated {
             rest -= DMatrix::from_row_slice(n, n, covariance);

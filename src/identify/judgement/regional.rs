@@ -48,12 +48,12 @@ struct Pose {
 }
 
 impl Regional {
-    /// Scatter of the parameters of a linear problem; `None` with fewer than eight poses, or if a
-    /// reading is common to several poses.
+    /// Scatter of the parameters of a linear problem; `None` without parameters, with fewer than
+    /// eight poses, or if a reading is common to several poses.
     pub fn new(problem: &Residuals, remaining: &Remaining) -> Option<Self> {
         let parts = divisions(problem)?;
         let Remaining { residuals, jacobian, root } = remaining;
-        let (n, measured) = (root.nrows(), problem.measured_count());
+        let (n, measured) = (Some(root.nrows()).filter(|n| *n > 0)?, problem.measured_count());
         let q = DMatrix::from_row_slice(measured, n, &jacobian[..measured * n]) * root;
         let scatter = |rows: &Vec<usize>| influence(&q, residuals, rows);
         let steps: Vec<DMatrix<f64>> = parts
