@@ -60,14 +60,14 @@ pub(crate) fn place(
     nominal: &[f64],
     places: &[usize],
 ) -> Result<Option<Placed>> {
-    let Some((few, others)) = with_few_targets(robot, observations) else {
-        return place_all(robot, arm, observations, nominal, places);
-    };
-    let shown: BTreeSet<usize> = shown_parameters(robot, &few).into_iter().collect();
-    let places: Vec<usize> = places.iter().copied().filter(|i| shown.contains(i)).collect();
-    let mut placed = place_all(robot, arm, &few, nominal, &places)?;
-    if let Some(placed) = &mut placed {
-        place_targets(arm, observations, &others, &mut placed.values);
+    let few = with_few_targets(robot, observations);
+    let shown = few.as_ref().map_or(observations, |few| &few.0);
+    // a target without a reading has no place to find
+    let parameters: BTreeSet<usize> = shown_parameters(robot, shown).into_iter().collect();
+    let places: Vec<usize> = places.iter().copied().filter(|i| parameters.contains(i)).collect();
+    let mut placed = place_all(robot, arm, shown, nominal, &places)?;
+    if let (Some(placed), Some((_, others))) = (&mut placed, &few) {
+        place_targets(arm, observations, others, &mut placed.values);
     }
     Ok(placed)
 }
