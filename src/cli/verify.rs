@@ -64,7 +64,7 @@ pub struct Verify {
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
     /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, if the
-    /// table has no `urot_deg` and it is not that of the calibration.
+    /// table has no `urot_deg`; by default the value of the calibration.
     #[arg(long, value_name = "DEG")]
     rotation_uncertainty_deg: Option<f64>,
     /// Order of the angles `a_deg`, `b_deg`, `c_deg` of an orientation: "zyx" (successively about

@@ -178,7 +178,7 @@ impl Degrees<'_> {
         let sensitivities = self.q * self.root.transpose();
         let degrees: Vec<f64> = (0..self.root.nrows())
             .into_par_iter()
-            .map(|k| self.of_sum(&labels, sensitivities.column(k).map(|v| v * v).as_slice()))
+            .map(|k| self.degrees_of_sum(&labels, sensitivities.column(k).map(|v| v * v).as_slice()))
             .collect();
         let of_factor: f64 = degrees.iter().sum();
         let all = |d: f64| 1.0 / ((1.0 - share).powi(2) / d + share.powi(2) / of_factor);
@@ -193,7 +193,7 @@ impl Degrees<'_> {
     }
 
     /// Degrees of a sum in which the rows have these weights.
-    fn of_sum(&self, labels: &[Vec<usize>], weights: &[f64]) -> f64 {
+    fn degrees_of_sum(&self, labels: &[Vec<usize>], weights: &[f64]) -> f64 {
         let mut squares = 0.0;
         for (a, first) in labels.iter().enumerate() {
             for second in &labels[..=a] {

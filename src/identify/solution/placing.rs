@@ -91,7 +91,7 @@ pub(crate) fn with_few_targets(
     Some((few, others))
 }
 
-/// Indices of the parameters except those of targets without a reading.
+/// Indices of all parameters without the places of targets that have no reading.
 pub(crate) fn shown_parameters(robot: &dyn Robot, observations: &[Observation]) -> Vec<usize> {
     let mut hidden: BTreeSet<usize> = BTreeSet::new();
     if let Some(arm) = robot.free_base() {
