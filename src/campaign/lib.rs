@@ -309,7 +309,8 @@ impl Campaign {
             Selection::parse(text.get_ref()).map_err(|m| Problems::from(m.at(self.place(text))))
         };
         let calibration = parse(&identify.calibration)?;
-        Ok(Selections { calibration, validation: identify.validation.as_ref().map(parse).transpose()? })
+        let series = identify.series.iter().map(parse).collect::<Result<_>>()?;
+        Ok(Selections { calibration, validation: identify.validation.as_ref().map(parse).transpose()?, series })
     }
 }
 

@@ -103,6 +103,8 @@ pub struct Selections {
     pub calibration: Selection,
     /// Poses for validation.
     pub validation: Option<Selection>,
+    /// Poses of each series.
+    pub series: Vec<Selection>,
 }
 
 impl Selections {
@@ -115,6 +117,17 @@ impl Selections {
     pub fn validates(&self, pose: PoseName, index: usize) -> bool {
         let calibrates = self.calibrates(pose, index);
         self.validation.as_ref().is_some_and(|validation| validation.contains(pose, index, calibrates))
+    }
+
+    /// Numbers of the series that contain the pose; `rest` is not asked where an earlier one does.
+    pub fn series(&self, pose: PoseName, index: usize) -> Vec<usize> {
+        let mut of: Vec<usize> = Vec::new();
+        for (number, series) in self.series.iter().enumerate() {
+            if series.contains(pose, index, !of.is_empty()) {
+                of.push(number);
+            }
+        }
+        of
     }
 }
 

@@ -568,6 +568,12 @@ pub struct Identify {
     /// does not use.
     #[schemars(with = "Option<StatedPoses>")]
     pub validation: Option<Spanned<StatedPoses>>,
+    /// Series of the campaign: the poses of each set-up, day or file, in the same notation; `rest`
+    /// selects all poses of no earlier series. The scatter of the parameters between series is then
+    /// in their uncertainties.
+    #[serde(default)]
+    #[schemars(with = "Vec<StatedPoses>")]
+    pub series: Vec<Spanned<StatedPoses>>,
     /// Parameters held at their nominal values, base and targets of an arm without `[nominal]` at
     /// zero; `*` stands for any text.
     #[serde(default)]

@@ -8,7 +8,7 @@ use super::{Verdict, answer, remark};
 use crate::stages::circumstances::hold_constant;
 use crate::stages::evaluate::Sets;
 use crate::stages::exclusions::{Exclusion, excluded_rows};
-use crate::stages::identification::{Input, state_before};
+use crate::stages::identification::{Input, state_positions};
 use crate::stages::join::Observations;
 use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::remedies::remedied;
@@ -157,7 +157,8 @@ impl IdentifyCommand {
         solved.judge(robot.as_ref(), &sets, &settings, messages);
         solved.check_bound(robot.as_ref(), &sets, &settings, self.bound.stated()?);
         let mut document = parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, inputs);
-        state_before(&mut document, robot.as_ref(), &sets.calibration, &solved.before);
+        let both: [&[f64]; 2] = [&solved.before, &solved.found.values];
+        state_positions(&mut document, robot.as_ref(), &sets.calibration, both);
         Ok(document)
     }
 

@@ -17,7 +17,7 @@ use crate::stages::verification::{EarlierCalibration, plan, verify};
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems};
-use etalon_campaign::{Campaign, ObservationsDefinition, RobotFile, read_robot};
+use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_documents::{
     CampaignReference, CampaignSummary, ParametersDocument, Presentation, VerificationDocument, to_json,
 };
@@ -36,7 +36,7 @@ use std::path::{Path, PathBuf};
 #[command(
     after_help = "Answers: the parameters are valid; the base has moved; the zero of a joint has moved; another change.
 The answer also states the motions that these poses detect with a probability of 95 %.
-The probability that an unchanged robot is judged changed is 5 %.
+The probability that an unchanged robot is judged changed is at most 5 %.
 
 Exit code 1 if the parameters are no longer valid."
 )]
@@ -73,7 +73,7 @@ pub struct Verify {
     orientation: Option<String>,
     /// Campaign whose `[observations]` state how the table is read, in place of the options of
     /// tables.
-    #[arg(long, value_name = "CAMPAIGN")]
+    #[arg(long, value_name = "CAMPAIGN", conflicts_with_all = ["TextForm", "constants", "coverage_factor", "target", "pose", "orientation"])]
     like: Option<PathBuf>,
     #[command(flatten)]
     bound: BoundOption,
@@ -117,7 +117,7 @@ impl Verify {
         document: &ParametersDocument,
     ) -> anyhow::Result<VerificationDocument> {
         check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        let observed = self.format.parse(given.table.name, given.table.text)?;
+        let observed = (self.format.parse(given.table.name, given.table.text)?, self.order()?);
         Ok(self.verified(given.robot, document, &observed, given.inputs())?)
     }
 
@@ -125,7 +125,7 @@ impl Verify {
         &self,
         robot_file: &RobotFile,
         document: &ParametersDocument,
-        observed: &TableFile,
+        (observed, order): &(TableFile, Option<AngleOrder>),
         inputs: BTreeMap<String, String>,
     ) -> Result<VerificationDocument, Problems> {
         let here = |problems: Problems| observed.place(problems);
@@ -138,7 +138,7 @@ impl Verify {
         let without = RowDefaults {
             length_mm: stated_mm.or(document.residuals.stated_standard_uncertainty_mm),
             rotation_rad: stated_rad.or_else(|| orientation_uncertainty_rad(document)),
-            order: self.order()?,
+            order: *order,
         };
         let measured = kinds::observed(robot.as_mut(), &observed.table, without, Settings::default(), &mut messages);
         let measured = measured.map_err(here)?;
@@ -152,31 +152,35 @@ impl Verify {
     }
 }
 
+/// The order of angles in a text that is at `place`.
+fn order(text: &str, place: Place) -> Result<AngleOrder, Problems> {
+    text.parse().map_err(|m: Message| Problems::from(m.at(place)))
+}
+
 impl Verify {
-    /// Statements of the campaign of `--like` on its first table of observations.
-    fn like(&self) -> Result<Option<ObservationsDefinition>, Problems> {
-        let Some(folder) = &self.like else { return Ok(None) };
-        match Campaign::read(folder)?.file.observations.into_iter().next() {
-            Some(stated) => Ok(Some(stated)),
-            None => Err(error!("campaign-without-observations", campaign = folder.display().to_string()).into()),
-        }
-    }
-
-    /// The table of a file, read as options or the campaign of `--like` state it.
-    fn table(&self, path: &Path) -> Result<TableFile, Problems> {
-        match self.like()? {
-            Some(stated) => {
-                TableFile::observations(path, &etalon_formats::bytes_of(path)?, &TableForm::observations(&stated))
+    /// The table of a file, and the order of the angles of its orientations, as options or the
+    /// campaign of `--like` state them.
+    fn table(&self, path: &Path) -> Result<(TableFile, Option<AngleOrder>), Problems> {
+        let Some(folder) = &self.like else { return Ok((self.format.read(path)?, self.order()?)) };
+        let campaign = Campaign::read(folder)?;
+        let name = || folder.display().to_string();
+        let stated = match &campaign.file.observations[..] {
+            [stated] => stated,
+            [] => return Err(error!("campaign-without-observations", campaign = name()).into()),
+            several => {
+                let count = several.len();
+                return Err(error!("campaign-with-several-observations", campaign = name(), count).into());
             }
-            None => self.format.read(path),
-        }
+        };
+        let of_campaign = |text: &toml::Spanned<String>| order(text.get_ref(), campaign.place(text));
+        let order = stated.orientation.as_ref().map(of_campaign).transpose()?;
+        let form = TableForm::observations(stated);
+        Ok((TableFile::observations(path, &etalon_formats::bytes_of(path)?, &form)?, order))
     }
 
-    /// Order of the angles of an orientation, from the option or the campaign of `--like`.
+    /// Order of the angles of an orientation, from the option.
     fn order(&self) -> Result<Option<AngleOrder>, Problems> {
-        let stated = self.like()?.and_then(|stated| stated.orientation).map(toml::Spanned::into_inner);
-        let order = self.orientation.clone().or(stated).map(|order| order.parse()).transpose();
-        order.map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))
+        self.orientation.as_ref().map(|text| order(text, Place::file("--orientation"))).transpose()
     }
 
     /// Chooses candidates to measure.

@@ -243,8 +243,8 @@ pub struct ResidualSummary {
     pub count: usize,
     /// Root mean square (mm). Pose residuals mix mm and rad (thesis, eq. 3.26).
     pub rms: f64,
-    /// Root mean square of the position residuals (mm); absent if not all residuals are positions
-    /// of targets.
+    /// Root mean square of the position residuals of targets (mm); absent without positions of
+    /// targets, and for pose residuals.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_rms_mm: Option<f64>,
     /// Root mean square of the position residuals before identification (mm): nominal parameters,
@@ -255,6 +255,10 @@ pub struct ResidualSummary {
     pub max: f64,
     /// Number of residuals minus number of identified parameters.
     pub degrees_of_freedom: usize,
+    /// Degrees of freedom of the residual variance, by the scatter of the squares from pose to
+    /// pose: those of a smooth misfit scatter more than those of noise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub effective_degrees_of_freedom: Option<f64>,
     /// Stated standard uncertainty of one coordinate (mm): of the contact if stated separately,
     /// otherwise of the instrument.
     pub stated_standard_uncertainty_mm: Option<f64>,
@@ -279,6 +283,21 @@ pub struct ResidualSummary {
     /// Residuals of each quantity other than positions of targets.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub conditions: Vec<QuantityResiduals>,
+    /// Scatter of the parameters between the series of the campaign (`series` in campaign.toml), as
+    /// far as it exceeds the scatter between regions of the workspace. Absent for one series, and
+    /// where the instrument explains all residuals.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub between_series: Option<SeriesScatter>,
+}
+
+/// Scatter between series.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SeriesScatter {
+    /// Number of series.
+    pub series: usize,
+    /// Share of the variances of the parameters, in the mean.
+    pub share: f64,
 }
 
 /// Residuals of the observations of one quantity.

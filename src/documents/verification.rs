@@ -1,6 +1,6 @@
 //! Answer of `etalon verify`: verdict on whether given parameters still apply.
 
-use super::{CampaignReference, Provenance};
+use super::{CampaignReference, ErrorQuantity, Provenance};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_base::pose_name::PoseName;
@@ -51,6 +51,9 @@ pub struct VerificationDocument {
     pub position_rms_mm: f64,
     /// Expected root-mean-square residual of a position if nothing has changed (mm).
     pub expected_position_rms_mm: f64,
+    /// Residuals of each quantity other than positions of targets.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub conditions: Vec<VerifiedQuantity>,
     /// Standard uncertainty of a measured coordinate (mm).
     pub standard_uncertainty_mm: f64,
     /// Standard deviation of the calibrated model's error of a coordinate, in addition to the
@@ -60,6 +63,24 @@ pub struct VerificationDocument {
     pub messages: Vec<Message>,
     /// Origin of the numbers.
     pub provenance: Provenance,
+}
+
+/// Residuals of the observations of one quantity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VerifiedQuantity {
+    /// `position`, `orientation`, `distance`, `surface`, `contact` or `coordinate`.
+    #[schemars(with = "String")]
+    pub quantity: ErrorQuantity,
+    /// Unit of the residuals: `mm` or `deg`.
+    pub unit: String,
+    /// Number of residuals.
+    pub count: usize,
+    /// Root mean square of the residuals.
+    pub rms: f64,
+    /// Expected root mean square if nothing has changed, by the uncertainty of the observed values
+    /// and the model error of the calibration.
+    pub expected_rms: f64,
 }
 
 /// Candidates to measure so that `etalon verify` detects the smallest possible changes.

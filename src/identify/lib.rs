@@ -25,6 +25,7 @@ pub use judgement::loads::{LoadContradiction, LoadSlip, load_slips};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::ratio::MeasuredRatio;
+pub use judgement::regional::BetweenSeries;
 pub use judgement::relative::{DistanceErrors, RelativeErrors};
 pub use judgement::reliability::{
     ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability,
@@ -66,6 +67,7 @@ pub use warning::{Origin, SetUpError, Subject, Warning};
 
 use etalon_base::error;
 use etalon_base::pattern::matches_pattern;
+use etalon_base::pose_name::PoseName;
 use etalon_math::{Factor, Linearised, Options, Problem, Quadratic, Termination, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
@@ -113,6 +115,9 @@ pub struct Settings {
     pub prior: Prior,
     /// Effects of the robot itself that are identified.
     pub effects: Effects,
+    /// Poses of each series (set-up, day, file); poses of none are a series of their own. Empty for
+    /// one series.
+    pub series: Vec<Vec<PoseName>>,
 }
 
 impl Settings {
@@ -213,6 +218,9 @@ pub struct Identification {
     pub budget: Budget,
     /// Scatter of repeats compared with the rest; `None` if no pose was repeated.
     pub replicates: Option<Replicates>,
+    /// Scatter between the stated series; `None` for one series, and where the instrument explains
+    /// all residuals.
+    pub between_series: Option<BetweenSeries>,
     /// Root mean square of the residuals, in mm (mm and rad mixed for pose residuals, as in eq.
     /// 3.26).
     pub rms: f64,
@@ -220,6 +228,9 @@ pub struct Identification {
     pub max: f64,
     /// Equations minus identified parameters.
     pub degrees_of_freedom: usize,
+    /// Degrees of freedom of the residual variance by the scatter of the poses: squares of a smooth
+    /// misfit scatter more than those of noise.
+    pub residual_degrees: f64,
     /// Sum of squares of residuals over their uncertainties; `None` if no uncertainty is stated or
     /// no degrees of freedom are left.
     pub chi_square: Option<f64>,

@@ -6,8 +6,9 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{
     ErrorQuantity, ParameterEntry, ParameterStatus, ParametersDocument, QuantityResiduals, ResidualSummary,
+    VerifiedQuantity,
 };
-use etalon_identify::{Condition, GivenParameters, Kind, Observation, Settings, Variance};
+use etalon_identify::{Condition, ConditionResiduals, GivenParameters, Kind, Observation, Settings, Variance};
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use std::collections::BTreeMap;
 
@@ -217,26 +218,27 @@ impl ExpectedDeviation {
     ///
     /// # Errors
     /// Fails if the residuals of the calibration yield no standard deviation.
-    pub fn of(document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
+    pub fn of(robot: &dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let residuals = &document.residuals;
         let dof = residuals.degrees_of_freedom as f64;
         let conditions = model_errors(residuals);
+        let rms_mm =
+            residuals.position_rms_mm.map_or(residuals.rms, |rms_mm| rms_mm / (robot.dimension() as f64).sqrt());
+        let shown_mm = rms_mm * (residuals.count as f64 / dof).sqrt();
         let Some(u) = residuals.stated_standard_uncertainty_mm else {
-            let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
             if dof == 0.0 || !shown_mm.is_finite() {
                 return Err(error!("calibration-without-residuals").into());
             }
             let measured_mm = stated_mm.unwrap_or(shown_mm);
             let model_mm = (shown_mm.powi(2) - measured_mm.powi(2)).max(0.0).sqrt();
-            return Ok(Self { measured_mm, model_mm, variance: Variance::Estimated(dof), conditions });
+            return Ok(Self { measured_mm, model_mm, variance: estimated(residuals), conditions });
         };
         let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
         // only where chi-square rejects that the instrument explains all; other quantities have a
         // model error of their own
         let rejected = residuals.chi_square_rejected && dof > 0.0;
-        let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
         let model_mm = if rejected { (shown_mm.powi(2) - u.powi(2)).max(0.0).sqrt() } else { 0.0 };
-        let variance = if model_mm > 0.0 { Variance::Estimated(dof) } else { Variance::Stated };
+        let variance = if model_mm > 0.0 { estimated(residuals) } else { Variance::Stated };
         Ok(Self { measured_mm: stated_mm.unwrap_or(u), model_mm, variance, conditions })
     }
 
@@ -266,6 +268,27 @@ impl ExpectedDeviation {
         Settings { standard_uncertainty_mm: Some(self.measured_mm), conditions, ..settings }
     }
 
+    /// Residuals of each quantity of the conditions, and their expected size.
+    pub fn conditions(&self, robot: &dyn Robot, values: &[f64], conditions: &[Condition]) -> Vec<VerifiedQuantity> {
+        let one = |found: ConditionResiduals| {
+            let quantity = found.kind.map_or(ErrorQuantity::Orientation, ErrorQuantity::from);
+            let unit = if found.kind.is_none() { Quantity::Angle } else { Quantity::Length };
+            VerifiedQuantity {
+                quantity,
+                unit: unit.unit().to_owned(),
+                count: found.count,
+                rms: unit.outward(found.rms),
+                expected_rms: unit.outward(found.standard_uncertainty.hypot(self.model(quantity))),
+            }
+        };
+        ConditionResiduals::all(robot, values, conditions).into_iter().map(one).collect()
+    }
+
+    /// Model error of a quantity (mm or rad).
+    fn model(&self, quantity: ErrorQuantity) -> f64 {
+        self.conditions.iter().find(|(of, _)| *of == quantity).map_or(0.0, |(_, model)| *model)
+    }
+
     /// Conditions whose standard uncertainties contain the model error of their quantity, which is
     /// common to all of them in a pose.
     fn with_model_errors(&self, mut conditions: Vec<Condition>) -> Vec<Condition> {
@@ -273,8 +296,8 @@ impl ExpectedDeviation {
         let mut count: BTreeMap<(PoseName, ErrorQuantity), usize> = BTreeMap::new();
         conditions.iter().for_each(|c| *count.entry(key(c)).or_default() += 1);
         for c in conditions.iter_mut().filter(|c| !matches!(c.kind, Kind::Joint(_))) {
-            let model = self.conditions.iter().find(|(of, _)| *of == quantity(c)).map_or(0.0, |(_, model)| *model);
-            c.standard_uncertainty = c.standard_uncertainty.hypot(model * (count[&key(c)] as f64).sqrt());
+            let model = self.model(quantity(c)) * (count[&key(c)] as f64).sqrt();
+            c.standard_uncertainty = c.standard_uncertainty.hypot(model);
         }
         conditions
     }
@@ -298,14 +321,22 @@ fn quantity(condition: &Condition) -> ErrorQuantity {
     condition.kind.error_kind().map_or(ErrorQuantity::Orientation, Into::into)
 }
 
+/// Variance of residuals that their scatter estimates.
+fn estimated(residuals: &ResidualSummary) -> Variance {
+    let all = residuals.degrees_of_freedom as f64;
+    let degrees = residuals.effective_degrees_of_freedom.unwrap_or(all);
+    Variance::Misfit { degrees, share: degrees / all }
+}
+
 /// Model error of each quantity (standard deviation, mm or rad): residual variance minus the
-/// variance of the observed values.
+/// variance of the observed values, unless chi-square says that these explain all.
 fn model_errors(residuals: &ResidualSummary) -> Vec<(ErrorQuantity, f64)> {
+    let explained = residuals.chi_square.is_some() && !residuals.chi_square_rejected;
     let rows = residuals.count as f64 / residuals.degrees_of_freedom.max(1) as f64;
     let of_quantity = |found: &QuantityResiduals| {
         let unit = if found.quantity == ErrorQuantity::Orientation { Quantity::Angle } else { Quantity::Length };
         let excess = found.rms.powi(2) * rows - found.standard_uncertainty.powi(2);
-        let model = if residuals.chi_square_rejected { excess.max(0.0).sqrt() } else { 0.0 };
+        let model = if explained { 0.0 } else { excess.max(0.0).sqrt() };
         (found.quantity, unit.inward(model))
     };
     residuals.conditions.iter().map(of_quantity).collect()

@@ -209,7 +209,7 @@ fn identify_selected(
     found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)).map(Into::into));
     let field = field.map(|field| FieldDocument::new(robot, &found.values, &field, String::new()));
     let mut parameters = parameters_document(robot, &settings, &before, &found, &BTreeMap::new());
-    state_before(&mut parameters, robot, &sets.calibration, &before);
+    state_positions(&mut parameters, robot, &sets.calibration, [&before, &found.values]);
     parameters.valid_until = campaign.file.valid_until();
     parameters.synthetic = campaign.file.synthetic.clone();
     placed.mark(robot, &found, &mut parameters);
@@ -227,10 +227,17 @@ fn identify_selected(
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, field, again })
 }
 
-/// States the position residuals before identification beside those after it.
-pub fn state_before(document: &mut ParametersDocument, robot: &dyn Robot, observed: &[Observation], before: &[f64]) {
+/// States the position residuals with the parameters before and after identification.
+pub fn state_positions(
+    document: &mut ParametersDocument,
+    robot: &dyn Robot,
+    observed: &[Observation],
+    [before, after]: [&[f64]; 2],
+) {
     let residuals = &mut document.residuals;
-    if residuals.position_rms_mm.is_some() {
+    if residuals.kind == etalon_documents::ResidualKind::Targets {
+        let known = residuals.position_rms_mm;
+        residuals.position_rms_mm = known.or_else(|| evaluate::position_rms_mm(robot, observed, after));
         residuals.position_rms_before_mm = evaluate::position_rms_mm(robot, observed, before);
     }
 }
@@ -356,7 +363,12 @@ pub fn select(
     check_selections(campaign, &poses)?;
     let selections = campaign.selections(stated)?;
     let mut sets = evaluate::split(&observed, &poses, &selections);
-    let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
+    let mut series = vec![Vec::new(); selections.series.len()];
+    for (i, &pose) in poses.iter().enumerate() {
+        selections.series(pose, i).into_iter().for_each(|number| series[number].push(pose));
+    }
+    let conditions = sets.calibration_conditions.clone();
+    let mut settings = Settings { conditions, series, ..observed.settings };
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
     messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.place_of(&["identify", "residuals"])))?);
     messages.extend(hold_constant(robot, &sets, &mut settings));
@@ -533,11 +545,9 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     // what does not read is reported with the statements
     let Ok(selections) = campaign.selections(identify) else { return Ok(()) };
     let mut problems = Problems::default();
-    let stated = [
-        (Some(&identify.calibration), Some(&selections.calibration)),
-        (identify.validation.as_ref(), selections.validation.as_ref()),
-    ];
-    for (text, selection) in stated.into_iter().filter_map(|(text, selection)| Some((text?, selection?))) {
+    let stated = std::iter::once((&identify.calibration, &selections.calibration));
+    let stated = stated.chain(identify.validation.iter().zip(&selections.validation));
+    for (text, selection) in stated.chain(identify.series.iter().zip(&selections.series)) {
         if let Some(name) = selection.mistaken(poses) {
             let message = error!("selected-pose-unmeasured", pose = name).at(campaign.place(text));
             let names: Vec<String> = poses.iter().map(PoseName::to_string).collect();
@@ -564,6 +574,7 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
             problems.0.push(error!("sets-overlap", poses = shown(shared, 20)).at(campaign.place(text)));
         }
     }
+    problems.0.extend(series_problems(campaign, identify, &selections, poses));
     let in_use = |&(i, pose): &(usize, PoseName)| selections.calibrates(pose, i) || selections.validates(pose, i);
     let used: Vec<PoseName> = numbered().filter(in_use).map(|(_, pose)| pose).collect();
     for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
@@ -575,6 +586,32 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
         problems.0.push(found.at(campaign.place(&table.poses)));
     }
     problems.check().map(|_| ())
+}
+
+/// Errors of series without a measured pose, and of poses in several series.
+fn series_problems(
+    campaign: &Campaign,
+    identify: &Identify,
+    selections: &Selections,
+    poses: &BTreeSet<PoseName>,
+) -> Vec<Message> {
+    let of: Vec<(PoseName, Vec<usize>)> =
+        poses.iter().enumerate().map(|(i, &pose)| (pose, selections.series(pose, i))).collect();
+    let mut problems = Vec::new();
+    for (number, text) in identify.series.iter().enumerate() {
+        let shared = of.iter().filter(|(_, of)| of.contains(&number) && of.iter().any(|other| *other < number));
+        let shared: Vec<String> = shared.map(|(pose, _)| pose.to_string()).collect();
+        let problem = if !of.iter().any(|(_, of)| of.contains(&number)) {
+            let hint = measured(poses);
+            error!("selection-without-pose", set = "series").hint(hint)
+        } else if !shared.is_empty() {
+            error!("series-overlap", poses = shown(shared, 20))
+        } else {
+            continue;
+        };
+        problems.push(problem.at(campaign.place(text)));
+    }
+    problems
 }
 
 /// Poses available for selection.

@@ -6,7 +6,7 @@
 //! What is not stable is found once, by all poses, and held in every fold.
 
 use super::cross_validation::{SIGNIFICANCE, Study, Tried};
-use super::identification::{Selected, check_set_up, state_before};
+use super::identification::{Selected, check_set_up, state_positions};
 use crate::stages::remedies::remedied;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
@@ -102,7 +102,8 @@ impl Recommendation<'_> {
         messages.extend(self.unstable(&stability));
         let settings = study.holding(choose(choice, &full));
         let mut document = parameters_document(study.robot, &settings, &study.before, &recommended.found, inputs);
-        state_before(&mut document, study.robot, &study.sets.calibration, &study.before);
+        let after = &recommended.found.values;
+        state_positions(&mut document, study.robot, &study.sets.calibration, [&study.before, after]);
         messages
             .extend(document.messages.iter().filter(|m| m.severity == etalon_base::message::Severity::Error).cloned());
         let meaning = meaning((&chosen, together), choice, &parameters, &held_out);

@@ -41,7 +41,7 @@ impl<'r> EarlierCalibration<'r> {
     /// standard deviation.
     pub fn new(robot: &'r mut dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let parameters = given(robot, document)?;
-        let noise = ExpectedDeviation::of(document, stated_mm)?;
+        let noise = ExpectedDeviation::of(robot, document, stated_mm)?;
         let messages = other_nominal(robot, document).into_iter().collect();
         let entry = |p: &Parameter| document.parameters.iter().find(|entry| entry.name == p.name);
         let before = |(i, p): (usize, &Parameter)| match (entry(p), p.role) {
@@ -79,6 +79,7 @@ pub fn verify(
     if let Some(problem) = set_up_problem(robot, &observations, noise.total_mm()) {
         return Err(etalon_documents::warning_message(&problem).into());
     }
+    let conditions = noise.conditions(robot, &parameters.values, &settings.conditions);
     let settings = noise.applied(&mut observations, settings);
     let comparison = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
     let found = comparison.verify(noise.variance).map_err(remedied)?;
@@ -135,6 +136,7 @@ pub fn verify(
         expected_rms_mm: found.expected_rms_mm,
         position_rms_mm: of_position * found.rms_mm,
         expected_position_rms_mm: of_position * found.expected_rms_mm,
+        conditions,
         standard_uncertainty_mm: noise.measured_mm,
         model_mm: noise.model_mm,
         messages,

@@ -357,6 +357,21 @@ fn a_verification_takes_orientations_in_the_table_of_the_campaign() {
     let answer = json(&slipped);
     assert_eq!((code(&slipped), answer["verdict"].as_str()), (Some(1), Some("joint")), "{answer}");
     assert_eq!(answer["moved"]["name"], "q5", "{answer}");
+    let orientation = |answer: &serde_json::Value| {
+        let found = &answer["conditions"][0];
+        assert_eq!(
+            (found["quantity"].as_str(), found["unit"].as_str()),
+            (Some("orientation"), Some("deg")),
+            "{answer}"
+        );
+        found["rms"].as_f64().unwrap() / found["expected_rms"].as_f64().unwrap()
+    };
+    assert!((0.7..1.3).contains(&orientation(&json(&valid))) && orientation(&answer) > 5.0, "{answer}");
+    // the campaign states the table: options beside it would count for nothing
+    let both = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json", "--like", "."];
+    for option in [&["--delimiter", ";"][..], &["--coverage-factor", "2"], &["--orientation", "zyx"]] {
+        assert_eq!(code(&etalon(&folder.path(), &[&both[..], option].concat())), Some(2), "{option:?}");
+    }
     // orientations alone may contradict the calibration
     let turned = verify(&few(&|cells| {
         let at = cells.len() - 4;

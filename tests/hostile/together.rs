@@ -105,6 +105,10 @@ fn statements_that_count_for_nothing_are_refused() {
     );
     campaign("\"rail2_a\", ", "\"rail2_a\", \"rail2_a\", ", &["feature `rails` names `rail2_a` twice", ":31:21"]);
     campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["[sets-overlap]", "13", ":43:14"]);
+    let series = |stated: &str| format!("calibration = \"1-8\"\nseries = {stated}");
+    campaign("calibration = \"1-8\"", &series("[\"1-9\", \"8-59\"]"), &["[series-overlap]", "8, 9", ":43:18"]);
+    let none = ["error[selection-without-pose]: `series`", ":43:19"];
+    campaign("calibration = \"1-8\"", &series("[\"rest\", \"90-99\"]"), &none);
     campaign("by = [\"pose\", \"cycle\"]", "by = \"time\"", &["[join-clock-missing]", "campaign.toml:28:6"]);
     campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["[feature-element]", ".toml:3"]);
     let delimited = "format = { delimiter = \"blank\", columns = [\"pose\", \"target\", \"x\", \"y\", \"z\"] }\ntarget = \"K\"\npose = \"row\"";

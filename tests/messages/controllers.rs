@@ -201,6 +201,12 @@ const CASES: &[Case] = &[
         "verify @/out/observations.csv --robot @/robot.toml --parameters @/out/parameters.json --like @",
     ),
     (
+        "campaign-with-several-observations count=2",
+        "probe-poses+out",
+        &[("campaign.toml", "[observations]\n", "[[observations]]\nfile = \"observations.csv\"\n[[observations]]\n")],
+        "verify @/out/observations.csv --robot @/robot.toml --parameters @/out/parameters.json --like @",
+    ),
+    (
         "verify-quantity-without-residuals quantity=orientation",
         "column-arm+out",
         &[(

@@ -74,11 +74,12 @@ fn open(line: &str) -> Option<&str> {
     }
 }
 
-/// Errors of the campaign with its questions answered by every unit; none if a question cannot be
-/// answered by a trial.
+/// Errors of the campaign with its questions answered, an open unit by every unit; none if a
+/// question cannot be answered by a trial.
 fn errors(folder: &Path, text: &str) -> Vec<Message> {
     let mut first: Option<Vec<Message>> = None;
-    for unit in UNITS {
+    let asks = text.lines().any(|line| open(line) == Some("unit"));
+    for unit in UNITS.into_iter().take(if asks { UNITS.len() } else { 1 }) {
         let Some(text) = answered(text, unit) else { return Vec::new() };
         let stamp = Stamp::of(text.as_bytes());
         let found = match Campaign::recover_text(folder.join("campaign.toml"), text, stamp) {

@@ -4,6 +4,7 @@
 use etalon_base::pose::{Pose, cross, dot, norm};
 use etalon_math::Factor;
 use etalon_robots::{Quantity, Robot};
+use std::collections::BTreeMap;
 
 /// Minimum number of rows: base and target are 15 unknowns.
 pub(super) const FEWEST: usize = 15;
@@ -11,6 +12,8 @@ pub(super) const FEWEST: usize = 15;
 const RANKED: usize = 24;
 /// Maximum number of rows of the final residual.
 const MOST: usize = 2000;
+/// Maximum number of targets, those with the most rows: few show where the base is.
+const MOST_TARGETS: usize = 12;
 /// Largest residual, relative to the spread of the coordinates, of an accepted reading.
 const ACCEPTED: f64 = 0.03;
 /// Factor by which the residual of the next reading has to be larger.
@@ -99,6 +102,11 @@ impl Sample {
         let rows = self.rows();
         let count = count.min(rows);
         let at: Vec<usize> = (0..count).map(|i| i * rows / count.max(1)).collect();
+        self.rows_at(&at)
+    }
+
+    /// Returns the sample of these rows.
+    fn rows_at(&self, at: &[usize]) -> Self {
         let pick = |column: &Vec<f64>| at.iter().map(|i| column[*i]).collect::<Vec<f64>>();
         Self {
             joints: self.joints.iter().map(pick).collect(),
@@ -108,18 +116,26 @@ impl Sample {
         }
     }
 
+    /// Returns the rows of the [`MOST_TARGETS`] targets with the most rows.
+    fn of_few_targets(&self) -> Self {
+        let mut rows: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        self.targets.iter().enumerate().for_each(|(i, target)| rows.entry(*target).or_default().push(i));
+        let mut rows: Vec<Vec<usize>> = rows.into_values().collect();
+        rows.sort_by_key(|rows| std::cmp::Reverse(rows.len()));
+        rows.truncate(MOST_TARGETS);
+        let mut at: Vec<(usize, usize)> =
+            rows.iter().enumerate().flat_map(|(target, rows)| rows.iter().map(move |i| (*i, target))).collect();
+        at.sort_unstable();
+        let kept: Vec<usize> = at.iter().map(|(i, _)| *i).collect();
+        Self { targets: at.into_iter().map(|(_, target)| target).collect(), ..self.rows_at(&kept) }
+    }
+
     /// Returns the rows in which every value is finite.
     pub fn finite(self) -> Self {
         let keep: Vec<usize> = (0..self.rows())
             .filter(|i| self.joints.iter().chain(&self.points).all(|c| c.get(*i).is_some_and(|v| v.is_finite())))
             .collect();
-        let pick = |column: &Vec<f64>| keep.iter().map(|i| column[*i]).collect::<Vec<f64>>();
-        Self {
-            joints: self.joints.iter().map(pick).collect(),
-            points: self.points.each_ref().map(pick),
-            targets: keep.iter().map(|i| self.targets[*i]).collect(),
-            stated: self.stated,
-        }
+        self.rows_at(&keep)
     }
 
     /// Mean and spread (root mean square distance from the mean) of the points.
@@ -172,6 +188,7 @@ pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcom
     if !is_chain || sample.joints.len() < count || count < 2 || !sample.spans_space() {
         return Outcome::Untested;
     }
+    let sample = &sample.of_few_targets();
     let targets = sample.targets.iter().max().map_or(1, |most| most + 1);
     if sample.rows() < FEWEST + 3 * (targets - 1) {
         return Outcome::Untested;
@@ -183,10 +200,13 @@ pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcom
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     let near = ranked.first().map_or(0.0, |(best, _)| (DISTINCT * best).max(SAME_MM));
     let many = sample.thinned(MOST);
+    // where the best is far off, the others are as well
+    let spread_mm = |h: &Hypothesis| affine(robot, &few, h).map_or(0.0, |found| few.spread().1 * found.unit_mm);
+    let is_open = ranked.first().is_some_and(|(best, i)| *best <= 2.0 * ACCEPTED * spread_mm(&all[*i]));
     let mut found: Vec<(Residual, usize)> = ranked
         .iter()
         .take_while(|(rms, _)| *rms <= near && rms.is_finite())
-        .take(NEAR)
+        .take(if is_open { NEAR } else { 1 })
         .filter_map(|(_, i)| Some((residual(robot, &many, &all[*i])?, *i)))
         .collect();
     found.sort_by(|a, b| a.0.rms_mm.total_cmp(&b.0.rms_mm));
@@ -221,7 +241,7 @@ pub(super) fn confirmed(robot: &dyn Robot, sample: &Sample, reading: &Reading) -
         return None;
     }
     let Reading { order, reversed, units, .. } = reading.clone();
-    let many = sample.thinned(MOST);
+    let many = sample.of_few_targets().thinned(MOST);
     let residual = residual(robot, &many, &Hypothesis { order, reversed, units })?;
     (residual.rms_mm <= ACCEPTED * many.spread().1 * residual.unit_mm).then(|| Reading {
         origin: origin(robot, &many, &residual),

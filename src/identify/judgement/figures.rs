@@ -61,7 +61,7 @@ pub struct ConditionResiduals {
 impl ConditionResiduals {
     /// Residuals of each quantity at `values`. Observed joint values have none: they are inputs of
     /// the model.
-    pub(crate) fn all(robot: &dyn Robot, values: &[f64], conditions: &[Condition]) -> Vec<Self> {
+    pub fn all(robot: &dyn Robot, values: &[f64], conditions: &[Condition]) -> Vec<Self> {
         let mut all: BTreeMap<Option<ErrorKind>, [f64; 3]> = BTreeMap::new();
         for c in conditions.iter().filter(|c| !matches!(c.kind, Kind::Joint(_))) {
             let rows = c.kind.rows() as f64;

@@ -15,6 +15,7 @@
 use crate::model::elimination::{Remaining, carried, transposed_times};
 use crate::model::residuals::Residuals;
 use etalon_base::noise::Noise;
+use etalon_base::pose_name::PoseName;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rayon::prelude::*;
 
@@ -33,12 +34,24 @@ const SEED: u64 = 60;
 /// direction almost alone counts with this share.
 const SHOWN: f64 = 0.05;
 
-/// Scatter of the parameters between regions.
+/// Scatter of the parameters between regions, and between series.
 pub(crate) struct Regional {
     /// Σ h hᵀ, the covariance in the coordinates in which Jᵀ J is the identity.
     middle: DMatrix<f64>,
     /// Effective degrees of freedom of each variance.
     degrees: Vec<f64>,
+    /// Scatter between series, if there are several.
+    pub between: Option<BetweenSeries>,
+}
+
+/// Scatter of the identified parameters between series (set-ups, days, files) beyond the scatter
+/// between regions of one series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BetweenSeries {
+    /// Number of series.
+    pub series: usize,
+    /// Share of the variances of the parameters that it contributes, in the mean.
+    pub share: f64,
 }
 
 /// A pose: its joint values in units of their scatter, and its rows.
@@ -50,7 +63,7 @@ struct Pose {
 impl Regional {
     /// Scatter of the parameters of a linear problem; `None` without parameters, with fewer than
     /// eight poses, or if a reading is common to several poses.
-    pub fn new(problem: &Residuals, remaining: &Remaining) -> Option<Self> {
+    pub fn new(problem: &Residuals, remaining: &Remaining, series: &[Vec<PoseName>]) -> Option<Self> {
         let parts = divisions(problem)?;
         let Remaining { residuals, jacobian, root } = remaining;
         let (n, measured) = (Some(root.nrows()).filter(|n| *n > 0)?, problem.measured_count());
@@ -65,13 +78,50 @@ impl Regional {
         let middle = shrunk.iter().fold(DMatrix::zeros(n, n), |sum, (m, _)| sum + m) / DIVISIONS as f64;
         let share = mean(&mut shrunk.iter().map(|(_, share)| *share));
         let degrees = Degrees { q: &q, root, parts: &parts, rows: q.nrows() }.all(share);
-        Some(Self { middle, degrees })
+        let found = Self { middle, degrees, between: None };
+        let steps: Vec<DVector<f64>> = rows_of_series(problem, series).iter().map(scatter).collect();
+        Some(if steps.len() > 1 { found.with_series(&DMatrix::from_columns(&steps), root) } else { found })
+    }
+
+    /// Adds the scatter between series, of which each column is the change without one, as far as
+    /// it exceeds the scatter between regions: the jackknife variance of the mean over series minus
+    /// the variance within them, in the mean over all directions. A set-up moves few parameters
+    /// (base, targets), so the sum is not shrunk. It has the degrees of freedom of the series
+    /// (Satterthwaite; GUM G.4.1).
+    fn with_series(mut self, steps: &DMatrix<f64>, root: &DMatrix<f64>) -> Self {
+        let series = steps.ncols();
+        let of_mean = (series - 1) as f64 / series as f64;
+        let within = self.middle.trace();
+        let beyond = (1.0 - within / (of_mean * steps.norm_squared()).max(f64::MIN_POSITIVE)).max(0.0);
+        let more = steps * steps.transpose() * (of_mean * beyond);
+        let [regions, between] = [&self.middle, &more].map(|middle| carried(root, middle));
+        for (k, degrees) in self.degrees.iter_mut().enumerate() {
+            let (a, b) = (regions[(k, k)], between[(k, k)]);
+            if b > 0.0 {
+                *degrees = (a + b).powi(2) / (a.powi(2) / *degrees + b.powi(2) / (series - 1) as f64);
+            }
+        }
+        let share = more.trace() / (within + more.trace()).max(f64::MIN_POSITIVE);
+        self.middle += more;
+        self.between = Some(BetweenSeries { series, share });
+        self
     }
 
     /// Covariance of the parameters, row by row, and their effective degrees of freedom.
     pub fn covariance(&self, root: &DMatrix<f64>) -> (Vec<f64>, Vec<f64>) {
         (carried(root, &self.middle).as_slice().to_vec(), self.degrees.clone())
     }
+}
+
+/// Rows of each series that has rows, and of the poses that belong to none.
+fn rows_of_series(problem: &Residuals, series: &[Vec<PoseName>]) -> Vec<Vec<usize>> {
+    let mut rows = vec![Vec::new(); series.len() + 1];
+    for (row, pose) in problem.poses().into_iter().enumerate() {
+        let of = series.iter().position(|poses| poses.contains(&pose)).unwrap_or(series.len());
+        rows[of].push(row);
+    }
+    rows.retain(|rows| !rows.is_empty());
+    rows
 }
 
 /// Rows of the regions of each division; `None` with fewer than eight poses, or if a reading is
@@ -232,6 +282,26 @@ mod tests {
         let q = DMatrix::from_element(4, 1, 0.5);
         let h = influence(&q, &[-3.0, -3.0, 3.0, 3.0], &[0, 1]);
         assert!((h[0] + 6.0).abs() < 1e-12, "{}", h[0]);
+    }
+
+    /// Two series that change the parameters by (±1, 0): the mean over both varies by 1/2 · 2. The
+    /// regions have 0.1 in each of two directions; 1 − 0.2 / 1 of the sum is between series. Of the
+    /// first variance 0.8 has one degree of freedom, 0.1 has 8.
+    #[test]
+    fn the_scatter_between_two_series_by_hand() {
+        let within =
+            Regional { middle: DMatrix::from_diagonal_element(2, 2, 0.1), degrees: vec![8.0; 2], between: None };
+        let (steps, root) = (DMatrix::from_row_slice(2, 2, &[1.0, -1.0, 0.0, 0.0]), DMatrix::identity(2, 2));
+        let found = within.with_series(&steps, &root);
+        let BetweenSeries { series, share } = found.between.expect("two series");
+        assert!(series == 2 && (share - 0.8).abs() < 1e-12, "{share}");
+        assert!((found.middle - DMatrix::from_diagonal(&DVector::from_vec(vec![0.9, 0.1]))).norm() < 1e-12);
+        let degrees = 0.81 / (0.01 / 8.0 + 0.64);
+        assert!((found.degrees[0] - degrees).abs() < 1e-9 && found.degrees[1] == 8.0, "{:?}", found.degrees);
+        // series that differ less than regions add nothing
+        let within = Regional { middle: DMatrix::identity(2, 2), degrees: vec![8.0; 2], between: None };
+        let found = within.with_series(&steps, &root);
+        assert_eq!((found.between.expect("two series").share, found.middle), (0.0, DMatrix::identity(2, 2)));
     }
 
     /// One division into eight regions of equal weight has eight degrees of freedom.

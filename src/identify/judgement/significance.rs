@@ -11,20 +11,34 @@ pub enum Variance {
     Stated,
     /// Estimated with these degrees of freedom: ratios of sums of squares follow F.
     Estimated(f64),
+    /// Estimated from residuals with a misfit, whose squares scatter more than those of noise.
+    Misfit {
+        /// Effective degrees of freedom.
+        degrees: f64,
+        /// Effective degrees of freedom of a square.
+        share: f64,
+    },
 }
 
 impl Variance {
     /// Probability that `dof` squares of a correct model exceed `sum`.
     pub fn exceedance(self, sum: f64, dof: usize) -> f64 {
         let k = dof as f64;
-        let above = match self {
-            _ if dof == 0 => return 1.0,
-            Self::Stated => ChiSquared::new(k).map(|d| d.sf(sum)),
-            Self::Estimated(nu) => {
-                return FisherSnedecor::new(k, nu).map_or(f64::NAN, |d| d.sf((sum / k).max(0.0)));
-            }
-        };
-        above.unwrap_or(f64::NAN)
+        match self {
+            _ if dof == 0 => 1.0,
+            Self::Stated => ChiSquared::new(k).map_or(f64::NAN, |d| d.sf(sum)),
+            Self::Estimated(nu) | Self::Misfit { degrees: nu, .. } => of_ratio(sum / k, k, nu),
+        }
+    }
+
+    /// Probability as in [`Self::exceedance`] of squares of single residuals, not of changes that
+    /// are sums over many of them.
+    pub fn exceedance_of_residuals(self, sum: f64, dof: usize) -> f64 {
+        let k = dof as f64;
+        match self {
+            Self::Misfit { degrees, share } if dof > 0 => of_ratio(sum / k, share * k, degrees),
+            _ => self.exceedance(sum, dof),
+        }
     }
 
     /// The sum of `dof` squares that a correct model exceeds with `probability`.
@@ -41,7 +55,7 @@ impl Variance {
             let a = 0.5 * dof as f64 + j;
             match self {
                 Self::Stated => gamma_lr(a, 0.5 * bound),
-                Self::Estimated(nu) => beta_reg(a, 0.5 * nu, bound / (bound + nu)),
+                Self::Estimated(nu) | Self::Misfit { degrees: nu, .. } => beta_reg(a, 0.5 * nu, bound / (bound + nu)),
             }
         };
         // weights from the largest, both ways, until they no longer count
@@ -57,6 +71,11 @@ impl Variance {
         };
         1.0 - sum(&mut { up }) - sum(&mut { down })
     }
+}
+
+/// Probability that a ratio of variances with these degrees of freedom exceeds `ratio`.
+fn of_ratio(ratio: f64, above: f64, below: f64) -> f64 {
+    FisherSnedecor::new(above, below).map_or(f64::NAN, |d| d.sf(ratio.max(0.0)))
 }
 
 /// Probabilities of a family of tests, corrected for their number (Holm 1979): whatever the

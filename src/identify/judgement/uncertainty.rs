@@ -6,7 +6,7 @@ use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
 use crate::judgement::figures::ConditionResiduals;
-use crate::judgement::regional::Regional;
+use crate::judgement::regional::{BetweenSeries, Regional};
 use crate::model::elimination::{Remaining, carried, root};
 use crate::model::frame_error::FrameError;
 use crate::model::prior::Prior;
@@ -70,12 +70,13 @@ pub(crate) fn with_uncertainty(
     let apart = settings.kind == ResidualKind::Targets && placed.is_empty() && !problem.is_whitened();
     let found = match &instrument {
         Some(instrument) if rejected.is_none() => {
-            let clusters = (apart && dof > 0).then(|| shared(problem, solution, jacobian)).flatten();
+            let clusters =
+                (apart && dof > 0).then(|| shared((problem, solution, jacobian), &settings.series)).flatten();
             clusters.unwrap_or_else(|| Found::new(UncertaintyFrom::Instrument, Some(instrument.clone())))
         }
-        _ => from_residuals((problem, solution, jacobian), instrument.as_deref(), chi_square),
+        _ => from_residuals((problem, solution, jacobian), &settings.series, instrument.as_deref(), chi_square),
     };
-    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning } = found;
+    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning, between_series } = found;
     let mut warnings: Vec<Warning> = warning.into_iter().map(Into::into).collect();
     let replicates = (apart && settings.conditions.is_empty())
         .then(|| budget::replicates(robot, observations, &values, dof))
@@ -97,9 +98,7 @@ pub(crate) fn with_uncertainty(
         .extend(chi_square.and_then(|chi| of_chi_square(chi, dof, inflation_factor, uncertainty_from)).map(Into::into));
 
     let lengths = lengths(problem, solution);
-    let conditions = ConditionResiduals::all(robot, &values, &settings.conditions);
-    let factor = solution.factor.as_ref();
-    let own = factor.map(|f| f.own()).unwrap_or_default();
+    let own = solution.factor.as_ref().map(|f| f.own()).unwrap_or_default();
     let shown = Shown::new(problem, solution, &by_nominal, covariance.as_deref());
     let (observability, weak) = observability(problem, solution, (settings, wanted), &shown)?;
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
@@ -112,6 +111,7 @@ pub(crate) fn with_uncertainty(
     };
     Ok(Identification {
         status: (0..values.len()).map(status).collect(),
+        conditions: ConditionResiduals::all(robot, &values, &settings.conditions),
         values,
         free: problem.free.clone(),
         eliminated: own.into_iter().map(|j| problem.free[j]).collect(),
@@ -119,15 +119,16 @@ pub(crate) fn with_uncertainty(
         uncertainty_from,
         effective_degrees,
         inflation_factor,
-        conditions,
         groups,
         weak,
         observability,
         budget,
         replicates,
+        between_series,
         rms: rms(lengths.iter().copied()) * problem.unit,
         max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
         degrees_of_freedom: dof,
+        residual_degrees: dof as f64 * square_degrees(problem, solution),
         chi_square,
         weight,
         prior: settings.prior,
@@ -210,6 +211,25 @@ fn lengths(problem: &Residuals, solution: &Solution) -> Vec<f64> {
     plain.iter().zip(problem.sizes()).filter_map(|(r, size)| Some(r * size?)).collect()
 }
 
+/// Effective degrees of freedom of the square of a residual, at most 1: of the sum s of the n
+/// squares of a pose, 2 E(s)²/Var(s) is n times this number (Satterthwaite). 1 if the residuals
+/// belong to several poses.
+fn square_degrees(problem: &Residuals, solution: &Solution) -> f64 {
+    if problem.is_whitened() {
+        return 1.0;
+    }
+    let mut by_pose: BTreeMap<PoseName, (f64, f64)> = BTreeMap::new();
+    for (pose, r) in problem.poses().into_iter().zip(&solution.residuals) {
+        let (squares, count) = by_pose.entry(pose).or_default();
+        (*squares, *count) = (*squares + r * r, *count + 1.0);
+    }
+    let (squares, count) = by_pose.values().fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+    let variance = squares / count;
+    let scatter: f64 = by_pose.values().map(|(squares, count)| (squares - count * variance).powi(2)).sum();
+    let share = 2.0 * variance.powi(2) * count / scatter;
+    if share.is_finite() { share.min(1.0) } else { 1.0 }
+}
+
 /// Ratio (median) of the standard uncertainties of two covariances.
 fn inflation(before: Option<&[f64]>, after: Option<&[f64]>, n: usize) -> f64 {
     let (Some(before), Some(after)) = (before, after) else { return 1.0 };
@@ -231,11 +251,12 @@ pub(crate) struct Found {
     covariance: Option<Vec<f64>>,
     degrees: Vec<f64>,
     warning: Option<Message>,
+    between_series: Option<BetweenSeries>,
 }
 
 impl Found {
     fn new(from: UncertaintyFrom, covariance: Option<Vec<f64>>) -> Self {
-        Self { from, covariance, degrees: Vec::new(), warning: None }
+        Self { from, covariance, degrees: Vec::new(), warning: None, between_series: None }
     }
 
     /// Variance of a parameter.
@@ -268,6 +289,7 @@ fn from_instrument(
 /// stated uncertainty.
 fn from_residuals(
     (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    series: &[Vec<PoseName>],
     instrument: Option<&[f64]>,
     chi_square: Option<f64>,
 ) -> Found {
@@ -279,7 +301,7 @@ fn from_residuals(
             ..Found::new(UncertaintyFrom::Nothing, None)
         };
     }
-    let found = by_region(problem, solution, jacobian);
+    let found = by_region((problem, solution, jacobian), series);
     if let Some(found) = found.or_else(|| Some(by_cluster(problem, solution, jacobian)?.0)) {
         return found;
     }
@@ -299,19 +321,27 @@ fn independent(problem: &Residuals, solution: &Solution) -> Option<Vec<f64>> {
 
 /// Covariance from the scatter of poses whose readings share errors. Shared errors may be too small
 /// for chi-square and still affect every reading.
-fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
+fn shared((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), series: &[Vec<PoseName>]) -> Option<Found> {
     let (found, clusters) = by_cluster(problem, solution, jacobian).filter(|found| found.1.exceeds())?;
     let warning = warning!("pose-residuals-correlated", ratio = clusters.ratio.sqrt());
-    let found = by_region(problem, solution, jacobian).unwrap_or(found);
+    let found = by_region((problem, solution, jacobian), series).unwrap_or(found);
     Some(Found { warning: Some(warning), ..found })
 }
 
 /// Covariance from the scatter between regions of joint space; `None` with few poses.
-fn by_region(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
+fn by_region(
+    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    series: &[Vec<PoseName>],
+) -> Option<Found> {
     let remaining = Remaining::new(&problem.poses(), solution, problem.rows_of(jacobian))?;
-    let (covariance, degrees) = Regional::new(problem, &remaining)?.covariance(&remaining.root);
+    let regional = Regional::new(problem, &remaining, series)?;
+    let (covariance, degrees) = regional.covariance(&remaining.root);
     let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
-    Some(Found { degrees, ..Found::new(UncertaintyFrom::ResidualsByRegion, Some(covariance)) })
+    Some(Found {
+        degrees,
+        between_series: regional.between,
+        ..Found::new(UncertaintyFrom::ResidualsByRegion, Some(covariance))
+    })
 }
 
 /// Covariance from the scatter of poses, or of readings common to several poses; `None` if there

@@ -180,7 +180,7 @@ impl Comparison<'_> {
                 moved,
                 change: fit.change.iter().copied().collect(),
                 standard_uncertainty: fit.standard_uncertainty,
-                p_left: variance.exceedance(left, n - fit.rank),
+                p_left: variance.exceedance_of_residuals(left, n - fit.rank),
                 explained: fit.explained,
                 p_change: variance.exceedance(fit.explained, fit.rank),
             }
@@ -306,7 +306,8 @@ impl Comparison<'_> {
                     (Moved::Joint(_), _) => vec![change[0]],
                     (Moved::Target(_), _) => change,
                 };
-                let (p_left, explained) = (variance.exceedance(left.max(0.0), space.r.len() - fit.rank), whole - left);
+                let p_left = variance.exceedance_of_residuals(left.max(0.0), space.r.len() - fit.rank);
+                let explained = whole - left;
                 return Some(Explanation {
                     moved,
                     change,
@@ -483,10 +484,13 @@ impl<'a> Space<'a> {
     fn tests(&self, all: &Columns, variance: Variance) -> [Test; 2] {
         let fit = self.fit(&all.columns);
         let rest = (self.sum() - fit.explained).max(0.0);
-        [(fit.explained, fit.rank), (rest, self.r.len() - fit.rank)].map(|(sum, degrees_of_freedom)| Test {
+        let left = self.r.len() - fit.rank;
+        let (p_changes, p_rest) =
+            (variance.exceedance(fit.explained, fit.rank), variance.exceedance_of_residuals(rest, left));
+        [(fit.explained, fit.rank, p_changes), (rest, left, p_rest)].map(|(sum, degrees_of_freedom, p_value)| Test {
             sum,
             degrees_of_freedom,
-            p_value: variance.exceedance(sum, degrees_of_freedom),
+            p_value,
         })
     }
 

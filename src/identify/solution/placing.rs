@@ -34,6 +34,7 @@ pub(crate) static PLAIN: Settings = Settings {
     known: Vec::new(),
     prior: Prior::None,
     effects: Effects::All,
+    series: Vec::new(),
 };
 
 /// At most `count` of the observations, spread over all.

@@ -2,12 +2,13 @@
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
-use crate::number::{derived, significant};
+use crate::number::{derived, fixed, significant};
 use crate::plots::{points, residuals as plots, singular};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
 use etalon_documents::{
-    ObservabilitySummary, ParametersDocument, ResidualKind, ResidualSummary, SingularValueEntry, UncertaintyFrom,
+    ObservabilitySummary, ParametersDocument, ResidualKind, ResidualSummary, SeriesScatter, SingularValueEntry,
+    UncertaintyFrom,
 };
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -85,7 +86,7 @@ fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
 fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     let three = |v: f64| significant(v, 3);
     // readings other than positions, for example distances
-    let readings = r.kind == ResidualKind::Targets && r.position_rms_mm.is_none();
+    let readings = r.kind == ResidualKind::Targets && (r.position_rms_mm.is_none() || !r.conditions.is_empty());
     let count = match r.kind {
         ResidualKind::Pose => tr!(words, "pose-coordinates", count = r.count),
         ResidualKind::Targets if readings => tr!(words, "measured-values", count = r.count),
@@ -96,7 +97,9 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         UncertaintyFrom::Residuals => tr!(words, "from-residuals"),
         UncertaintyFrom::ResidualsByPose => tr!(words, "from-residuals-by-pose"),
         UncertaintyFrom::ResidualsByRegion => {
-            tr!(words, "from-residuals-by-region")
+            let scatter = r.between_series.unwrap_or(SeriesScatter { series: 0, share: 0.0 });
+            let percent = fixed(100.0 * scatter.share, 0);
+            tr!(words, "from-residuals-by-region", series = scatter.series, percent)
         }
         UncertaintyFrom::Nothing => tr!(words, "unknown-without-redundancy"),
     };
@@ -114,10 +117,9 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         r.chi_square.map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
     let both = tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max));
     let length = |mm: f64| words.number(&format!("{} mm", three(mm)));
-    let [of_position, of_both, of_max] = match r.position_rms_mm {
-        Some(rms_mm) => [Some(length(rms_mm)), None, Some(length(r.max))],
-        None => [None, Some(both), None],
-    };
+    let of_position = r.position_rms_mm.map(length);
+    let alone = r.position_rms_mm.is_some() && !readings;
+    let [of_both, of_max] = if alone { [None, Some(length(r.max))] } else { [Some(both), None] };
     let before = r.position_rms_before_mm.map(length);
     vec![
         (tr!(words, "residuals"), count.into()),

@@ -30,11 +30,18 @@ pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Ve
     let Shown { unit, factor } = number::shown("mm", compared.into_iter().fold(0.0, f64::max));
     let [rms, expected] = compared.map(|mm| number::significant(mm * factor, 3));
     let count = document.of_changes.degrees_of_freedom + document.of_rest.degrees_of_freedom;
-    judged.push(Block::facts(vec![
+    let mut facts = vec![
         (tr!(words, "probability-by-chance"), format!("{p}; {limit}").into()),
         (tr!(words, "position-residuals-rms"), tr!(words, "rms-expected", value = rms, expected, unit).into()),
-        (tr!(words, "coordinates"), tr!(words, "count-at-poses", count, poses = document.poses).into()),
-    ]));
+    ];
+    for found in &document.conditions {
+        let Shown { unit, factor } = number::shown(&found.unit, found.rms.max(found.expected_rms));
+        let [rms, expected] = [found.rms, found.expected_rms].map(|v| number::significant(v * factor, 3));
+        let value = tr!(words, "rms-expected", value = rms, expected, unit);
+        facts.push((tr!(words, "rms-of", quantity = words.tr(&found.quantity.phrase())), value.into()));
+    }
+    facts.push((tr!(words, "coordinates"), tr!(words, "count-at-poses", count, poses = document.poses).into()));
+    judged.push(Block::facts(facts));
     vec![judged, detected(&document.power.least, document.power.probability, document.power.naming, words)]
 }
 

@@ -343,6 +343,7 @@ fn residuals() -> ResidualSummary {
         rms: 0.0162,
         max: 0.0431,
         degrees_of_freedom: 149,
+        effective_degrees_of_freedom: None,
         stated_standard_uncertainty_mm: Some(0.001_35),
         common_standard_uncertainty_mm: None,
         chi_square: Some(212.4),
@@ -351,6 +352,7 @@ fn residuals() -> ResidualSummary {
         chi_square_rejected: true,
         uncertainties_enlarged_by: 1.194,
         conditions: Vec::new(),
+        between_series: None,
     }
 }
 

@@ -21,6 +21,7 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
         rms: 0.001,
         max: 0.003,
         degrees_of_freedom,
+        effective_degrees_of_freedom: None,
         stated_standard_uncertainty_mm: Some(0.001),
         common_standard_uncertainty_mm: None,
         repeats: None,
@@ -29,6 +30,7 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
         uncertainties_from: etalon::documents::UncertaintyFrom::Instrument,
         uncertainties_enlarged_by: 1.0,
         conditions: Vec::new(),
+        between_series: None,
     }
 }
 

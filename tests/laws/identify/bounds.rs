@@ -1,13 +1,14 @@
 //! Answers within their bounds are near the truth, in drawn cells from good to degenerate
 //! (synthetic).
 
+use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::identify::cell::{
     AxisReading, CellFrame, Measure, Stated, ThreePointRole, rotary_axis, three_points, tool_point,
 };
-use etalon::identify::{Extent, UncertaintyBound};
-use etalon::robots::Quantity;
+use etalon::identify::{Extent, Observation, Settings, UncertaintyBound, fit_frames, identify};
+use etalon::robots::{Quantity, Robot, Role, Serial};
 
 /// Errors beyond this multiple of the bound are what no accepted answer may have: U = 2 u is at most
 /// the bound, and an error of 5 u does not occur in these draws.
@@ -126,4 +127,66 @@ fn accepted_rotary_axes_are_within_their_bounds() {
         judged.add(&frame_errors(&found.frame, &truth), found.frame.covariance.as_flattened(), &extent);
     }
     assert!(judged.accepted > 50 && judged.refused > 50, "{} {}", judged.accepted, judged.refused);
+}
+
+/// An arm of six axes with errors, its base at `base_mm` in the world, and positions of its target; the flange turns by at most
+/// `turn_rad` about each axis.
+fn measured(base_mm: Vector, turn_rad: f64, seed: u64) -> (Serial, Vec<Observation>) {
+    let robot = serial(&SIX_AXES, &["ball"], &[]);
+    let mut noise = Noise::new(205, seed);
+    let value = |(i, p): (usize, &etalon::robots::Parameter)| match (p.role, p.quantity) {
+        (Role::Base, Quantity::Length) => base_mm[i],
+        (Role::Base, _) => 0.1,
+        (Role::Target, _) => 50.0,
+        (_, Quantity::Length) => p.nominal + noise.uniform(1.0),
+        (_, Quantity::Angle) => p.nominal + noise.uniform(3e-3),
+        (_, Quantity::Ratio) => p.nominal,
+    };
+    let truth: Vec<f64> = robot.parameters().iter().enumerate().map(value).collect();
+    let nominal = robot.nominal();
+    let arm = robot.kinematics().expect("an arm");
+    let mut observations = Vec::new();
+    while observations.len() < 80 {
+        let down = Pose::from_rotation_vector([0.0, std::f64::consts::PI, 0.0]);
+        let turned = Pose::from_rotation_vector([0; 3].map(|_| noise.uniform(turn_rad))).then(&down);
+        let place = [360.0 + noise.uniform(110.0), noise.uniform(200.0), 330.0 + noise.uniform(110.0)];
+        let start = [0.0, 0.3, 0.2, 0.0, 1.0, 0.0];
+        let Ok(joints) = arm.nearest_joints(&nominal, &Pose { translation_mm: place, ..turned }, &start) else {
+            continue;
+        };
+        let at = noisy(&mut noise, robot.position(&truth, &joints, 0), 0.02);
+        let pose = (observations.len() as i64 + 1).into();
+        observations.push(Observation { pose, joints, targets: vec![Some(at)], ..Observation::default() });
+    }
+    (robot, observations)
+}
+
+/// Errors of the robot over the small turns of a tool: base and target stay where a robot can be, and are left to their rough estimates.
+#[test]
+fn a_tool_that_hardly_turns_leaves_base_and_target_nearby() {
+    let settings = Settings { standard_uncertainty_mm: Some(0.02), ..Settings::default() };
+    for (seed, turn_rad) in [0.003, 0.01, 0.03, 0.1].into_iter().enumerate() {
+        let (robot, observations) = measured([500.0, -300.0, 200.0], turn_rad, seed as u64);
+        for values in [
+            fit_frames(&robot, &observations, &settings).expect("frames"),
+            identify(&robot, &observations, &settings).expect("identified").values,
+        ] {
+            let far_mm = norm([values[0] - 500.0, values[1] + 300.0, values[2] - 200.0]);
+            println!("turned by {turn_rad} rad: base off by {far_mm:.1} mm");
+            assert!(far_mm < 3000.0, "turned by {turn_rad} rad: base off by {far_mm} mm");
+        }
+    }
+}
+
+/// The bound is a share of the measured extent, wherever the base is in the world.
+#[test]
+fn the_extent_is_that_of_the_targets_wherever_the_base_is() {
+    let settings = Settings { standard_uncertainty_mm: Some(0.02), ..Settings::default() };
+    let [near, far] = [[0.0; 3], [40_000.0, -30_000.0, 2_000.0]].map(|base_mm| {
+        let (robot, observations) = measured(base_mm, 1.0, 7);
+        let found = identify(&robot, &observations, &settings).expect("identified");
+        found.extent(&robot, &observations, &settings).length_mm
+    });
+    println!("extent {near:.1} mm and {far:.1} mm");
+    assert!((300.0..1500.0).contains(&near) && (near / far - 1.0).abs() < 0.02, "{near} {far}");
 }

@@ -194,6 +194,9 @@ verify-without-positions = die Beobachtungen enthalten keine Position eines Ziel
 campaign-without-observations = die Kampagne `{ $campaign }` hat keinen Abschnitt `[observations]`
     .hint = eine Kampagne mit diesem Abschnitt angeben, oder die Optionen von Tabellen (`--column` ...)
 
+campaign-with-several-observations = die Kampagne `{ $campaign }` hat { $count } Abschnitte `[[observations]]`; welcher davon die Tabelle beschreibt, ist offen
+    .hint = die Optionen von Tabellen (`--column` ...) statt `--like` angeben
+
 workspace-numbers = --workspace-mm hat { $count ->
         [one] 1 Zahl
        *[other] { $count } Zahlen

@@ -82,8 +82,8 @@ axis-z = z
 ball = Kugel
 bar-too-uncertain = die Unsicherheit des Kalibrierstabs ist zu groß (4:1 gefordert)
 base-and-targets = Basis und Zielmarken
-base-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Basis um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
-base-moved = die Basis hat sich um { $by } bewegt
+base-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Basis um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+base-moved = die Basis hat sich um { $by } (k = 2) bewegt
 base-rotation = Drehung der Basis
 base-shift = Verschiebung der Basis
 batch-ends = { $pass } bestanden, { $conditional } bedingt, { $undecided } unentschieden, { $fail } nicht bestanden, { $failed } nicht gerechnet, { $skipped } übersprungen
@@ -537,7 +537,10 @@ from-pose = von Pose
 from-pose-named = von Pose { $pose }
 from-residuals = aus den Residuen (als unabhängig behandelt)
 from-residuals-by-pose = aus den Residuen, nach Posen gruppiert
-from-residuals-by-region = der effektiven Parameter, aus der Streuung zwischen Bereichen des Arbeitsraums; Unterschiede zwischen Aufbauten sind nicht enthalten
+from-residuals-by-region = der effektiven Parameter, aus der Streuung zwischen Bereichen des Arbeitsraums{ $series ->
+        [0] ; Unterschiede zwischen Aufbauten sind nicht enthalten
+       *[other] { " " }und zwischen { $series } Serien, die { $percent } % der Varianzen beitragen
+    }
 from-the-instrument = aus dem Messgerät
 gain-over-u = Gewinn / u
 generated-candidates = gezogene Kandidaten
@@ -624,8 +627,8 @@ intervals-title = { $group }: Änderung ({ $unit }), ± 2u
 iso9283-characteristics = Ergebnisse: Leistungskenngrößen (ISO 9283)
 iso9283-report = Prüfbericht nach ISO 9283
 item-customer-traceability = Gegenstand, Kunde, Rückführbarkeit
-joint-motion-explains-most = die Parameter gelten nicht mehr: Eine Verschiebung des Nullpunkts von Gelenk { $joint } um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
-joint-zero-moved = der Nullpunkt von Gelenk { $joint } hat sich um { $by } verschoben
+joint-motion-explains-most = die Parameter gelten nicht mehr: Eine Verschiebung des Nullpunkts von Gelenk { $joint } um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+joint-zero-moved = der Nullpunkt von Gelenk { $joint } hat sich um { $by } (k = 2) verschoben
 joints = Gelenke
 kind = Art
 knee-at = Knie: { $count }
@@ -1308,8 +1311,8 @@ synthetic-mark = SYNTHETISCHE DATEN
 table = Tabelle
 target = Zielmarke
 target-coordinates = { $count } Koordinaten von Zielmarken (mm)
-target-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Zielmarke { $target } um { $by } erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
-target-moved = die Zielmarke { $target } hat sich auf ihrem Teil um { $by } bewegt
+target-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Zielmarke { $target } um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+target-moved = die Zielmarke { $target } hat sich auf ihrem Teil um { $by } (k = 2) bewegt
 target-movement-caption = Größte Bewegung einer Zielmarke seit ihrer ersten Messung und RMS der verbleibenden Verschiebung.
 target-named = Zielmarke { $target }
 targets-as-measured = gemessene Zielmarken

@@ -787,6 +787,9 @@ selection-without-pose = `{ $set }` wählt keine gemessene Pose aus
 sets-overlap = diese Posen gehören zur Kalibrierung und zur Validierung: { $poses }
     .hint = `validation = "rest"` nimmt alle Posen, die nicht zur Kalibrierung gehören
 
+series-overlap = diese Posen gehören zu mehreren Serien: { $poses }
+    .hint = `"rest"` nimmt alle Posen, die zu keiner früheren Serie gehören
+
 table-selection-empty = die Tabelle `{ $title }` enthält keine gemessene Pose
     .hint = eine Tabelle zeigt Posen von `calibration` und `validation`
 

@@ -431,6 +431,13 @@ verify-without-positions = the observations contain no position of a target
 campaign-without-observations = the campaign `{ $campaign }` has no section `[observations]`
     .hint = state a campaign with this section, or the options of tables (`--column` ...)
 
+# Means: The campaign of `--like` has several sections `[[observations]]`, which may describe different tables.
+# Matters: The columns of another table would be read in a wrong meaning.
+# Do: State how the table is read by the options of tables.
+# Example: a campaign with a table of positions and one of distances
+campaign-with-several-observations = the campaign `{ $campaign }` has { $count } sections `[[observations]]`; which of them describes the table is open
+    .hint = state how the table is read by the options of tables (`--column` ...) instead of `--like`
+
 # Means: The workspace does not have six or four numbers.
 # Matters: A box has six coordinates, a rectangle four.
 # Do: State the smallest coordinates, then the largest.

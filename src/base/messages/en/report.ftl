@@ -76,8 +76,8 @@ axis-z = z
 ball = ball
 bar-too-uncertain = the uncertainty of the bar is too large (4:1 required)
 base-and-targets = base and targets
-base-motion-explains-most = the parameters are no longer valid: a movement of the base by { $by } explains { $percent } % of the deviation; the remaining residuals are larger than expected
-base-moved = the base has moved by { $by }
+base-motion-explains-most = the parameters are no longer valid: a movement of the base by { $by } (k = 2) explains { $percent } % of the deviation; the remaining residuals are larger than expected
+base-moved = the base has moved by { $by } (k = 2)
 base-rotation = base rotation
 base-shift = base shift
 batch-ends = { $pass } pass, { $conditional } conditional, { $undecided } undecided, { $fail } fail, { $failed } not run, { $skipped } skipped
@@ -510,7 +510,10 @@ from-pose = from pose
 from-pose-named = from pose { $pose }
 from-residuals = from the residuals (treated as independent)
 from-residuals-by-pose = from the residuals, grouped by pose
-from-residuals-by-region = of effective parameters, from the scatter between regions of the workspace; differences between set-ups are not contained
+from-residuals-by-region = of effective parameters, from the scatter between regions of the workspace{ $series ->
+        [0] ; differences between set-ups are not contained
+       *[other] { " " }and between { $series } series, which contribute { $percent } % of the variances
+    }
 from-the-instrument = from the instrument
 gain-over-u = gain over u
 generated-candidates = generated candidates
@@ -594,8 +597,8 @@ intervals-title = { $group }: change ({ $unit }), ± 2u
 iso9283-characteristics = Results: performance characteristics (ISO 9283)
 iso9283-report = Test report according to ISO 9283
 item-customer-traceability = Item, customer, traceability
-joint-motion-explains-most = the parameters are no longer valid: a zero offset of { $by } at joint { $joint } explains { $percent } % of the deviation; the remaining residuals are larger than expected
-joint-zero-moved = the zero of joint { $joint } has moved by { $by }
+joint-motion-explains-most = the parameters are no longer valid: a zero offset of { $by } (k = 2) at joint { $joint } explains { $percent } % of the deviation; the remaining residuals are larger than expected
+joint-zero-moved = the zero of joint { $joint } has moved by { $by } (k = 2)
 joints = joints
 kind = kind
 knee-at = knee: { $count }
@@ -1242,8 +1245,8 @@ synthetic-mark = SYNTHETIC DATA
 table = table
 target = target
 target-coordinates = { $count } target coordinates (mm)
-target-motion-explains-most = the parameters are no longer valid: a movement of target { $target } by { $by } explains { $percent } % of the deviation; the remaining residuals are larger than expected
-target-moved = target { $target } has moved on its part by { $by }
+target-motion-explains-most = the parameters are no longer valid: a movement of target { $target } by { $by } (k = 2) explains { $percent } % of the deviation; the remaining residuals are larger than expected
+target-moved = target { $target } has moved on its part by { $by } (k = 2)
 target-movement-caption = Largest movement of a target since its first measurement, and RMS of the remaining displacement.
 target-named = the target { $target }
 targets-as-measured = measured targets

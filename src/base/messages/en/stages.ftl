@@ -1604,6 +1604,13 @@ selection-without-pose = `{ $set }` selects no measured pose
 sets-overlap = poses in both calibration and validation: { $poses }
     .hint = `validation = "rest"` selects all poses that calibration does not use
 
+# Means: A pose is in several series.
+# Matters: The scatter between series compares separate poses.
+# Do: Put each pose into one series.
+# Example: `series = ["1-40", "30-50"]`
+series-overlap = poses in several series: { $poses }
+    .hint = `"rest"` selects all poses of no earlier series
+
 # Means: A table of the geometric report selects no pose of calibration or validation.
 # Matters: The table would be empty.
 # Do: Select poses of these sets.

@@ -194,6 +194,9 @@ verify-without-positions = les observations ne contiennent aucune position de ci
 campaign-without-observations = la campagne `{ $campaign }` n’a pas de section `[observations]`
     .hint = indiquez une campagne avec cette section, ou les options des tableaux (`--column` ...)
 
+campaign-with-several-observations = la campagne `{ $campaign }` a { $count } sections `[[observations]]` ; laquelle décrit le tableau reste ouvert
+    .hint = indiquez les options des tableaux (`--column` ...) au lieu de `--like`
+
 workspace-numbers = --workspace-mm a { $count ->
         [one] { $count } nombre
        *[other] { $count } nombres

@@ -85,8 +85,8 @@ axis-z = z
 ball = bille
 bar-too-uncertain = l’incertitude de la barre est trop grande (4:1 exigé)
 base-and-targets = base et cibles
-base-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la base de { $by } explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
-base-moved = la base a bougé de { $by }
+base-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la base de { $by } (k = 2) explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
+base-moved = la base a bougé de { $by } (k = 2)
 base-rotation = rotation de la base
 base-shift = déplacement de la base
 batch-ends = { $pass } conformes, { $conditional } sous réserve, { $undecided } indécises, { $fail } non conformes, { $failed } non calculées, { $skipped } ignorées
@@ -540,7 +540,10 @@ from-pose = de la pose
 from-pose-named = depuis la pose { $pose }
 from-residuals = d’après les résidus (traités comme indépendants)
 from-residuals-by-pose = d’après les résidus, regroupés par pose
-from-residuals-by-region = des paramètres effectifs, d’après la dispersion entre régions de l’espace de travail ; les différences entre installations n’y sont pas
+from-residuals-by-region = des paramètres effectifs, d’après la dispersion entre régions de l’espace de travail{ $series ->
+        [0] { " " }; les différences entre installations n’y sont pas
+       *[other] { " " }et entre { $series } séries, qui apportent { $percent } % des variances
+    }
 from-the-instrument = d’après l’instrument
 gain-over-u = gain / u
 generated-candidates = candidates tirées
@@ -627,8 +630,8 @@ intervals-title = { $group } : écart ({ $unit }), ± 2u
 iso9283-characteristics = Résultats : caractéristiques de performance (ISO 9283)
 iso9283-report = Rapport d’essai selon l’ISO 9283
 item-customer-traceability = Objet, client, traçabilité
-joint-motion-explains-most = les paramètres ne sont plus valables : un décalage du zéro de l’articulation { $joint } de { $by } explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
-joint-zero-moved = le zéro de l’articulation { $joint } s’est décalé de { $by }
+joint-motion-explains-most = les paramètres ne sont plus valables : un décalage du zéro de l’articulation { $joint } de { $by } (k = 2) explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
+joint-zero-moved = le zéro de l’articulation { $joint } s’est décalé de { $by } (k = 2)
 joints = articulations
 kind = type
 knee-at = coude : { $count }
@@ -1314,8 +1317,8 @@ synthetic-mark = DONNÉES SYNTHÉTIQUES
 table = tableau
 target = cible
 target-coordinates = { $count } coordonnées de cibles (mm)
-target-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la cible { $target } de { $by } explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
-target-moved = la cible { $target } a bougé de { $by } sur sa pièce
+target-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la cible { $target } de { $by } (k = 2) explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
+target-moved = la cible { $target } a bougé de { $by } (k = 2) sur sa pièce
 target-movement-caption = Plus grand déplacement d’une cible depuis sa première mesure, et RMS du déplacement restant.
 target-named = la cible { $target }
 targets-as-measured = cibles mesurées

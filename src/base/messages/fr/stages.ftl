@@ -787,6 +787,9 @@ selection-without-pose = `{ $set }` ne désigne aucune pose mesurée
 sets-overlap = ces poses servent à la fois à l’étalonnage et à la validation : { $poses }
     .hint = `validation = "rest"` prend toutes les poses qui ne servent pas à l’étalonnage
 
+series-overlap = ces poses appartiennent à plusieurs séries : { $poses }
+    .hint = `"rest"` prend toutes les poses qui n’appartiennent à aucune série précédente
+
 table-selection-empty = le tableau `{ $title }` ne contient aucune pose mesurée
     .hint = un tableau montre des poses de `calibration` et `validation`
 
