@@ -329,14 +329,13 @@ fn estimated(residuals: &ResidualSummary) -> Variance {
 }
 
 /// Model error of each quantity (standard deviation, mm or rad): residual variance minus the
-/// variance of the observed values, unless chi-square says that these explain all.
+/// variance of the observed values.
 fn model_errors(residuals: &ResidualSummary) -> Vec<(ErrorQuantity, f64)> {
-    let explained = residuals.chi_square.is_some() && !residuals.chi_square_rejected;
     let rows = residuals.count as f64 / residuals.degrees_of_freedom.max(1) as f64;
     let of_quantity = |found: &QuantityResiduals| {
         let unit = if found.quantity == ErrorQuantity::Orientation { Quantity::Angle } else { Quantity::Length };
         let excess = found.rms.powi(2) * rows - found.standard_uncertainty.powi(2);
-        let model = if explained { 0.0 } else { excess.max(0.0).sqrt() };
+        let model = if residuals.chi_square_rejected { excess.max(0.0).sqrt() } else { 0.0 };
         (found.quantity, unit.inward(model))
     };
     residuals.conditions.iter().map(of_quantity).collect()

@@ -341,7 +341,7 @@ fn figures(measured: Measured, poses: usize, ratio: f64, count: u64) -> Figures 
 
 #[test]
 fn intervals_hold_effective_parameters_and_predictions_where_the_model_misfits() {
-    let count = number("ETALON_CAMPAIGNS", 16);
+    let count = number("ETALON_CAMPAIGNS", 10);
     use Measured::{Contacts, Poses, Positions};
     for (measured, poses, ratio) in [
         (Positions, 20, 20.0),
@@ -460,7 +460,7 @@ impl<'a> Calibration<'a> {
 #[test]
 fn verification_expects_the_misfit_of_the_calibration() {
     use Measured::{Poses, Positions};
-    let count = number("ETALON_CAMPAIGNS", 30);
+    let count = number("ETALON_CAMPAIGNS", 16);
     let (mut alarms, mut all) = (0.0, 0.0);
     for (measured, poses, ratio, fresh) in [
         (Positions, 60, 5.0, 8),
@@ -508,22 +508,6 @@ fn verification_expects_the_misfit_of_the_calibration() {
     }
     println!("{:.1} % false alarms", 100.0 * alarms / all);
     assert!((0.01..0.05).contains(&(alarms / all)), "{}", alarms / all);
-}
-
-/// Without a stated uncertainty of the instrument, orientations have the misfit of the calibration too.
-#[test]
-fn verification_expects_the_misfit_of_orientations_without_a_stated_uncertainty() {
-    let one = |seed: u64| {
-        let twin = Twin::drawn(Measured::Poses, LEFT_OUT[seed as usize % LEFT_OUT.len()], 10.0, 450 + seed);
-        let mut noise = Noise::new(68, seed);
-        let mut campaign = twin.observed(80, 1.0, &mut noise);
-        campaign.settings.standard_uncertainty_mm = None;
-        let calibration = Calibration::new(&twin, &campaign);
-        calibration.verdict(twin.observed(20, 1.0, &mut noise)) == VerificationVerdict::Valid
-    };
-    let valid = (0..40u64).into_par_iter().filter(|seed| one(*seed)).count();
-    println!("{valid} of 40 unchanged robots are valid");
-    assert!(valid >= 36, "{valid}");
 }
 
 /// A campaign in three set-ups whose bases differ: intervals of the base hold the mean of many set-ups if the series are
