@@ -228,8 +228,8 @@ pub struct Identification {
     pub max: f64,
     /// Equations minus identified parameters.
     pub degrees_of_freedom: usize,
-    /// Degrees of freedom of the residual variance by the scatter of the poses: squares of a smooth
-    /// misfit scatter more than those of noise.
+    /// Effective degrees of freedom of the residual variance, from the scatter of the squared
+    /// residuals between poses: a smooth misfit lowers them.
     pub residual_degrees: f64,
     /// Sum of squares of residuals over their uncertainties; `None` if no uncertainty is stated or
     /// no degrees of freedom are left.

@@ -218,7 +218,7 @@ impl ExpectedDeviation {
     ///
     /// # Errors
     /// Fails if the residuals of the calibration yield no standard deviation.
-    pub fn of(robot: &dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
+    pub fn from_document(robot: &dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let residuals = &document.residuals;
         let dof = residuals.degrees_of_freedom as f64;
         let conditions = model_errors(residuals);

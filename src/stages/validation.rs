@@ -156,8 +156,11 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
         values: all.values,
     };
     let mut observations = sets.calibration.clone();
-    let noise =
-        ExpectedDeviation::of(robot, document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
+    let noise = ExpectedDeviation::from_document(
+        robot,
+        document,
+        Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0),
+    )?;
     let settings = noise.applied(&mut observations, Settings::default());
     let calibration = Comparison { robot, observations: &observations, settings: &settings, given: &frames };
     calibration.most_probable().map_err(remedied)
@@ -179,8 +182,11 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
         |o: &etalon_identify::Observation| sets.calibration.iter().any(|c| (c.pose, c.cycle) == (o.pose, o.cycle));
     observations.extend(sets.validation.iter().filter(|o| !calibrated(o)).cloned());
     let parameters = given(robot, document)?;
-    let noise =
-        ExpectedDeviation::of(robot, document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
+    let noise = ExpectedDeviation::from_document(
+        robot,
+        document,
+        Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0),
+    )?;
     let settings = noise.applied(&mut observations, Settings::default());
     let all = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
     Ok(all.p_value(noise.variance).ok())

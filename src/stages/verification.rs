@@ -41,7 +41,7 @@ impl<'r> EarlierCalibration<'r> {
     /// standard deviation.
     pub fn new(robot: &'r mut dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
         let parameters = given(robot, document)?;
-        let noise = ExpectedDeviation::of(robot, document, stated_mm)?;
+        let noise = ExpectedDeviation::from_document(robot, document, stated_mm)?;
         let messages = other_nominal(robot, document).into_iter().collect();
         let entry = |p: &Parameter| document.parameters.iter().find(|entry| entry.name == p.name);
         let before = |(i, p): (usize, &Parameter)| match (entry(p), p.role) {

@@ -117,7 +117,7 @@ impl Sample {
     }
 
     /// Returns the rows of the [`MOST_TARGETS`] targets with the most rows.
-    fn of_few_targets(&self) -> Self {
+    fn with_few_targets(&self) -> Self {
         let mut rows: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         self.targets.iter().enumerate().for_each(|(i, target)| rows.entry(*target).or_default().push(i));
         let mut rows: Vec<Vec<usize>> = rows.into_values().collect();
@@ -188,7 +188,7 @@ pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcom
     if !is_chain || sample.joints.len() < count || count < 2 || !sample.spans_space() {
         return Outcome::Untested;
     }
-    let sample = &sample.of_few_targets();
+    let sample = &sample.with_few_targets();
     let targets = sample.targets.iter().max().map_or(1, |most| most + 1);
     if sample.rows() < FEWEST + 3 * (targets - 1) {
         return Outcome::Untested;
@@ -241,7 +241,7 @@ pub(super) fn confirmed(robot: &dyn Robot, sample: &Sample, reading: &Reading) -
         return None;
     }
     let Reading { order, reversed, units, .. } = reading.clone();
-    let many = sample.of_few_targets().thinned(MOST);
+    let many = sample.with_few_targets().thinned(MOST);
     let residual = residual(robot, &many, &Hypothesis { order, reversed, units })?;
     (residual.rms_mm <= ACCEPTED * many.spread().1 * residual.unit_mm).then(|| Reading {
         origin: origin(robot, &many, &residual),

@@ -83,11 +83,11 @@ impl Regional {
         Some(if steps.len() > 1 { found.with_series(&DMatrix::from_columns(&steps), root) } else { found })
     }
 
-    /// Adds the scatter between series, of which each column is the change without one, as far as
-    /// it exceeds the scatter between regions: the jackknife variance of the mean over series minus
-    /// the variance within them, in the mean over all directions. A set-up moves few parameters
-    /// (base, targets), so the sum is not shrunk. It has the degrees of freedom of the series
-    /// (Satterthwaite; GUM G.4.1).
+    /// Adds the scatter between series to the scatter between regions. A column of `steps` is the
+    /// change of the parameters without one series. The added covariance is the jackknife
+    /// covariance of the mean over series, scaled so that its trace is the excess over the
+    /// regional trace. A set-up moves few parameters (base, targets), so the sum is not shrunk. It
+    /// has one degree of freedom fewer than there are series (Satterthwaite; GUM G.4.1).
     fn with_series(mut self, steps: &DMatrix<f64>, root: &DMatrix<f64>) -> Self {
         let series = steps.ncols();
         let of_mean = (series - 1) as f64 / series as f64;

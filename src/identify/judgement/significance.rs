@@ -11,7 +11,8 @@ pub enum Variance {
     Stated,
     /// Estimated with these degrees of freedom: ratios of sums of squares follow F.
     Estimated(f64),
-    /// Estimated from residuals with a misfit, whose squares scatter more than those of noise.
+    /// Estimated from residuals that contain a smooth misfit: squared residuals scatter more than
+    /// squared noise.
     Misfit {
         /// Effective degrees of freedom.
         degrees: f64,
@@ -27,7 +28,7 @@ impl Variance {
         match self {
             _ if dof == 0 => 1.0,
             Self::Stated => ChiSquared::new(k).map_or(f64::NAN, |d| d.sf(sum)),
-            Self::Estimated(nu) | Self::Misfit { degrees: nu, .. } => of_ratio(sum / k, k, nu),
+            Self::Estimated(nu) | Self::Misfit { degrees: nu, .. } => ratio_exceedance(sum / k, k, nu),
         }
     }
 
@@ -36,7 +37,7 @@ impl Variance {
     pub fn exceedance_of_residuals(self, sum: f64, dof: usize) -> f64 {
         let k = dof as f64;
         match self {
-            Self::Misfit { degrees, share } if dof > 0 => of_ratio(sum / k, share * k, degrees),
+            Self::Misfit { degrees, share } if dof > 0 => ratio_exceedance(sum / k, share * k, degrees),
             _ => self.exceedance(sum, dof),
         }
     }
@@ -74,7 +75,7 @@ impl Variance {
 }
 
 /// Probability that a ratio of variances with these degrees of freedom exceeds `ratio`.
-fn of_ratio(ratio: f64, above: f64, below: f64) -> f64 {
+fn ratio_exceedance(ratio: f64, above: f64, below: f64) -> f64 {
     FisherSnedecor::new(above, below).map_or(f64::NAN, |d| d.sf(ratio.max(0.0)))
 }
 
