@@ -129,6 +129,15 @@ impl Selections {
         }
         of
     }
+
+    /// Calibration poses of each series.
+    pub fn calibration_series(&self, poses: &BTreeSet<PoseName>) -> Vec<Vec<PoseName>> {
+        let mut all = vec![Vec::new(); self.series.len()];
+        for (i, &pose) in poses.iter().enumerate().filter(|(i, pose)| self.calibrates(**pose, *i)) {
+            self.series(pose, i).into_iter().for_each(|number| all[number].push(pose));
+        }
+        all
+    }
 }
 
 impl Selection {

@@ -56,5 +56,5 @@ fn explained(message: &Explanation) -> String {
         let _ = writeln!(out, "  {label}: {text}");
     }
     let Explanation { meaning, reason, action, example, .. } = message;
-    out + &format!("\n{meaning}\n{reason}\n\nWhat to do: {action}\nExample: {example}\n")
+    out + &format!("\n{meaning}\n{reason}\n\nOccurs with, for example: {example}\nWhat to do: {action}\n")
 }

@@ -51,6 +51,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         residuals: ResidualSummary {
             position_rms_mm: None,
             position_rms_before_mm: None,
+            within_poses_rms_mm: None,
             kind: ResidualKind::Targets,
             count: 0,
             rms: 0.0,

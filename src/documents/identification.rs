@@ -30,7 +30,7 @@ fn confounded(parameters: usize, groups: &[Group]) -> Vec<BTreeSet<usize>> {
 }
 
 /// Residuals of a quantity in the unit of the document.
-fn quantity_residuals(found: &ConditionResiduals) -> QuantityResiduals {
+pub fn quantity_residuals(found: &ConditionResiduals) -> QuantityResiduals {
     let quantity = if found.kind.is_some() { Quantity::Length } else { Quantity::Angle };
     QuantityResiduals {
         quantity: found.kind.map_or(ErrorQuantity::Orientation, Into::into),
@@ -99,6 +99,7 @@ pub fn parameters_document(
                 && settings.conditions.is_empty())
             .then(|| (robot.dimension() as f64).sqrt() * found.rms),
             position_rms_before_mm: None,
+            within_poses_rms_mm: None,
             max: found.max,
             degrees_of_freedom: found.degrees_of_freedom,
             effective_degrees_of_freedom: Some(found.residual_degrees),

@@ -58,8 +58,8 @@ pub use fit::*;
 pub use frames::*;
 pub use geometric::*;
 pub use identification::{
-    contradicted_places, observability_summary, parameters_document, set_up_hint, set_up_phrase, warning_message,
-    warning_messages,
+    contradicted_places, observability_summary, parameters_document, quantity_residuals, set_up_hint, set_up_phrase,
+    warning_message, warning_messages,
 };
 pub use import::*;
 pub use iso9283::*;

@@ -251,12 +251,16 @@ pub struct ResidualSummary {
     /// with only base and targets fitted. Absent like `position_rms_mm`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_rms_before_mm: Option<f64>,
+    /// Root mean square (mm) of a coordinate's residual from the mean over the targets of its pose,
+    /// n − 1 for n targets. Absent where no pose shows several targets.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub within_poses_rms_mm: Option<f64>,
     /// Largest absolute residual.
     pub max: f64,
     /// Number of residuals minus number of identified parameters.
     pub degrees_of_freedom: usize,
-    /// Degrees of freedom of the residual variance, by the scatter of the squares from pose to
-    /// pose: those of a smooth misfit scatter more than those of noise.
+    /// Effective degrees of freedom of the residual variance, by the scatter of the squares from
+    /// pose to pose. Squares of a smooth misfit scatter more than squares of noise.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effective_degrees_of_freedom: Option<f64>,
     /// Stated standard uncertainty of one coordinate (mm): of the contact if stated separately,
@@ -284,8 +288,7 @@ pub struct ResidualSummary {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub conditions: Vec<QuantityResiduals>,
     /// Scatter of the parameters between the series of the campaign (`series` in campaign.toml), as
-    /// far as it exceeds the scatter between regions of the workspace. Absent for one series, and
-    /// where the instrument explains all residuals.
+    /// far as it exceeds the scatter between regions of the workspace. Absent for one series.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between_series: Option<SeriesScatter>,
 }

@@ -23,6 +23,7 @@ pub use judgement::excitation::{Unmoved, left_to_tolerances, unmoved};
 pub use judgement::figures::{ConditionResiduals, ErrorKind, FigureUncertainty, JudgedErrors};
 pub use judgement::loads::{LoadContradiction, LoadSlip, load_slips};
 pub use judgement::logs::{LogComparison, compare_logs};
+pub use judgement::misfit::Misfit;
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::ratio::MeasuredRatio;
 pub use judgement::regional::BetweenSeries;

@@ -79,6 +79,20 @@ pub fn position_rms_mm(robot: &dyn Robot, observations: &[Observation], values: 
     (!errors.is_empty()).then(|| rms(errors))
 }
 
+/// Root mean square (mm) of a coordinate's residual from the mean over the targets of its pose,
+/// with n − 1 for n targets; `None` where no observation shows several targets.
+pub fn within_poses_rms_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
+    let of = |o: &Observation| -> Option<(f64, usize)> {
+        let measured = o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?)));
+        let left: Vec<_> = measured.map(|(k, at)| minus(at, robot.position(values, &o.joints, k))).collect();
+        let mean = centroid(&left)?;
+        Some((left.iter().map(|r| norm(minus(*r, mean)).powi(2)).sum(), left.len() - 1))
+    };
+    let all = observations.iter().filter_map(of).fold((0.0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+    let degrees = (robot.dimension() * all.1) as f64;
+    (degrees > 0.0).then(|| (all.0 / degrees).sqrt())
+}
+
 /// Replaces the errors after calibration by those of a robot with a residual field.
 pub fn correct(errors: &mut [PointError], corrected: &dyn Robot, sets: &Sets, after: &[f64]) {
     let others = self::errors(corrected, sets, after, after);

@@ -6,9 +6,9 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{
     ErrorQuantity, ParameterEntry, ParameterStatus, ParametersDocument, QuantityResiduals, ResidualSummary,
-    VerifiedQuantity,
+    VerifiedQuantity, quantity_residuals,
 };
-use etalon_identify::{Condition, ConditionResiduals, GivenParameters, Kind, Observation, Settings, Variance};
+use etalon_identify::{Condition, ConditionResiduals, GivenParameters, Kind, Misfit, Settings, Variance};
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use std::collections::BTreeMap;
 
@@ -205,6 +205,8 @@ pub struct ExpectedDeviation {
     pub measured_mm: f64,
     /// Model error of the calibration (standard deviation, mm).
     pub model_mm: f64,
+    /// Part of it that differs between targets of one pose, if the calibration shows it.
+    between_targets_mm: Option<f64>,
     /// Source of both variances.
     pub variance: Variance,
     /// Model error of each quantity other than positions of targets (standard deviation, mm or
@@ -225,21 +227,29 @@ impl ExpectedDeviation {
         let rms_mm =
             residuals.position_rms_mm.map_or(residuals.rms, |rms_mm| rms_mm / (robot.dimension() as f64).sqrt());
         let shown_mm = rms_mm * (residuals.count as f64 / dof).sqrt();
+        let excess = |shown_mm: f64, u: f64| (shown_mm.powi(2) - u.powi(2)).max(0.0).sqrt();
+        let between = |u: f64| residuals.within_poses_rms_mm.map(|within_mm| excess(within_mm, u));
         let Some(u) = residuals.stated_standard_uncertainty_mm else {
             if dof == 0.0 || !shown_mm.is_finite() {
                 return Err(error!("calibration-without-residuals").into());
             }
             let measured_mm = stated_mm.unwrap_or(shown_mm);
-            let model_mm = (shown_mm.powi(2) - measured_mm.powi(2)).max(0.0).sqrt();
-            return Ok(Self { measured_mm, model_mm, variance: estimated(residuals), conditions });
+            return Ok(Self {
+                measured_mm,
+                model_mm: excess(shown_mm, measured_mm),
+                between_targets_mm: between(measured_mm),
+                variance: estimated(residuals),
+                conditions,
+            });
         };
         let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
         // only where chi-square rejects that the instrument explains all; other quantities have a
         // model error of their own
         let rejected = residuals.chi_square_rejected && dof > 0.0;
-        let model_mm = if rejected { (shown_mm.powi(2) - u.powi(2)).max(0.0).sqrt() } else { 0.0 };
+        let model_mm = if rejected { excess(shown_mm, u) } else { 0.0 };
         let variance = if model_mm > 0.0 { estimated(residuals) } else { Variance::Stated };
-        Ok(Self { measured_mm: stated_mm.unwrap_or(u), model_mm, variance, conditions })
+        let measured_mm = stated_mm.unwrap_or(u);
+        Ok(Self { measured_mm, model_mm, between_targets_mm: between(u), variance, conditions })
     }
 
     /// Root sum of squares of both (mm).
@@ -247,38 +257,33 @@ impl ExpectedDeviation {
         self.measured_mm.hypot(self.model_mm)
     }
 
-    /// Returns settings with the noise of a measured coordinate. The covariance of each position
-    /// also contains the model error: it is common to all positions of a pose, whose weights give
-    /// their mean this variance.
-    pub fn applied(&self, observations: &mut [Observation], settings: Settings) -> Settings {
-        let mut points: BTreeMap<PoseName, usize> = BTreeMap::new();
-        for o in observations.iter() {
-            *points.entry(o.pose).or_default() += o.targets.iter().flatten().count();
+    /// Returns settings with the standard uncertainty of a measured coordinate.
+    pub fn applied(&self, settings: Settings) -> Settings {
+        Settings { standard_uncertainty_mm: Some(self.measured_mm), ..settings }
+    }
+
+    /// The model error of coordinates and of each of these conditions.
+    pub fn misfit(&self, conditions: &[Condition]) -> Misfit {
+        let of = |c: &Condition| if matches!(c.kind, Kind::Joint(_)) { 0.0 } else { self.model(quantity(c)) };
+        Misfit {
+            coordinate_mm: self.model_mm,
+            between_targets_mm: self.between_targets_mm,
+            conditions: conditions.iter().map(of).collect(),
         }
-        let u2 = self.measured_mm.powi(2);
-        for o in observations.iter_mut().filter(|_| self.model_mm > 0.0) {
-            let model = points[&o.pose] as f64 * self.model_mm.powi(2);
-            o.covariances_mm2.resize(o.targets.len(), None);
-            for covariance in &mut o.covariances_mm2 {
-                let covariance = covariance.get_or_insert([[u2, 0.0, 0.0], [0.0, u2, 0.0], [0.0, 0.0, u2]]);
-                (0..3).for_each(|i| covariance[i][i] += model);
-            }
-        }
-        let conditions = self.with_model_errors(settings.conditions);
-        Settings { standard_uncertainty_mm: Some(self.measured_mm), conditions, ..settings }
     }
 
     /// Residuals of each quantity of the conditions, and their expected size.
     pub fn conditions(&self, robot: &dyn Robot, values: &[f64], conditions: &[Condition]) -> Vec<VerifiedQuantity> {
         let one = |found: ConditionResiduals| {
-            let quantity = found.kind.map_or(ErrorQuantity::Orientation, ErrorQuantity::from);
-            let unit = if found.kind.is_none() { Quantity::Angle } else { Quantity::Length };
+            let found = quantity_residuals(&found);
+            let unit = of_unit(found.quantity);
+            let model = unit.outward(self.model(found.quantity));
             VerifiedQuantity {
-                quantity,
-                unit: unit.unit().to_owned(),
+                quantity: found.quantity,
+                unit: found.unit,
                 count: found.count,
-                rms: unit.outward(found.rms),
-                expected_rms: unit.outward(found.standard_uncertainty.hypot(self.model(quantity))),
+                rms: found.rms,
+                expected_rms: found.standard_uncertainty.hypot(model),
             }
         };
         ConditionResiduals::all(robot, values, conditions).into_iter().map(one).collect()
@@ -288,19 +293,11 @@ impl ExpectedDeviation {
     fn model(&self, quantity: ErrorQuantity) -> f64 {
         self.conditions.iter().find(|(of, _)| *of == quantity).map_or(0.0, |(_, model)| *model)
     }
+}
 
-    /// Conditions whose standard uncertainties contain the model error of their quantity, which is
-    /// common to all of them in a pose.
-    fn with_model_errors(&self, mut conditions: Vec<Condition>) -> Vec<Condition> {
-        let key = |c: &Condition| (c.pose, quantity(c));
-        let mut count: BTreeMap<(PoseName, ErrorQuantity), usize> = BTreeMap::new();
-        conditions.iter().for_each(|c| *count.entry(key(c)).or_default() += 1);
-        for c in conditions.iter_mut().filter(|c| !matches!(c.kind, Kind::Joint(_))) {
-            let model = self.model(quantity(c)) * (count[&key(c)] as f64).sqrt();
-            c.standard_uncertainty = c.standard_uncertainty.hypot(model);
-        }
-        conditions
-    }
+/// Unit of a quantity.
+fn of_unit(quantity: ErrorQuantity) -> Quantity {
+    if quantity == ErrorQuantity::Orientation { Quantity::Angle } else { Quantity::Length }
 }
 
 /// Returns an error if the calibration has no residuals of the quantity of a condition.
@@ -333,7 +330,7 @@ fn estimated(residuals: &ResidualSummary) -> Variance {
 fn model_errors(residuals: &ResidualSummary) -> Vec<(ErrorQuantity, f64)> {
     let rows = residuals.count as f64 / residuals.degrees_of_freedom.max(1) as f64;
     let of_quantity = |found: &QuantityResiduals| {
-        let unit = if found.quantity == ErrorQuantity::Orientation { Quantity::Angle } else { Quantity::Length };
+        let unit = of_unit(found.quantity);
         let excess = found.rms.powi(2) * rows - found.standard_uncertainty.powi(2);
         let model = if residuals.chi_square_rejected { excess.max(0.0).sqrt() } else { 0.0 };
         (found.quantity, unit.inward(model))

@@ -239,6 +239,7 @@ pub fn state_positions(
         let known = residuals.position_rms_mm;
         residuals.position_rms_mm = known.or_else(|| evaluate::position_rms_mm(robot, observed, after));
         residuals.position_rms_before_mm = evaluate::position_rms_mm(robot, observed, before);
+        residuals.within_poses_rms_mm = evaluate::within_poses_rms_mm(robot, observed, after);
     }
 }
 
@@ -363,10 +364,7 @@ pub fn select(
     check_selections(campaign, &poses)?;
     let selections = campaign.selections(stated)?;
     let mut sets = evaluate::split(&observed, &poses, &selections);
-    let mut series = vec![Vec::new(); selections.series.len()];
-    for (i, &pose) in poses.iter().enumerate() {
-        selections.series(pose, i).into_iter().for_each(|number| series[number].push(pose));
-    }
+    let series = selections.calibration_series(&poses);
     let conditions = sets.calibration_conditions.clone();
     let mut settings = Settings { conditions, series, ..observed.settings };
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
@@ -588,7 +586,8 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     problems.check().map(|_| ())
 }
 
-/// Errors of series without a measured pose, and of poses in several series.
+/// Errors of series without a measured pose, of poses in several series or in none, and of a single
+/// series.
 fn series_problems(
     campaign: &Campaign,
     identify: &Identify,
@@ -611,7 +610,18 @@ fn series_problems(
         };
         problems.push(problem.at(campaign.place(text)));
     }
-    problems
+    let Some(first) = identify.series.first().filter(|_| problems.is_empty()) else { return problems };
+    let forgotten = of.iter().enumerate().filter(|(i, (pose, of))| of.is_empty() && selections.calibrates(*pose, *i));
+    let forgotten: Vec<String> = forgotten.map(|(_, (pose, _))| pose.to_string()).collect();
+    let calibrating = selections.calibration_series(poses).iter().filter(|poses| !poses.is_empty()).count();
+    let problem = if !forgotten.is_empty() {
+        error!("series-incomplete", poses = shown(forgotten, 20))
+    } else if calibrating < 2 {
+        error!("series-single")
+    } else {
+        return problems;
+    };
+    vec![problem.at(campaign.place(first))]
 }
 
 /// Poses available for selection.

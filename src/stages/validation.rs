@@ -155,14 +155,14 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
         free: kept.iter().map(|&k| all.free[k]).collect(),
         values: all.values,
     };
-    let mut observations = sets.calibration.clone();
     let noise = ExpectedDeviation::from_document(
         robot,
         document,
         Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0),
     )?;
-    let settings = noise.applied(&mut observations, Settings::default());
-    let calibration = Comparison { robot, observations: &observations, settings: &settings, given: &frames };
+    let (misfit, settings) = (noise.misfit(&[]), noise.applied(Settings::default()));
+    let observations = &sets.calibration;
+    let calibration = Comparison { robot, observations, settings: &settings, given: &frames, misfit: &misfit };
     calibration.most_probable().map_err(remedied)
 }
 
@@ -187,8 +187,9 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
         document,
         Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0),
     )?;
-    let settings = noise.applied(&mut observations, Settings::default());
-    let all = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
+    let (misfit, settings) = (noise.misfit(&[]), noise.applied(Settings::default()));
+    let all =
+        Comparison { robot, observations: &observations, settings: &settings, given: &parameters, misfit: &misfit };
     Ok(all.p_value(noise.variance).ok())
 }
 

@@ -71,7 +71,7 @@ pub fn verify(
     inputs: BTreeMap<String, String>,
 ) -> Result<VerificationDocument> {
     let EarlierCalibration { robot, parameters, noise, nominal, mut messages, .. } = calibration;
-    let Observed { mut observations, settings } = observed;
+    let Observed { observations, settings } = observed;
     if observations.is_empty() {
         return Err(error!("verify-without-positions").into());
     }
@@ -80,8 +80,9 @@ pub fn verify(
         return Err(etalon_documents::warning_message(&problem).into());
     }
     let conditions = noise.conditions(robot, &parameters.values, &settings.conditions);
-    let settings = noise.applied(&mut observations, settings);
-    let comparison = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
+    let (misfit, settings) = (noise.misfit(&settings.conditions), noise.applied(settings));
+    let comparison =
+        Comparison { robot, observations: &observations, settings: &settings, given: &parameters, misfit: &misfit };
     let found = comparison.verify(noise.variance).map_err(remedied)?;
     let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();
     if found.is_changed() && found.cause().is_none() {
@@ -173,7 +174,7 @@ pub fn plan(
         let at = |k: usize| robot.position(&parameters.values, &o.joints, k);
         o.targets = o.targets.iter().enumerate().map(|(k, seen)| seen.map(|_| at(k))).collect();
     }
-    let settings = noise.applied(&mut candidates, Settings::default());
+    let (misfit, settings) = (noise.misfit(&[]), noise.applied(Settings::default()));
     let poses: Vec<PoseName> = candidates.iter().map(|o| o.pose).collect::<BTreeSet<_>>().into_iter().collect();
     if !(1..=poses.len()).contains(&count) {
         return Err(error!("candidate-poses-too-few", wanted = count, count = poses.len()).into());
@@ -181,7 +182,8 @@ pub fn plan(
     let detectable = |chosen: &[PoseName]| {
         let of_pose = |pose: &PoseName| candidates.iter().filter(move |o| o.pose == *pose).cloned().collect::<Vec<_>>();
         let observations: Vec<Observation> = chosen.iter().flat_map(of_pose).collect();
-        let observed = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
+        let observed =
+            Comparison { robot, observations: &observations, settings: &settings, given: &parameters, misfit: &misfit };
         observed.detectable(noise.variance)
     };
     // sum of logarithms; an invisible change counts as the largest

@@ -109,6 +109,9 @@ fn statements_that_count_for_nothing_are_refused() {
     campaign("calibration = \"1-8\"", &series("[\"1-9\", \"8-59\"]"), &["[series-overlap]", "8, 9", ":43:18"]);
     let none = ["error[selection-without-pose]: `series`", ":43:19"];
     campaign("calibration = \"1-8\"", &series("[\"rest\", \"90-99\"]"), &none);
+    campaign("calibration = \"1-8\"", &series("[\"1-4\", \"6-59\"]"), &["[series-incomplete]", "5", ":43:11"]);
+    campaign("calibration = \"1-8\"", &series("[\"all\"]"), &["[series-single]", ":43:11"]);
+    campaign("calibration = \"1-8\"", &series("[\"1-8\", \"rest\"]"), &["[series-single]", ":43:11"]);
     campaign("by = [\"pose\", \"cycle\"]", "by = \"time\"", &["[join-clock-missing]", "campaign.toml:28:6"]);
     campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["[feature-element]", ".toml:3"]);
     let delimited = "format = { delimiter = \"blank\", columns = [\"pose\", \"target\", \"x\", \"y\", \"z\"] }\ntarget = \"K\"\npose = \"row\"";

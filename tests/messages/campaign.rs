@@ -33,6 +33,20 @@ const TOML: &[Case] = &[
     ("selection-empty", CMM, &[(C, "\"1-8\"", "\"1-8, , 12\"")], CHECK),
 ];
 
+const EIGHT: &str = "calibration = \"1-8\"";
+
+/// Series of poses.
+const SERIES: &[Case] = &[
+    ("series-incomplete", CMM, &[(C, EIGHT, "calibration = \"1-8\"\nseries = [\"1-4\", \"6-59\"]")], CHECK),
+    ("series-single", CMM, &[(C, EIGHT, "calibration = \"1-8\"\nseries = [\"all\"]")], CHECK),
+    (
+        "series-not-estimated",
+        CMM,
+        &[(C, EIGHT, "calibration = \"1-6\"\nseries = [\"1-3\", \"rest\"]"), (C, "_um = 2.7", "_um = 0.5")],
+        RUN,
+    ),
+];
+
 /// Statements about exports, features and the world frame.
 const FRAME: &[Case] = &[
     ("feature-unknown feature=rail", CMM, &[(C, PLANE, "plane = \"rail\"\n")], CHECK),
@@ -225,6 +239,7 @@ const GEOMETRIC: &[Case] = &[
 #[test]
 fn of_keys_and_values() {
     hold(TOML);
+    hold(SERIES);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use etalon::base::message::{Message, Problems};
 use etalon::documents::{FieldDocument, Iso9283Places, ParametersDocument};
 use etalon::fit::{Element, FitSettings, Probe, Side, Source, element, rigid};
 use etalon::identify::geometric::{self, BaseMeasurements, LeadMeasurements, Measurements, ShaftMeasurements};
-use etalon::identify::{Comparison, GivenParameters, Observation, Settings, ToolFrame, ToolPoint};
+use etalon::identify::{Comparison, GivenParameters, Misfit, Observation, Settings, ToolFrame, ToolPoint};
 use etalon::robots::{Prexyt, Robot};
 use etalon::standards::iso9283::load::{Loaded, compliance};
 use etalon::standards::iso9283::motion::standstill::{Stillness, standstills};
@@ -231,7 +231,8 @@ fn of_given_parameters_and_tools() {
     let given = GivenParameters { values: robot.nominal(), free: vec![0, 1], covariance: vec![1.0, 2.0, 2.0, 1.0] };
     let sound = GivenParameters { covariance: vec![1.0, 0.0, 0.0, 1.0], ..given.clone() };
     let compare = |observations, settings, given| {
-        refused(Comparison { robot: &robot, observations, settings, given }.most_probable())
+        let misfit = &Misfit::default();
+        refused(Comparison { robot: &robot, observations, settings, given, misfit }.most_probable())
     };
     let tool = |frame| {
         let point = ToolPoint { point_mm: X, frame, standard_uncertainty_mm: 0.01 };

@@ -10,6 +10,7 @@ pub(crate) mod excitation;
 pub(crate) mod figures;
 pub(crate) mod loads;
 pub(crate) mod logs;
+pub(crate) mod misfit;
 pub(crate) mod predict;
 pub(crate) mod ratio;
 pub(crate) mod regional;

@@ -76,8 +76,9 @@ pub(crate) fn with_uncertainty(
         }
         _ => from_residuals((problem, solution, jacobian), &settings.series, instrument.as_deref(), chi_square),
     };
-    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning, between_series } = found;
-    let mut warnings: Vec<Warning> = warning.into_iter().map(Into::into).collect();
+    let (between_series, unseen) = found.between_series(&settings.series);
+    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning, .. } = found;
+    let mut warnings: Vec<Warning> = warning.into_iter().chain(unseen).map(Into::into).collect();
     let replicates = (apart && settings.conditions.is_empty())
         .then(|| budget::replicates(robot, observations, &values, dof))
         .flatten();
@@ -257,6 +258,18 @@ pub(crate) struct Found {
 impl Found {
     fn new(from: UncertaintyFrom, covariance: Option<Vec<f64>>) -> Self {
         Self { from, covariance, degrees: Vec::new(), warning: None, between_series: None }
+    }
+
+    /// Scatter between these series, none where the instrument explains all residuals; a warning if
+    /// it is unknown.
+    fn between_series(&self, series: &[Vec<PoseName>]) -> (Option<BetweenSeries>, Option<Message>) {
+        let count = series.iter().filter(|poses| !poses.is_empty()).count();
+        if count < 2 {
+            return (None, None);
+        }
+        let explained = self.from == UncertaintyFrom::Instrument;
+        let found = self.between_series.or_else(|| explained.then_some(BetweenSeries { series: count, share: 0.0 }));
+        (found, found.is_none().then(|| warning!("series-not-estimated")))
     }
 
     /// Variance of a parameter.

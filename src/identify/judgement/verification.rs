@@ -8,6 +8,7 @@
 //! it detects (Baarda 1968, reliability).
 
 use crate::Result;
+use crate::judgement::misfit::{Misfit, Whitening};
 use crate::judgement::significance::{Variance, bisect};
 use crate::model::residuals::Residuals;
 use crate::{Observation, Settings};
@@ -159,6 +160,8 @@ pub struct Comparison<'a> {
     pub settings: &'a Settings,
     /// The parameters.
     pub given: &'a GivenParameters,
+    /// Errors of the model beyond those of the parameters.
+    pub misfit: &'a Misfit,
 }
 
 impl Comparison<'_> {
@@ -392,6 +395,7 @@ impl Limits {
 struct Space<'a> {
     of: Comparison<'a>,
     problem: Residuals<'a>,
+    shared: Whitening,
     x: Vec<f64>,
     /// Measured minus predicted values.
     r: DVector<f64>,
@@ -426,7 +430,7 @@ impl Test {
 
 impl<'a> Space<'a> {
     fn new(of: Comparison<'a>) -> Result<Self> {
-        let Comparison { robot, observations, settings, given } = of;
+        let Comparison { robot, observations, settings, given, misfit } = of;
         if settings.standard_uncertainty_mm.is_none() {
             return Err(error!("comparison-without-uncertainty").into());
         }
@@ -441,6 +445,9 @@ impl<'a> Space<'a> {
         if r.iter().chain(&jacobian).any(|v| !v.is_finite()) {
             return Err(error!("robot-not-at-joints", parameters = "given").into());
         }
+        let shared = Whitening::new(misfit, &problem, robot, observations, settings);
+        shared.whiten(&mut r, 1);
+        shared.whiten(&mut jacobian, n);
         let count = given.free.len();
         let root = match count {
             0 => DMatrix::zeros(n, 0),
@@ -448,7 +455,7 @@ impl<'a> Space<'a> {
         };
         let b = DMatrix::from_row_slice(m, n, &jacobian) * &root;
         let inner = Cholesky::new(DMatrix::identity(b.ncols(), b.ncols()) + b.transpose() * &b);
-        Ok(Self { of, problem, x, r: -DVector::from_vec(r), root, b, inner })
+        Ok(Self { of, problem, shared, x, r: -DVector::from_vec(r), root, b, inner })
     }
 
     /// S⁻¹ X (Woodbury).
@@ -513,14 +520,21 @@ impl<'a> Space<'a> {
         };
         let seen = self.of.observations.iter().flat_map(|o| (0..o.targets.len()).map(move |k| (o, k)));
         let measured: f64 = seen.filter(|(o, k)| o.targets[*k].is_some()).map(|(o, k)| of_reading(o, k)).sum();
+        let misfit = n as f64 * self.of.misfit.coordinate_mm.powi(2);
         let squares: f64 = r.iter().map(|r| r * r).sum();
-        [unit2 * squares, measured + unit2 * ours.norm_squared()].map(|sum| (sum / n as f64).sqrt())
+        [unit2 * squares, measured + misfit + unit2 * ours.norm_squared()].map(|sum| (sum / n as f64).sqrt())
+    }
+
+    /// Rows of `width` numbers, which are whitened but for the errors that readings share.
+    fn whitened(&self, mut rows: Vec<f64>, width: usize) -> DMatrix<f64> {
+        self.shared.whiten(&mut rows, width);
+        DMatrix::from_row_slice(self.r.len(), width, &rows)
     }
 
     /// Derivatives of measured minus predicted values with respect to base and joints.
     fn columns(&self) -> Columns {
         let m = self.r.len();
-        let frame = DMatrix::from_row_slice(m, 6, &self.problem.frame_jacobian(&self.x, None));
+        let frame = self.whitened(self.problem.frame_jacobian(&self.x, None), 6);
         let planar = self.of.robot.dimension() == 2;
         let axes: &[usize] = if planar { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] };
         let mut columns = DMatrix::zeros(m, axes.len());
@@ -536,7 +550,7 @@ impl<'a> Space<'a> {
             columns.set_column(k, &column);
         }
         let joints = self.of.robot.joints().len();
-        let rows = DMatrix::from_row_slice(m, joints, &self.problem.joint_jacobian(&self.x));
+        let rows = self.whitened(self.problem.joint_jacobian(&self.x), joints);
         let base = (Moved::Base, 0, axes.len());
         let parts = std::iter::once(base).chain((0..joints).map(|j| (Moved::Joint(j), axes.len() + j, 1)));
         let mut all = DMatrix::zeros(m, axes.len() + joints);
@@ -568,7 +582,7 @@ impl<'a> Space<'a> {
                     .ok()?;
             let mut jacobian = vec![0.0; self.r.len() * 3];
             problem.jacobian(&x, &mut jacobian);
-            Some((target, DMatrix::from_row_slice(self.r.len(), 3, &jacobian)))
+            Some((target, self.whitened(jacobian, 3)))
         };
         (0..self.of.robot.targets().len()).filter_map(of).collect()
     }

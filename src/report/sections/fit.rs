@@ -2,7 +2,7 @@
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
-use crate::number::{derived, fixed, significant};
+use crate::number::{derived, significant};
 use crate::plots::{points, residuals as plots, singular};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
@@ -98,7 +98,7 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         UncertaintyFrom::ResidualsByPose => tr!(words, "from-residuals-by-pose"),
         UncertaintyFrom::ResidualsByRegion => {
             let scatter = r.between_series.unwrap_or(SeriesScatter { series: 0, share: 0.0 });
-            let percent = fixed(100.0 * scatter.share, 0);
+            let percent = (100.0 * scatter.share).round() as usize;
             tr!(words, "from-residuals-by-region", series = scatter.series, percent)
         }
         UncertaintyFrom::Nothing => tr!(words, "unknown-without-redundancy"),

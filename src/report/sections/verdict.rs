@@ -11,7 +11,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, Figure,
     Iso9283Document, Iso9283Variation, Judged, LimitVerdict, ParametersDocument, PoseCharacteristic, PoseSet, Reason,
-    ToolAccuracy, VerdictDocument,
+    SeriesScatter, ToolAccuracy, VerdictDocument,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -35,6 +35,7 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     sentences.extend((limits.is_empty() && judgement.verdict.is_none()).then(|| counted(&limits, words)));
     sentences.extend(identified.zip(set).into_iter().flat_map(|(i, set)| errors(i.accuracy, set, words)));
     sentences.extend(identified.and_then(|i| unexplained(i, words)));
+    sentences.extend(identified.and_then(|i| Some(series(i.parameters.residuals.between_series?, words))));
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() && !limits.is_empty()).then(|| counted(&limits, words)));
@@ -233,6 +234,14 @@ fn unexplained(of: &Identified, words: &Words) -> Option<String> {
         false => tr!(words, "model-explains-residuals", ratio = times, uncertainty = by),
     })?;
     Some(numbers.map_or(sentence.clone(), |numbers| format!("{numbers} {sentence}")))
+}
+
+/// Share of the scatter between series.
+fn series(scatter: SeriesScatter, words: &Words) -> String {
+    match (100.0 * scatter.share).round() as usize {
+        0 => tr!(words, "series-agree", series = scatter.series),
+        percent => tr!(words, "series-differ", series = scatter.series, percent),
+    }
 }
 
 /// Root mean square of the position residuals of the calibration, if all residuals are positions.

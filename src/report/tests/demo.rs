@@ -338,6 +338,7 @@ fn residuals() -> ResidualSummary {
     ResidualSummary {
         position_rms_mm: None,
         position_rms_before_mm: None,
+        within_poses_rms_mm: None,
         kind: ResidualKind::Targets,
         count: 160,
         rms: 0.0162,

@@ -16,6 +16,7 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
     ResidualSummary {
         position_rms_mm: None,
         position_rms_before_mm: None,
+        within_poses_rms_mm: None,
         kind: etalon::documents::ResidualKind::Targets,
         count: 100,
         rms: 0.001,

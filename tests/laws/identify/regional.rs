@@ -66,6 +66,8 @@ impl Effect {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Measured {
     Positions,
+    /// Positions of three targets.
+    Targets,
     /// Positions and orientations.
     Poses,
     /// Positions at every other pose, and contacts with four sockets at the others.
@@ -100,7 +102,8 @@ impl Twin {
     /// A twin whose misfit is `ratio` times the noise.
     fn drawn(measured: Measured, effect: Effect, ratio: f64, seed: u64) -> Self {
         let mut noise = Noise::new(60, seed);
-        let mut robot = serial(&SIX_AXES, &["a"], &[]);
+        let targets: &[&str] = if measured == Measured::Targets { &["a", "b", "c"] } else { &["a"] };
+        let mut robot = serial(&SIX_AXES, targets, &[]);
         let value = |p: &etalon::robots::Parameter| match (p.role, p.quantity) {
             (Role::Base, Quantity::Length) => noise.uniform(1500.0),
             (Role::Base, _) => noise.uniform(1.0),
@@ -113,7 +116,7 @@ impl Twin {
         let coefficients = (0..24).map(|_| noise.gaussian(1.0)).collect();
         let middle: Vec<f64> = (0..6).map(|_| noise.uniform(0.3)).collect();
         let fixtures: Vec<Fixture> = match measured {
-            Measured::Positions => Vec::new(),
+            Measured::Positions | Measured::Targets => Vec::new(),
             Measured::Poses => vec![Fixture::Mounting("a")],
             Measured::Contacts => ["s1", "s2", "s3", "s4"].map(Fixture::Point).to_vec(),
         };
@@ -168,11 +171,14 @@ impl Twin {
 
     /// Root mean square (mm) of the residual of a coordinate.
     fn rms_mm(&self, campaign: &Campaign, values: &[f64]) -> f64 {
-        let off = |o: &Observation| {
-            minus(o.targets[0].expect("measured"), self.robot.position(values, &o.joints, 0)).map(|v| v * v / 3.0)
+        let off = |(o, target): (&Observation, usize)| {
+            minus(o.targets[target].expect("measured"), self.robot.position(values, &o.joints, target))
+                .map(|v| v * v / 3.0)
         };
-        let squares = campaign.observations.iter().flat_map(off).sum::<f64>();
-        (squares / campaign.observations.len() as f64).sqrt()
+        let targets = self.robot.targets().len();
+        let readings = campaign.observations.iter().flat_map(|o| (0..targets).map(move |target| (o, target)));
+        let squares = readings.flat_map(off).sum::<f64>();
+        (squares / (targets * campaign.observations.len()) as f64).sqrt()
     }
 
     /// The joints of the robot, of which the target has the place `at` where it is given.
@@ -181,7 +187,7 @@ impl Twin {
             let mut q: Vec<f64> = self.middle.iter().map(|q| q + noise.uniform(REGION_RAD)).collect();
             let Some(at) = at else { return q };
             for _ in 0..30 {
-                let left = |q: &[f64]| DVector::from(minus(self.position(q), at).to_vec());
+                let left = |q: &[f64]| DVector::from(minus(self.position(q, 0), at).to_vec());
                 let now = left(&q);
                 if now.amax() < 1e-9 {
                     break;
@@ -199,7 +205,7 @@ impl Twin {
                 q.iter_mut().zip(step.iter()).for_each(|(q, s)| *q -= shorten * s);
             }
             let inside = q.iter().zip(&self.middle).all(|(q, middle)| (q - middle).abs() < REGION_RAD);
-            if inside && norm(minus(self.position(&q), at)) < 1e-6 {
+            if inside && norm(minus(self.position(&q, 0), at)) < 1e-6 {
                 return q;
             }
         }
@@ -209,9 +215,9 @@ impl Twin {
         self.effect.deflected(joints, &self.coefficients, self.amplitude)
     }
 
-    /// Position of the target on the robot with the effect that the model leaves out.
-    fn position(&self, joints: &[f64]) -> Vector {
-        self.robot.position(&self.truth, &self.bent(joints), 0)
+    /// Position of a target on the robot with the effect that the model leaves out.
+    fn position(&self, joints: &[f64], target: usize) -> Vector {
+        self.robot.position(&self.truth, &self.bent(joints), target)
     }
 
     /// Measurements at poses of the region; `noise_scale` multiplies their noise.
@@ -231,7 +237,8 @@ impl Twin {
                 continue;
             }
             let joints = self.joints(None, noise);
-            let at = self.position(&joints).map(|v| v + noise.gaussian(noise_scale * NOISE_MM));
+            let see = |target| self.position(&joints, target).map(|v| v + noise.gaussian(noise_scale * NOISE_MM));
+            let targets: Vec<Option<Vector>> = (0..self.robot.targets().len()).map(see).map(Some).collect();
             if self.measured == Measured::Poses {
                 let mounting = self.fixtures[0];
                 let turn = Pose::from_rotation_vector([0, 1, 2].map(|k| self.truth[mounting + k]));
@@ -244,7 +251,6 @@ impl Twin {
                     NOISE_RAD,
                 );
             }
-            let targets = vec![Some(at)];
             campaign.observations.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });
         }
         campaign
@@ -273,7 +279,7 @@ impl Twin {
         let (mut inside, mut errors, mut expected) = (0, 0.0, 0.0);
         for _ in 0..FRESH {
             let joints = self.joints(None, noise);
-            let at = self.position(&joints);
+            let at = self.position(&joints, 0);
             let predicted = self.robot.position(&found.values, &joints, 0);
             let mut jacobian = vec![0.0; 3 * all];
             self.robot.jacobian(&found.values, &joints, &mut jacobian);
@@ -342,7 +348,7 @@ fn figures(measured: Measured, poses: usize, ratio: f64, count: u64) -> Figures 
 #[test]
 fn intervals_hold_effective_parameters_and_predictions_where_the_model_misfits() {
     let count = number("ETALON_CAMPAIGNS", 10);
-    use Measured::{Contacts, Poses, Positions};
+    use Measured::{Contacts, Poses, Positions, Targets};
     for (measured, poses, ratio) in [
         (Positions, 20, 20.0),
         (Positions, 30, 10.0),
@@ -352,6 +358,7 @@ fn intervals_hold_effective_parameters_and_predictions_where_the_model_misfits()
         (Positions, 100, 20.0),
         (Positions, 300, 10.0),
         (Positions, 1000, 10.0),
+        (Targets, 60, 10.0),
         (Poses, 30, 10.0),
         (Poses, 100, 3.0),
         (Poses, 100, 10.0),
@@ -444,14 +451,16 @@ impl<'a> Calibration<'a> {
         Self { twin, document }
     }
 
-    /// Verdict on the calibration by new measurements; a set-up that cannot be is another.
-    fn verdict(&self, Campaign { observations, settings }: Campaign) -> VerificationVerdict {
+    /// Verdict on the calibration by new measurements, and the RMS of residuals over the expected one; a set-up that cannot be is another.
+    fn verdict(&self, Campaign { observations, settings }: Campaign) -> (VerificationVerdict, f64) {
         let mut robot = self.twin.robot.clone();
         // nothing is identified: nominal values do not count
         let settings = Settings { conditions: settings.conditions, ..Settings::default() };
         let calibration = EarlierCalibration::new(&mut robot, &self.document, None).expect("a calibration");
         let found = verify(calibration, Observed { observations, settings }, BTreeMap::new());
-        found.map_or(VerificationVerdict::Other, |found| found.verdict)
+        found.map_or((VerificationVerdict::Other, f64::NAN), |found| {
+            (found.verdict, found.rms_mm / found.expected_rms_mm)
+        })
     }
 }
 
@@ -459,7 +468,7 @@ impl<'a> Calibration<'a> {
 /// which poses of the whole region do not show. A base that moved by ten times the misfit is always found.
 #[test]
 fn verification_expects_the_misfit_of_the_calibration() {
-    use Measured::{Poses, Positions};
+    use Measured::{Poses, Positions, Targets};
     let count = number("ETALON_CAMPAIGNS", 16);
     let (mut alarms, mut all) = (0.0, 0.0);
     for (measured, poses, ratio, fresh) in [
@@ -469,6 +478,8 @@ fn verification_expects_the_misfit_of_the_calibration() {
         (Positions, 200, 20.0, 40),
         (Positions, 700, 5.0, 20),
         (Positions, 200, 10.0, 200),
+        (Targets, 60, 5.0, 8),
+        (Targets, 200, 10.0, 20),
         (Poses, 60, 10.0, 20),
         (Poses, 200, 10.0, 20),
     ] {
@@ -478,30 +489,35 @@ fn verification_expects_the_misfit_of_the_calibration() {
             let calibration = Calibration::new(&twin, &twin.observed(poses, 1.0, &mut noise));
             let mut trial = || {
                 let seen = twin.observed(fresh, 1.0, &mut noise);
-                let unchanged = calibration.verdict(seen.clone()) != VerificationVerdict::Valid;
-                (unchanged, seen)
+                let (verdict, ratio) = calibration.verdict(seen.clone());
+                (verdict != VerificationVerdict::Valid, ratio, seen)
             };
             let trials = [0; 5].map(|_| trial());
-            let unchanged = trials.iter().filter(|(unchanged, _)| *unchanged).count() as f64 / 5.0;
-            let [(_, mut moved), ..] = trials;
+            let unchanged = trials.iter().filter(|trial| trial.0).count() as f64 / 5.0;
+            let seen_over_expected = trials.iter().map(|trial| trial.1.powi(2)).sum::<f64>() / 5.0;
+            let [(.., mut moved), ..] = trials;
             moved
                 .observations
                 .iter_mut()
                 .flat_map(|o| o.targets.iter_mut().flatten())
                 .for_each(|at| at[0] += 10.0 * ratio * NOISE_MM);
-            let moved = calibration.verdict(moved);
+            let (moved, _) = calibration.verdict(moved);
             let is = |condition: bool| f64::from(u8::from(condition));
-            [unchanged, is(moved != VerificationVerdict::Valid), is(moved == VerificationVerdict::BaseMoved)]
+            let [found, named] = [moved != VerificationVerdict::Valid, moved == VerificationVerdict::BaseMoved].map(is);
+            [unchanged, found, named, seen_over_expected]
         };
-        let sums: Vec<[f64; 3]> = (0..count).into_par_iter().map(one).collect();
-        let [unchanged, changed, named] = [0, 1, 2].map(|k| sums.iter().map(|s| s[k]).sum::<f64>() / count as f64);
+        let sums: Vec<[f64; 4]> = (0..count).into_par_iter().map(one).collect();
+        let [unchanged, changed, named, ratio2] =
+            [0, 1, 2, 3].map(|k| sums.iter().map(|s| s[k]).sum::<f64>() / count as f64);
         println!(
             "{measured:?}, {poses} poses, misfit {ratio} × noise, verified with {fresh}: {:.1} % false alarms, a moved base found in \
-             {:.1} %, named in {:.1} %",
+             {:.1} %, named in {:.1} %; RMS over expected {:.2}",
             100.0 * unchanged,
             100.0 * changed,
-            100.0 * named
+            100.0 * named,
+            ratio2.sqrt()
         );
+        assert!((0.7..1.2).contains(&ratio2.sqrt()), "{measured:?}, {poses} poses: {}", ratio2.sqrt());
         assert!(changed > 0.99 && named > 0.9, "{measured:?}, {poses} poses: {changed} {named}");
         assert!(unchanged < 0.065, "{measured:?}, {poses} poses: {unchanged}");
         (alarms, all) = (alarms + unchanged, all + 1.0);

@@ -5,7 +5,7 @@ use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::identify::{
-    Comparison, GivenParameters, Moved, Observation, Settings, Variance, Verification, identify_from,
+    Comparison, GivenParameters, Misfit, Moved, Observation, Settings, Variance, Verification, identify_from,
 };
 use etalon::robots::{FiveBar, Prexyt, Quantity, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -97,7 +97,8 @@ impl Case {
 
     fn verify(&self, observations: &[Observation], given: &GivenParameters) -> Verification {
         let settings = &Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
-        let comparison = Comparison { robot: self.robot.as_ref(), observations, settings, given };
+        let misfit = &Misfit::default();
+        let comparison = Comparison { robot: self.robot.as_ref(), observations, settings, given, misfit };
         comparison.verify(Variance::Stated).unwrap()
     }
 

@@ -106,6 +106,8 @@ no-redundant-observations = es gibt so viele Gleichungen wie Parameter: die Unsi
 pose-residuals-correlated = die Residuen derselben Pose sind korreliert: die Standardunsicherheiten sind aus der Streuung der Posen geschätzt und betragen das { FIXED($ratio, 1) }-Fache der Werte aus dem Messgerät
     .hint = der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder das Messgerät hat gemeinsame Abweichungen aller Messwerte einer Pose
 
+series-not-estimated = die Unsicherheiten enthalten die Streuung zwischen den Serien nicht: weniger als acht Posen, oder gemeinsame Messwerte mehrerer Posen
+
 instrument-uncertainty-too-large = die Residuen betragen das { FIXED($ratio, 2) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind zu groß
     .hint = Unsicherheit des Messgeräts, ihre Einheit und ihren Erweiterungsfaktor prüfen; gemeinsame Abweichungen aller Posen sind in den Residuen nicht sichtbar
 

@@ -539,7 +539,10 @@ from-residuals = aus den Residuen (als unabhängig behandelt)
 from-residuals-by-pose = aus den Residuen, nach Posen gruppiert
 from-residuals-by-region = der effektiven Parameter, aus der Streuung zwischen Bereichen des Arbeitsraums{ $series ->
         [0] ; Unterschiede zwischen Aufbauten sind nicht enthalten
-       *[other] { " " }und zwischen { $series } Serien, die { $percent } % der Varianzen beitragen
+       *[other] { " " }und zwischen { $series } Serien; { $percent ->
+            [0] diese unterscheiden sich nicht darüber hinaus
+           *[other] diese tragen { $percent } % der Varianzen bei
+        }
     }
 from-the-instrument = aus dem Messgerät
 gain-over-u = Gewinn / u
@@ -1127,6 +1130,8 @@ scale-bars = Kalibrierstäbe
 scaling-label = Skalierung:
 seed = Startwert
 serial-number = Seriennummer
+series-agree = Die Residuen zeigen keinen Unterschied zwischen den { $series } Serien.
+series-differ = Unterschiede zwischen den { $series } Serien tragen { $percent } % zu den Varianzen der Parameter bei.
 set = Gruppe
 set-of-cycles = Satz von Zyklen
 set-summary = { $set }: { $poses ->

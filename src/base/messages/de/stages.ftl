@@ -790,6 +790,12 @@ sets-overlap = diese Posen gehören zur Kalibrierung und zur Validierung: { $pos
 series-overlap = diese Posen gehören zu mehreren Serien: { $poses }
     .hint = `"rest"` nimmt alle Posen, die zu keiner früheren Serie gehören
 
+series-incomplete = diese Posen der Kalibrierung gehören zu keiner Serie: { $poses }
+    .hint = `"rest"` nimmt alle Posen, die zu keiner früheren Serie gehören
+
+series-single = `series` enthält nur eine Serie mit Posen der Kalibrierung
+    .hint = mindestens zwei angeben, oder `series` entfernen
+
 table-selection-empty = die Tabelle `{ $title }` enthält keine gemessene Pose
     .hint = eine Tabelle zeigt Posen von `calibration` und `validation`
 

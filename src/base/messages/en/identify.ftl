@@ -211,6 +211,12 @@ no-redundant-observations = there are as many equations as parameters: the uncer
 pose-residuals-correlated = residuals of one pose are correlated: standard uncertainties are estimated from the scatter of the poses, { FIXED($ratio, 1) } times those from the instrument
     .hint = the robot has errors that the model does not describe, or the instrument has errors common to the readings of a pose
 
+# Means: `series` is stated, and the scatter between series cannot be estimated: there are fewer than eight poses, or a reading is common to several poses.
+# Matters: The uncertainties do not contain differences between set-ups, days or files.
+# Do: Measure at least eight poses, or treat the series as campaigns of their own and use `etalon compare`.
+# Example: `series = ["1-3", "4-6"]` with 6 poses
+series-not-estimated = the uncertainties do not contain the scatter between series: fewer than eight poses, or readings common to several poses
+
 # Means: Residuals are significantly smaller than the stated uncertainty of the instrument
 # (chi-square test).
 # Matters: Standard uncertainties of all results are too large.

@@ -512,7 +512,10 @@ from-residuals = from the residuals (treated as independent)
 from-residuals-by-pose = from the residuals, grouped by pose
 from-residuals-by-region = of effective parameters, from the scatter between regions of the workspace{ $series ->
         [0] ; differences between set-ups are not contained
-       *[other] { " " }and between { $series } series, which contribute { $percent } % of the variances
+       *[other] { " " }and between { $series } series; { $percent ->
+            [0] these do not differ beyond it
+           *[other] these contribute { $percent } % of the variances
+        }
     }
 from-the-instrument = from the instrument
 gain-over-u = gain over u
@@ -1073,6 +1076,8 @@ scale-bars = Scale bars
 scaling-label = Scaling:
 seed = seed
 serial-number = serial number
+series-agree = The residuals show no difference between the { $series } series.
+series-differ = Differences between the { $series } series contribute { $percent } % of the variances of the parameters.
 set = set
 set-of-cycles = set of cycles
 set-summary = { $set }: { $poses } poses, { $errors } errors

@@ -1611,6 +1611,20 @@ sets-overlap = poses in both calibration and validation: { $poses }
 series-overlap = poses in several series: { $poses }
     .hint = `"rest"` selects all poses of no earlier series
 
+# Means: `series` is stated, and no series contains these calibration poses.
+# Matters: The scatter between series compares all calibration poses.
+# Do: Add the poses to their series, or `"rest"` as the last series.
+# Example: `series = ["1-40", "41-80"]` with 90 poses
+series-incomplete = calibration poses in no series: { $poses }
+    .hint = `"rest"` selects all poses of no earlier series
+
+# Means: All calibration poses are in one series.
+# Matters: One series shows no scatter between series, so the uncertainties would not contain it.
+# Do: State the poses of each set-up, day or file, or remove `series`.
+# Example: `series = ["all"]`
+series-single = `series` has a single series with calibration poses
+    .hint = state at least two, or remove `series`
+
 # Means: A table of the geometric report selects no pose of calibration or validation.
 # Matters: The table would be empty.
 # Do: Select poses of these sets.

@@ -106,6 +106,8 @@ no-redundant-observations = il y a autant d’équations que de paramètres : l
 pose-residuals-correlated = les résidus d’une même pose sont corrélés : les incertitudes-types sont estimées d’après la dispersion des poses et valent { FIXED($ratio, 1) } fois celles que donne l’instrument
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’instrument a des erreurs communes aux lectures d’une pose
 
+series-not-estimated = les incertitudes ne contiennent pas la dispersion entre séries : moins de huit poses, ou des mesures communes à plusieurs poses
+
 instrument-uncertainty-too-large = les résidus valent { FIXED($ratio, 2) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 1) }, { $degrees } degrés de liberté) : les incertitudes-types sont trop grandes
     .hint = vérifier l’incertitude de l’instrument, son unité et son facteur d’élargissement ; les erreurs communes à toutes les poses n’apparaissent pas dans les résidus
 

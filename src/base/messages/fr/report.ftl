@@ -542,7 +542,10 @@ from-residuals = d’après les résidus (traités comme indépendants)
 from-residuals-by-pose = d’après les résidus, regroupés par pose
 from-residuals-by-region = des paramètres effectifs, d’après la dispersion entre régions de l’espace de travail{ $series ->
         [0] { " " }; les différences entre installations n’y sont pas
-       *[other] { " " }et entre { $series } séries, qui apportent { $percent } % des variances
+       *[other] { " " }et entre { $series } séries ; { $percent ->
+            [0] celles-ci ne diffèrent pas au-delà
+           *[other] celles-ci apportent { $percent } % des variances
+        }
     }
 from-the-instrument = d’après l’instrument
 gain-over-u = gain / u
@@ -1133,6 +1136,8 @@ scale-bars = Barres étalons
 scaling-label = Mise à l’échelle :
 seed = graine
 serial-number = numéro de série
+series-agree = Les résidus ne montrent aucune différence entre les { $series } séries.
+series-differ = Les différences entre les { $series } séries apportent { $percent } % des variances des paramètres.
 set = ensemble
 set-of-cycles = série de cycles
 set-summary = { $set } : { $poses ->

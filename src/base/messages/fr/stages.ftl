@@ -790,6 +790,12 @@ sets-overlap = ces poses servent à la fois à l’étalonnage et à la validati
 series-overlap = ces poses appartiennent à plusieurs séries : { $poses }
     .hint = `"rest"` prend toutes les poses qui n’appartiennent à aucune série précédente
 
+series-incomplete = ces poses d’étalonnage n’appartiennent à aucune série : { $poses }
+    .hint = `"rest"` prend toutes les poses qui n’appartiennent à aucune série précédente
+
+series-single = `series` ne contient qu’une série avec des poses d’étalonnage
+    .hint = en indiquer au moins deux, ou supprimer `series`
+
 table-selection-empty = le tableau `{ $title }` ne contient aucune pose mesurée
     .hint = un tableau montre des poses de `calibration` et `validation`
 
