@@ -3,7 +3,8 @@
 # make report  write their reports again from the documents in out/
 # make compare CAMPAIGNS="FOLDER ..." compare campaigns of one robot, the oldest first
 # make clean-NAME remove the output of campaign NAME; make clean that of all
-# make test    run the tests
+# make test    run the tests but the long laws
+# make laws    the laws that take minutes: intervals that hold, powers, mutants, by thousands of simulated campaigns
 # make quick   the tests of single files, of the architecture and of golden documents, and the examples of the documentation: before each commit
 # make unit CRATE=NAME those of one crate, some seconds after an edit; T=NAME only those whose path holds NAME
 # make attack  set the program under random attacks for ten minutes, by a seed that is printed: damaged files and bytes, kills, commands at once,
@@ -44,7 +45,7 @@ CAMPAIGNS ?=
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test quick unit attack test-slurm test-linuxcnc real reference thesis bench bench-fit bench-import bench-python samples python book dist help clean
+.PHONY: all report compare test laws quick unit attack test-slurm test-linuxcnc real reference thesis bench bench-fit bench-import bench-python samples python book dist help clean
 
 # names of folders are never a part of a rule, and reach the shell as they are: from its own patterns, or quoted
 unexport CAMPAIGNS
@@ -67,10 +68,13 @@ report: $(ETALON)
 compare: $(ETALON)
 	$(ETALON) compare -- $(EACH)
 
-# the libraries are built once, as the program has them; etalon's own crates are not optimised for the tests of single files
+# the libraries are built once, as the program has them; etalon's own crates are not optimised for the tests of single files, but for those that
+# compute for seconds
+COMPUTING := etalon-math etalon-fit etalon-robots etalon-identify
 CRATES := $(patsubst src/%/Cargo.toml,etalon-%,$(wildcard src/*/Cargo.toml)) etalon
-UNOPTIMISED := $(foreach crate,$(CRATES),$(foreach option,opt-level=0 debug-assertions=true codegen-units=256,--config profile.release.package.$(crate).$(option)))
-RUN := cargo $(if $(shell command -v cargo-nextest),nextest run,test) --locked --release
+UNOPTIMISED := $(foreach crate,$(CRATES),$(foreach option,opt-level=$(if $(filter $(crate),$(COMPUTING)),1,0) debug-assertions=true codegen-units=256,--config profile.release.package.$(crate).$(option)))
+NEXTEST := $(shell command -v cargo-nextest)
+RUN := cargo $(if $(NEXTEST),nextest run,test) --locked --release
 WHOLE := $(RUN) --test laws --test etalon
 # a test that fails stops no other
 KEEP := --no-fail-fast
@@ -85,6 +89,9 @@ test:
 	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE) $(KEEP) --workspace --lib) >$$log 2>&1 & single=$$!; \
 	$(WHOLE) $(KEEP) || { kill $$single; exit 1; }; \
 	wait $$single && code=0 || code=$$?; cat $$log; $(EXAMPLES) $(KEEP) || code=$$?; exit $$code
+
+laws:
+	$(RUN) $(KEEP) --test laws $(if $(NEXTEST),--run-ignored only,-- --ignored)
 
 unit:
 	$(SINGLE) $(KEEP) --lib $(if $(CRATE),-p etalon-$(CRATE),--workspace) $(T)
@@ -109,7 +116,7 @@ attack:
 	$(ATTACKS) --test etalon random_attacks -- --nocapture && \
 	$(ATTACKS) --test etalon drawn_files -- --nocapture && \
 	$(ATTACKS) --test etalon fuzz && \
-	$(ATTACKS) --test laws mutants -- --nocapture --test-threads=1
+	$(ATTACKS) --test laws mutants -- --include-ignored --nocapture --test-threads=1
 
 bench:
 	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv

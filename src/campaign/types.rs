@@ -482,12 +482,41 @@ pub struct FeatureDefinition {
     pub cylinder: Option<Vec<Spanned<String>>>,
 }
 
+/// Plausible expanded uncertainties (k = 2) of a coordinate (µm), from an interferometer to a
+/// camera; a value outside is usually in another unit.
+pub const PLAUSIBLE_EXPANDED_UM: std::ops::RangeInclusive<f64> = 0.05..=1e5;
+
+/// Kind of a fitted element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeatureElement {
+    /// Plane.
+    Plane,
+    /// Straight line.
+    Line,
+    /// Circle in space.
+    Circle,
+    /// Cylinder.
+    Cylinder,
+}
+
+impl FeatureElement {
+    /// Its key in campaign.toml.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plane => "plane",
+            Self::Line => "line",
+            Self::Circle => "circle",
+            Self::Cylinder => "cylinder",
+        }
+    }
+}
+
 impl FeatureDefinition {
     /// Element and its labels, if exactly one is given.
-    pub fn element(&self) -> Option<(&'static str, &[Spanned<String>])> {
-        let all =
-            [("plane", &self.plane), ("line", &self.line), ("circle", &self.circle), ("cylinder", &self.cylinder)];
-        let mut given = all.iter().filter_map(|(name, labels)| labels.as_ref().map(|l| (*name, l.as_slice())));
+    pub fn element(&self) -> Option<(FeatureElement, &[Spanned<String>])> {
+        use FeatureElement::{Circle, Cylinder, Line, Plane};
+        let all = [(Plane, &self.plane), (Line, &self.line), (Circle, &self.circle), (Cylinder, &self.cylinder)];
+        let mut given = all.iter().filter_map(|(element, labels)| labels.as_ref().map(|l| (*element, l.as_slice())));
         given.next().filter(|_| given.next().is_none())
     }
 }

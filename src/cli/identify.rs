@@ -17,7 +17,7 @@ use crate::stages::solved::Solved;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, warning};
-use etalon_campaign::{Exclude, RobotFile, read_robot};
+use etalon_campaign::{Exclude, PLAUSIBLE_EXPANDED_UM, RobotFile, read_robot};
 use etalon_documents::to_json;
 use etalon_documents::{Effect, ParametersDocument, parameters_document};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
@@ -27,9 +27,6 @@ use etalon_report::Renderer;
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-
-/// Plausible standard uncertainties of a coordinate; other values indicate another unit.
-const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 0.02..=1e5;
 
 /// Identify the parameters of a robot from a table of observations, without a campaign.
 #[derive(Debug, clap::Args)]
@@ -218,7 +215,7 @@ impl From<PriorOption> for Prior {
 
 /// Rejects values that cannot be the standard uncertainty of a coordinate in micrometres.
 pub(super) fn check_uncertainty(option: &str, stated_um: Option<f64>) -> Result<(), Problems> {
-    if stated_um.is_none_or(|u| PLAUSIBLE_UM.contains(&u)) {
+    if stated_um.is_none_or(|u| PLAUSIBLE_EXPANDED_UM.contains(&(2.0 * u))) {
         return Ok(());
     }
     Err(error!("uncertainty-implausible", option).into())

@@ -56,7 +56,7 @@ impl Exporter for Recording {
         // a power of ten, so that the scale is read at once
         let magnification =
             if largest > 0.0 { 10_f64.powf((LARGEST_DRAWN_M * 1e3 / largest).log10().floor()) } else { 1.0 };
-        file.write("/points", &CLOUD, 0.0, cloud(&errors))?;
+        file.write("/points", &CLOUD, 0.0, cloud(given, &errors))?;
         let visits = errors.chunk_by(|a, b| (a.pose, a.cycle) == (b.pose, b.cycle));
         for (number, visit) in visits.enumerate() {
             file.write_visit(given, number, visit, magnification.max(1.0))?;
@@ -69,9 +69,10 @@ fn is_position(error: &PointError) -> bool {
     error.quantity == ErrorQuantity::Position
 }
 
-/// Name of the frame in which a position is stated: the centre of a platform is in the base.
-fn frame(target: &str) -> &'static str {
-    if target == "C" { "base" } else { "world" }
+/// Name of the frame in which a position is stated: the centre `C` of a platform is in the base.
+fn frame(given: &Given, target: &str) -> &'static str {
+    let is_centre = target == "C" && given.robot.is_none_or(|robot| robot.platform().is_some());
+    if is_centre { "base" } else { "world" }
 }
 
 fn failed(error: impl std::fmt::Display) -> Problems {
@@ -112,10 +113,10 @@ impl File {
             let predicted = minus(error.at_mm, error.after_mm);
             for (topic, position) in [("measured", error.at_mm), ("predicted", predicted)] {
                 let topic = format!("/{topic}/{}", topic_name(&error.target));
-                self.write(&topic, &POINT, time_s, point(time_s, frame(&error.target), position))?;
+                self.write(&topic, &POINT, time_s, point(time_s, frame(given, &error.target), position))?;
             }
         }
-        self.write("/errors", &MARKERS, time_s, markers(time_s, number, visit, magnification))
+        self.write("/errors", &MARKERS, time_s, markers(given, time_s, number, visit, magnification))
     }
 
     fn write(&mut self, topic: &str, kind: &Kind, time_s: f64, data: Vec<u8>) -> Result<()> {
@@ -311,10 +312,10 @@ fn point(time_s: f64, frame: &str, position_mm: Vector) -> Vec<u8> {
 }
 
 /// All measured points (m) with their errors (mm) before and after calibration.
-fn cloud(errors: &[&PointError]) -> Vec<u8> {
+fn cloud(given: &Given, errors: &[&PointError]) -> Vec<u8> {
     const FIELDS: [&str; 5] = ["x", "y", "z", "before_mm", "after_mm"];
     const FLOAT32: u8 = 7;
-    let frame = errors.first().map_or("world", |error| frame(&error.target));
+    let frame = errors.first().map_or("world", |error| frame(given, &error.target));
     let out = Cdr::new().header(0.0, frame).count(1).count(errors.len()).count(FIELDS.len());
     let field = |out: Cdr, (i, name): (usize, &&str)| out.text(name).count(4 * i).value([FLOAT32]).count(1);
     let step = 4 * FIELDS.len();
@@ -348,8 +349,8 @@ fn tf_message(time_s: f64, transforms: &[(&str, &str, Pose)]) -> Vec<u8> {
 }
 
 /// Errors as lines that begin at the measured position, magnified.
-fn markers(time_s: f64, number: usize, visit: &[&PointError], magnification: f64) -> Vec<u8> {
-    let frame = visit.first().map_or("world", |error| frame(&error.target));
+fn markers(given: &Given, time_s: f64, number: usize, visit: &[&PointError], magnification: f64) -> Vec<u8> {
+    let frame = visit.first().map_or("world", |error| frame(given, &error.target));
     COLOURS
         .into_iter()
         .enumerate()

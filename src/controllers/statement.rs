@@ -11,9 +11,6 @@ use etalon_robots::Role;
 /// Largest relative difference of a value that counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Share of the nominal error above which the error of a file is not clearly smaller.
-const CLEARLY: f64 = 0.9;
-
 /// Statement of a controller file.
 #[derive(Clone, Debug, Default)]
 pub struct Statement {
@@ -63,7 +60,7 @@ impl Statement {
     pub(crate) fn near_nominal(&self) -> Option<Phrase> {
         let errors = self.errors.as_ref()?;
         let ControllerErrors { written, nominal, .. } = errors;
-        let case = match (written.rms_mm > CLEARLY * nominal.rms_mm, written.max_mm > nominal.max_mm) {
+        let case = match (errors.is_rms_hardly_smaller(), errors.is_maximum_larger()) {
             (false, false) => return None,
             (true, false) => "rms",
             (false, true) => "maximum",

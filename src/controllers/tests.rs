@@ -464,10 +464,10 @@ fn a_file_that_is_not_clearly_better_than_nominal_is_warned_of() {
         statement
     };
     for (written, case) in [
-        (errors(0.44, 1.0), None),
-        (errors(0.46, 0.9), Some("rms")),
+        (errors(0.47, 1.0), None),
+        (errors(0.48, 0.9), Some("rms")),
         (errors(0.2, 1.01), Some("maximum")),
-        (errors(0.46, 1.01), Some("both")),
+        (errors(0.48, 1.01), Some("both")),
     ] {
         let statement = statement(written);
         let reason = statement.near_nominal();

@@ -133,7 +133,17 @@ impl ControllerErrors {
     /// `true` if the largest error is larger than with nominal parameters, or the root mean square
     /// less than 5 % smaller.
     pub fn is_hardly_better_than_nominal(&self) -> bool {
-        self.written.max_mm > self.nominal.max_mm || self.written.rms_mm > (1.0 - HARDLY) * self.nominal.rms_mm
+        self.is_maximum_larger() || self.is_rms_hardly_smaller()
+    }
+
+    /// `true` if the root mean square is less than 5 % smaller than with nominal parameters.
+    pub fn is_rms_hardly_smaller(&self) -> bool {
+        self.written.rms_mm > (1.0 - HARDLY) * self.nominal.rms_mm
+    }
+
+    /// `true` if the largest error is larger than with nominal parameters.
+    pub fn is_maximum_larger(&self) -> bool {
+        self.written.max_mm > self.nominal.max_mm
     }
 
     /// `true` if the root mean square is larger than with nominal parameters.

@@ -1,21 +1,33 @@
 //! Filters of rows by the cells of their columns, for tables of every kind.
 
-use crate::dialect::Cells;
-use crate::lexer::{Row, column_index};
+use crate::dialect::{Cells, Decimal, Thousands};
+use crate::lexer::{Row, column_index, parsed};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place};
-use etalon_base::phrase;
+use etalon_base::{error, phrase};
 use std::collections::BTreeMap;
+
+/// Place of a header, or of a file without one.
+fn header_place(file: &str, header: Option<&Row>) -> Place {
+    header.map_or_else(|| Place::file(file), |row| row.place(file))
+}
+
+/// Returns the error that the filters of a file leave no row.
+pub(crate) fn no_row_selected(file: &str, header: Option<&Row>) -> Message {
+    error!("no-row-selected").at(header_place(file, header))
+}
 
 /// Rows that are left out by the cells of their columns.
 #[derive(Default)]
 pub(crate) struct Filter<'a> {
     /// Column, its name, its cells, and whether a row with one of them is read.
     cells: Vec<(usize, &'a str, &'a Cells, bool)>,
+    decimal: Decimal,
+    thousands: Option<Thousands>,
 }
 
 impl<'a> Filter<'a> {
-    /// Returns the filter that `only` and `without` state.
+    /// Returns the filter that `only` and `without` state, of numbers with these marks.
     ///
     /// # Errors
     /// Columns that the file lacks, at its header.
@@ -23,24 +35,26 @@ impl<'a> Filter<'a> {
         file: &str,
         [only, without]: [&'a BTreeMap<String, Cells>; 2],
         header: Option<&Row>,
+        (decimal, thousands): (Decimal, Option<Thousands>),
     ) -> Result<Self, Vec<Message>> {
-        let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
         let (mut cells, mut wrong) = (Vec::new(), Vec::new());
         for (stated, read) in [(only, true), (without, false)] {
             for (name, of) in stated {
                 match column_index(name, header) {
                     Ok(column) => cells.push((column, name.as_str(), of, read)),
-                    Err(message) => wrong.push(message.at(at())),
+                    Err(message) => wrong.push(message.at(header_place(file, header))),
                 }
             }
         }
-        if wrong.is_empty() { Ok(Self { cells }) } else { Err(wrong) }
+        if wrong.is_empty() { Ok(Self { cells, decimal, thousands }) } else { Err(wrong) }
     }
 
     /// Returns the reason for leaving out a row.
     pub fn refuses(&self, row: &Row) -> Option<Phrase> {
-        let fails =
-            |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
+        let number = |text: &str| parsed(text, self.decimal, self.thousands);
+        let fails = |(column, _, cells, read): &&(usize, &str, &Cells, bool)| {
+            cells.contain(row.field(*column), number) != *read
+        };
         let (column, name, ..) = self.cells.iter().find(fails)?;
         Some(phrase!("row-left-out-by-cell", column = name, cell = row.field(*column)))
     }

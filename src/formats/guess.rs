@@ -125,6 +125,8 @@ fn some_columns() -> Columns {
 fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let (all, _) = split("", sample, &dialect);
     let missing = Missing::default();
+    // a formula of a workbook without a value stands for a number
+    let is_gap = |field: &str| missing.says(field) || field.starts_with('=');
     let is_number = |field: &Cow<str>| parsed(field, dialect.decimal, dialect.thousands).is_some();
     let is_plain = |field: &Cow<str>| parsed(field, dialect.decimal, None).is_some();
     let numbers = |row: &Row| row.fields.iter().filter(|f| is_number(f)).count();
@@ -138,7 +140,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let columns = if of_sheet { data.iter().map(width).max() } else { most_common(data.iter().map(width)) }?;
     let fits = |row: &Row| {
         (of_sheet || width(row) == columns)
-            && (numbers(row) >= 2 || row.fields.iter().any(|f| !f.is_empty() && missing.says(f)))
+            && (numbers(row) >= 2 || row.fields.iter().any(|f| !f.is_empty() && is_gap(f)))
     };
     let good: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();
     let first = good.first()?.line;
@@ -166,7 +168,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let passed = all[..header].iter().filter(|row| !worded(row)).count();
     let taken = good.len() as f64 / (data.len() + passed) as f64;
     let score = plain * taken * (0.5 + 0.5 * fractions as f64 / used.len().max(1) as f64);
-    let holds = |field: &Cow<str>| is_number(field) || missing.says(field);
+    let holds = |field: &Cow<str>| is_number(field) || is_gap(field);
     let numeric = (0..columns)
         .map(|c| good.iter().filter_map(move |row| row.fields.get(c)))
         .map(|fields| fields.clone().all(holds) && fields.clone().any(is_number));

@@ -263,6 +263,9 @@ fn wrong(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Message
         return error!("number-empty", decimal = decimal.name(), thousands = stated);
     }
     let message = error!("not-a-number", text = field, decimal = decimal.name(), thousands = stated);
+    if field.starts_with('=') {
+        return message.hint(phrase!("save-computed-workbook"));
+    }
     if thousands.is_some() {
         return message;
     }

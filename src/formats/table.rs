@@ -37,8 +37,10 @@ pub const LABEL: &str = "label";
 /// Column of the time of a measurement (s).
 pub const TIME: &str = "time_s";
 /// Columns of text in a table of observations, in the order of writing.
-pub const TEXTS: [&str; 10] =
-    ["kind", "target", "socket", "other", "plane", "line_name", "sphere", "axis", "station", "joint"];
+pub const TEXTS: [&str; 11] =
+    ["kind", "target", "socket", "other", "plane", "line_name", "sphere", "axis", "station", "joint", ANGLE_ORDER];
+/// Column of the order of the three angles of an orientation.
+pub const ANGLE_ORDER: &str = "orientation";
 /// Column of the assembly mode, +1 or -1, for robots with several modes.
 pub const ASSEMBLY: &str = "assembly";
 
@@ -76,6 +78,9 @@ pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
     let whole = |v: Option<i64>| v.ok_or_else(|| error!("cell-empty", column = name).into());
     column.i64().map_err(failed)?.iter().map(whole).collect()
 }
+
+/// Offset of the line numbers of each further file of a table.
+pub const FILE_LINES: usize = 1_000_000_000;
 
 /// Returns the line of a row in its file; `None` if the table does not state it.
 pub fn lines(table: &DataFrame) -> Result<impl Fn(usize) -> Option<usize> + use<>> {

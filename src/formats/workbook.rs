@@ -6,6 +6,7 @@ use calamine::{DataRef, Reader, Xlsx};
 use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::Message;
 use etalon_base::{error, phrase};
+use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 
 /// Maximum unpacked size (bytes); a larger workbook is rejected.
@@ -61,6 +62,7 @@ impl<'a> Workbook<'a> {
         let mut cells = self.book.worksheet_cells_reader(sheet).map_err(|e| unreadable(&e.to_string()))?;
         let mut text = String::new();
         let (mut row, mut column) = (0, 0);
+        let mut empty: BTreeMap<(u32, u32), usize> = BTreeMap::new();
         while let Some(cell) = cells.next_cell().map_err(|e| unreadable(&e.to_string()))? {
             let (r, c) = cell.get_position();
             if r < row || (r == row && c < column) {
@@ -77,11 +79,41 @@ impl<'a> Workbook<'a> {
             }
             text.extend(std::iter::repeat_n('\t', (c - column) as usize));
             column = c;
+            if *cell.get_value() == DataRef::Empty {
+                empty.insert((r, c), text.len());
+            }
             text.push_str(&field(cell.get_value()));
             self.texts.take((text.len() - before) as u64)?;
         }
+        drop(cells);
         text.push('\n');
-        Ok(text)
+        self.with_formulas(sheet, text, &empty)
+    }
+
+    /// The text of a sheet with the formulas of cells that have no value, which are not empty;
+    /// `empty` has the places of cells without a value in the text.
+    fn with_formulas(
+        &mut self,
+        sheet: &str,
+        text: String,
+        empty: &BTreeMap<(u32, u32), usize>,
+    ) -> Result<String, Message> {
+        if empty.is_empty() {
+            return Ok(text);
+        }
+        let mut formulas = self.book.worksheet_cells_reader(sheet).map_err(|e| unreadable(&e.to_string()))?;
+        let (mut whole, mut done) = (String::new(), 0);
+        while let Some(cell) = formulas.next_formula().map_err(|e| unreadable(&e.to_string()))? {
+            let Some(at) = empty.get(&cell.get_position()).filter(|at| **at >= done) else { continue };
+            whole.push_str(&text[done..*at]);
+            done = *at;
+            if !cell.get_value().is_empty() {
+                let formula = field(&DataRef::String(format!("={}", cell.get_value())));
+                self.texts.take(formula.len() as u64)?;
+                whole.push_str(&formula);
+            }
+        }
+        Ok(whole + &text[done..])
     }
 }
 

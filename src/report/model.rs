@@ -75,8 +75,8 @@ impl Contents {
         self
     }
 
-    /// Applies a common notation to each column, and the decimal mark of the language to cells,
-    /// headlines and figures; sentences contain it already.
+    /// Applies a common notation to each column, and the decimal mark of the language to cells and
+    /// headlines; sentences and figures contain it already.
     pub fn in_language(mut self, words: &Words) -> Self {
         self.sections.iter_mut().flat_map(|s| &mut s.blocks).for_each(Block::one_notation);
         self.verdict.sentences.iter_mut().for_each(|text| *text = sentence(text));
@@ -85,9 +85,6 @@ impl Contents {
         }
         for headline in &mut self.verdict.headlines {
             (headline.before, headline.after) = (words.number(&headline.before), words.number(&headline.after));
-        }
-        for figure in &mut self.verdict.graphs {
-            figure.svg = svg_numbers(&figure.svg, words);
         }
         for section in &mut self.sections {
             section.blocks.iter_mut().for_each(|block| block.numbers(words));
@@ -891,15 +888,6 @@ impl Table {
     }
 }
 
-/// Applies the decimal mark of a language to the texts of a figure.
-fn svg_numbers(svg: &str, words: &Words) -> String {
-    let piece = |piece: &str| match piece.split_once('<') {
-        Some((text, tag)) if text.contains('.') => format!("{}<{tag}", words.value(text.to_owned())),
-        _ => piece.to_owned(),
-    };
-    svg.split('>').map(piece).collect::<Vec<_>>().join(">")
-}
-
 /// `true` for a SHA-256 in hexadecimal digits, which must not be broken, as it is copied.
 pub(super) fn is_checksum(word: &str) -> bool {
     word.len() == 64 && word.bytes().all(|b| b.is_ascii_hexdigit())
@@ -984,7 +972,6 @@ impl Block {
             Self::Figures { figures } => {
                 for figure in figures {
                     figure.rows.iter_mut().flatten().for_each(|value| *value = words.value(std::mem::take(value)));
-                    figure.svg = svg_numbers(&figure.svg, words);
                 }
             }
             Self::Heading { .. } | Self::Text { .. } | Self::Notice { .. } => {}

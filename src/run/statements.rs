@@ -3,7 +3,7 @@
 use etalon_base::date::{date, date_text};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
-use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
+use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy, PLAUSIBLE_EXPANDED_UM};
 use etalon_documents::{LimitQuantity, ResidualKind};
 use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
@@ -12,10 +12,6 @@ use etalon_robots::Quantity;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
-
-/// Plausible expanded uncertainties of a coordinate (µm), from an interferometer to a camera; a
-/// value outside is usually in another unit.
-const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 0.05..=1e5;
 
 /// Plausible temperatures of a part in a workshop or a climatic chamber (°C).
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -50.0..=100.0;
@@ -48,8 +44,8 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         if value <= 0.0 {
             let message = error!("key-not-positive", key).at(place());
             problems.0.push(message.hint(phrase!("uncertainty-source", section)));
-        } else if key.ends_with("_um") && !PLAUSIBLE_UM.contains(&value) {
-            let (least, most) = (*PLAUSIBLE_UM.start(), *PLAUSIBLE_UM.end());
+        } else if key.ends_with("_um") && !PLAUSIBLE_EXPANDED_UM.contains(&value) {
+            let (least, most) = (*PLAUSIBLE_EXPANDED_UM.start(), *PLAUSIBLE_EXPANDED_UM.end());
             problems.0.push(error!("key-uncertainty-implausible", key, value, least, most).at(place()));
         }
     }
@@ -358,7 +354,7 @@ fn common_errors(campaign: &Campaign, problems: &mut Problems) {
             problems.0.push(message.hint(phrase!("plausible-value", quantity)));
         }
     };
-    let um = || 0.0..=*PLAUSIBLE_UM.end();
+    let um = || 0.0..=*PLAUSIBLE_EXPANDED_UM.end();
     let factor = 0.1..=10.0;
     if let Some(scale) = file.instrument.expanded_scale_uncertainty_um_per_m {
         wrong(&["instrument", "expanded_scale_uncertainty_um_per_m"], scale, 0.0..=1e3, "scale");

@@ -40,7 +40,6 @@ pub fn wrong(
     observations: &[Observation],
     settings: &Settings,
     written: &[Written],
-    order: Option<AngleOrder>,
 ) -> Option<Message> {
     let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_world_orientation()).collect();
     if conditions.is_empty() || conditions.len() != written.len() || observations.is_empty() {
@@ -52,7 +51,7 @@ pub fn wrong(
     let written: Vec<Written> = written.iter().step_by(some).copied().collect();
     let positions: Vec<Observation> = observations.iter().step_by(every(observations.len())).cloned().collect();
     let trial = Trial { robot, conditions, positions, settings };
-    let stated: Vec<Option<Pose>> = written.iter().map(|row| row.pose(order).ok()).collect();
+    let stated: Vec<Option<Pose>> = written.iter().map(|row| row.pose(None).ok()).collect();
     let placed = trial.placed(None)?;
     let stated_rad = trial.misfit_rad(&stated, None, &placed)?;
     let still = vec![Some(Pose::identity()); written.len()];
@@ -65,7 +64,7 @@ pub fn wrong(
         bodies: stated.clone(),
         reversed: Some(joint),
     });
-    let slips = slips(&written, order, &stated).into_iter().chain(joints);
+    let slips = slips(&written, &stated).into_iter().chain(joints);
     let judged = |slip: Slip| {
         let values = slip.reversed.map(|joint| trial.placed(Some(joint)));
         let values = values.unwrap_or_else(|| Some(placed.clone()))?;
@@ -120,7 +119,7 @@ impl Trial<'_> {
 }
 
 /// The orientations of a table with one slip corrected, for each slip.
-fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]) -> Vec<Slip> {
+fn slips(written: &[Written], stated: &[Option<Pose>]) -> Vec<Slip> {
     let mut all = Vec::new();
     let mut add = |slip: &str, name: &str, bodies: Vec<Option<Pose>>| {
         all.push(Slip { what: phrase!("orientation-slip", slip, name), bodies, reversed: None });
@@ -137,7 +136,8 @@ fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]
             add("scalar-last-inverse", "", inverse([3, 0, 1, 2]));
         }
         Form::Angles => {
-            for other in AngleOrder::all().into_iter().filter(|other| Some(*other) != order) {
+            let is_other = |other: &AngleOrder| written.iter().any(|row| row.order != Some(*other));
+            for other in AngleOrder::all().into_iter().filter(is_other) {
                 add("order", &other.to_string(), numbers(&|n| Some(other.pose(three(n)))));
             }
             add("vectors", "", numbers(&|n| Some(Pose::from_rotation_vector(three(n)))));
@@ -151,8 +151,8 @@ fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]
     }
     if matches!(form, Form::Angles | Form::Vector) {
         for (factor, unit) in [(1.0 / DEG, "radians"), (DEG, "degrees")] {
-            let scaled = |n: [f64; 9]| Written { form, numbers: n.map(|v| factor * v) }.pose(order).ok();
-            add(unit, "", numbers(&scaled));
+            let scaled = |row: &Written| Written { numbers: row.numbers.map(|v| factor * v), ..*row }.pose(None).ok();
+            add(unit, "", written.iter().map(scaled).collect());
         }
     }
     let turned = |how: &dyn Fn(Vector) -> Vector| {

@@ -9,7 +9,7 @@ use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{Campaign, WorldDefinition};
+use etalon_campaign::{Campaign, FeatureElement, WorldDefinition};
 use etalon_documents::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
 use etalon_formats::Point;
 use std::collections::{BTreeMap, BTreeSet};
@@ -62,7 +62,7 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
         }
         features.push(Feature {
             name: name.clone(),
-            element: element.to_owned(),
+            element: element.name().to_owned(),
             labels: labels.iter().map(|l| l.get_ref().clone()).collect(),
             points: chosen.len(),
             point_mm: fitted.point_mm,
@@ -77,12 +77,12 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     Ok(FeaturesDocument { schema: "etalon/features/1".to_owned(), features, messages })
 }
 
-fn fitted(element: &str, points: &[Vector], settings: &etalon_fit::FitSettings) -> Result<etalon_fit::Fit> {
+fn fitted(element: FeatureElement, points: &[Vector], settings: &etalon_fit::FitSettings) -> Result<etalon_fit::Fit> {
     match element {
-        "plane" => etalon_fit::plane(points, settings),
-        "line" => etalon_fit::line(points, settings),
-        "circle" => etalon_fit::circle3d(points, settings),
-        _ => etalon_fit::cylinder(points, settings),
+        FeatureElement::Plane => etalon_fit::plane(points, settings),
+        FeatureElement::Line => etalon_fit::line(points, settings),
+        FeatureElement::Circle => etalon_fit::circle3d(points, settings),
+        FeatureElement::Cylinder => etalon_fit::cylinder(points, settings),
     }
 }
 
@@ -282,7 +282,7 @@ struct Basis {
     weights: Vec<f64>,
     u_mm: Vec<Vector>,
     /// Elements by name, and the points of each.
-    features: Vec<(String, &'static str, Vec<usize>)>,
+    features: Vec<(String, FeatureElement, Vec<usize>)>,
     /// Labels that are not features, and their points.
     places: Vec<(String, Vec<usize>)>,
 }
@@ -342,7 +342,7 @@ impl Basis {
             let weights: Vec<f64> = of.iter().map(|i| self.weights[*i]).collect();
             let weights = weights.iter().any(|w| *w != 1.0).then_some(weights);
             let fit = fitted(
-                element,
+                *element,
                 &points,
                 &etalon_fit::FitSettings { weights: weights.as_deref(), ..Default::default() },
             )?;

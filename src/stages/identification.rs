@@ -402,12 +402,11 @@ impl<'a> Input<'a> {
     /// Observations of a campaign.
     pub fn of(campaign: &'a Campaign, stated: &Identify, observations: &'a Observations) -> Result<Self> {
         let settings = campaign.settings(stated);
-        let orientation = campaign.file.observations.iter().find_map(|o| o.orientation.as_ref());
-        let order = |text: &Spanned<String>| text.get_ref().parse().map_err(|m: Message| m.at(campaign.place(text)));
         let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
-            order: orientation.map(order).transpose()?,
+            // each table states its own
+            order: None,
         };
         let place = |problems: Problems| {
             let files: Vec<&str> = campaign.file.observations.iter().map(|o| o.file.get_ref().as_str()).collect();
@@ -443,8 +442,9 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     let (Some(stated), Some((_, observations))) = (&campaign.file.identify, joined.observations.first()) else {
         return Ok(Preview::default());
     };
-    let observed = Input::of(campaign, stated, observations)?.observed(robot, &mut Vec::new())?;
-    let mut messages = stale(robot, &observed.observations);
+    let mut messages = Vec::new();
+    let observed = Input::of(campaign, stated, observations)?.observed(robot, &mut messages)?;
+    messages.extend(stale(robot, &observed.observations));
     let set_up = check_set_up(robot, &observed.observations, &observed.settings);
     messages.extend(set_up.err().unwrap_or_default().0);
     // selections that do not read are reported with the statements

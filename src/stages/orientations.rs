@@ -5,7 +5,7 @@ pub use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
-use etalon_formats::table::{self, MATRIX, QUATERNION};
+use etalon_formats::table::{self, ANGLE_ORDER, MATRIX, QUATERNION};
 use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfit_rad};
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
@@ -38,6 +38,8 @@ pub struct Written {
     pub(super) form: Form,
     /// Numbers of the form (rad); unused ones are 0.
     pub(super) numbers: [f64; 9],
+    /// Order of angles that the row states.
+    pub(super) order: Option<AngleOrder>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -57,6 +59,12 @@ pub fn columns() -> impl Iterator<Item = &'static str> {
 /// `true` if a table has a column of an orientation.
 pub fn are_in(observations: &DataFrame) -> bool {
     columns().any(|name| observations.column(name).is_ok())
+}
+
+/// `true` if a table has a column of the three angles of an orientation.
+pub fn has_angles(observations: &DataFrame) -> bool {
+    let mut angles = TRIPLES.iter().filter(|(_, _, are_angles)| *are_angles).flat_map(|(names, ..)| names);
+    angles.any(|name| observations.column(name).is_ok())
 }
 
 /// An orientation by column: angles in an order, a rotation vector, or a quaternion.
@@ -83,7 +91,7 @@ pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
     let mut given = forms.filter(|(names, ..)| names.iter().any(&has));
     let header = || Place { line: Some(1), ..Place::default() };
     let Some((names, unit, form)) = given.next() else {
-        return Ok(vec![Written { form: Form::None, numbers: [f64::NAN; 9] }; observations.height()]);
+        return Ok(vec![Written { form: Form::None, numbers: [f64::NAN; 9], order: None }; observations.height()]);
     };
     if let Some((others, ..)) = given.next() {
         return Err(error!("orientations-twice", first = *names, second = *others).at(header()).into());
@@ -92,9 +100,16 @@ pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
     if !missing.is_empty() {
         return Err(error!("orientation-columns-missing", missing, columns = *names).at(header()).into());
     }
-    let mut rows = vec![Written { form, numbers: [0.0; 9] }; observations.height()];
+    let mut rows = vec![Written { form, numbers: [0.0; 9], order: None }; observations.height()];
     for (k, name) in names.iter().enumerate() {
         rows.iter_mut().zip(table::numbers(observations, name)?).for_each(|(row, v)| row.numbers[k] = v * unit);
+    }
+    if form == Form::Angles && has(&ANGLE_ORDER) {
+        let line = table::lines(observations)?;
+        for (i, text) in table::texts(observations, ANGLE_ORDER)?.iter().enumerate().filter(|(_, t)| !t.is_empty()) {
+            let at = || Place { line: line(i), ..Place::default() };
+            rows[i].order = Some(text.parse().map_err(|m: Message| m.at(at()))?);
+        }
     }
     Ok(rows)
 }
@@ -116,7 +131,8 @@ impl Written {
         (self.form == Form::Angles).then_some([a, b, c])
     }
 
-    /// Orientation of the body in the world; angles without an order in an arbitrary one.
+    /// Orientation of the body in the world; angles in this order, or in that of their row. Without
+    /// both the order is arbitrary.
     ///
     /// # Errors
     /// Fails if a number is missing, or if a quaternion has a length other than one.
@@ -130,7 +146,7 @@ impl Written {
         match self.form {
             Form::Vector => Ok(Pose::from_rotation_vector([a, b, c])),
             Form::Matrix => Ok(Pose::from_rotation(self.numbers)?),
-            Form::Angles => Ok(order.unwrap_or(any).pose([a, b, c])),
+            Form::Angles => Ok(order.or(self.order).unwrap_or(any).pose([a, b, c])),
             _ if (length - 1.0).abs() > LENGTH_ONE => Err(error!("table-quaternion-length", length).into()),
             _ => Ok(Pose::from_quaternion([a, b, c, d])),
         }

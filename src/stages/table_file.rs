@@ -1,18 +1,19 @@
 //! Tables of commands and campaigns: all are read here.
 
 use super::{kinds, orientations, shown};
+use crate::stages::orientations::AngleOrder;
 use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition, TableKeys};
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding, Missing};
-use etalon_formats::table;
+use etalon_formats::table::{self, ANGLE_ORDER, FILE_LINES};
 use etalon_formats::tables::coordinates::NamedTable;
 use etalon_formats::tables::joints::stated_columns;
 use etalon_formats::{Format, TableLayout};
-use etalon_robots::Joint;
+use etalon_robots::{Joint, Robot};
 use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -25,23 +26,22 @@ pub(crate) struct TableFile {
     pub name: String,
     text: String,
     pub table: DataFrame,
-    /// Names and texts of further files, whose rows follow; their lines are counted from [`FILE`]
-    /// times their number.
+    /// Names and texts of further files, whose rows follow; their lines are counted from
+    /// [`FILE_LINES`] times their number.
     more: Vec<(String, String)>,
 }
 
 /// Maximum number of columns in a message.
 const NAMED: usize = 8;
 
-/// Offset of the line numbers of each further file.
-const FILE: usize = 1_000_000_000;
-
 /// Problems of the rows of several files, each with its file and line.
 pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
     for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
-        if let Some(line) = place.line.filter(|line| *line >= FILE) {
-            place.file = files.get(line / FILE).copied().unwrap_or_default().to_owned();
-            place.line = Some(line % FILE);
+        if let Some(line) = place.line.filter(|line| *line >= FILE_LINES) {
+            place.file = files.get(line / FILE_LINES).copied().unwrap_or_default().to_owned();
+            place.line = Some(line % FILE_LINES);
+        } else if place.file.is_empty() {
+            place.file = files.first().copied().unwrap_or_default().to_owned();
         }
     }
     let first = files.first().copied().unwrap_or_default();
@@ -107,6 +107,17 @@ impl TableFile {
         Ok(())
     }
 
+    /// States the order of the angles of an orientation for rows without their own.
+    fn state_order(&mut self, order: &str) -> Result<()> {
+        let own = match self.table.column(ANGLE_ORDER) {
+            Ok(_) => table::texts(&self.table, ANGLE_ORDER)?,
+            Err(_) => vec![String::new(); self.table.height()],
+        };
+        let all: Vec<String> = own.into_iter().map(|own| if own.is_empty() { order.to_owned() } else { own }).collect();
+        self.table.with_column(Column::new(ANGLE_ORDER.into(), all)).map_err(table::failed)?;
+        Ok(())
+    }
+
     /// The names in the column `target`, each once, in their order.
     pub fn targets(&self) -> Result<Vec<String>> {
         let mut targets: Vec<String> = Vec::new();
@@ -144,7 +155,7 @@ impl TableFile {
     fn followed_by(mut self, other: Self) -> Result<Self> {
         let number = self.more.len() + 1;
         let lines: Vec<i64> =
-            table::integers(&other.table, "line")?.iter().map(|line| line + (number * FILE) as i64).collect();
+            table::integers(&other.table, "line")?.iter().map(|line| line + (number * FILE_LINES) as i64).collect();
         let mut below = other.table;
         below.with_column(Column::new("line".into(), lines)).map_err(table::failed)?;
         self.table = table::stacked(&self.table, &below)?;
@@ -239,15 +250,49 @@ impl CampaignTables<'_> {
 
     /// The tables of observations, one after the other.
     pub fn all_observations(&mut self, stated: &[ObservationsDefinition]) -> Result<Option<TableFile>> {
+        let tables = stated.iter().map(|definition| self.observations(definition)).collect::<Result<Vec<_>>>()?;
+        for (table, definition) in tables.iter().zip(stated).filter(|_| tables.len() > 1) {
+            self.whole(table, &tables).map_err(|more| more.at(&self.campaign.place(&definition.file)))?;
+        }
         let mut all: Option<TableFile> = None;
-        for definition in stated {
-            let table = self.observations(definition)?;
+        for table in tables {
             all = Some(match all {
                 Some(before) => before.followed_by(table)?,
                 None => table,
             });
         }
         Ok(all)
+    }
+
+    /// Checks that a table has the columns of joints that other tables have, and no heading like
+    /// that of a coordinate in its place.
+    fn whole(&self, table: &TableFile, tables: &[TableFile]) -> Result<()> {
+        let Some(robot) = self.robot(table) else { return Ok(()) };
+        let names = |table: &TableFile| -> Vec<String> {
+            table.table.get_column_names().into_iter().map(|name| name.to_string()).collect()
+        };
+        let own = names(table);
+        let others = || tables.iter().flat_map(names);
+        let joints = robot.joints().iter().filter(|joint| own.iter().all(|name| joint.factor(name).is_none()));
+        let joint = joints.filter_map(|joint| others().find(|name| joint.factor(name).is_some())).next();
+        let has = |name: &&str| own.iter().any(|own| own == name);
+        let unread = self.not_read(table);
+        let meant = |name: &&str| {
+            let message = error!("column-unknown", column = name);
+            message.hint_names(name, unread.iter().map(String::as_str)).hint.is_some()
+        };
+        let axes = table::XYZ[..robot.dimension()].iter().copied();
+        let axis = axes.filter(|name| !has(name) && others().any(|other| other == *name)).find(meant);
+        let Some(column) = joint.filter(|_| has(&"pose")).or(axis.map(str::to_owned)) else { return Ok(()) };
+        let message = error!("column-unknown", column);
+        let place = Place { line: Some(1), ..Place::file(&table.name) };
+        Err(message.hint_names(&column, unread.iter().map(String::as_str)).at(place).into())
+    }
+
+    /// The robot of the campaign with the targets of a table.
+    fn robot(&self, table: &TableFile) -> Option<Box<dyn Robot>> {
+        let targets = table.targets().unwrap_or_default();
+        self.campaign.build_robot_with(&targets).or_else(|_| self.campaign.build_robot()).ok()
     }
 
     /// A table of observations.
@@ -257,19 +302,27 @@ impl CampaignTables<'_> {
             return Err(error!("key-of-text-table", key).at(place).into());
         }
         let holds = phrase!("table-of-observations");
-        let table = self.listed(&stated.file, SourceKind::Table, holds.clone(), |path, bytes| {
+        let mut table = self.listed(&stated.file, SourceKind::Table, holds.clone(), |path, bytes| {
             TableFile::observations(path, &bytes, &TableForm::observations(stated))
         })?;
+        if let Some(order) = &stated.orientation {
+            let of_campaign = |m: Message| m.at(self.campaign.place(order));
+            order.get_ref().parse::<AngleOrder>().map_err(of_campaign)?;
+            if orientations::has_angles(&table.table) {
+                table.state_order(order.get_ref())?;
+            }
+        }
         let unread = self.not_read(&table);
         if let Some(source) = self.sources.last_mut().filter(|_| !unread.is_empty()) {
-            source.read_as(phrase!("read-except-columns", read = holds, columns = shown(unread.into_iter(), NAMED)));
+            let columns = shown(unread.iter().map(|name| format!("`{name}`")), NAMED);
+            source.read_as(phrase!("read-except-columns", read = holds, columns));
         }
         Ok(table)
     }
 
     /// Columns of a table of observations that no kind of observation reads.
     fn not_read(&self, table: &TableFile) -> Vec<String> {
-        let robot = self.campaign.build_robot().ok();
+        let robot = self.robot(table);
         let of_joint = |name: &str| {
             robot.as_ref().is_none_or(|robot| {
                 let of = |joint: &Joint| joint.factor(name).is_some() || joint.direction_column() == name;
@@ -286,7 +339,7 @@ impl CampaignTables<'_> {
             .chain(table::TEXTS)
             .collect();
         let names = table.table.get_column_names().into_iter().map(|name| name.as_str());
-        names.filter(|name| !known.contains(name) && !of_joint(name)).map(|name| format!("`{name}`")).collect()
+        names.filter(|name| !known.contains(name) && !of_joint(name)).map(str::to_owned).collect()
     }
 
     /// A recorded motion: an export in its format, or a table of etalon.

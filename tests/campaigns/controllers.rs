@@ -617,6 +617,30 @@ fn a_recording_has_the_errors_of_the_report() {
     assert!((rms(errors.iter().copied()) / (squares / count).sqrt() - 1.0).abs() < 1e-9);
 }
 
+/// The centre of a platform is called `C`, and is in the base; a target of this name is in the world.
+#[test]
+fn a_target_of_any_name_is_recorded_in_the_world() {
+    let scratch = copy_sample("probe-poses");
+    let folder = scratch.path();
+    scratch.replace("observations.csv", ",probe,", ",C,");
+    let (code, said) = etalon(&["run", folder.to_str().unwrap()]);
+    assert!(code != Some(2), "{said}");
+    let [robot, parameters] = ["robot.toml", "out/parameters.json"].map(|file| folder.join(file).display().to_string());
+    let (code, said) = etalon(&["export", &parameters, "--robot", &robot, "--format", "mcap"]);
+    assert_eq!(code, Some(0), "{said}");
+    let bytes = std::fs::read(folder.join("out/measured.mcap")).unwrap();
+    let mut points = 0;
+    for message in mcap::MessageStream::new(&bytes).unwrap().map(Result::unwrap) {
+        if message.channel.topic == "/measured/C" {
+            // behind encapsulation and time: length and text of the frame
+            let length = u32::from_le_bytes(message.data[12..16].try_into().unwrap()) as usize;
+            assert_eq!(&message.data[16..16 + length], b"world\0");
+            points += 1;
+        }
+    }
+    assert!(points > 0);
+}
+
 #[test]
 fn a_recording_without_measured_points_is_refused() {
     let scratch = Scratch::with(&[]);

@@ -1,5 +1,6 @@
 //! Proposals of `etalon formats` for a corpus of synthetic files, whose right readings are stated beside them in `right.toml`.
 
+mod alike;
 mod commanded;
 mod conventions;
 mod init;
@@ -133,6 +134,21 @@ fn wrong(right: &Right, path: &Path) -> Result<(), String> {
     read(path, &text, right).or_else(|said| shown(format!("{said}\n{text}")))
 }
 
+/// A log without a file.
+fn source() -> Source {
+    Source {
+        file: String::new(),
+        sha256: String::new(),
+        bytes: 0,
+        kind: SourceKind::Log,
+        dialect: String::new(),
+        dialect_phrase: None,
+        rows_read: 0,
+        refused: Vec::new(),
+        standstills: Vec::new(),
+    }
+}
+
 /// Reads the file as the lines state, and compares the first points.
 fn read(path: &Path, lines: &str, right: &Right) -> Result<(), String> {
     let said = |problems: Problems| problems.to_string();
@@ -148,17 +164,7 @@ fn read(path: &Path, lines: &str, right: &Right) -> Result<(), String> {
     }
     if let Some(stated) = &proposed.log {
         let (text, _) = stated.text(path).map_err(said)?;
-        let mut source = Source {
-            file: String::new(),
-            sha256: String::new(),
-            bytes: 0,
-            kind: SourceKind::Log,
-            dialect: String::new(),
-            dialect_phrase: None,
-            rows_read: 0,
-            refused: Vec::new(),
-            standstills: Vec::new(),
-        };
+        let mut source = source();
         log(SourceText { name: "c", text: lines }, stated, &text, &mut source).map_err(said)?;
     }
     if let Some(stated) = &proposed.observations {

@@ -3,9 +3,13 @@
 use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, ends};
 use etalon::base::phrase;
+use etalon::base::pose::Pose;
 use etalon::documents::ParametersDocument;
 use etalon::formats::table::{coordinates, numbers, texts};
 use etalon::formats::{Export, TableLayout, observations_with};
+use etalon::identify::Settings;
+use etalon::stages::kinds::{self, RowDefaults};
+use etalon::stages::orientations::AngleOrder;
 
 fn layout(toml: &str) -> TableLayout {
     let stated: etalon::campaign::ObservationsDefinition =
@@ -436,4 +440,101 @@ fn legs_are_joints_and_nothing_is_pasted_where_nothing_is_read() {
     std::fs::write(scratch.path().join("legs.csv"), "foo,bar\nyes,no\nno,yes\n").unwrap();
     let (_, said) = answer(&scratch, &["formats", "legs.csv"]);
     assert!(!said.contains(&paste), "{said}");
+}
+
+/// The sample `probe-poses` in two tables; `changed` changes the heading of the second.
+fn in_two_tables(changed: impl Fn(&str) -> String) -> Scratch {
+    let own = copy_sample("probe-poses");
+    let text = std::fs::read_to_string(own.path().join("observations.csv")).unwrap();
+    let (head, rows) = text.split_once('\n').unwrap();
+    let rows: Vec<&str> = rows.lines().collect();
+    let (first, second) = rows.split_at(rows.len() / 2);
+    for (name, part, head) in [("one.csv", first, head.to_owned()), ("two.csv", second, changed(head))] {
+        std::fs::write(own.path().join(name), format!("{head}\n{}\n", part.join("\n"))).unwrap();
+    }
+    let both = "[[observations]]\nfile = \"one.csv\"\n\n[[observations]]\nfile = \"two.csv\"\n";
+    own.replace("campaign.toml", "[observations]\nfile = \"observations.csv\"\n", both);
+    own
+}
+
+/// Root mean square (mm) of the position residuals of a run.
+fn residual_mm(own: &Scratch) -> f64 {
+    let text = std::fs::read_to_string(own.path().join("out/parameters.json")).unwrap();
+    let found: serde_json::Value = serde_json::from_str(&text).unwrap();
+    found["residuals"]["position_rms_mm"].as_f64().unwrap()
+}
+
+#[test]
+fn each_table_has_its_own_order_of_angles() {
+    let quaternions = in_two_tables(str::to_owned);
+    ends(&quaternions, "run", 0, &[]);
+    let own = in_two_tables(str::to_owned);
+    let angles = |file: &str, order: &str| {
+        let text = std::fs::read_to_string(own.path().join(file)).unwrap();
+        let order: AngleOrder = order.parse().unwrap();
+        let row = |line: &str| {
+            let (before, q) = line.split_at(line.rmatch_indices(',').nth(3).unwrap().0);
+            let q: Vec<f64> = q[1..].split(',').map(|cell| cell.parse().unwrap()).collect();
+            let [a, b, c] = order.angles(&Pose::from_quaternion([q[0], q[1], q[2], q[3]])).map(f64::to_degrees);
+            format!("{before},{a},{b},{c}\n")
+        };
+        let (head, rows) = text.split_once('\n').unwrap();
+        let head = head.replace("qw,qx,qy,qz", "a_deg,b_deg,c_deg");
+        std::fs::write(own.path().join(file), head + "\n" + &rows.lines().map(row).collect::<String>()).unwrap();
+        own.replace("campaign.toml", &format!("\"{file}\"\n"), &format!("\"{file}\"\norientation = \"{order}\"\n"));
+    };
+    angles("one.csv", "zyx");
+    angles("two.csv", "xyz");
+    ends(&own, "run", 0, &[]);
+    let [first, second] = [&quaternions, &own].map(residual_mm);
+    assert!((first / second - 1.0).abs() < 1e-6, "{first} {second}");
+    // a table without a stated order does not take the order of another
+    own.replace("campaign.toml", "orientation = \"xyz\"\n", "");
+    ends(&own, "check", 2, &["error[angle-order-missing]", "two.csv:1"]);
+}
+
+#[test]
+fn columns_of_every_table_are_read_or_named() {
+    // in the place of a column that the first table has
+    for (column, wrong) in [("x_mm", "x_mmm"), ("q3_deg", "q3_degg")] {
+        let own = in_two_tables(|head| head.replace(column, wrong));
+        ends(&own, "check", 2, &["error[column-unknown]", &format!("`{column}`"), wrong, "two.csv:1"]);
+    }
+    // names that begin like columns are no columns
+    let own = copy_sample("probe-poses");
+    let text = std::fs::read_to_string(own.path().join("observations.csv")).unwrap();
+    let more =
+        |(i, line): (usize, &str)| format!("{line}{}\n", if i == 0 { ",u_percent,urot,x_dev" } else { ",5,0.1,7" });
+    std::fs::write(own.path().join("observations.csv"), text.lines().enumerate().map(more).collect::<String>())
+        .unwrap();
+    let said = ends(&own, "check", 0, &["[columns-not-read] count=3"]);
+    assert!(["`u_percent`", "`urot`", "`x_dev`"].iter().all(|name| said.contains(name)), "{said}");
+}
+
+/// A distance with an own `ux_mm`, where a column `u_mm` is empty in its row.
+#[test]
+fn an_own_uncertainty_counts_beside_an_empty_column() {
+    let text = "pose,target,kind,other,distance_mm,u_mm,ux_mm,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n\
+                1,probe,distance,post,900,0.02,,1,2,3,4,5,6\n2,probe,distance,post,900,,0.5,6,5,4,3,2,1\n";
+    let own = copy_sample("probe-poses");
+    let mut robot =
+        etalon::campaign::read_robot(&own.path().join("robot.toml")).unwrap().build(&["probe".to_owned()]).unwrap();
+    let table = etalon::formats::observations("o.csv", text).unwrap();
+    let without = RowDefaults { length_mm: Some(0.04), ..RowDefaults::default() };
+    let found = kinds::observed(robot.as_mut(), &table, without, Settings::default(), &mut Vec::new()).unwrap();
+    let u: Vec<f64> = found.settings.conditions.iter().map(|c| c.standard_uncertainty).collect();
+    assert_eq!(u, [0.02, 0.5]);
+}
+
+#[test]
+fn a_filter_reads_numbers_in_the_marks_of_the_table() {
+    let rows = |stated: &str| {
+        let layout = layout(&format!("delimiter = \";\"\nthousands = \",\"\nwithout = {{ {stated} }}"));
+        let text = "pose;x_mm;id\n1;1;1.234\n2;2;1,234\n3;3;1234\n";
+        numbers(&observations_with("o.csv", text, &layout).unwrap(), "x_mm").unwrap()
+    };
+    assert_eq!(rows("id = 1234"), [1.0]);
+    assert_eq!(rows("id = \"1,234\""), [1.0]);
+    assert_eq!(rows("id = 1.234"), [2.0, 3.0]);
+    assert_eq!(rows("id = \"1.234\""), [2.0, 3.0]);
 }

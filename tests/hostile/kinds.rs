@@ -36,12 +36,14 @@ fn error_of(robot: &str, header: &str, rows: &str, more: &[&str]) -> String {
 
 #[test]
 fn slips_are_refused_with_their_line() {
+    // of several rows this one would be left out
+    let alone = error(HEADER, "contact,1,1,ball,1,,3,,,,,,,,,,A,,,,0.02,", &[]);
+    assert!(alone.contains("error[joint-value-missing]"), "{alone}");
     let good = "contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,";
     for (row, parts) in [
         ("contcat,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,", &["[kind-unknown]", "`contcat`", "did you mean `contact`"][..]),
         ("contact,1,1,ball,1,2,3,,,,,,,,,,,,,,0.02,", &["error[column-empty]", "`socket`"]),
         ("contact,1,1,ball,1,2,3,,,,,,,,,,ball,,,,0.02,", &["error[fixed-point-on-robot]: `ball`"]),
-        ("contact,1,1,ball,1,,3,,,,,,,,,,A,,,,0.02,", &["error[joint-value-missing]"]),
         ("contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,-0.02,", &["error[uncertainty-not-positive]: `u_mm` = -0.02"]),
         ("contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,,", &["error[uncertainty-missing]", "--standard-uncertainty-um"]),
         ("distance,1,1,ball,1,2,3,,,,,,,,-300,E,,,,,0.02,", &["error[distance-not-positive]"]),

@@ -76,6 +76,9 @@ fn times_in_ms_and_ns_are_seconds() {
     assert_eq!(column(&ms, "time_s"), [1.5, 1.512]);
     let ns = read("t,n,A\n1500,1651499784376000000,2\n", "columns = { time_ns = \"n\", a_mm = \"A\" }").unwrap();
     assert_eq!(column(&ns, "time_s"), [1651499784.376]);
+    // a computed number has the unit of its key too
+    let computed = read("s,n,A\n15,500000000,2\n", "columns = { time_ns = \"1000000000 * s + n\", a_mm = \"A\" }");
+    assert!((column(&computed.unwrap(), "time_s")[0] - 15.5).abs() < 1e-9);
     refused(
         "t,n,A\n1500,1651499784.376,2\n",
         "columns = { time_ns = \"n\" }",
@@ -217,7 +220,7 @@ fn missing_computed_and_constant_columns_of_a_log() {
     assert_eq!(column(&imported, "row"), [1.0, 3.0, 5.0]);
     let source = imported.document.sources.iter().find(|source| source.file == "encoders.csv").unwrap();
     let lines: Vec<(usize, &str)> = source.refused.iter().map(|refused| (refused.line, &*refused.reason)).collect();
-    assert_eq!(lines, [(3, "not measured: a_mm is `---`"), (5, "not measured: b_m is ``")]);
+    assert_eq!(lines, [(3, "not measured: a_mm is `---`"), (5, "not measured: b_m is empty")]);
 
     for (stated, part) in [
         ("columns = { a_mm = \"$9 + 1\" }", "[column-number-unknown]"),

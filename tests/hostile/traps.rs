@@ -79,8 +79,8 @@ fn trap_7_what_was_not_measured_is_listed_and_never_a_number() {
     assert_eq!(reasons[4], &phrase!("row-not-measured", column = "x", cell = "*********"));
     assert_eq!(reasons[6], &phrase!("row-not-measured", column = "y", cell = "*****"));
     assert_eq!(reasons[7], &phrase!("row-without-coordinates"));
-    // half an empty row is no statement
-    assert!(said("A;1;;3\n", &format!("{{ delimiter = \";\", {LXYZ} }}")).contains("[number-empty]"));
+    let half = read("A;1;;3\n", &format!("{{ delimiter = \";\", {LXYZ} }}")).unwrap();
+    assert_eq!(half[0].refused.as_deref(), Some(&phrase!("row-cell-empty", column = "y")));
     // what the campaign states holds instead of all that
     let none = format!("{{ delimiter = \";\", {LXYZ}, missing = [\"999\"] }}");
     assert!(said("A;---;2;3\n", &none).contains("[not-a-number]: `---`"));

@@ -36,6 +36,12 @@ const GATHERED: &[Case] = &[
         CHECK,
     ),
     (
+        "rows-not-measured by=line",
+        "torque-arm",
+        &[("observations.csv", ",2203.652999,-1037.171434,-120.957270", ",,,")],
+        RUN,
+    ),
+    (
         "positions-repeat",
         CMM,
         &[(E, "K_2_1 346.83668 216.81931 137.72967", "K_2_1 357.15901 493.95605 138.80533")],

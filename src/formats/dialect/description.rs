@@ -49,7 +49,7 @@ pub struct Dialect {
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// Cells that mean "not measured".
+    /// Cells that mean "not measured", beside empty ones.
     pub missing: Missing,
     /// First cell of the row that ends the data.
     pub end: Option<String>,
@@ -58,6 +58,24 @@ pub struct Dialect {
     pub only: BTreeMap<String, Cells>,
     /// Filter of the rows: rows with one of these cells in one of these columns are left out.
     pub without: BTreeMap<String, Cells>,
+}
+
+/// Returns an error if the mark between groups of three digits is also the decimal mark or the
+/// delimiter.
+pub(crate) fn ambiguous_thousands(
+    delimiter: Option<Delimiter>,
+    decimal: Decimal,
+    thousands: Option<Thousands>,
+) -> Option<Message> {
+    let thousands = thousands?;
+    let is_delimiter = delimiter.is_some_and(|d| d.name() == thousands.name())
+        || (thousands == Thousands::Blank && delimiter == Some(Delimiter::Blank));
+    let other = match thousands.name() == decimal.name() {
+        true => "decimal",
+        false if is_delimiter => "delimiter",
+        false => return None,
+    };
+    Some(error!("thousands-mark-ambiguous", mark = thousands.name(), other))
 }
 
 /// Delimiter of columns.
@@ -270,14 +288,7 @@ impl Dialect {
         if self.delimiter == Some(Delimiter::Comma) && self.decimal == Decimal::Comma {
             wrong.push(two_commas());
         }
-        let Some(thousands) = self.thousands else { return wrong };
-        let decimal = thousands.name() == self.decimal.name();
-        let delimiter = self.delimiter.is_some_and(|d| d.name() == thousands.name())
-            || (thousands == Thousands::Blank && self.delimiter == Some(Delimiter::Blank));
-        if decimal || delimiter {
-            let other = if decimal { "decimal" } else { "delimiter" };
-            wrong.push(error!("thousands-mark-ambiguous", mark = thousands.name(), other));
-        }
+        wrong.extend(ambiguous_thousands(self.delimiter, self.decimal, self.thousands));
         wrong
     }
 

@@ -8,8 +8,8 @@ mod text;
 
 pub use columns::{Column, ColumnAt, ColumnRole, Columns, FromRow};
 pub(crate) use computed::Expression;
-pub(crate) use description::quoted;
 pub use description::{Decimal, Delimiter, Dialect, Unit, coordinate_type, two_commas};
+pub(crate) use description::{ambiguous_thousands, quoted};
 pub use source::{Cells, ColumnSource, Constant};
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 

@@ -98,13 +98,17 @@ impl fmt::Display for Cells {
 }
 
 impl Cells {
-    /// `true` if a cell is one of these cells, as a text or as an equal number.
-    pub fn contain(&self, cell: &str) -> bool {
+    /// `true` if a cell is one of these cells, as a text or as an equal number. `number` reads a
+    /// number in the marks of the table; a stated number may also have a decimal point.
+    pub fn contain(&self, cell: &str, number: impl Fn(&str) -> Option<f64>) -> bool {
         let cell = cell.trim();
-        let number = |text: &str| text.replace(',', ".").parse::<f64>().ok();
+        let of_cell = number(cell);
         let same = |constant: &Constant| {
-            let stated = constant.cell();
-            stated == cell || number(&stated).zip(number(cell)).is_some_and(|(a, b)| a == b)
+            let stated = match constant {
+                Constant::Number(value) => Some(*value),
+                Constant::Text(text) => number(text).or_else(|| text.parse().ok()),
+            };
+            constant.cell() == cell || stated.zip(of_cell).is_some_and(|(a, b)| a == b)
         };
         match self {
             Self::One(one) => same(one),

@@ -1,5 +1,6 @@
 //! Parts of a dialect beside the delimiter: encoding, marks, header, angles, missing values.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, SeqAccess, Visitor};
@@ -209,7 +210,7 @@ impl<'de> Deserialize<'de> for Header {
 pub const NOT_MEASURED: [&str; 12] =
     ["", "-", "--", "---", "N/A", "n/a", "#N/A", "nan", "1.#QNAN", "-1.#IND", "*", "0 0 0"];
 
-/// Cells that mean "not measured".
+/// Cells that mean "not measured", beside empty ones.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Missing(Vec<String>);
@@ -221,10 +222,17 @@ impl Default for Missing {
 }
 
 impl Missing {
-    /// `true` if a cell means "not measured".
+    /// `true` if a cell means "not measured", as every empty one does.
     pub fn says(&self, cell: &str) -> bool {
-        let stars = !cell.is_empty() && cell.bytes().all(|b| b == b'*');
-        self.0.iter().any(|marker| cell.eq_ignore_ascii_case(marker) || marker == "*" && stars)
+        let stars = cell.bytes().all(|b| b == b'*');
+        cell.is_empty() || self.0.iter().any(|marker| cell.eq_ignore_ascii_case(marker) || marker == "*" && stars)
+    }
+
+    /// Reason for leaving out a row, if its cell in this column means "not measured".
+    pub(crate) fn reason(&self, column: &str, cell: &str) -> Option<Phrase> {
+        let reason =
+            if cell.is_empty() { phrase!("row-cell-empty", column) } else { phrase!("row-not-measured", column, cell) };
+        self.says(cell).then_some(reason)
     }
 
     /// `true` if coordinates that are all zero mean "not measured".

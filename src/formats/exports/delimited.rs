@@ -6,7 +6,7 @@ use crate::dialect::{
     ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
     coordinate_type,
 };
-use crate::filter::Filter;
+use crate::filter::{Filter, no_row_selected};
 use crate::lexer::pose_name;
 use crate::lexer::{self, PlainColumn, Row, WHOLE, each_row, marked, parsed};
 use crate::points::{Line, Names, Point, SharedText};
@@ -185,7 +185,8 @@ fn points(
     let header = header(file, &mut rows, dialect)?;
     let first = lines.clone().find_map(|line| split(line).ok());
     let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, first.as_ref())?;
-    let filter = Filter::of(file, [&dialect.only, &dialect.without], header.as_ref())?;
+    let filter =
+        Filter::of(file, [&dialect.only, &dialect.without], header.as_ref(), (dialect.decimal, dialect.thousands))?;
     problems.0.extend(header.as_ref().and_then(|header| other_unit(file, header, &roles, (dialect, unit))));
     let reader = Reader { file, text, dialect, unit, roles, filter };
     let plain = reader.plain().filter(|_| computed.is_empty());
@@ -213,6 +214,10 @@ fn points(
             computed_cells(file, &mut row, width, (dialect, &computed), problems);
         }
         points.extend(reader.point(&row, &mut names, problems));
+    }
+    let is_filtered = !(dialect.only.is_empty() && dialect.without.is_empty());
+    if is_filtered && !points.is_empty() && points.iter().all(|point| point.is_left_out) {
+        problems.0.push(no_row_selected(file, header.as_ref()));
     }
     problems.0.extend(reader.looks_spherical(&points));
     Ok(points)
@@ -410,11 +415,7 @@ impl Reader<'_> {
         let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_ref()));
         let mut value = |i: usize, field: &str| {
             let read = marked(field, self.dialect.decimal, self.dialect.thousands);
-            let hinted = |message: Message| match field.is_empty() && self.dialect.sheet.is_some() {
-                true => message.hint(phrase!("save-computed-workbook")),
-                false => message,
-            };
-            read.map_err(|message| wrong(hinted(message), i)).unwrap_or(f64::NAN)
+            read.map_err(|message| wrong(message, i)).unwrap_or(f64::NAN)
         };
         let left_out = self.filter.refuses(row);
         let is_left_out = left_out.is_some();
@@ -564,16 +565,13 @@ impl Reader<'_> {
         }
     }
 
-    /// Reason if the row states that it was not measured. Empty cells count only if all coordinates
-    /// are empty.
+    /// Reason if a coordinate of the row was not measured.
     fn not_measured<'r>(&self, cells: impl Iterator<Item = (ColumnRole, &'r str)>) -> Option<Phrase> {
         let cells: Vec<(ColumnRole, &str)> = cells.collect();
-        let says = |cell: &str| self.dialect.missing.says(cell);
-        if says("") && cells.iter().all(|(_, cell)| cell.is_empty()) {
+        if cells.iter().all(|(_, cell)| cell.is_empty()) {
             return Some(phrase!("row-without-coordinates"));
         }
-        let (role, cell) = cells.into_iter().find(|(_, cell)| !cell.is_empty() && says(cell))?;
-        Some(phrase!("row-not-measured", column = role.name(), cell))
+        cells.into_iter().find_map(|(role, cell)| self.dialect.missing.reason(role.name(), cell))
     }
 
     /// Returns an error if points that are stated as Cartesian look like angles and distances.

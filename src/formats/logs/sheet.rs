@@ -1,8 +1,8 @@
 //! Logs that are one table: a header row with names, and a row for each time.
 
 use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
-use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Expression, Header};
-use crate::filter::Filter;
+use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Expression, Header, ambiguous_thousands};
+use crate::filter::{Filter, no_row_selected};
 use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, marked, parsed, pose_name, split as split_rows};
 use crate::ros_bag;
@@ -68,6 +68,9 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
         return Err(two_commas_in(text).at(stated.place(&log.file)).into());
     }
+    if let Some(message) = ambiguous_thousands(Some(log.delimiter()), log.decimal, log.thousands) {
+        return Err(message.at(stated.place(&log.file)).into());
+    }
     source.read_as(reading(log));
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
@@ -116,7 +119,8 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
 
 /// Leaves out the rows that `only` and `without` refuse, and lists them.
 fn filtered(sheet: &mut Sheet, log: &Log) -> Result<Vec<Refused>> {
-    let filter = Filter::of(sheet.file, [&log.only, &log.without], sheet.header.as_ref()).map_err(Problems)?;
+    let filter = Filter::of(sheet.file, [&log.only, &log.without], sheet.header.as_ref(), (log.decimal, log.thousands))
+        .map_err(Problems)?;
     let mut left_out = Vec::new();
     sheet.rows.retain(|row| match filter.refuses(row) {
         Some(reason) => {
@@ -126,7 +130,7 @@ fn filtered(sheet: &mut Sheet, log: &Log) -> Result<Vec<Refused>> {
         None => true,
     });
     if sheet.rows.is_empty() {
-        return Err(error!("no-row-selected").at(sheet.place()).into());
+        return Err(no_row_selected(sheet.file, sheet.header.as_ref()).into());
     }
     Ok(left_out)
 }
@@ -145,11 +149,11 @@ fn not_measured(sheet: &mut Sheet, log: &Log, placed: &[(Expression, &Wanted)]) 
     }
     let mut left_out = Vec::new();
     let mut last = None;
-    sheet.rows.retain(|row| match needed.iter().find(|(at, _)| log.missing.says(row.field(*at))) {
-        Some((at, column)) => {
-            let reason = phrase!("row-not-measured", column, cell = row.field(*at));
+    let reason = |row: &Row, (at, column): &(usize, &'_ str)| log.missing.reason(column, row.field(*at));
+    sheet.rows.retain(|row| match needed.iter().find_map(|one| Some((reason(row, one)?, one.1))) {
+        Some((reason, column)) => {
             left_out.push(Refused::new(row.line, row.text, reason));
-            last = Some(*column);
+            last = Some(column);
             false
         }
         None => true,
@@ -296,7 +300,8 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, from: &Expression, problems:
         };
         return Values::Poses(sheet.rows.iter().map(name).collect());
     }
-    let nanoseconds = wanted.key.get_ref() == "time_ns";
+    // whole nanoseconds of a cell; a computed number has the unit of its key
+    let nanoseconds = wanted.key.get_ref() == "time_ns" && from.column().is_some();
     let before = problems.0.len();
     let mut read = Vec::with_capacity(sheet.rows.len());
     for row in &sheet.rows {

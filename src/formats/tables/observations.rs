@@ -1,9 +1,10 @@
 //! Tables of observations: one row per pose, repeat and target, a column per joint with its unit.
 
+use crate::dialect::ambiguous_thousands;
 use crate::dialect::{
     Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
 };
-use crate::filter::Filter;
+use crate::filter::{Filter, no_row_selected};
 use crate::guess::{guesses, two_commas_in};
 use crate::lexer::{Row, WHOLE, column_index, marked, parsed, pose_name, split};
 use crate::logs::{meaning, one_column, row_width, words_missing};
@@ -268,6 +269,9 @@ fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Opt
     if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
         return Err(two_commas_in(text).at(Place::file(file)).into());
     }
+    if let Some(message) = ambiguous_thousands(Some(layout.delimiter), layout.decimal, layout.thousands) {
+        return Err(message.at(Place::file(file)).into());
+    }
     let dialect = Dialect { delimiter: Some(layout.delimiter), comment: layout.comment.clone(), ..Dialect::default() };
     let (mut all, problems) = split(file, text, &dialect);
     problems.check()?;
@@ -348,10 +352,11 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
 
 /// Applies the filters `only` and `without`: `true` for each row that is read.
 fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) -> Result<Vec<bool>> {
-    let filter = Filter::of(file, [&layout.only, &layout.without], header).map_err(Problems)?;
+    let filter = Filter::of(file, [&layout.only, &layout.without], header, (layout.decimal, layout.thousands))
+        .map_err(Problems)?;
     let kept: Vec<bool> = rows.iter().map(|row| filter.refuses(row).is_none()).collect();
     if !rows.is_empty() && !kept.contains(&true) {
-        return Err(error!("no-row-selected").at(Place::file(file)).into());
+        return Err(no_row_selected(file, header).into());
     }
     Ok(kept)
 }
@@ -373,11 +378,10 @@ fn made_column(
         return pose_column("pose", &poses(file, rows, at, layout.decimal, problems));
     }
     let whole = name == "cycle";
-    let missing = |field: &str| field.is_empty() || layout.missing.says(field);
     let mut values: Vec<Option<f64>> = Vec::with_capacity(rows.len());
     for row in rows {
         let cell = |at: usize| match row.field(at) {
-            field if missing(field) => Ok(None),
+            field if layout.missing.says(field) => Ok(None),
             field => marked(field, layout.decimal, layout.thousands).map(Some),
         };
         let odd = |v: f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);

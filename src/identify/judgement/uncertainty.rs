@@ -68,13 +68,13 @@ pub(crate) fn with_uncertainty(
     let instrument = stated.map(|s| s.0);
     let rejected = chi_square.filter(|&chi| exceeds(chi, dof));
     let apart = settings.kind == ResidualKind::Targets && placed.is_empty() && !problem.is_whitened();
+    let all = (problem, solution, jacobian);
     let found = match &instrument {
         Some(instrument) if rejected.is_none() => {
-            let clusters =
-                (apart && dof > 0).then(|| shared((problem, solution, jacobian), &settings.series)).flatten();
+            let clusters = (apart && dof > 0).then(|| shared(all, &settings.series)).flatten();
             clusters.unwrap_or_else(|| Found::new(UncertaintyFrom::Instrument, Some(instrument.clone())))
         }
-        _ => from_residuals((problem, solution, jacobian), &settings.series, instrument.as_deref(), chi_square),
+        _ => from_residuals(all, &settings.series, instrument.as_deref(), chi_square),
     };
     let (between_series, unseen) = found.between_series(&settings.series);
     let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning, .. } = found;
@@ -84,7 +84,6 @@ pub(crate) fn with_uncertainty(
         .flatten();
     let mut budget = Budget::default();
     if let Some(total) = &mut covariance {
-        let all = (problem, solution, jacobian);
         budget = Budget::new(all, instrument.as_deref(), total, settings, replicates.as_ref());
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise
         // above

@@ -97,7 +97,7 @@ fn picture(data: &Data, along: &Along, (of, p): (&OfQuantity, Option<f64>), word
         }
         _ => (tr!(words, "error-against", quantity = of, against), tr!(words, "error-in-unit", unit)),
     };
-    let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up.clone()], [along.name.clone(), name]);
+    let mut chart = Chart::new(words, NARROW, [Axis::over("", ends, 0.02), up.clone()], [along.name.clone(), name]);
     for p in &drawn {
         let at = chart.at((along.of)(p)?, points::after_mm(p));
         chart.svg.mark(points::look(p), at, 2.4, &points::tooltip(p, words));

@@ -124,7 +124,7 @@ fn scale_arrow(svg: &mut Svg, y: f64, scale: f64, longest_mm: f64) {
         let round = round_down_125(longest_mm * shown.factor);
         let right = 30.0 + round / shown.factor * scale;
         svg.arrows("arrow-scale", &[[(30.0, y), (right, y)]]);
-        svg.text("start", (right + 6.0, y + 4.0), &format!("{} {}", number::significant(round, 1), shown.unit));
+        svg.numbers("start", (right + 6.0, y + 4.0), &format!("{} {}", number::significant(round, 1), shown.unit));
     }
 }
 

@@ -30,7 +30,7 @@ pub(crate) fn limits(all: &[&LimitVerdict], words: &Words) -> Option<Figure> {
     }
     let reach = |l: &LimitVerdict| (l.value.unwrap_or(0.0) + l.expanded_uncertainty.unwrap_or(0.0)) / l.limit;
     let end = (1.05 * largest(positive.iter().map(|l| reach(l)))).clamp(LEAST, MOST);
-    let mut svg = Svg::new(NARROW, ROW_HEIGHT * positive.len() as f64);
+    let mut svg = Svg::new(words, NARROW, ROW_HEIGHT * positive.len() as f64);
     for (i, l) in positive.iter().enumerate() {
         limit(&mut svg, l, (ROW_HEIGHT * i as f64, end), words);
     }
@@ -128,7 +128,7 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
     }
     let rows = |unit: &str| all.iter().filter(|h| h.in_documents.0 == unit).map(row).sum::<f64>();
     let height = units.clone().map(|unit| rows(unit) + 44.0).sum();
-    let mut svg = Svg::new(NARROW, height);
+    let mut svg = Svg::new(words, NARROW, height);
     let mut top = 0.0;
     for unit in units {
         let of_unit: Vec<&Headline> = all.iter().filter(|h| h.in_documents.0 == unit).collect();
@@ -140,13 +140,13 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
             svg.line("grid", (at(v), top + 18.0), (at(v), bottom));
             let half = 0.5 * width(&label) + 2.0;
             let inside = at(v).clamp(half, NARROW - half);
-            svg.text("mid", (inside, bottom + 14.0), &label);
+            svg.numbers("mid", (inside, bottom + 14.0), &label);
         }
         svg.line("axis", (SIDE, bottom), (NARROW - SIDE, bottom));
         let shown = if axis.shown().unit.is_empty() { unit } else { axis.shown().unit };
         svg.text("mid", (0.5 * NARROW, bottom + 30.0), &tr!(words, "error-in-unit", unit = shown));
         for h in of_unit {
-            let ([before, after], numbers) = (h.in_documents.1, numbers_of(h));
+            let ([before, after], numbers) = (h.in_documents.1, words.number(&numbers_of(h)));
             svg.text("start name-of", (SIDE, top + 14.0), &cut(&h.what, NARROW - 2.0 * SIDE, BOLD));
             top += row(h);
             let y = top - 12.0;

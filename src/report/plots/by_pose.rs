@@ -50,7 +50,7 @@ fn picture(
         _ => (of_quantity(), tr!(words, "error-in-unit", unit)),
     };
     let poses = poses(&drawn);
-    let mut chart = Chart::new(WIDE, [across(&poses), axis], [tr!(words, "pose"), name]);
+    let mut chart = Chart::new(words, WIDE, [across(&poses), axis], [tr!(words, "pose"), name]);
     let before = |look: Look<'static>| Look { class: "before", ..look };
     for (k, (p, s)) in [0, 1].into_iter().flat_map(|k| pairs.iter().map(move |pair| (k, pair))) {
         let look = if k == 0 { before(points::look(p)) } else { points::look(p) };

@@ -49,7 +49,7 @@ impl Frame {
             if !rows {
                 svg.line("grid", (left, y), (right, y));
             }
-            svg.text("end", (left - 6.0, y + 4.0), &label);
+            tick(svg, &self.up, "end", (left - 6.0, y + 4.0), &label);
         }
         for (value, label) in self.level_ticks() {
             let x = self.at(value, 0.0).0;
@@ -58,7 +58,8 @@ impl Frame {
                 false => svg.line("axis", (x, bottom), (x, bottom + 4.0)),
             }
             // the last label stays inside the figure
-            svg.text("mid", (x.min(svg.width - 0.5 * width(&label)), bottom + 17.0), &label);
+            let middle = x.min(svg.width - 0.5 * width(&label));
+            tick(svg, &self.across, "mid", (middle, bottom + 17.0), &label);
         }
         svg.line("axis", (left, bottom), (right, bottom));
         svg.line("axis", (left, top), (left, bottom));
@@ -85,6 +86,14 @@ impl Frame {
     }
 }
 
+/// Writes the label of a tick: a name or a number.
+fn tick(svg: &mut Svg, axis: &Axis, class: &str, at: Place, label: &str) {
+    match axis.is_labelled() {
+        true => svg.text(class, at, label),
+        false => svg.numbers(class, at, label),
+    }
+}
+
 /// A figure with two axes.
 pub(crate) struct Chart {
     pub svg: Svg,
@@ -93,17 +102,22 @@ pub(crate) struct Chart {
 
 impl Chart {
     /// Draws the axes with their names, the horizontal axis first.
-    pub fn new(width: f64, axes: [Axis; 2], names: [impl AsRef<str>; 2]) -> Self {
-        Self::with_room(RIGHT, axes, width, names)
+    pub fn new(words: &Words, width: f64, axes: [Axis; 2], names: [impl AsRef<str>; 2]) -> Self {
+        Self::with_room(words, RIGHT, (axes, width), names)
     }
 
     /// Draws the axes with the given margin at the right.
-    pub fn with_room(room: f64, [across, up]: [Axis; 2], width: f64, names: [impl AsRef<str>; 2]) -> Self {
+    pub fn with_room(
+        words: &Words,
+        room: f64,
+        ([across, up], width): ([Axis; 2], f64),
+        names: [impl AsRef<str>; 2],
+    ) -> Self {
         let names = [names[0].as_ref(), names[1].as_ref()];
         let height = if up.is_labelled() { ROW * up.length() } else { HEIGHT };
         let left = left_of(&up, names[1]);
         let frame = Frame { across, up, left, right: width - room, top: TOP, bottom: TOP + height };
-        let mut svg = Svg::new(width, frame.bottom + UNDER);
+        let mut svg = Svg::new(words, width, frame.bottom + UNDER);
         frame.draw(&mut svg, names, false);
         Self { svg, frame }
     }
@@ -129,7 +143,7 @@ impl Chart {
     pub fn second(&mut self, axis: &Axis, name: &str) {
         let Frame { right, top, bottom, .. } = self.frame;
         for (value, label) in upright_ticks(axis) {
-            self.svg.text("start", (right + 5.0, self.frame.level(axis, value) + 4.0), &label);
+            tick(&mut self.svg, axis, "start", (right + 5.0, self.frame.level(axis, value) + 4.0), &label);
         }
         self.svg.line("axis", (right, top), (right, bottom));
         self.svg.text_upwards("mid", (self.svg.width - 6.0, 0.5 * (top + bottom)), name);
@@ -185,7 +199,7 @@ fn upright_ticks(up: &Axis) -> Vec<(f64, String)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::svg::numbers;
+    use super::super::svg::{WIDE, numbers};
     use super::*;
     use etalon_documents::LimitQuantity;
 
@@ -194,7 +208,7 @@ mod tests {
         let limit = |name| LimitVerdict::of(name, 0.04, 0.0, None, Default::default());
         let limits: Vec<_> = names.iter().copied().map(limit).collect();
         let axis = || Axis::from_zero("mm", 0.1);
-        let mut chart = Chart::new(NARROW, [axis(), axis()], ["a", "b"]);
+        let mut chart = Chart::new(&Words::default(), NARROW, [axis(), axis()], ["a", "b"]);
         chart.limit(&limits, ErrorQuantity::Position, (across, &Words::default()));
         chart.figure("p", String::new(), String::new()).svg
     }
@@ -212,6 +226,18 @@ mod tests {
             // below the axis and its name, where there are no marks
             let name = svg.lines().find(|l| l.contains(">limit: ")).unwrap();
             assert!(numbers(name, "text", "y")[0] > TOP + HEIGHT + UNDER, "{svg}");
+        }
+    }
+
+    #[test]
+    fn numbers_have_the_decimal_mark_of_the_language_and_names_keep_their_point() {
+        let words = Words::of(etalon_documents::Language::De);
+        let rows = Axis::rows(1, vec![(0.0, "ball 1.5".to_owned()), (1.0, "1.5".to_owned())], 0.5);
+        let mut chart = Chart::new(&words, WIDE, [Axis::from_zero("", 1.0), rows], ["", ""]);
+        chart.svg.legend(Look::group(0), "2.5");
+        let svg = chart.figure("p", String::new(), String::new()).svg;
+        for shown in [">ball 1.5<", ">1.5<", ">2.5<", ">0,5<"] {
+            assert!(svg.contains(shown), "{shown}: {svg}");
         }
     }
 

@@ -33,7 +33,7 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
     let margin = 12.0 + widest(letters.iter().map(String::as_str));
     let width = if n > FEW { WIDE } else { NARROW };
     let cell = (width - margin - 4.0) / n as f64;
-    let mut svg = Svg::new(width, TOP + cell * n as f64 + margin);
+    let mut svg = Svg::new(words, width, TOP + cell * n as f64 + margin);
     for (i, name) in names.iter().enumerate() {
         for (j, other) in names.iter().enumerate().take(i + 1) {
             let at = (margin + cell * j as f64, TOP + cell * i as f64);

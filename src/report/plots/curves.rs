@@ -43,7 +43,7 @@ impl Curves {
         let whole = points().all(|p| p.0.fract() == 0.0);
         let place = |x: f64, digits: usize| if whole { format!("{x:.0}") } else { number::significant(x, digits) };
         let across = Axis::over("", range(points().map(|p| p.0))?, 0.01);
-        let mut chart = Chart::new(WIDE, [across, Axis::from_zero("", largest)], [&self.across, &self.up]);
+        let mut chart = Chart::new(words, WIDE, [across, Axis::from_zero("", largest)], [&self.across, &self.up]);
         for (i, curve) in self.curves.iter().enumerate() {
             let stride = curve.points.len().div_ceil(LIMIT);
             let drawn: Vec<(f64, f64)> = curve.points.iter().step_by(stride).copied().collect();

@@ -32,7 +32,7 @@ pub(crate) fn picture(relative: &RelativeAccuracy, words: &Words) -> Option<Figu
     let unit = up.shown().unit;
     let across = Axis::over("", ends, 0.0);
     let names = [tr!(words, "distance-between-poses-in-mm"), tr!(words, "error-in-unit", unit)];
-    let mut chart = Chart::new(WIDE, [across, up], names);
+    let mut chart = Chart::new(words, WIDE, [across, up], names);
     for (name, look, of) in &series {
         let at = |s: &DistanceStatistics| chart.at(0.5 * (s.from_mm + s.to_mm), of(s).0);
         let places: Vec<Place> = steps.iter().map(at).collect();

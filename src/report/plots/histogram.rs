@@ -45,7 +45,7 @@ fn histogram(
     let highest = sets.iter().flat_map(|set| (0..bins).map(|bin| share(set, bin))).fold(0.0, f64::max);
     let across = Axis::linear_in(shown, 0.0, bins as f64 * width);
     let names = [tr!(words, "error-in-unit", unit = shown.unit), tr!(words, "share-of-set")];
-    let mut chart = Chart::new(NARROW, [across, Axis::from_zero("", highest)], names);
+    let mut chart = Chart::new(words, NARROW, [across, Axis::from_zero("", highest)], names);
     let decimals = number::decimals(width, 1).unwrap_or(0);
     let edge = |bin: usize| number::fixed(bin as f64 * width, decimals);
     let bin_px = (chart.frame.right - chart.frame.left) / bins as f64;

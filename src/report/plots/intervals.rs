@@ -45,7 +45,7 @@ fn picture(
     };
     let labels = all.iter().enumerate().map(|(i, p)| (i as f64, shortened(&p.name))).collect();
     let axes = [Axis::both_ways(shown, reach), Axis::rows(all.len(), labels, 0.5)];
-    let mut chart = Chart::with_room(ROOM, axes, NARROW, [along.as_str(), ""]);
+    let mut chart = Chart::with_room(words, ROOM, (axes, NARROW), [along.as_str(), ""]);
     chart.upright("axis", 0.0);
     let mut halves: Vec<String> = all.iter().map(|p| number::significant(expanded(p) * shown.factor, 2)).collect();
     number::one_notation(halves.iter_mut().collect());
@@ -64,7 +64,7 @@ fn picture(
             unit = if unit == "1" { "" } else { unit }
         );
         chart.svg.mark(CALIBRATION, middle, 3.4, &tip);
-        chart.svg.text("end", (NARROW - 4.0, middle.1 + 4.0), &format!("± {half}"));
+        chart.svg.numbers("end", (NARROW - 4.0, middle.1 + 4.0), &format!("± {half}"));
     }
     let description = tr!(words, "intervals-description");
     let caption = tr!(words, "intervals-caption");

@@ -32,7 +32,7 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
     let columns = COLUMNS.min(drawn.len());
     let cell = WIDE / COLUMNS as f64;
     let (rows, radius) = (drawn.len().div_ceil(COLUMNS), 0.5 * cell - 8.0);
-    let mut svg = Svg::new(WIDE, rows as f64 * (cell + 36.0));
+    let mut svg = Svg::new(words, WIDE, rows as f64 * (cell + 36.0));
     let left = 0.5 * (WIDE - columns as f64 * cell);
     let scale = radius / (1.05 * reach);
     for (i, (p, all)) in drawn.iter().enumerate() {

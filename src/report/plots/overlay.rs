@@ -38,7 +38,7 @@ fn picture(
     let highest = largest(both.iter().flat_map(|(s, ..)| s.iter().copied()));
     let unit = axis.shown().unit;
     let names = [tr!(words, "error-log", unit), tr!(words, "share-of-points")];
-    let mut chart = Chart::new(NARROW, [axis, Axis::from_zero("", highest)], names);
+    let mut chart = Chart::new(words, NARROW, [axis, Axis::from_zero("", highest)], names);
     let wide = (chart.frame.right - chart.frame.left) / BINS as f64;
     for (shares, class, name) in &both {
         for (i, share) in shares.iter().enumerate().filter(|(_, s)| **s > 0.0) {

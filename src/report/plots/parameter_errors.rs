@@ -24,10 +24,12 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
     let named = if all.len() > NAMED { &[][..] } else { &all[..] };
     let labels = named.iter().enumerate().map(|(i, p)| (i as f64, p.name.clone())).collect();
     let (across, up) = (Axis::rows(all.len(), labels, 0.5), Axis::both_ways(shown, largest));
-    let mut chart = Chart::new(NARROW, [across, up], ["", &tr!(words, "identified-minus-true-in", unit = shown.unit)]);
+    let mut chart =
+        Chart::new(words, NARROW, [across, up], ["", &tr!(words, "identified-minus-true-in", unit = shown.unit)]);
     let wide = (0.6 * (chart.frame.right - chart.frame.left) / all.len() as f64).min(28.0);
     for (i, p) in all.iter().enumerate() {
-        let tip = format!("{}: {} {}", p.name, number::significant(off(p) * shown.factor, 3), shown.unit);
+        let tip =
+            format!("{}: {} {}", p.name, words.number(&number::significant(off(p) * shown.factor, 3)), shown.unit);
         let x = chart.at(i as f64, 0.0).0;
         chart.bar_up(CALIBRATION, (x - 0.5 * wide, wide), off(p), &tip);
     }

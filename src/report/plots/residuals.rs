@@ -26,7 +26,7 @@ fn by_poses(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Fi
     let drawn = points::thin(&points::readable(errors), points::MARKS / axes, points::after_mm);
     let poses = by_pose::poses(&drawn);
     let name = tr!(words, "measured-minus-predicted-in", unit = up.shown().unit);
-    let mut chart = Chart::new(WIDE, [by_pose::across(&poses), up.clone()], [tr!(words, "pose"), name]);
+    let mut chart = Chart::new(words, WIDE, [by_pose::across(&poses), up.clone()], [tr!(words, "pose"), name]);
     chart.level("axis", 0.0);
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(axes) {
         // side by side
@@ -61,7 +61,7 @@ fn quantiles(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> O
     let (across, shown) = (Axis::both_ways(number::shown("", 0.0), -quantile(0)), up.shown());
     let (widest, reach) = (across.ends().1, up.ends().1);
     let names = [tr!(words, "normal-quantile"), tr!(words, "measured-minus-predicted-in", unit = shown.unit)];
-    let mut chart = Chart::new(NARROW, [across, up.clone()], names);
+    let mut chart = Chart::new(words, NARROW, [across, up.clone()], names);
     // clipped at the edge of the figure
     let end = |q: f64| if deviation > 0.0 { q.signum() * q.abs().min((reach - mean.abs()) / deviation) } else { q };
     let [from, to] = [-widest, widest].map(|q| chart.at(end(q), mean + deviation * end(q)));

@@ -29,7 +29,7 @@ pub(crate) fn picture(budget: &[FigureBudget], name_of: fn(&FigureBudget) -> Phr
     }
     let labels = budget.iter().enumerate().map(|(i, f)| (i as f64, words.tr(&name_of(f)))).collect();
     let axes = [Axis::linear(0.0, 100.0), Axis::rows(budget.len(), labels, 0.5)];
-    let mut chart = Chart::new(WIDE, axes, ["%", ""]);
+    let mut chart = Chart::new(words, WIDE, axes, ["%", ""]);
     for (i, f) in budget.iter().enumerate() {
         let mut from = 0.0;
         for (j, source) in sources.iter().enumerate().filter(|(_, s)| share(f, **s) > 0.0) {

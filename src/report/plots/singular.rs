@@ -27,7 +27,7 @@ pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure>
     let labels = (0..all.len()).step_by(all.len().div_ceil(LABELS)).map(|i| (i as f64, (i + 1).to_string()));
     let across = Axis::rows(all.len(), labels.collect(), 0.7);
     let names = [tr!(words, "singular-value-number"), tr!(words, "singular-value")];
-    let mut chart = Chart::new(WIDE, [across, up], names);
+    let mut chart = Chart::new(words, WIDE, [across, up], names);
     if is_cut_drawn {
         chart.level("knee", cut);
         let (x, y) = chart.at(-0.7, cut);
@@ -36,7 +36,7 @@ pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure>
     for (i, (s, held)) in all.iter().enumerate() {
         let at = chart.at(i as f64, s.value);
         let (look, radius) = if *held { (VALIDATION, 5.0) } else { (CALIBRATION, 4.0) };
-        let tip = format!("{}: {} {}", i + 1, significant(s.value, 3), s.parameters.join(", "));
+        let tip = format!("{}: {} {}", i + 1, words.number(&significant(s.value, 3)), s.parameters.join(", "));
         chart.svg.mark(look, at, radius, tip.trim_end());
     }
     let row = |(i, (s, held)): (usize, &(&SingularValueEntry, bool))| {

@@ -31,7 +31,7 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
     }
     let flat: Vec<Place> = places().map(|p| view.flat(*p)).collect();
     let paper = Paper::around(&flat, NARROW, MOST_HIGH, MARGIN);
-    let mut svg = Svg::new(NARROW, paper.height);
+    let mut svg = Svg::new(words, NARROW, paper.height);
     let drawn: Vec<Vec<Place>> =
         sketch.strokes.iter().map(|s| s.points_mm.iter().map(|p| paper.at(view.flat(*p))).collect()).collect();
     for (stroke, line) in sketch.strokes.iter().zip(&drawn) {

@@ -1,6 +1,7 @@
 //! Inline SVG, element by element; texts are escaped only here.
 
 use crate::model::Figure;
+use crate::words::Words;
 use etalon_base::pose::Vector;
 use std::fmt::Write;
 
@@ -137,6 +138,7 @@ pub(crate) fn widest<'a>(texts: impl IntoIterator<Item = &'a str>) -> f64 {
 
 /// A figure being drawn, with its legend below.
 pub(crate) struct Svg {
+    words: Words,
     out: String,
     /// Attribute that lets a script rotate the figure.
     turn: String,
@@ -147,8 +149,8 @@ pub(crate) struct Svg {
 }
 
 impl Svg {
-    pub fn new(width: f64, height: f64) -> Self {
-        Self { out: String::new(), turn: String::new(), width, height, next: f64::INFINITY }
+    pub fn new(words: &Words, width: f64, height: f64) -> Self {
+        Self { words: *words, out: String::new(), turn: String::new(), width, height, next: f64::INFINITY }
     }
 
     /// Draws a straight line.
@@ -219,6 +221,12 @@ impl Svg {
         let spot = spot.into();
         let (x, y, at) = (px(spot.at.0), px(spot.at.1), in_space(&[spot]));
         let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{at}>{}</text>", escape(text));
+    }
+
+    /// Writes numbers with the decimal mark of the language; the class states their anchor.
+    pub fn numbers(&mut self, class: &str, spot: impl Into<Spot>, numbers: &str) {
+        let numbers = self.words.number(numbers);
+        self.text(class, spot, &numbers);
     }
 
     /// Writes a text that reads upwards.
@@ -340,7 +348,7 @@ mod tests {
     #[test]
     fn texts_cannot_leave_their_element() {
         let hostile = "</title><script>alert(\"1\")</script>&'\0";
-        let mut svg = Svg::new(10.0, 10.0);
+        let mut svg = Svg::new(&Words::default(), 10.0, 10.0);
         svg.text("mid", (0.0, 0.0), hostile);
         svg.text_upwards("mid", (0.0, 0.0), hostile);
         svg.mark(CALIBRATION, (0.0, 0.0), 1.0, hostile);
@@ -354,7 +362,7 @@ mod tests {
 
     #[test]
     fn it_is_well_formed_xml() {
-        let mut svg = Svg::new(10.0, 10.0);
+        let mut svg = Svg::new(&Words::default(), 10.0, 10.0);
         svg.arrows("a", &[[(0.0, 1.0), (1e300, 3.0)]]);
         svg.line("a", (0.0, f64::NAN), (1.0, 1.0));
         (0..6).for_each(|i| svg.mark(Look::group(i), (f64::INFINITY, 0.0), 1.0, "tip"));

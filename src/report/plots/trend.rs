@@ -28,7 +28,7 @@ pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], word
     };
     let numbers = (0..labels.len()).step_by(labels.len().div_ceil(NUMBERED)).map(|i| (i as f64, (i + 1).to_string()));
     let across = Axis::rows(labels.len(), numbers.collect(), 0.5);
-    let mut chart = Chart::new(NARROW, [across, up], [tr!(words, "campaign"), name]);
+    let mut chart = Chart::new(words, NARROW, [across, up], [tr!(words, "campaign"), name]);
     let places: Vec<_> = points.iter().map(|(i, value, _)| chart.at(*i as f64, *value)).collect();
     chart.svg.lines("leader", &places);
     for ((i, value, v), at) in points.iter().zip(places) {

@@ -70,7 +70,7 @@ impl Workspace {
     pub fn of(seen: Seen, places: &[Vector], unit: &str, words: &Words) -> Self {
         match seen {
             Seen::Plane(axes) => Self::plane(axes, places, unit, words),
-            Seen::Space => Self::space(places),
+            Seen::Space => Self::space(places, words),
         }
     }
 
@@ -93,7 +93,7 @@ impl Workspace {
         // the labels of the vertical axis determine its position, and conversely
         let (_, first) = fitted(52.0);
         let (scale, frame) = fitted(left_of(&first.up, AXES[axes[1]]));
-        let mut svg = Svg::new(NARROW, frame.bottom + UNDER);
+        let mut svg = Svg::new(words, NARROW, frame.bottom + UNDER);
         let [along, upwards] = axes.map(|axis| tr!(words, "quantity-in-unit", quantity = AXES[axis], unit));
         frame.draw(&mut svg, [&along, &upwards], true);
         Self { svg, scale, projection: Projection::Plane(axes, frame) }
@@ -101,12 +101,12 @@ impl Workspace {
 
     /// Draws the box around all positions, in a square around a sphere, so that it fits in any
     /// rotation.
-    fn space(places: &[Vector]) -> Self {
+    fn space(places: &[Vector], words: &Words) -> Self {
         let ends = [0, 1, 2].map(|i| range(places.iter().map(|p| p[i])).unwrap_or_default());
         let (middle, half) = (ends.map(|(a, b)| 0.5 * (a + b)), ends.map(|(a, b)| (0.5 * (b - a)).max(0.5)));
         let radius = norm(half);
         let paper = Paper::around(&[(-radius, -radius), (radius, radius)], NARROW, NARROW, 44.0);
-        let mut svg = Svg::new(NARROW, NARROW);
+        let mut svg = Svg::new(words, NARROW, NARROW);
         svg.turns(ASLANT.azimuth_rad, ASLANT.elevation_rad, paper.scale);
         let mut all = Self { svg, scale: paper.scale, projection: Projection::Space { middle, half, paper } };
         for axis in 0..3 {

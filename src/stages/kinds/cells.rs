@@ -3,7 +3,7 @@
 use super::KINDS;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase};
-use etalon_formats::table::TEXTS;
+use etalon_formats::table::{ANGLE_ORDER, TEXTS};
 use etalon_identify::Fixture;
 use etalon_robots::Robot;
 use schemars::{Schema, SchemaGenerator, json_schema};
@@ -49,7 +49,7 @@ pub fn stated_schema(generator: &mut SchemaGenerator) -> Schema {
 
 /// Columns of names, beside the columns of every kind.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    TEXTS.into_iter().filter(|name| !["kind", "target"].contains(name))
+    TEXTS.into_iter().filter(|name| !["kind", "target", ANGLE_ORDER].contains(name))
 }
 
 /// The cells of a row with its references.

@@ -10,6 +10,7 @@ mod contact;
 mod distance;
 mod joints;
 mod kind;
+mod measured;
 mod point;
 mod pose;
 mod row;
@@ -31,6 +32,7 @@ use etalon_formats::table;
 use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
+use measured::measured_rows;
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use row::{fixed_rows, partial_rows, row_poses};
 use std::collections::{BTreeMap, BTreeSet};
@@ -142,18 +144,16 @@ fn misspelt(observations: &DataFrame) -> Result<Problems> {
 
 /// Warning about columns that neither observations nor the joints of the robot have.
 fn unread(robot: &dyn Robot, observations: &DataFrame) -> Option<Message> {
-    // a column may be in another unit of its quantity
-    let quantity = |name: &str| name.rsplit_once('_').map_or(name, |(quantity, _)| quantity).to_owned();
+    // reading has converted lengths to mm
     let with_units = columns().into_iter().chain(table::XYZ).chain(table::UNCERTAINTIES).chain(table::COVARIANCES);
-    let with_units = with_units.chain(orientations::columns()).map(quantity).collect::<BTreeSet<_>>();
+    let with_units: BTreeSet<&str> = with_units.chain(orientations::columns()).collect();
     let stated = stated_columns(robot);
     let of_joint = |name: &str| {
         robot.joints().iter().any(|joint| joint.factor(name).is_some() || joint.direction_column() == name)
     };
     let without_unit = [&["line"][..], &table::OF_ROWS, &table::TEXTS].concat();
-    let is_own = |name: &str| {
-        without_unit.contains(&name) || with_units.contains(&quantity(name)) || stated.iter().any(|own| own == name)
-    };
+    let is_own =
+        |name: &str| without_unit.contains(&name) || with_units.contains(name) || stated.iter().any(|own| own == name);
     let names = observations.get_column_names().into_iter().map(|name| name.as_str());
     let unknown = names.filter(|name| !is_own(name) && !of_joint(name));
     let columns: Vec<String> = unknown.map(|name| format!("`{name}`")).collect();
@@ -253,10 +253,16 @@ struct NamedRows {
 
 impl NamedRows {
     fn new(rows: &[&Row]) -> Self {
-        let by = if rows.iter().all(|row| row.line.is_some()) { "line" } else { "pose" };
-        let name = |row: &&Row| match by {
-            "line" => row.line.map(|line| line.to_string()),
-            _ => row.pose.map(|pose| pose.to_string()),
+        Self::of(&rows.iter().map(|row| (row.line, row.pose)).collect::<Vec<_>>())
+    }
+
+    /// Rows by their lines in one file, and their poses.
+    fn of(rows: &[(Option<usize>, Option<PoseName>)]) -> Self {
+        let by =
+            if rows.iter().all(|row| row.0.is_some_and(|line| line < table::FILE_LINES)) { "line" } else { "pose" };
+        let name = |(line, pose): &(Option<usize>, Option<PoseName>)| match by {
+            "line" => line.map(|line| line.to_string()),
+            _ => pose.map(|pose| pose.to_string()),
         };
         let mut named: Vec<String> = rows.iter().filter_map(name).collect();
         named.dedup();
@@ -299,6 +305,7 @@ pub fn observed(
 ) -> Result<Observed> {
     misspelt(observations)?.check()?;
     messages.extend(unread(robot, observations));
+    let observations = &*measured_rows(robot, observations, messages)?;
     let observations = &*resolution::of_table(observations, messages)?;
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)
@@ -321,7 +328,8 @@ pub fn observed(
             problems.0.extend(without_uncertainty.without(row, more).at(&row.place()).0);
         }
         let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
-        written.extend(added.map(|c| (c.kind.is_world_orientation(), row.orientation)));
+        let orientation = Written { order: row.order, ..row.orientation };
+        written.extend(added.map(|c| (c.kind.is_world_orientation(), orientation)));
     }
     problems.0.extend(without_uncertainty.messages());
     problems.check()?;
@@ -338,16 +346,20 @@ pub fn observed(
         }
         false => Vec::new(),
     };
-    let any_angles = written.iter().any(|(_, row)| row.angles().is_some());
+    let is_open = |row: &Written| row.angles().is_some() && row.order.or(without.order).is_none();
+    let is_any_open = written.iter().any(|(_, row)| is_open(row));
+    let first_open = rows.iter().find(|row| is_open(&Written { order: row.order, ..row.orientation }));
     // the nominal robot shows the orientations of the world alone
     let written: Vec<Written> = written.into_iter().filter(|(in_world, _)| *in_world).map(|(_, row)| row).collect();
-    if any_angles && without.order.is_none() {
+    if is_any_open {
         let angles: Vec<[f64; 3]> = written.iter().filter_map(Written::angles).collect();
-        return Err(unstated(robot, &observations, &settings, &angles).at(header()).into());
+        return Err(unstated(robot, &observations, &settings, &angles)
+            .at(header(first_open.and_then(|row| row.line)))
+            .into());
     }
     let observed = Observed { observations, settings };
-    match conventions::wrong(robot, &observed.observations, &observed.settings, &written, without.order) {
-        Some(wrong) => Err(wrong.at(header()).into()),
+    match conventions::wrong(robot, &observed.observations, &observed.settings, &written) {
+        Some(wrong) => Err(wrong.at(header(None)).into()),
         None => Ok(observed),
     }
 }
@@ -366,6 +378,7 @@ fn unnamed_station(rows: &[Row]) -> Option<Message> {
     Some(error!("station-missing", least = FEWEST_SEEN).at(unnamed[0].place()))
 }
 
-fn header() -> Place {
-    Place { line: Some(1), ..Place::default() }
+/// Place of the header of the file of a line, or of the first file.
+fn header(line: Option<usize>) -> Place {
+    Place { line: Some(line.unwrap_or(0) / table::FILE_LINES * table::FILE_LINES + 1), ..Place::default() }
 }

@@ -340,11 +340,13 @@ fn try_all(letter: char, make: fn(&[Sample], usize) -> Mutant) {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn no_mutant_of_statements_passes_with_a_wrong_result() {
     try_all('s', of_statements);
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn no_mutant_of_data_passes_with_a_wrong_result() {
     try_all('d', of_data);
 }

@@ -228,6 +228,7 @@ fn parameters_that_are_correlated_change_together_where_none_does_alone() {
 
 /// Of pairs without a change, 5 % have one parameter or more that is called changed: not 5 % of all parameters.
 #[test]
+#[ignore = "a long law: make laws"]
 fn of_pairs_of_unchanged_robots_one_in_twenty_is_called_changed() {
     let u = [0.001, 0.01, 0.1, 1.0, 0.003, 0.02, 0.5, 0.004, 0.007, 0.9, 0.02, 0.05, 1.0];
     let mut noise = Noise::new(5, 0);

@@ -107,6 +107,7 @@ fn of_a_cone_by_a_probe() {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn of_a_torus() {
     is_what_repetition_shows(Element::Torus, FitSettings::default());
 }

@@ -37,6 +37,7 @@ fn drawn(kind: Element, n: usize, noise: &mut Noise) -> Vec<Vector> {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn clean_points_cause_no_warning() {
     let (mut lost, mut warned, mut draws) = (0, 0, 0);
     for kind in Element::ALL {
@@ -135,6 +136,7 @@ fn across(fit: &Fit, p: Vector) -> Vector {
 const DRAWS: u64 = 7;
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn sound_points_are_kept_however_they_lie() {
     let (mut fits, mut lost) = (0, Vec::new());
     for kind in Element::ALL {
@@ -157,6 +159,7 @@ fn sound_points_are_kept_however_they_lie() {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn foreign_points_are_found_however_the_others_lie() {
     // share of foreign points, their distance in standard deviations, and the share that is found
     for (share, deviations, least) in [(0.0, 8.0, 0.97), (0.1, 10.0, 0.97), (0.25, 20.0, 0.97)] {
@@ -204,6 +207,7 @@ fn a_foreign_point_is_found_at_leverage_if_others_control_it() {
 /// Without noise, on a grid, and with coordinates rounded to micrometres nothing is foreign; tiny and
 /// huge units make no difference.
 #[test]
+#[ignore = "a long law: make laws"]
 fn exact_and_rounded_points_are_sound() {
     for kind in Element::ALL {
         for (name, rounding_mm, size) in [

@@ -95,6 +95,7 @@ fn normalised(axis: &JointAxis, truth: &AxisLine) -> Vec<f64> {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn axes_are_within_their_uncertainty() {
     let (mut count, mut inside, mut far, mut false_alarms) = (0.0, 0.0, 0.0, 0);
     for trial in 0..number("ETALON_TRIALS", 400) {
@@ -121,6 +122,7 @@ fn axes_are_within_their_uncertainty() {
 /// Prediction at new poses: errors against the truth, and against the identification of all sweeps
 /// from the true nominal robot.
 #[test]
+#[ignore = "a long law: make laws"]
 fn the_robot_of_the_axes_agrees_with_truth_and_identification() {
     let mut shares = [0.0; 3];
     let mut counts = [0.0; 3];

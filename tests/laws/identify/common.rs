@@ -60,6 +60,7 @@ fn ratios(ball_mm: f64, contact_mm: f64, settings: &Settings) -> (Vec<f64>, f64)
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn the_covariance_of_balls_touched_in_many_working_modes_is_the_spread_over_draws() {
     for (ball_mm, contact_mm) in [(0.00135, 0.005), (0.010, 0.005), (0.010, 0.001)] {
         let known = Settings { common_uncertainty_mm: Some(ball_mm), ..settings(contact_mm) };

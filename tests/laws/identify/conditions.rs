@@ -336,6 +336,7 @@ fn draws() -> u64 {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn intervals_of_every_kind_hold() {
     for kind in KINDS {
         let draws = draws();

@@ -136,6 +136,7 @@ impl Campaign {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn noise_alone_shows_no_field() {
     let count = number("ETALON_CAMPAIGNS", 200);
     for poses in [40, 80] {
@@ -147,6 +148,7 @@ fn noise_alone_shows_no_field() {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn most_of_what_the_model_leaves_out_is_recovered_with_its_uncertainty() {
     let count = number("ETALON_CAMPAIGNS", 40).min(40);
     for (left_out, poses, least) in
@@ -195,6 +197,7 @@ const BLUNDERS: [Blunder; 4] = [
 
 /// No field is accepted, and a moved pose is named in most campaigns: a field has errors that neighbouring poses share.
 #[test]
+#[ignore = "a long law: make laws"]
 fn a_blunder_is_named_and_no_field_describes_it() {
     let count = number("ETALON_CAMPAIGNS", 4).min(12);
     let left_out = [LeftOut::Nothing, LeftOut::Bending, LeftOut::Harmonics];

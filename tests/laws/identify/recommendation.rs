@@ -40,6 +40,7 @@ fn parameters_that_matter_together_are_loaded() {
 /// Of every kind of observation: poses that were used and poses that were not have errors of one measure. With n parameters from N readings the
 /// first are smaller by √(1 − n/N), and the others larger by √(1 + n/N') where N' readings are left in (Seber & Lee, Linear Regression Analysis).
 #[test]
+#[ignore = "a long law: make laws"]
 fn every_kind_of_observation_is_judged() {
     for sample in ["contacts", "draw-wire", "probe-poses", "surfaces", "second-encoders", "turntable", "two-arms"] {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(sample);

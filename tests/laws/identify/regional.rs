@@ -346,6 +346,7 @@ fn figures(measured: Measured, poses: usize, ratio: f64, count: u64) -> Figures 
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn intervals_hold_effective_parameters_and_predictions_where_the_model_misfits() {
     let count = number("ETALON_CAMPAIGNS", 10);
     use Measured::{Contacts, Poses, Positions, Targets};
@@ -382,6 +383,7 @@ fn intervals_hold_effective_parameters_and_predictions_where_the_model_misfits()
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn halves_of_a_region_agree_within_their_uncertainties() {
     let count = number("ETALON_CAMPAIGNS", 40);
     for poses in [60, 120, 400] {
@@ -410,6 +412,7 @@ fn halves_of_a_region_agree_within_their_uncertainties() {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn uncertainties_are_continuous_and_fall_with_the_number_of_poses() {
     for (seed, effect) in LEFT_OUT.into_iter().enumerate() {
         let twin = Twin::drawn(Measured::Positions, effect, 10.0, 200 + seed as u64);
@@ -467,6 +470,7 @@ impl<'a> Calibration<'a> {
 /// An unchanged robot is called changed in at most 5 % of all cases: its parameters' uncertainty also covers the scatter between regions,
 /// which poses of the whole region do not show. A base that moved by ten times the misfit is always found.
 #[test]
+#[ignore = "a long law: make laws"]
 fn verification_expects_the_misfit_of_the_calibration() {
     use Measured::{Poses, Positions, Targets};
     let count = number("ETALON_CAMPAIGNS", 16);
@@ -529,6 +533,7 @@ fn verification_expects_the_misfit_of_the_calibration() {
 /// A campaign in three set-ups whose bases differ: intervals of the base hold the mean of many set-ups if the series are
 /// stated.
 #[test]
+#[ignore = "a long law: make laws"]
 fn the_scatter_between_series_is_in_the_uncertainties() {
     let count = number("ETALON_CAMPAIGNS", 40);
     let shift_mm = 0.3;
@@ -570,6 +575,7 @@ fn the_scatter_between_series_is_in_the_uncertainties() {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn nothing_is_widened_where_the_model_fits() {
     let count = number("ETALON_CAMPAIGNS", 30);
     for poses in [40, 100, 300] {

@@ -298,6 +298,7 @@ struct Case<'a> {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn wrong_set_ups_are_refused_by_name() {
     let cube = Some(([350.0, 0.0, 450.0], 300.0));
     let arms = [
@@ -389,6 +390,7 @@ fn with_field(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> (Ve
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn a_residual_field_hides_no_wrong_set_up() {
     let bench = bent();
     let robot = bench.robot.as_ref();

@@ -29,6 +29,7 @@ fn of_parts(robot: &dyn Robot, observations: &[Observation], stated: Option<f64>
 
 /// At a probability of 1 % two of 200 draws are expected, and more than six once in 200 times.
 #[test]
+#[ignore = "a long law: make laws"]
 fn noise_alone_is_stable() {
     for name in ["prexyt-cmm", "column-arm"] {
         let (robot, found) = sample(name);
@@ -50,6 +51,7 @@ fn noise_alone_is_stable() {
 /// A parameter that steps by 30 standard uncertainties half-way through the poses is the least stable of all. Few pass their limit: the
 /// step raises the residuals, and with them the uncertainties that it is compared with.
 #[test]
+#[ignore = "a long law: make laws"]
 fn a_parameter_that_changes_half_way_is_the_least_stable() {
     let name = "column-arm";
     let (robot, found) = sample(name);

@@ -215,6 +215,7 @@ fn hands_calibrate_each_other_with_intervals_that_hold() {
 /// Contacts, and bars of unknown lengths, contain no length: the nominal lengths determine the size of the robot, and the
 /// uncertainty of a distance contains the uncertainty of the size. All distances of a campaign share one draw of the size.
 #[test]
+#[ignore = "a long law: make laws"]
 fn contacts_and_bars_calibrate_hands_with_intervals_that_hold() {
     intervals_hold(&KINDS[1..], 240);
 }
@@ -294,6 +295,7 @@ fn joints(campaign: &mut Campaign, change: fn(&mut Vec<f64>)) {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn slips_between_two_hands_are_refused() {
     for held in KINDS {
         let sound = Campaign::drawn(held, 60, 1).messages();

@@ -141,6 +141,7 @@ fn cases() -> Vec<Case> {
 }
 
 #[test]
+#[ignore = "a long law: make laws"]
 fn verification_finds_what_its_power_states() {
     for case in cases() {
         let model = case.robot.model();
@@ -180,6 +181,7 @@ fn verification_finds_what_its_power_states() {
 
 /// Noise that contradicts the parameters is no motion of a part: a part is named only where its own change is significant.
 #[test]
+#[ignore = "a long law: make laws"]
 fn a_false_alarm_names_no_part_whose_change_is_insignificant() {
     let mut of_rest = 0;
     for case in cases() {

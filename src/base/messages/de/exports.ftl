@@ -246,7 +246,7 @@ number-empty = eine Zahl fehlt
            *[other] {" "}und `{ $thousands }` zwischen Gruppen von drei Ziffern
         }
 
-save-computed-workbook = ist die Zelle eine Formel, die Arbeitsmappe in dem Programm speichern, das sie berechnet
+save-computed-workbook = die Formel hat keinen Wert: die Arbeitsmappe in dem Programm speichern, das sie berechnet
 
 number-too-long = `{ $start }...` hat { $characters } Zeichen
     .expected = eine Zahl mit höchstens { $most } Zeichen
@@ -490,6 +490,7 @@ state-column = ist es die Spalte `{ $heading }`, `columns = {"{"} { $column } = 
 row-marked-deleted = weggelassen: als gelöscht markiert (`{ $cell }`)
 row-left-out-by-cell = weggelassen: `{ $column }` ist `{ $cell }`
 row-without-coordinates = nicht gemessen: keine Koordinaten
+row-cell-empty = nicht gemessen: { $column } ist leer
 row-not-measured = nicht gemessen: { $column } ist `{ $cell }`
 characteristic-of-no-axis = keine Koordinate: der Name des Merkmals endet nicht auf X, Y oder Z
 feature-of-no-point = ein Element `{ $kind }`: sein Punkt kann überall auf dem Element liegen

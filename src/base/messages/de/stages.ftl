@@ -352,6 +352,17 @@ partial-coordinates = { $count ->
        *[other] {" "}und { $more } weitere
     })
 
+rows-not-measured = { $count ->
+        [one] 1 Zeile ohne Gelenkwert oder ohne Koordinaten ist
+       *[other] { $count } Zeilen ohne Gelenkwert oder ohne Koordinaten sind
+    } ausgelassen ({ $by ->
+        [line] Zeile
+       *[pose] Pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weitere
+    })
+
 station-missing = die Spalte `station` ist hier leer, obwohl andere Punkte eine Station angeben
     .hint = die Station nennen: Zeilen ohne Station gehören zur Station des Weltkoordinatensystems, die den Roboter an mindestens { $least } Posen sehen muss
 

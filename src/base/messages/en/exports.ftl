@@ -375,7 +375,7 @@ format-with-decimal-comma = if the file has decimal commas, state `format = "{ $
 
 # Means: A cell is empty where the format needs a number.
 # Matters: The value is unknown; zero would be a guess.
-# Do: Complete the cell, or state with `missing` that empty cells mean "not measured".
+# Do: Complete the cell.
 # Example: `K_1;10.5;;30` in a file separated by semicolons
 number-empty = a number is missing
     .expected = a number with the decimal mark `{ $decimal }`{ $thousands ->
@@ -383,7 +383,7 @@ number-empty = a number is missing
            *[other] , and `{ $thousands }` between groups of three digits
         }
 
-save-computed-workbook = if the cell is a formula, save the workbook in the program that computes it
+save-computed-workbook = the formula has no value: save the workbook in the program that computes it
 
 # Means: A number has more characters than any program writes.
 # Matters: The file is damaged, or the stated delimiter is wrong.
@@ -837,6 +837,7 @@ state-column = if it is the column `{ $heading }`, state `columns = {"{"} { $col
 row-marked-deleted = left out: it is marked as deleted (`{ $cell }`)
 row-left-out-by-cell = left out: `{ $column }` is `{ $cell }`
 row-without-coordinates = not measured: no coordinates
+row-cell-empty = not measured: { $column } is empty
 row-not-measured = not measured: { $column } is `{ $cell }`
 characteristic-of-no-axis = no coordinate: the name of the characteristic does not end in X, Y or Z
 feature-of-no-point = a feature `{ $kind }`: its point may be anywhere on the feature

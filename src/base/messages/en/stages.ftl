@@ -709,6 +709,21 @@ partial-coordinates = { $count ->
        *[other] {" "}and { $more } more
     })
 
+# Means: Rows of a table lack a joint value or all coordinates of a point.
+# Matters: These rows are left out, like rows of an export or a log that were not measured.
+# Do: Nothing, if nothing was measured there; otherwise correct the cells.
+# Example: `12,SMR,10.0,20.0,,,` with empty coordinates
+rows-not-measured = { $count ->
+        [one] 1 row without a joint value or without coordinates is
+       *[other] { $count } rows without a joint value or without coordinates are
+    } left out ({ $by ->
+        [line] line
+       *[pose] pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    })
+
 # Means: A few rows have an empty column `station`, but many rows have a station.
 # Matters: Rows without a station belong to the station of the world, which must observe the robot
 # at three poses or more.

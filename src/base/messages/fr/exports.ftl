@@ -246,7 +246,7 @@ number-empty = un nombre manque
            *[other] {" "}et `{ $thousands }` entre groupes de trois chiffres
         }
 
-save-computed-workbook = si la cellule est une formule, enregistrer le classeur dans le programme qui la calcule
+save-computed-workbook = la formule n’a pas de valeur : enregistrer le classeur dans le programme qui la calcule
 
 number-too-long = `{ $start }...` a { $characters } caractères
     .expected = un nombre d’au plus { $most } caractères
@@ -490,6 +490,7 @@ state-column = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} {
 row-marked-deleted = omise : elle est marquée comme supprimée (`{ $cell }`)
 row-left-out-by-cell = omise : `{ $column }` est `{ $cell }`
 row-without-coordinates = non mesurée : pas de coordonnées
+row-cell-empty = non mesurée : { $column } est vide
 row-not-measured = non mesurée : { $column } est `{ $cell }`
 characteristic-of-no-axis = pas une coordonnée : le nom de la caractéristique ne se termine pas par X, Y ou Z
 feature-of-no-point = un élément `{ $kind }` : son point peut se trouver n’importe où sur l’élément

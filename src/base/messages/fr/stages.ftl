@@ -352,6 +352,17 @@ partial-coordinates = { $count ->
        *[other] {" "}et { $more } autres
     })
 
+rows-not-measured = { $count ->
+        [one] { $count } ligne sans valeur d’axe ou sans coordonnées est omise
+       *[other] { $count } lignes sans valeur d’axe ou sans coordonnées sont omises
+    } ({ $by ->
+        [line] ligne
+       *[pose] pose
+    } { $rows }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } autres
+    })
+
 station-missing = la colonne `station` est vide ici, alors que d’autres points en indiquent une
     .hint = indiquer la station : les lignes sans station sont celles de la station du référentiel atelier, qui doit voir le robot à au moins { $least } poses
 
