@@ -167,7 +167,6 @@ fn of_conditions(sizes: &[f64], first: usize, settings: &Settings) -> Vec<Group>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
     use nalgebra::DMatrix;
 
     #[test]
@@ -180,6 +179,7 @@ mod tests {
         let mut w: Vec<f64> = DMatrix::<f64>::identity(5, 5).as_slice().to_vec();
         group.whiten(&mut w, 5);
         let w = DMatrix::from_row_slice(5, 5, &w);
-        assert_relative_eq!(&w * covariance * w.transpose(), DMatrix::identity(5, 5), epsilon = 1e-12);
+        let left = &w * covariance * w.transpose() - DMatrix::<f64>::identity(5, 5);
+        assert!(left.amax() < 1e-12, "{left}");
     }
 }
