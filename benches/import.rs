@@ -86,7 +86,7 @@ fn read(path: &Path) {
 /// Reads the file as `etalon run` does, its text included, and prints the same.
 fn read_points(path: &Path) {
     let before = Instant::now();
-    let bytes = etalon::formats::bytes_of(path).expect("readable");
+    let bytes = etalon::formats::read_bytes(path).expect("readable");
     let text = etalon::formats::into_text(path, bytes, None, &Format::default()).expect("text");
     let (points, problems) = etalon::formats::rows(&Format::default(), "points.txt", &text.into(), Unit::Millimetre);
     let seconds = before.elapsed().as_secs_f64();

@@ -113,7 +113,7 @@ impl PosesDefinition {
     /// Layout of a table that states none of its own; filters and constants are those of the
     /// attained poses.
     pub fn layout(&self, attained: bool) -> TableLayout {
-        let all = TableLayout { lenient: true, ..form!(self, TableLayout::of_any_columns()) };
+        let all = TableLayout { lenient: true, ..form!(self, TableLayout::with_any_columns()) };
         match attained {
             true => TableLayout {
                 constants: self.constants.clone(),

@@ -180,7 +180,7 @@ impl TableKeys {
             only: self.only.clone(),
             without: self.without.clone(),
             pose: self.pose,
-            ..form!(self, TableLayout::of_any_columns())
+            ..form!(self, TableLayout::with_any_columns())
         }
     }
 

@@ -131,14 +131,14 @@ impl TextForm {
             missing: self.missing()?,
             only: filter("only", &self.only)?,
             without: filter("without", &self.without)?,
-            ..TableLayout::of_any_columns()
+            ..TableLayout::with_any_columns()
         })
     }
 
     /// Reads the table of a file in this layout.
     fn table(&self, path: &Path, layout: TableLayout) -> Result<TableFile, Problems> {
         let form = TableForm { layout, encoding: self.encoding()?, sheet: self.sheet.clone() };
-        TableFile::observations(path, &etalon_formats::bytes_of(path)?, &form)
+        TableFile::observations(path, &etalon_formats::read_bytes(path)?, &form)
     }
 
     /// Reads a table in the names of etalon, one of several for which the options are stated.
@@ -233,7 +233,7 @@ impl TextFormat {
     pub fn text(&self, path: &Path, format: &Format) -> Result<String, Problems> {
         match self.is_of_plain_text() {
             true => etalon_formats::text_in(path, format),
-            false => etalon_formats::text_of(path, &etalon_formats::bytes_of(path)?, self.form.encoding()?, format),
+            false => etalon_formats::file_text(path, &etalon_formats::read_bytes(path)?, self.form.encoding()?, format),
         }
     }
 }

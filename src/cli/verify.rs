@@ -175,7 +175,7 @@ impl Verify {
         let of_campaign = |text: &toml::Spanned<String>| order(text.get_ref(), campaign.place(text));
         let order = stated.orientation.as_ref().map(of_campaign).transpose()?;
         let form = TableForm::observations(stated);
-        Ok((TableFile::observations(path, &etalon_formats::bytes_of(path)?, &form)?, order))
+        Ok((TableFile::observations(path, &etalon_formats::read_bytes(path)?, &form)?, order))
     }
 
     /// Order of the angles of an orientation, from the option.

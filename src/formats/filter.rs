@@ -31,7 +31,7 @@ impl<'a> Filter<'a> {
     ///
     /// # Errors
     /// Columns that the file lacks, at its header.
-    pub fn of(
+    pub fn new(
         file: &str,
         [only, without]: [&'a BTreeMap<String, Cells>; 2],
         header: Option<&Row>,

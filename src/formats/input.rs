@@ -15,20 +15,20 @@ use std::path::Path;
 
 /// Text of an input file and its bytes; if it cannot be read, the message points at the campaign.
 pub fn read_text(path: &Path, encoding: Option<Encoding>, place: &Place) -> Read<(String, Vec<u8>)> {
-    let bytes = bytes_of(path).map_err(|problems| problems.at(place))?;
-    let text = text_of(path, &bytes, encoding, &Format::default()).map_err(|problems| problems.at(place))?;
+    let bytes = read_bytes(path).map_err(|problems| problems.at(place))?;
+    let text = file_text(path, &bytes, encoding, &Format::default()).map_err(|problems| problems.at(place))?;
     Ok((text, bytes))
 }
 
 /// Text of a file in a format: of a sheet of a workbook, of a topic of a recording, or of a binary
 /// file with one character for each byte.
-pub fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &Format) -> Read<String> {
+pub fn file_text(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &Format) -> Read<String> {
     into_text(path, bytes.to_vec(), encoding, format)
 }
 
-/// Text of a file like [`text_of`], in the memory of its bytes where they are text already.
+/// Text of a file like [`file_text`], in the memory of its bytes where they are text already.
 pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format: &Format) -> Read<String> {
-    let arrays = LogKind::of_arrays(&bytes);
+    let arrays = LogKind::from_array_file(&bytes);
     let text = match &format.dialect.sheet {
         _ if format.about().binary => return Ok(bytes.iter().map(|byte| char::from(*byte)).collect()),
         Some(topic) if ros_bag::is_recording(&bytes) => ros_bag::text(&bytes, topic),
@@ -77,7 +77,7 @@ fn sheet_not_stated(bytes: &[u8]) -> Message {
 }
 
 /// Bytes of an input file.
-pub fn bytes_of(path: &Path) -> Read<Vec<u8>> {
+pub fn read_bytes(path: &Path) -> Read<Vec<u8>> {
     let shown = path.display().to_string();
     if path.is_dir() {
         return Err(error!("input-is-folder", folder = shown, files = listed(&files_in(path))).into());
@@ -234,19 +234,19 @@ pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Messag
         }
     };
     if let Some(at) = text.find('\0') {
-        return Err(error!("nul-byte", line = line_of(text.as_bytes(), at)));
+        return Err(error!("nul-byte", line = line_number(text.as_bytes(), at)));
     }
     Ok(line_ends(text))
 }
 
-fn line_of(bytes: &[u8], at: usize) -> usize {
+fn line_number(bytes: &[u8], at: usize) -> usize {
     bytes[..at].iter().filter(|b| **b == b'\n').count() + 1
 }
 
 /// Error for the byte `at` of the text after a byte-order mark of `skipped` bytes.
 fn not_in_encoding(bytes: &[u8], at: usize, skipped: usize, encoding: Encoding) -> Message {
     let hex = format!("0x{:02X}", bytes.get(at).copied().unwrap_or_default());
-    error!("encoding-invalid", byte = skipped + at, line = line_of(bytes, at), hex, encoding = encoding.name())
+    error!("encoding-invalid", byte = skipped + at, line = line_number(bytes, at), hex, encoding = encoding.name())
 }
 
 fn not_utf8(bytes: &[u8], at: usize) -> Message {

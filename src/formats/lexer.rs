@@ -21,7 +21,7 @@ pub(crate) struct Row<'t> {
 
 impl<'t> Row<'t> {
     /// A row whose fields are already cut.
-    pub fn of(line: usize, text: &'t str, fields: impl Iterator<Item = &'t str>) -> Self {
+    pub fn new(line: usize, text: &'t str, fields: impl Iterator<Item = &'t str>) -> Self {
         Self { line, text, fields: fields.map(Cow::Borrowed).collect() }
     }
 

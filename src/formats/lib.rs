@@ -34,7 +34,7 @@ pub use cloud::{Cloud, cloud, packed_points, rows};
 pub use export::Export;
 pub use export::{LabelNames, Pattern as LabelPattern};
 pub use exports::{Format, qif};
-pub use input::{bytes_of, into_text, read_text, text_of};
+pub use input::{file_text, into_text, read_bytes, read_text};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Line, Names, Point, SharedText, Stated, table, to_parquet};
@@ -60,7 +60,7 @@ use std::path::Path;
 pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
     let name = path.display().to_string();
     let here = |problems: Problems| problems.at(&Place::file(name.as_str()));
-    let text = bytes_of(path).and_then(|bytes| into_text(path, bytes, encoding, format)).map_err(here)?;
+    let text = read_bytes(path).and_then(|bytes| into_text(path, bytes, encoding, format)).map_err(here)?;
     let (points, problems) = rows(format, &name, &text.into(), unit);
     here(problems).check()?;
     Ok(points)
@@ -102,7 +102,7 @@ pub fn points_and_refused(
 /// Reads the text of a file in a format; for a binary format, one character for each byte.
 pub fn text_in(path: &Path, format: &Format) -> Result<String> {
     match format.about().binary {
-        true => into_text(path, bytes_of(path)?, None, format),
+        true => into_text(path, read_bytes(path)?, None, format),
         false => files::text(path, files::read(path)?),
     }
 }

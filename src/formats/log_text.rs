@@ -2,7 +2,7 @@
 
 use super::dialect::{ColumnAt, Dialect};
 use super::exports::Format;
-use super::input::{bytes_of, text_of};
+use super::input::{file_text, read_bytes};
 use super::logs::Log;
 use etalon_base::message::Result;
 use etalon_base::phrase;
@@ -14,7 +14,7 @@ impl Log {
     /// # Errors
     /// Fails if the file cannot be read, is not text of this encoding, or lacks the sheet.
     pub fn text(&self, path: &Path) -> Result<(String, Vec<u8>)> {
-        let bytes = bytes_of(path)?;
+        let bytes = read_bytes(path)?;
         let named = self.columns.values().filter_map(|column| match &column.at {
             ColumnAt::Name(name) => Some(name.as_str()),
             ColumnAt::Number(_) => None,
@@ -24,6 +24,6 @@ impl Log {
             return Ok((text.map_err(|message| message.within(phrase!("in-file", file)))?, bytes));
         }
         let format = Format::from(Dialect { sheet: self.sheet.clone(), ..Dialect::default() });
-        Ok((text_of(path, &bytes, self.encoding, &format)?, bytes))
+        Ok((file_text(path, &bytes, self.encoding, &format)?, bytes))
     }
 }

@@ -82,7 +82,7 @@ impl Stated {
 
 impl Point {
     /// Point of a line (from 1) with a label; `xyz` is in `unit`.
-    pub(crate) fn of_line((line, text): (usize, Line), label: SharedText, xyz: Vector, unit: Unit) -> Self {
+    pub(crate) fn from_line((line, text): (usize, Line), label: SharedText, xyz: Vector, unit: Unit) -> Self {
         Self { line: line as u32, text, label, xyz_mm: xyz.map(|v| v * unit.in_mm()), ..Self::default() }
     }
 
@@ -194,7 +194,7 @@ impl Line {
     }
 
     /// Returns a part of a text; another string is copied.
-    pub fn of(whole: &SharedText, part: &str) -> Self {
+    pub fn from_part(whole: &SharedText, part: &str) -> Self {
         let from = (part.as_ptr() as usize).checked_sub(whole.as_ptr() as usize);
         let range = from.and_then(|from| Some((u32::try_from(from).ok()?, u32::try_from(from + part.len()).ok()?)));
         let is_part = |text: &str| std::ptr::eq(text, part);
@@ -268,7 +268,7 @@ impl Names {
 /// Returns points as a table `export row line label target pose cycle time_s x_mm y_mm z_mm`, with
 /// uncertainties and directions if a point has them.
 pub fn table(points: &[Point]) -> Result<DataFrame> {
-    OptionalColumns::of(points).table(points)
+    OptionalColumns::new(points).table(points)
 }
 
 /// Number of rows that are written at a time.
@@ -280,7 +280,7 @@ const RELEASED: usize = 5 * PIECE;
 /// Returns the table of points as Parquet. It is written piece by piece, and the memory of each
 /// piece is released: exports have millions of rows.
 pub fn to_parquet(mut points: Vec<Point>) -> Result<Vec<u8>> {
-    let (stated, mut bytes) = (OptionalColumns::of(&points), Vec::new());
+    let (stated, mut bytes) = (OptionalColumns::new(&points), Vec::new());
     let mut pieces = Vec::new();
     while points.len() > RELEASED {
         pieces.push(points.split_off((points.len() - 1) / RELEASED * RELEASED));
@@ -304,7 +304,7 @@ struct OptionalColumns {
 }
 
 impl OptionalColumns {
-    fn of(points: &[Point]) -> Self {
+    fn new(points: &[Point]) -> Self {
         Self {
             numbered_poses: points.iter().filter_map(|p| p.pose).all(|pose| pose.number().is_some()),
             uncertainties: points.iter().any(|p| p.standard_uncertainty_mm.is_some()),

@@ -397,7 +397,7 @@ impl Expander {
         let path = match file.strip_prefix("package://").map(|file| file.split_once('/').unwrap_or((file, ""))) {
             None => normal(&folder.join(file)),
             Some((package, file)) => {
-                let found = folder_of(package, folder);
+                let found = package_folder(package, folder);
                 found.ok_or_else(|| with_hint(error!("xacro-package", package)))?.join(file)
             }
         };
@@ -615,7 +615,7 @@ fn normal(path: &Path) -> PathBuf {
 
 /// Folder of a package: a folder of this name above the file in `folder`, or beside one of those
 /// folders. The path begins with the folder as the user names it.
-fn folder_of(package: &str, folder: &Path) -> Option<PathBuf> {
+fn package_folder(package: &str, folder: &Path) -> Option<PathBuf> {
     if package.is_empty() || package.contains(['/', '\\']) || package.starts_with('.') {
         return None;
     }

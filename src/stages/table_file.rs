@@ -72,7 +72,7 @@ impl TableFile {
             (layout.delimiter, layout.decimal) = (Delimiter::Tab, Decimal::Point);
             layout.is_sheet = true;
         }
-        let text = etalon_formats::text_of(path, bytes, form.encoding, &format)?;
+        let text = etalon_formats::file_text(path, bytes, form.encoding, &format)?;
         Self::of(path, text, |name, text| etalon_formats::observations_with(name, text, &layout))
     }
 
@@ -175,7 +175,7 @@ pub(crate) struct TableForm {
 impl Default for TableForm {
     /// Form of the tables of etalon.
     fn default() -> Self {
-        Self { layout: TableLayout::of_any_columns(), encoding: None, sheet: None }
+        Self { layout: TableLayout::with_any_columns(), encoding: None, sheet: None }
     }
 }
 
@@ -347,7 +347,7 @@ impl CampaignTables<'_> {
         self.listed(&stream.file, SourceKind::Stream, phrase!("recorded-motion-file"), |path, bytes| {
             match (&stream.format, stream.unit) {
                 (Some(format), Some(unit)) => {
-                    let text = etalon_formats::text_of(path, &bytes, stream.encoding, format)?;
+                    let text = etalon_formats::file_text(path, &bytes, stream.encoding, format)?;
                     TableFile::of(path, text, |file, text| etalon_formats::recorded_points(file, text, format, unit))
                 }
                 _ => {

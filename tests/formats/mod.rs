@@ -13,7 +13,7 @@ mod tables;
 
 use etalon::base::message::{Problems, SourceText};
 use etalon::documents::{FormatsDocument, Source, SourceKind};
-use etalon::formats::{Export, Log, TableLayout, log, observations_with, propose_file, text_of};
+use etalon::formats::{Export, Log, TableLayout, file_text, log, observations_with, propose_file};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -157,7 +157,7 @@ fn read(path: &Path, lines: &str, right: &Right) -> Result<(), String> {
     let within = right.within.unwrap_or(1e-6);
     let mut first: Vec<[f64; 3]> = Vec::new();
     for export in &proposed.exports {
-        let text = text_of(path, &bytes, export.encoding, &export.format).map_err(said)?;
+        let text = file_text(path, &bytes, export.encoding, &export.format).map_err(said)?;
         let (points, problems) = export.format.read("f", &text.into(), export.unit);
         problems.check().map_err(said)?;
         first.extend(points.iter().find(|p| p.refused.is_none()).map(|p| p.xyz_mm));
@@ -168,7 +168,7 @@ fn read(path: &Path, lines: &str, right: &Right) -> Result<(), String> {
         log(SourceText { name: "c", text: lines }, stated, &text, &mut source).map_err(said)?;
     }
     if let Some(stated) = &proposed.observations {
-        let text = text_of(path, &bytes, stated.encoding, &Default::default()).map_err(said)?;
+        let text = file_text(path, &bytes, stated.encoding, &Default::default()).map_err(said)?;
         let layout: TableLayout = stated.layout();
         let table = observations_with("f", &text, &layout).map_err(said)?;
         if !right.first_mm.is_empty() {

@@ -198,7 +198,7 @@ impl Unit {
     /// Returns the unit of a heading, in brackets or behind the name: `X [mm]`, `y (in)`, `z_um`.
     ///
     /// A bare `_m` is not taken as a unit, because it may mean "measured".
-    pub fn of_heading(name: &str) -> Option<Self> {
+    pub fn from_heading(name: &str) -> Option<Self> {
         let bracketed = name.split_once(['[', '(']).and_then(|(_, rest)| rest.split([']', ')']).next());
         let behind = || name.rsplit_once(['_', ' ']).and_then(|(_, last)| unit(last)).filter(|u| *u != Self::Metre);
         bracketed.and_then(unit).or_else(behind)
@@ -305,7 +305,7 @@ impl Dialect {
         match (typed, coordinates.is_empty()) {
             (true, false) => wrong.push(error!("coordinates-of-two-kinds")),
             (true, true) => wrong.extend(self.row_types(&roles)),
-            _ => wrong.extend(self.coordinates_of("columns", &coordinates)),
+            _ => wrong.extend(self.coordinate_errors("columns", &coordinates)),
         }
         if !typed && (!self.types.is_empty() || roles.contains(&ColumnRole::Type)) {
             let key = if self.types.is_empty() { "type" } else { "types" };
@@ -334,13 +334,13 @@ impl Dialect {
             if meant.len() != 3 || roles.iter().filter(|r| r.is_typed()).count() != 3 {
                 wrong.push(error!("row-type-incomplete", key));
             }
-            wrong.extend(self.coordinates_of(&key, meant));
+            wrong.extend(self.coordinate_errors(&key, meant));
         }
         wrong
     }
 
     /// Returns the errors of the coordinates of one point.
-    fn coordinates_of(&self, key: &str, roles: &[ColumnRole]) -> Vec<Message> {
+    fn coordinate_errors(&self, key: &str, roles: &[ColumnRole]) -> Vec<Message> {
         let mut wrong = Vec::new();
         let kind = coordinate_type(roles);
         if kind.is_none() {
@@ -580,7 +580,7 @@ mod tests {
 
     #[test]
     fn units_of_headings_are_in_brackets_or_behind_the_name() {
-        let of = |name: &str| Unit::of_heading(name).map(Unit::name);
+        let of = |name: &str| Unit::from_heading(name).map(Unit::name);
         assert_eq!(
             ["X [mm]", "y (in)", "z_um", "X Inch", "x [m]", "\u{b5} [\u{b5}m]"].map(of),
             ["mm", "inch", "um", "inch", "m", "um"].map(Some)

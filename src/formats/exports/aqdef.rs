@@ -340,7 +340,7 @@ impl<'a> File<'a> {
         let Some((line, words)) = one.unit.or(self.common.unit).filter(|(_, words)| !words.is_empty()) else {
             return Ok(());
         };
-        let Some(unit) = Unit::of_heading(&format!("[{words}]")) else {
+        let Some(unit) = Unit::from_heading(&format!("[{words}]")) else {
             let message = error!("unit-unknown", unit = words, units = ["mm", "m", "um", "inch"]);
             return Err(message.at(text.place(line)));
         };

@@ -104,7 +104,7 @@ fn no_table(table: &Table) -> Message {
 fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
     let split = |line: usize| {
         let fields = text.shown(line).split('\t').map(|f| f.trim().trim_matches('"'));
-        Fields::of(line, text.shown(line), fields)
+        Fields::new(line, text.shown(line), fields)
     };
     let names = split(1);
     let again = |(at, name): &(usize, &Cow<str>)| !name.is_empty() && names.fields[..*at].contains(name);
@@ -148,7 +148,7 @@ fn characteristics(table: &Table, decimal: Decimal, unit: Unit, problems: &mut P
         let said = match ["xValue", "yValue", "zValue"].iter().position(|axis| *axis == symbol) {
             Some(axis) => match coordinate(table, row, actual, decimal) {
                 Ok(value) => {
-                    let stated = unit_of(table, row, unit);
+                    let stated = check_unit(table, row, unit);
                     problems.0.extend(stated.err());
                     Said::Coordinate(axis, value)
                 }
@@ -181,7 +181,7 @@ fn features(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems
                 f64::NAN
             })
         });
-        problems.0.extend(unit_of(table, row, unit).err());
+        problems.0.extend(check_unit(table, row, unit).err());
         points.push(table.text.point(row.line, name, xyz, unit));
     }
     points
@@ -200,7 +200,7 @@ fn coordinate(table: &Table, row: &Fields, at: Option<usize>, decimal: Decimal) 
 
 /// Returns an error if the unit of the row differs from that of the campaign; older versions do not
 /// state it.
-fn unit_of(table: &Table, row: &Fields, stated: Unit) -> Result<(), Message> {
+fn check_unit(table: &Table, row: &Fields, stated: Unit) -> Result<(), Message> {
     let Some(at) = table.column("unit") else { return Ok(()) };
     let of_file = match row.field(at) {
         "" => return Ok(()),

@@ -186,7 +186,7 @@ fn points(
     let first = lines.clone().find_map(|line| split(line).ok());
     let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, first.as_ref())?;
     let filter =
-        Filter::of(file, [&dialect.only, &dialect.without], header.as_ref(), (dialect.decimal, dialect.thousands))?;
+        Filter::new(file, [&dialect.only, &dialect.without], header.as_ref(), (dialect.decimal, dialect.thousands))?;
     problems.0.extend(header.as_ref().and_then(|header| other_unit(file, header, &roles, (dialect, unit))));
     let reader = Reader { file, text, dialect, unit, roles, filter };
     let plain = reader.plain().filter(|_| computed.is_empty());
@@ -228,7 +228,7 @@ fn other_unit(file: &str, header: &Row, roles: &[ColumnRole], (dialect, unit): (
     let of_topic = dialect.sheet.as_deref().filter(|name| ros_bag::is_topic(name)).map(|_| Unit::Metre);
     let mut lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
     let (name, of_file) = lengths.find_map(|(_, name)| {
-        let of_heading = of_topic.or_else(|| Unit::of_heading(name)).filter(|said| *said != unit)?;
+        let of_heading = of_topic.or_else(|| Unit::from_heading(name)).filter(|said| *said != unit)?;
         Some((name, of_heading.name()))
     })?;
     Some(error!("unit-differs", of_file, how = **name, stated = unit.name()).at(header.place(file)))
@@ -388,7 +388,7 @@ impl Reader<'_> {
     fn plain_point(&self, columns: &[PlainColumn], number: usize, line: &str, names: &mut Names) -> Option<Point> {
         let delimiter = self.dialect.delimiter.unwrap_or(Delimiter::Tab);
         let (label, xyz) = lexer::plain_line(line, delimiter, self.dialect.decimal, columns)?;
-        Some(Point::of_line((number, Line::of(self.text, line)), names.shared(label), xyz, self.unit))
+        Some(Point::from_line((number, Line::from_part(self.text, line)), names.shared(label), xyz, self.unit))
     }
 
     /// Reads one point. Invalid numbers are reported and leave the point without a position; a row
@@ -402,14 +402,14 @@ impl Reader<'_> {
             problems.0.push(message.hint(phrase!("propose-format")));
             return None;
         }
-        let roles = match self.of_this_row(row) {
+        let roles = match self.row_roles(row) {
             Ok(roles) => roles,
             Err((message, cell)) => {
                 problems.0.push(message.at(row.cell(self.file, cell)));
                 return None;
             }
         };
-        let mut point = Point { line: row.line as u32, text: Line::of(self.text, row.text), ..Point::default() };
+        let mut point = Point { line: row.line as u32, text: Line::from_part(self.text, row.text), ..Point::default() };
         let before = problems.0.len();
         let mut wrong = |message: Message, cell: usize| problems.0.push(message.at(row.cell(self.file, cell)));
         let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_ref()));
@@ -536,7 +536,7 @@ impl Reader<'_> {
 
     /// Roles of the columns in this row, if rows state their coordinate type; otherwise an error
     /// with the index of its cell.
-    fn of_this_row(&self, row: &Row) -> Result<Cow<'_, [ColumnRole]>, (Message, usize)> {
+    fn row_roles(&self, row: &Row) -> Result<Cow<'_, [ColumnRole]>, (Message, usize)> {
         let Some(at) = self.roles.iter().position(|r| *r == ColumnRole::Type) else {
             return Ok(Cow::Borrowed(&self.roles));
         };

@@ -96,7 +96,7 @@ fn labelled(line: &str) -> Option<(&str, &str)> {
 
 /// Three numbers separated by commas.
 fn numbers(text: &Text, line: usize, values: &str) -> Result<Vector, Vec<Message>> {
-    let row = Fields::of(line, text.shown(line), values.split(',').map(str::trim));
+    let row = Fields::new(line, text.shown(line), values.split(',').map(str::trim));
     if row.fields.len() != 3 {
         let message = error!("row-field-count", fields = row.fields.len(), expected = "x, y, z");
         return Err(vec![message.at(text.place(line))]);

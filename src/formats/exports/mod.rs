@@ -394,7 +394,7 @@ impl<'a> Text<'a> {
 
     /// A row at a line, in millimetres.
     fn point(&self, line: usize, label: &str, xyz: Vector, unit: Unit) -> Point {
-        Point::of_line((line, Line::of(self.whole, self.shown(line))), label.into(), xyz, unit)
+        Point::from_line((line, Line::from_part(self.whole, self.shown(line))), label.into(), xyz, unit)
     }
 
     /// A row at a line that is not a point, with the reason.

@@ -48,7 +48,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     }
     let mut points = Vec::new();
     for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
-        let row = Fields::of(i + 1, line, line.split(',').map(str::trim));
+        let row = Fields::new(i + 1, line, line.split(',').map(str::trim));
         if row.fields.len() < 3 {
             let expected = phrase!("three-to-eight-numbers");
             let message = error!("row-field-count", fields = row.fields.len(), expected).at(text.place(i + 1));

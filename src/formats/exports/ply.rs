@@ -83,7 +83,7 @@ fn ascii(
     let skipped = skipped.and_then(|n| usize::try_from(n).ok()).unwrap_or(usize::MAX);
     let count = usize::try_from(vertex.count).unwrap_or(usize::MAX);
     for (i, line) in lines().skip(skipped).take(count) {
-        let row = Fields::of(i + 1, line, line.split_whitespace());
+        let row = Fields::new(i + 1, line, line.split_whitespace());
         let lists = vertex.properties.iter().any(|p| matches!(p, Property::List(..)));
         if !lists && row.fields.len() != vertex.properties.len() {
             let (found, counts) = (row.fields.len(), [vertex.properties.len()]);

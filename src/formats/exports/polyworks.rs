@@ -47,7 +47,7 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
         [PlainColumn::Label, PlainColumn::Coordinate(0), PlainColumn::Coordinate(1), PlainColumn::Coordinate(2)];
     for (i, line) in lines(text, &dialect) {
         if let Some((label, xyz)) = lexer::plain_line(line, Delimiter::Blank, Decimal::Point, &columns) {
-            points.push(Point::of_line((i, Line::of(text, line)), names.shared(label), xyz, unit));
+            points.push(Point::from_line((i, Line::from_part(text, line)), names.shared(label), xyz, unit));
             continue;
         }
         let row = match lexer::row(file, i, line, &dialect) {
@@ -75,7 +75,7 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
         }
         let label = names.shared(if named == 1 { row.field(0) } else { "" });
         let xyz = [numbers[0], numbers[1], numbers[2]];
-        points.push(Point::of_line((row.line, Line::of(text, row.text)), label, xyz, unit));
+        points.push(Point::from_line((row.line, Line::from_part(text, row.text)), label, xyz, unit));
     }
     (points, problems)
 }

@@ -99,7 +99,7 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
         return None;
     }
     let label = match block.keys.get("NAME") {
-        Some((line, name)) => name_of(name).unwrap_or_else(|| {
+        Some((line, name)) => decode_name(name).unwrap_or_else(|| {
             let valid = phrase!("unicode-in-hexadecimal");
             let message = error!("record-invalid", text = name, format = "polyworks_project", valid);
             problems.0.push(message.at(text.place(*line)));
@@ -134,7 +134,7 @@ fn utf_16(label: &str) -> String {
 }
 
 /// A name as plain text, or from its UTF-16 code units in hexadecimal, most significant first.
-fn name_of(text: &str) -> Option<String> {
+fn decode_name(text: &str) -> Option<String> {
     let Some(coded) = text.strip_prefix("UNICODE(") else { return Some(text.to_owned()) };
     let digits = coded.strip_suffix(')')?.trim();
     if !digits.is_ascii() || digits.len() % 4 != 0 {
@@ -147,15 +147,15 @@ fn name_of(text: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::name_of;
+    use super::decode_name;
 
     #[test]
     fn names_in_utf_16_are_read() {
         // "probed points 1" in Chinese, as a real file has it
-        assert_eq!(name_of("UNICODE( 63A26D4B768470B900200031 )").as_deref(), Some("探测的点 1"));
-        assert_eq!(name_of("pos1 -meas-").as_deref(), Some("pos1 -meas-"));
+        assert_eq!(decode_name("UNICODE( 63A26D4B768470B900200031 )").as_deref(), Some("探测的点 1"));
+        assert_eq!(decode_name("pos1 -meas-").as_deref(), Some("pos1 -meas-"));
         for wrong in ["UNICODE( 63A )", "UNICODE( D800 )", "UNICODE( 63A2", "UNICODE( 63x2 )", "UNICODE( ßß )"] {
-            assert_eq!(name_of(wrong), None, "{wrong}");
+            assert_eq!(decode_name(wrong), None, "{wrong}");
         }
     }
 }

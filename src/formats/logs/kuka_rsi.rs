@@ -26,8 +26,8 @@ impl LogFormat for KukaRsi {
         Recognised::by(header.contains(&"IPOC"), 0.9, phrase!("is-kuka-rsi"))
     }
 
-    fn unit_of(&self, column: &str) -> Option<&'static str> {
-        unit_of(column)
+    fn column_unit(&self, column: &str) -> Option<&'static str> {
+        column_unit(column)
     }
 
     fn remark(&self, file: &str, columns: &Columns) -> Option<Message> {
@@ -36,7 +36,7 @@ impl LogFormat for KukaRsi {
 }
 
 /// Returns the unit of a column.
-fn unit_of(column: &str) -> Option<&'static str> {
+fn column_unit(column: &str) -> Option<&'static str> {
     let axis = column.trim_start_matches("AIPos_").trim_start_matches("ASPos_").trim_start_matches("AIPos.");
     let axis = axis.trim_start_matches("ASPos.");
     match column {

@@ -205,7 +205,7 @@ pub(crate) trait LogFormat: Sync {
     }
 
     /// Returns the unit of the column with this name, if the format fixes it.
-    fn unit_of(&self, _column: &str) -> Option<&'static str> {
+    fn column_unit(&self, _column: &str) -> Option<&'static str> {
         None
     }
 
@@ -289,7 +289,7 @@ impl LogKind {
     }
 
     /// Returns the format of a file of arrays.
-    pub(crate) fn of_arrays(bytes: &[u8]) -> Option<Self> {
+    pub(crate) fn from_array_file(bytes: &[u8]) -> Option<Self> {
         FORMATS.into_iter().find(|format| format.holds(bytes)).map(Self)
     }
 
@@ -324,8 +324,8 @@ impl LogKind {
     }
 
     /// Returns the unit of the column with this name, if the format fixes it.
-    pub(crate) fn unit_of(self, column: &str) -> Option<&'static str> {
-        self.0.unit_of(column)
+    pub(crate) fn column_unit(self, column: &str) -> Option<&'static str> {
+        self.0.column_unit(column)
     }
 
     /// `true` if a file names and scales its channels.
@@ -618,7 +618,7 @@ fn inapplicable(key: &str) -> Message {
 
 /// Checks that the key states the unit that the column has in files of this format.
 fn unit_agrees(format: LogKind, wanted: &Wanted, column: &str) -> std::result::Result<(), Message> {
-    let (Some(stated), Some(known)) = (wanted.unit(), format.0.unit_of(column)) else { return Ok(()) };
+    let (Some(stated), Some(known)) = (wanted.unit(), format.0.column_unit(column)) else { return Ok(()) };
     other_unit(wanted, column, stated, known).map_or(Ok(()), Err)
 }
 

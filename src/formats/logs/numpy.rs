@@ -68,9 +68,9 @@ fn arrays(bytes: &[u8]) -> Result<Vec<Array>, Message> {
 fn array(name: &str, bytes: &[u8]) -> Result<Option<Array>, Message> {
     let damaged = || error!("arrays-unreadable", format = "numpy");
     let (head, data) = head(bytes).ok_or_else(damaged)?;
-    let descr = value_of(head, "descr").ok_or_else(damaged)?;
-    let shape = shape(value_of(head, "shape").ok_or_else(damaged)?).ok_or_else(damaged)?;
-    let by_columns = value_of(head, "fortran_order").ok_or_else(damaged)?.starts_with("True");
+    let descr = header_value(head, "descr").ok_or_else(damaged)?;
+    let shape = shape(header_value(head, "shape").ok_or_else(damaged)?).ok_or_else(damaged)?;
+    let by_columns = header_value(head, "fortran_order").ok_or_else(damaged)?.starts_with("True");
     let Some(kind) = descr.strip_prefix(['\'', '"']).and_then(|text| text.split(['\'', '"']).next()) else {
         return Ok(None);
     };
@@ -117,7 +117,7 @@ fn head(bytes: &[u8]) -> Option<(&str, &[u8])> {
 }
 
 /// Returns the text behind a key of the header.
-fn value_of<'t>(head: &'t str, key: &str) -> Option<&'t str> {
+fn header_value<'t>(head: &'t str, key: &str) -> Option<&'t str> {
     let (_, behind) = head.split_once(&format!("'{key}':"))?;
     Some(behind.trim_start())
 }

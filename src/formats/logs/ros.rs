@@ -31,8 +31,8 @@ impl LogFormat for Ros {
         Recognised::by(echo, 0.9, phrase!("is-ros-messages"))
     }
 
-    fn unit_of(&self, column: &str) -> Option<&'static str> {
-        unit_of(column)
+    fn column_unit(&self, column: &str) -> Option<&'static str> {
+        column_unit(column)
     }
 
     fn has_stable_order(&self) -> bool {
@@ -48,7 +48,7 @@ impl LogFormat for Ros {
     }
 
     fn cut(&self, sheet: &mut Sheet, wanted: &[(usize, &Wanted)], _problems: &mut Problems) -> Vec<Refused> {
-        of_other_joints(sheet, wanted).into_iter().collect()
+        remove_messages_of_other_joints(sheet, wanted).into_iter().collect()
     }
 }
 
@@ -67,7 +67,7 @@ fn position_unit(wanted: &Wanted) -> Option<Message> {
 
 /// Leaves out messages without any wanted joint: several nodes publish to one topic, each its own
 /// joints.
-fn of_other_joints(sheet: &mut Sheet, wanted: &[(usize, &Wanted)]) -> Option<Refused> {
+fn remove_messages_of_other_joints(sheet: &mut Sheet, wanted: &[(usize, &Wanted)]) -> Option<Refused> {
     let header = sheet.header.as_ref()?;
     let is_joint = |at: &usize| header.fields.get(*at).is_some_and(|name| name.starts_with(POSITION));
     let joints: Vec<usize> = wanted.iter().map(|(at, _)| *at).filter(is_joint).collect();
@@ -82,7 +82,7 @@ fn of_other_joints(sheet: &mut Sheet, wanted: &[(usize, &Wanted)]) -> Option<Ref
 
 /// Returns the unit of a column (REP 103: rad and m; times of `rostopic echo` in ns). Positions may
 /// be in rad or m: the campaign states which.
-fn unit_of(column: &str) -> Option<&'static str> {
+fn column_unit(column: &str) -> Option<&'static str> {
     match column {
         "%time" | "field.header.stamp" => Some("ns"),
         STAMP => Some("s"),

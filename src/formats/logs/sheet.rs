@@ -85,7 +85,7 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     let mut left_out = if is_filtered { filtered(&mut sheet, log)? } else { Vec::new() };
     let mut placed: Vec<(Expression, &Wanted)> = Vec::new();
     for wanted in wanted {
-        match source_of(log, wanted, &sheet) {
+        match column_source(log, wanted, &sheet) {
             Ok(from) => placed.push((from, wanted)),
             Err(message) => problems.0.push(message.at(stated.place(wanted.key))),
         }
@@ -119,8 +119,9 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
 
 /// Leaves out the rows that `only` and `without` refuse, and lists them.
 fn filtered(sheet: &mut Sheet, log: &Log) -> Result<Vec<Refused>> {
-    let filter = Filter::of(sheet.file, [&log.only, &log.without], sheet.header.as_ref(), (log.decimal, log.thousands))
-        .map_err(Problems)?;
+    let filter =
+        Filter::new(sheet.file, [&log.only, &log.without], sheet.header.as_ref(), (log.decimal, log.thousands))
+            .map_err(Problems)?;
     let mut left_out = Vec::new();
     sheet.rows.retain(|row| match filter.refuses(row) {
         Some(reason) => {
@@ -228,7 +229,7 @@ pub(crate) fn one_column(delimiter: Delimiter, guess: Option<&Dialect>) -> Messa
 }
 
 /// Returns the source of a column: a column of the file, or an expression of columns.
-fn source_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<Expression, Message> {
+fn column_source(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<Expression, Message> {
     let headings = sheet.header.as_ref().map_or(&[][..], |header| &header.fields);
     match &wanted.column.at {
         ColumnAt::Name(text) if Expression::is_likely(text) && headings.iter().all(|heading| heading != text) => {
@@ -236,12 +237,12 @@ fn source_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<E
             from.check_columns(sheet.width())?;
             Ok(from)
         }
-        _ => place_of(log, wanted, sheet).map(Expression::Column),
+        _ => wanted_column_index(log, wanted, sheet).map(Expression::Column),
     }
 }
 
 /// Returns the index of a column given by number or heading.
-fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<usize, Message> {
+fn wanted_column_index(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<usize, Message> {
     log.kind().0.statement(wanted).map_or(Ok(()), Err)?;
     let index = match (&wanted.column.at, &sheet.header) {
         (ColumnAt::Number(_), _) if !log.kind().0.has_stable_order() => {
@@ -262,14 +263,14 @@ fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<us
 /// Returns the index of the column with this heading; of several, the stated one.
 fn named(name: &str, occurrence: Option<usize>, header: &[Cow<str>]) -> std::result::Result<usize, Message> {
     let places: Vec<usize> = (0..header.len()).filter(|&i| header[i] == *name).collect();
-    match occurrence_of(name, &places, occurrence)? {
+    match select_occurrence(name, &places, occurrence)? {
         Some(index) => Ok(index),
         None => Err(error!("column-unknown", column = name).hint_names(name, header.iter().map(Cow::as_ref))),
     }
 }
 
 /// Returns the stated one of several columns with a name; `None` if there is no such column.
-pub(super) fn occurrence_of<T: Copy>(
+pub(super) fn select_occurrence<T: Copy>(
     name: &str,
     columns: &[T],
     occurrence: Option<usize>,

@@ -5,7 +5,7 @@
 //! channels with equal times. A row of the log is a time at which all wanted channels have a value;
 //! nothing is interpolated.
 
-use super::sheet::{occurrence_of, row_width};
+use super::sheet::{row_width, select_occurrence};
 use super::{About, ChannelValues, Columns, Log, LogFormat, LogText, Values, Wanted, inapplicable, other_unit};
 use crate::dialect::{ColumnAt, Decimal, Delimiter, two_commas};
 use crate::exports::Recognised;
@@ -96,7 +96,7 @@ fn channel<'a>(header: &'a Header, log: &Log, wanted: &Wanted) -> std::result::R
         return Err(error!("column-by-number", format = log.format.about().name));
     };
     let named: Vec<&Channel> = header.channels.iter().filter(|c| c.name == *name).collect();
-    let Some(channel) = occurrence_of(name, &named, wanted.column.occurrence)? else {
+    let Some(channel) = select_occurrence(name, &named, wanted.column.occurrence)? else {
         let names = header.channels.iter().map(|c| c.name.as_str());
         return Err(error!("column-unknown", column = name).hint_names(name, names));
     };
@@ -143,7 +143,7 @@ fn samples(
             continue;
         }
         source.rows_read += 1;
-        let row = Row::of(i + 1, line, line.split(header.separator).map(str::trim));
+        let row = Row::new(i + 1, line, line.split(header.separator).map(str::trim));
         if row.fields.iter().skip(header.width).any(|f| !f.is_empty()) {
             problems.0.push(row_width(file, &row, header.width, "names"));
             continue;

@@ -27,8 +27,8 @@ impl LogFormat for UrRtde {
         Recognised::by(joints, if header.contains(&"timestamp") { 0.9 } else { 0.7 }, what)
     }
 
-    fn unit_of(&self, column: &str) -> Option<&'static str> {
-        unit_of(column)
+    fn column_unit(&self, column: &str) -> Option<&'static str> {
+        column_unit(column)
     }
 }
 
@@ -59,6 +59,6 @@ const UNITS: [(&str, &str); 22] = [
 ];
 
 /// Returns the unit of a column.
-fn unit_of(column: &str) -> Option<&'static str> {
+fn column_unit(column: &str) -> Option<&'static str> {
     UNITS.iter().find(|(start, _)| column.starts_with(start)).map(|(_, unit)| *unit)
 }

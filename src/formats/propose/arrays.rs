@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 ///
 /// # Errors
 /// Fails if the file cannot be read, or has no array of numbers with one or two axes.
-pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<FormatsDocument, Message> {
+pub(super) fn propose_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<FormatsDocument, Message> {
     let arrays = format.arrays(bytes)?;
     // joints are the parts of the array with the most parts
     let widest = arrays.iter().filter(|array| array.count > 1).max_by_key(|array| (array.parts.len(), array.count));

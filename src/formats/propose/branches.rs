@@ -25,7 +25,7 @@ pub enum TargetFit {
 /// # Errors
 /// Fails if a file is missing, or is not a table.
 pub fn fit_targets(paths: &[PathBuf], chains: &[&dyn Robot]) -> Result<BTreeMap<String, Vec<TargetFit>>> {
-    let parts = paths.iter().map(|path| Part::of(path, None)).collect::<Result<Vec<Part>>>()?;
+    let parts = paths.iter().map(|path| Part::new(path, None)).collect::<Result<Vec<Part>>>()?;
     let mut rows: BTreeMap<String, Vec<TargetFit>> = BTreeMap::new();
     for export in &parts {
         let Some(targets) = export.targets() else { continue };
@@ -88,5 +88,5 @@ type Joined<'p> = (&'p Table, Vec<usize>, Vec<(usize, usize)>);
 fn joined<'p>(chain: &dyn Robot, export: &Part, log: &'p Part) -> Option<Joined<'p>> {
     let (table, _) = log.read.as_ref()?;
     let columns = joint_columns(chain, table)?;
-    Some((table, columns, best_join(None, export, &Keys::of(export), log)?.pairs))
+    Some((table, columns, best_join(None, export, &Keys::new(export), log)?.pairs))
 }

@@ -25,7 +25,7 @@ struct Set {
 }
 
 /// Returns the axis that a heading names, and its other words.
-fn axis_of(column: &Column) -> Option<(usize, String)> {
+fn heading_axis(column: &Column) -> Option<(usize, String)> {
     const BEFORE: [&str; 10] = ["", "p", "pos", "t", "tcp", "pt", "c", "coord", "trans", "loc"];
     let words = &column.heading.words;
     let axis = |word: &str| {
@@ -46,7 +46,7 @@ fn axis_of(column: &Column) -> Option<(usize, String)> {
 }
 
 /// Returns the kind of a set by the words of its headings.
-fn kind_of(tag: &str) -> Kind {
+fn kind_by_words(tag: &str) -> Kind {
     let has = |meaning: Word| tag.split(' ').any(|word| stands_for(word, meaning));
     let long = |meaning: Word| tag.split(' ').any(|word| word.len() > 1 && stands_for(word, meaning));
     let neutral = [
@@ -92,13 +92,13 @@ impl Interpretation {
         let mut sets: Vec<Set> = Vec::new();
         for (i, column) in table.columns.iter().enumerate() {
             let free = self.taken[i].meaning == Meaning::Unknown && column.is_numeric();
-            let Some((axis, tag)) = axis_of(column).filter(|_| free) else { continue };
+            let Some((axis, tag)) = heading_axis(column).filter(|_| free) else { continue };
             match sets.iter_mut().find(|set| set.points.tag == tag && set.points.columns[axis].is_none()) {
                 Some(set) => set.points.columns[axis] = Some(i),
                 None => {
                     let mut columns = [None; 3];
                     columns[axis] = Some(i);
-                    let kind = kind_of(&tag);
+                    let kind = kind_by_words(&tag);
                     sets.push(Set { points: PointSet { tag, columns }, kind });
                 }
             }

@@ -108,7 +108,7 @@ pub(super) fn stands_for(word: &str, meaning: Word) -> bool {
 
 impl Heading {
     /// Splits a heading.
-    pub fn of(text: &str) -> Self {
+    pub fn parse(text: &str) -> Self {
         let text = text.trim().trim_start_matches(['%', '#']).trim();
         let mut heading = Self::default();
         let mut rest = String::new();
@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn headings_are_words_and_a_unit() {
         let of = |text: &str| {
-            let heading = Heading::of(text);
+            let heading = Heading::parse(text);
             (heading.joined(), heading.unit)
         };
         assert_eq!(of("X  [mm]"), ("x".into(), Some("mm")));
@@ -255,7 +255,7 @@ mod tests {
         assert_eq!(of("leg1_mm"), ("leg 1".into(), Some("mm")));
         assert_eq!(of("Leg 1 [mm]"), of("leg1_mm"));
         assert_eq!(of("ux_mm"), ("u x".into(), Some("mm")));
-        assert!(Heading::of("x_m").bare_metre && !Heading::of("x [m]").bare_metre);
-        assert!(Heading::of("Soll X").has(Word::Commanded) && Heading::of("mesuré x").has(Word::Measured));
+        assert!(Heading::parse("x_m").bare_metre && !Heading::parse("x [m]").bare_metre);
+        assert!(Heading::parse("Soll X").has(Word::Commanded) && Heading::parse("mesuré x").has(Word::Measured));
     }
 }

@@ -409,7 +409,7 @@ fn affine(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Residua
     };
     let x = flanges.solve(unknowns, equation)?;
     let m: [[f64; 3]; 3] = std::array::from_fn(|a| std::array::from_fn(|b| x[3 * a + b] / spread));
-    let (unit, unit_mm) = unit_of(&m)?;
+    let (unit, unit_mm) = length_unit(&m)?;
     let (rms_mm, largest_mm) = flanges.size(|i, axis| {
         let (row, value) = equation(i, axis);
         row.iter().zip(&x).map(|(a, x)| a * x).sum::<f64>() - value
@@ -481,7 +481,7 @@ fn nearest_rotation(matrix: &[[f64; 3]; 3]) -> Option<Pose> {
 }
 
 /// Returns the unit of lengths whose size (mm) is the scale of a rotation matrix.
-fn unit_of(m: &[[f64; 3]; 3]) -> Option<(&'static str, f64)> {
+fn length_unit(m: &[[f64; 3]; 3]) -> Option<(&'static str, f64)> {
     let determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
         - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
         + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);

@@ -594,7 +594,7 @@ impl Proposal<'_> {
         }
         let unit_of = |at: usize| {
             let name = self.table.columns[at].name.as_deref();
-            name.zip(kind).and_then(|(name, kind)| kind.unit_of(name))
+            name.zip(kind).and_then(|(name, kind)| kind.column_unit(name))
         };
         let mut columns: Vec<String> = Vec::new();
         for (at, taken) in self.found.taken.iter().enumerate() {

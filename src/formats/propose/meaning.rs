@@ -128,7 +128,7 @@ pub(super) struct Interpretation {
 
 impl Interpretation {
     /// Interprets a table.
-    pub fn of(table: &Table) -> Self {
+    pub fn new(table: &Table) -> Self {
         let mut found = Self::default();
         let nothing = Taken { meaning: Meaning::Unknown, why: None };
         found.taken = vec![nothing; table.columns.len()];

@@ -24,7 +24,7 @@ pub use table::heading_without_unit;
 use super::exports::qif::is_xml;
 use super::exports::{Format, Recognised, head, recognise};
 use super::guess::{Guess, guesses, names};
-use super::input::{bytes_of, decode};
+use super::input::{decode, read_bytes};
 use super::logs::LogKind;
 use super::workbook::Workbook;
 use super::{Point, ros_bag, workbook};
@@ -105,19 +105,19 @@ fn reborrowed<'a>(correct: &'a mut Option<Correct<'_>>) -> Option<Correct<'a>> {
 
 fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Correct>) -> Result<FormatsDocument> {
     let name = path.display().to_string();
-    let bytes = bytes_of(path)?;
+    let bytes = read_bytes(path)?;
     let here = |message: Message| message.at(Place::file(name.as_str()));
     if bytes.is_empty() {
         return Err(here(error!("file-empty")).into());
     }
     if ros_bag::is_recording(&bytes) {
-        return recording::of_recording(&name, &bytes, robot).map_err(|message| here(message).into());
+        return recording::propose_recording(&name, &bytes, robot).map_err(|message| here(message).into());
     }
-    if let Some(format) = LogKind::of_arrays(&bytes) {
-        return arrays::of_arrays(&name, &bytes, format).map_err(|message| here(message).into());
+    if let Some(format) = LogKind::from_array_file(&bytes) {
+        return arrays::propose_arrays(&name, &bytes, format).map_err(|message| here(message).into());
     }
     if workbook::is_workbook(&bytes) {
-        return of_workbook(&name, &bytes, correct).map_err(|message| here(message).into());
+        return propose_workbook(&name, &bytes, correct).map_err(|message| here(message).into());
     }
     let (text, encoding) = decoded(bytes).map_err(here)?;
     let other = match known(&text) {
@@ -146,7 +146,7 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
 }
 
 /// Proposes readings of the first sheet with rows of numbers.
-fn of_workbook(
+fn propose_workbook(
     file: &str,
     bytes: &[u8],
     mut correct: Option<Correct>,
@@ -191,7 +191,7 @@ pub fn propose(file: &str, text: &str) -> FormatsDocument {
 }
 
 /// Returns the proposal for a text that states its format.
-fn of_known_format(
+fn propose_known_format(
     empty: &FormatsDocument,
     file: &str,
     text: &str,
@@ -261,7 +261,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
     if sheet.is_none()
-        && let Some(known) = of_known_format(&document, file, text, reborrowed(&mut correct))
+        && let Some(known) = propose_known_format(&document, file, text, reborrowed(&mut correct))
     {
         return known;
     }
@@ -270,8 +270,8 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
     let mut tables: Vec<(Table, Interpretation)> = guesses
         .iter()
         .map(|guess| {
-            let table = Table::of(text, guess);
-            let found = Interpretation::of(&table);
+            let table = Table::read(text, guess);
+            let found = Interpretation::new(&table);
             (table, found)
         })
         .collect();

@@ -18,7 +18,11 @@ const MCAP: &str = "mcap";
 ///
 /// # Errors
 /// Fails if the recording cannot be read, or has no topic of a known type.
-pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) -> Result<FormatsDocument, Message> {
+pub(super) fn propose_recording(
+    file: &str,
+    bytes: &[u8],
+    robot: Option<&dyn Robot>,
+) -> Result<FormatsDocument, Message> {
     let topics = ros_bag::topics(bytes)?;
     let known: Vec<(&Topic, Kind)> = topics.iter().filter_map(|topic| Some((topic, topic.kind?))).collect();
     if known.is_empty() {
@@ -55,7 +59,7 @@ pub(super) fn of_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) 
             document.rows = rows;
         }
         let head = text.lines().next().unwrap_or_default();
-        let named = robot.filter(|_| is_log).and_then(|robot| joints_of(robot, head));
+        let named = robot.filter(|_| is_log).and_then(|robot| named_joints(robot, head));
         is_named |= named.is_some();
         lines +=
             &if is_log { log(file, topic, named.unwrap_or_else(|| joints(head))) } else { export(file, topic, *kind) };
@@ -97,7 +101,7 @@ pub(super) fn motion(bytes: &[u8]) -> Option<Motion> {
 }
 
 /// Columns of joints that the robot names.
-fn joints_of(robot: &dyn Robot, head: &str) -> Option<Vec<(String, String)>> {
+fn named_joints(robot: &dyn Robot, head: &str) -> Option<Vec<(String, String)>> {
     let column = |joint: &Joint| {
         let unit = if joint.quantity == Quantity::Length { "m" } else { "rad" };
         let column = head.split('\t').find(|name| name.strip_prefix(POSITION) == Some(joint.name.as_str()))?;

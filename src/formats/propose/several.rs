@@ -9,7 +9,7 @@ use super::{FormatsDocument, against, propose_corrected, recording, turned};
 use crate::dialect::quoted;
 use crate::export::Pattern;
 use crate::exports::stamp_seconds;
-use crate::input::bytes_of;
+use crate::input::read_bytes;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Result, printable};
 use etalon_base::phrase;
@@ -99,13 +99,13 @@ pub(super) struct Join {
 /// # Errors
 /// Fails if a file is missing, or is not a table.
 pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<FilesProposal> {
-    let mut parts = paths.iter().map(|path| Part::of(path, robot)).collect::<Result<Vec<Part>>>()?;
+    let mut parts = paths.iter().map(|path| Part::new(path, robot)).collect::<Result<Vec<Part>>>()?;
     let exports: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "export").collect();
     let (log, order) = ordered(robot, &mut parts, &exports);
     let mut joined: Vec<(usize, Join)> = Vec::new();
     let mut targets: Vec<String> = Vec::new();
     for &at in &exports {
-        let keys = Keys::of(&parts[at]);
+        let keys = Keys::new(&parts[at]);
         let join = log.and_then(|log| best_join(robot, &parts[at], &keys, &parts[log]));
         if let (Some(log), Some(robot), Some(join)) = (log, robot, &join) {
             by_robot(robot, (&mut parts, at, log), join)?;
@@ -114,7 +114,7 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         joined.extend(join.map(|join| (at, join)));
     }
     for part in parts.iter_mut().filter(|part| part.document.kind == "export with joints") {
-        let keys = Keys::of(part);
+        let keys = Keys::new(part);
         name_targets(part, &keys, None, &mut targets);
     }
     // a recorded table may have poses that join it; a recording of messages has times alone
@@ -172,7 +172,7 @@ fn ordered(robot: Option<&dyn Robot>, parts: &mut [Part], exports: &[usize]) -> 
     let mut order: Vec<usize> = (0..parts.len()).collect();
     let logs: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "log").collect();
     let matching = |log: usize| {
-        let join = |at: &usize| best_join(robot, &parts[*at], &Keys::of(&parts[*at]), &parts[log]);
+        let join = |at: &usize| best_join(robot, &parts[*at], &Keys::new(&parts[*at]), &parts[log]);
         exports.iter().filter_map(join).map(|join| join.matching).sum::<usize>()
     };
     let best = logs.iter().copied().reduce(|best, log| if matching(log) > matching(best) { log } else { best });
@@ -292,7 +292,7 @@ fn stands(export: &Part, log: &Part) -> bool {
     let timed = export.read.as_ref().is_some_and(|(_, found)| {
         [Meaning::Time, Meaning::Clock, Meaning::TimeOfDay].iter().any(|time| found.first(*time).is_some())
     });
-    let recorded = is_recording_of_messages(log) || Keys::of(log).times.is_some();
+    let recorded = is_recording_of_messages(log) || Keys::new(log).times.is_some();
     timed && recorded && log.document.rows > MORE * export.document.rows
 }
 
@@ -366,14 +366,14 @@ fn tested(robot: &dyn Robot, export: &Part, log: &Part, join: &Join) -> Option<(
             .collect(),
         stated: columns.iter().map(|c| joints.columns[*c].heading.unit).collect(),
         points: [x, y, z].map(|c| join.pairs.iter().map(|(e, _)| points.columns[c].values[*e]).collect()),
-        targets: targets_of(export, join),
+        targets: target_numbers(export, join),
     };
     let outcome = test(robot, &sample.finite(), true);
     Some((columns, outcome))
 }
 
 /// Returns the number of the target of each pair.
-fn targets_of(export: &Part, join: &Join) -> Vec<usize> {
+fn target_numbers(export: &Part, join: &Join) -> Vec<usize> {
     let names = export.targets();
     let mut known: Vec<String> = Vec::new();
     let mut number = |(row, _): &(usize, usize)| {
@@ -389,7 +389,7 @@ fn targets_of(export: &Part, join: &Join) -> Vec<usize> {
 /// Returns the join by which the most rows of an export have a row of the log. Where a robot is
 /// given, the join must not contradict its kinematics.
 pub(super) fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, log: &Part) -> Option<Join> {
-    let of_log = Keys::of(log);
+    let of_log = Keys::new(log);
     let both = |a: &Option<Vec<String>>, b: &Option<Vec<String>>| {
         a.iter().zip(b).map(|(a, b)| a.iter().zip(b).map(|(a, b)| format!("{a}\u{1}{b}")).collect()).next()
     };
@@ -525,7 +525,7 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
 }
 
 impl Part {
-    pub fn of(path: &Path, robot: Option<&dyn Robot>) -> Result<Self> {
+    pub fn new(path: &Path, robot: Option<&dyn Robot>) -> Result<Self> {
         let mut read = None;
         let document = propose_corrected(
             path,
@@ -541,7 +541,7 @@ impl Part {
             }),
         )?;
         let is_recording = matches!(document.format.as_deref(), Some("mcap" | "db3"));
-        let motion = is_recording.then(|| bytes_of(path).ok().and_then(|bytes| recording::motion(&bytes))).flatten();
+        let motion = is_recording.then(|| read_bytes(path).ok().and_then(|bytes| recording::motion(&bytes))).flatten();
         Ok(Self { path: path.to_owned(), document, read, motion })
     }
 
@@ -630,7 +630,7 @@ impl Part {
 }
 
 impl Keys {
-    pub fn of(part: &Part) -> Self {
+    pub fn new(part: &Part) -> Self {
         let Some((table, found)) = &part.read else {
             return Self { rows: part.document.rows, ..Self::default() };
         };

@@ -46,13 +46,13 @@ const TEXTS: usize = 64;
 
 impl Table {
     /// Reads the rows with the number of fields of the guess.
-    pub fn of(text: &str, guess: &Guess) -> Self {
+    pub fn read(text: &str, guess: &Guess) -> Self {
         let width = guess.numeric.len();
         let names = names(guess).unwrap_or_default();
         let mut columns: Vec<Column> = (0..width.min(MOST_COLUMNS))
             .map(|i| {
                 let name = names.get(i).map(|name| name.trim().to_owned()).filter(|name| !name.is_empty());
-                let heading = name.as_deref().map(Heading::of).unwrap_or_default();
+                let heading = name.as_deref().map(Heading::parse).unwrap_or_default();
                 Column { name, heading, clock: true, ..Column::default() }
             })
             .collect();
@@ -84,7 +84,7 @@ impl Table {
     }
 
     /// Returns the values of these columns in rows where all of them are finite.
-    pub fn rows_of<const N: usize>(&self, at: [usize; N]) -> impl Iterator<Item = [f64; N]> + '_ {
+    pub fn finite_rows<const N: usize>(&self, at: [usize; N]) -> impl Iterator<Item = [f64; N]> + '_ {
         let get = move |row: usize| at.map(|i| self.columns[i].values.get(row).copied().unwrap_or(f64::NAN));
         (0..self.rows).map(get).filter(|values| values.iter().all(|v| v.is_finite()))
     }
@@ -92,7 +92,7 @@ impl Table {
     /// `true` if these columns are unit vectors in all rows.
     pub fn are_unit<const N: usize>(&self, at: [usize; N]) -> bool {
         let mut any = false;
-        self.rows_of(at).all(|values| {
+        self.finite_rows(at).all(|values| {
             any = true;
             (values.iter().map(|v| v * v).sum::<f64>().sqrt() - 1.0).abs() < UNIT
         }) && any
@@ -101,7 +101,7 @@ impl Table {
     /// `true` if these nine columns are a rotation matrix (row by row) in all rows.
     pub fn are_rotations(&self, at: [usize; 9]) -> bool {
         let mut any = false;
-        self.rows_of(at).all(|m| {
+        self.finite_rows(at).all(|m| {
             any = true;
             let row = |i: usize| [m[3 * i], m[3 * i + 1], m[3 * i + 2]];
             let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -18,7 +18,7 @@ const COLDEST_C: f64 = -273.15;
 const TORQUE: &str = "_nm";
 
 /// Column of a value that each reading states.
-fn column_of(robot: &dyn Robot, value: Circumstance) -> String {
+fn stated_column(robot: &dyn Robot, value: Circumstance) -> String {
     match value {
         Circumstance::PayloadMass => PAYLOAD[0].to_owned(),
         Circumstance::PayloadCentre(axis) => PAYLOAD[1 + axis].to_owned(),
@@ -29,7 +29,7 @@ fn column_of(robot: &dyn Robot, value: Circumstance) -> String {
 
 /// Columns of the values that each reading states beside joints and directions.
 pub fn stated_columns(robot: &dyn Robot) -> Vec<String> {
-    robot.circumstances().iter().map(|value| column_of(robot, *value)).collect()
+    robot.circumstances().iter().map(|value| stated_column(robot, *value)).collect()
 }
 
 /// `true` if a column may hold a value that readings of some robot state.
@@ -93,7 +93,7 @@ fn add_stated(robot: &dyn Robot, table: &DataFrame, rows: &mut [Vec<f64>]) -> Re
 
 /// Returns the error that a table lacks the column of a value that each reading states.
 pub fn missing_column(robot: &dyn Robot, stated: Circumstance) -> Message {
-    let column = column_of(robot, stated);
+    let column = stated_column(robot, stated);
     match stated {
         Circumstance::PayloadMass | Circumstance::PayloadCentre(_) => error!("payload-column-missing", column),
         Circumstance::Torque(joint) => {
@@ -112,7 +112,7 @@ pub fn wrong_value(robot: &dyn Robot, stated: Circumstance, value: f64) -> Optio
     };
     let wrong = !value.is_finite() || value < least;
     wrong.then(|| {
-        let column = column_of(robot, stated);
+        let column = stated_column(robot, stated);
         let value = if value.is_nan() { "missing".to_owned() } else { value.to_string() };
         match stated {
             Circumstance::PayloadMass | Circumstance::PayloadCentre(_) => error!("payload-invalid", column, value),

@@ -81,7 +81,7 @@ impl Default for TableLayout {
 
 impl TableLayout {
     /// Layout of a table of poses, loads or joints, whose columns may have any name.
-    pub fn of_any_columns() -> Self {
+    pub fn with_any_columns() -> Self {
         Self { is_of_observations: false, ..Self::default() }
     }
 }
@@ -352,7 +352,7 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
 
 /// Applies the filters `only` and `without`: `true` for each row that is read.
 fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) -> Result<Vec<bool>> {
-    let filter = Filter::of(file, [&layout.only, &layout.without], header, (layout.decimal, layout.thousands))
+    let filter = Filter::new(file, [&layout.only, &layout.without], header, (layout.decimal, layout.thousands))
         .map_err(Problems)?;
     let kept: Vec<bool> = rows.iter().map(|row| filter.refuses(row).is_none()).collect();
     if !rows.is_empty() && !kept.contains(&true) {

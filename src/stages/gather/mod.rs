@@ -77,7 +77,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         }
         let later = exports[i + 1..].iter().any(|later| later.file.get_ref() == file);
         let read = campaign.resolve(&export.file).and_then(|path| {
-            let bytes = opened.remove(file).map_or_else(|| etalon_formats::bytes_of(&path), Ok)?;
+            let bytes = opened.remove(file).map_or_else(|| etalon_formats::read_bytes(&path), Ok)?;
             if later {
                 opened.insert(file, bytes.clone());
             }

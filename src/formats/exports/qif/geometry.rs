@@ -24,7 +24,7 @@ pub struct FeatureGeometry {
 impl FeatureGeometry {
     /// Reads the values of a feature of this kind from `nodes` (nominal values have two: location
     /// and size).
-    pub(super) fn of<'t, 'a: 't>(
+    pub(super) fn read<'t, 'a: 't>(
         kind: &str,
         nodes: impl Iterator<Item = Node<'t, 'a>>,
         units: &Units,

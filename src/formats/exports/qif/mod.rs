@@ -152,7 +152,7 @@ pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredF
         let message = error!("version-unsupported", format = "QIF", version, versions = ["2.0", "2.1", "3.0"]);
         return Err(message.at(root.place()).into());
     }
-    let mut units = Units::of(root)?;
+    let mut units = Units::read(root)?;
     if let (Some(own), Some(stated)) = (units.mm_in_primary(), mm_in_unit)
         && (own / stated - 1.0).abs() > 1e-9
     {
@@ -249,7 +249,7 @@ impl<'t, 'a> QifDocument<'t, 'a> {
             _ => None,
         });
         let read = |nodes: &[Option<Node>], messages: &mut Vec<Message>| {
-            FeatureGeometry::of(kind, nodes.iter().flatten().copied(), units).unwrap_or_else(|message| {
+            FeatureGeometry::read(kind, nodes.iter().flatten().copied(), units).unwrap_or_else(|message| {
                 messages.push(message);
                 FeatureGeometry::default()
             })

@@ -17,7 +17,7 @@ pub(super) struct Units {
 
 impl Units {
     /// Reads the units of the file with the document element `root`.
-    pub fn of(root: Node) -> Result<Self, Message> {
+    pub fn read(root: Node) -> Result<Self, Message> {
         let mut units = Self::default();
         let Some(stated) = root.child("FileUnits") else { return Ok(units) };
         for group in stated.children() {
