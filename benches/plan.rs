@@ -8,7 +8,7 @@
 use etalon::campaign::read_robot;
 use etalon::formats;
 use etalon::identify::plan::search::greedy;
-use etalon::identify::plan::{Criterion, pool_of};
+use etalon::identify::plan::{Criterion, candidate_pool};
 use etalon::identify::{Settings, sensitivity};
 use etalon::stages::candidates::configurations;
 use std::fmt::Write;
@@ -38,7 +38,7 @@ fn main() {
             _ => members.push(vec![k]),
         }
     }
-    let pool = pool_of(&known, &members, Criterion::O1);
+    let pool = candidate_pool(&known, &members, Criterion::O1);
     let full: Vec<usize> = (0..members.len()).filter(|&c| members[c].len() == 4).collect();
     let start = [full[0], full[full.len() - 1]];
     let mut times = Vec::new();

@@ -4,7 +4,7 @@ use crate::campaigns::{Changes, campaign, truth as sample_truth};
 use crate::page::{Compared, Comparison, Entry, Spread, Verdict, exactly};
 use crate::picture::{Form, Picture, Series};
 use etalon::base::pose::Vector;
-use etalon::identify::plan::{Choice, Criterion, Plan, Request, plan, pool_of};
+use etalon::identify::plan::{Choice, Criterion, Plan, Request, candidate_pool, plan};
 use etalon::identify::{Observation, Settings, sensitivity};
 use etalon::robots::{FiveBar, FiveBarLimits, Robot};
 use etalon::simulate::study::{Draw, Frame, Landing, Study};
@@ -115,10 +115,10 @@ fn order(robot: &FiveBar, poses: &[Vec<&Observation>]) -> Vec<usize> {
             (first - p.len()..first).collect()
         })
         .collect();
-    let pool = pool_of(&sensitivity(robot, &all, &settings()).expect("sensitivity"), &members, Criterion::D);
+    let pool = candidate_pool(&sensitivity(robot, &all, &settings()).expect("sensitivity"), &members, Criterion::D);
     let mut order: Vec<usize> = Vec::new();
     while order.len() < poses.len() {
-        let with = |i: &usize| Choice::of(&pool, [&order[..], &[*i]].concat()).value;
+        let with = |i: &usize| Choice::new(&pool, [&order[..], &[*i]].concat()).value;
         let left = (0..poses.len()).filter(|i| !order.contains(i));
         order.extend(left.max_by(|a, b| with(a).total_cmp(&with(b))));
     }

@@ -23,7 +23,7 @@ use etalon_formats::table::ASSEMBLY;
 use etalon_identify::plan::candidates::Candidates;
 use etalon_identify::plan::order::{length_as_listed, order};
 use etalon_identify::plan::{
-    Criterion, PlaceError, Plan, Request, Setting, SizeStudy, index_of, plan, point_of, study,
+    Criterion, PlaceError, Plan, Request, Setting, SizeStudy, index_of_poses, plan, reference_point, study,
 };
 use etalon_identify::{Effects, Observation, Settings};
 use etalon_report::Renderer;
@@ -278,7 +278,7 @@ impl PlanCommand {
             configurations: planned.members[c].iter().map(configuration).collect(),
         });
         let compared = (!self.compare.is_empty()).then(|| {
-            let value = index_of(planned, observations, self.index.0, &self.compare);
+            let value = index_of_poses(planned, observations, self.index.0, &self.compare);
             let better_by_percent = 100.0 * (planned.index / value - 1.0);
             ComparedPoses { poses: self.compare.clone(), value, better_by_percent }
         });
@@ -394,8 +394,8 @@ fn study_document(
         draws: STUDY_DRAWS,
         noise_um,
         configurations,
-        point: point_of(robot).to_string(),
-        point_phrase: Some(point_of(robot)),
+        point: reference_point(robot).to_string(),
+        point_phrase: Some(reference_point(robot)),
         parameters: robot.parameters().iter().enumerate().map(parameter).collect(),
         steps: studies.iter().map(step).collect(),
         places: last.places.iter().map(place).collect(),

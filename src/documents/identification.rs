@@ -177,7 +177,7 @@ pub fn contradicted_places(contradicted: &Contradicted) -> Message {
 fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f64) -> Vec<BudgetSource> {
     let mut by_source: BTreeMap<UncertaintySource, Vec<f64>> = BTreeMap::new();
     for (row, &k) in written.iter().enumerate().filter(|_| found.covariance.is_some()) {
-        for (source, variance) in found.budget.of_parameter(k) {
+        for (source, variance) in found.budget.parameter_contributions(k) {
             by_source.entry(source.into()).or_insert_with(|| vec![0.0; written.len()])[row] =
                 variance.sqrt() * factor(k);
         }

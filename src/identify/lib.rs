@@ -14,7 +14,7 @@ mod solution;
 mod warning;
 
 pub use error::{Cause, Error};
-pub use field::{Component, Corrected, FieldInput, FieldRefusal, FieldTrial, HeldOut, JointField, field_of};
+pub use field::{Component, Corrected, FieldInput, FieldRefusal, FieldTrial, HeldOut, JointField, search_field};
 pub use judgement::bound::{ASSUMED_MM, COVERAGE, Excess, Extent, OpenMotion, OpenSetUp, UncertaintyBound};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
@@ -256,7 +256,7 @@ const LEAST_SHARE: f64 = 1e-3;
 
 impl Identification {
     /// Indices of the identified parameters of base, targets and fixtures.
-    pub fn of_set_up(&self, robot: &dyn Robot) -> Vec<usize> {
+    pub fn set_up_parameters(&self, robot: &dyn Robot) -> Vec<usize> {
         self.free.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect()
     }
 
@@ -528,7 +528,7 @@ impl<'a> Repeated<'a> {
         let (found, x) = (self.found, self.found.free_values());
         let is_same = observations.iter().flat_map(|o| &o.joints).eq(&self.joints);
         if let (true, Some(linearised), Some(quadratic)) = (is_same, &self.linearised, &self.quadratic)
-            && let Some(residuals) = self.residuals_of(observations, &drawn)
+            && let Some(residuals) = self.remeasured_residuals(observations, &drawn)
             && let Some(step) = quadratic.solve(linearised, &residuals, LAST_STEP)
         {
             let mut values = found.values.clone();
@@ -544,7 +544,7 @@ impl<'a> Repeated<'a> {
 
     /// Residuals of another measurement at the solution, with the joint values of the first one;
     /// `None` if other targets were measured.
-    fn residuals_of(&self, observations: &[Observation], drawn: &[f64]) -> Option<Vec<f64>> {
+    fn remeasured_residuals(&self, observations: &[Observation], drawn: &[f64]) -> Option<Vec<f64>> {
         let mut moved = coordinates(self.robot, observations);
         if moved.len() != self.coordinates.len() {
             return None;

@@ -62,7 +62,7 @@ impl Apart {
         sets.validation.retain(|o| o.targets.iter().any(Option::is_some));
         let of_apart = |c: &mut Condition| c.shows(arm).iter().flatten().any(|i| places.contains(i));
         let conditions = sets.validation_conditions.extract_if(.., of_apart).collect();
-        let known: Vec<Known> = settings.known.extract_if(.., |known| known.is_of(&places)).collect();
+        let known: Vec<Known> = settings.known.extract_if(.., |known| known.refers_to(&places)).collect();
         let target = |name: &String| robot.targets().iter().position(|t| t == name);
         let of_part = |part: &mut RigidPart| part.targets.iter().filter_map(target).any(is_apart);
         let rigid = settings.rigid.extract_if(.., of_part).collect();

@@ -107,7 +107,7 @@ pub(crate) fn poses_beyond_bound(
     let covariance =
         |a: &(usize, usize, f64), b: &(usize, usize, f64)| Some(document.covariance.get(a.0)?.get(b.0)? * a.2 * b.2);
     let places = joints.iter().filter_map(|(_, q)| Some(arm.tool_pose(values, q)?.translation_mm));
-    let extent = Extent::of_points(&places.chain([[0.0; 3]]).collect::<Vec<_>>(), document.residuals.rms);
+    let extent = Extent::from_points(&places.chain([[0.0; 3]]).collect::<Vec<_>>(), document.residuals.rms);
     let of_pose = |(name, q): &(String, Vec<f64>)| {
         let columns: Vec<[f64; 6]> =
             free.iter().map(|f| derivative(arm, values, q, (f.1, covariance(f, f)?.sqrt()))).collect::<Option<_>>()?;

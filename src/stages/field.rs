@@ -5,7 +5,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_base::{phrase, warning};
 use etalon_documents::{AccuracyDocument, FieldSummary};
-use etalon_identify::{Identification, JointField, Observation, Settings, field_of};
+use etalon_identify::{Identification, JointField, Observation, Settings, search_field};
 use etalon_math::statistics::rank_correlation;
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
@@ -25,7 +25,7 @@ pub(super) fn search(
     let (field, summary) = match obstacle(robot, found) {
         Some(reason) => (None, FieldSummary::refused(reason)),
         None => {
-            let trial = field_of(robot, &sets.calibration, settings, found);
+            let trial = search_field(robot, &sets.calibration, settings, found);
             let summary = FieldSummary::new(robot, &trial);
             (trial.field, summary)
         }

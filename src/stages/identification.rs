@@ -174,7 +174,7 @@ fn identify_selected(
     solved.check_bound(robot, &sets, &settings, campaign.uncertainty_bound()?);
     let Solved { before, mut found } = solved;
     let all = apart.beside(&sets);
-    let set_up = found.of_set_up(robot);
+    let set_up = found.set_up_parameters(robot);
     let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: &all, settings: &settings };
     let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);

@@ -142,7 +142,7 @@ impl<'a> Trials<'a> {
         let bootstrap = trials.bootstrap(draws.resamples);
         let n = found.free.len();
         let linear = |k: usize| -> Option<f64> {
-            let parts = found.budget.of_parameter(k);
+            let parts = found.budget.parameter_contributions(k);
             (!parts.is_empty()).then(|| parts.iter().map(|(_, v)| v).sum::<f64>().sqrt())
         };
         // so far do ends of intervals go apart by the number of draws alone, of all parameters in

@@ -288,7 +288,7 @@ fn beyond_axis_bound(table: &SweepTable, bound: UncertaintyBound, axis: &JointAx
     let joint = &table.joints[axis.joint];
     let points: Vec<Vector> = table.sweeps[axis.joint].readings.iter().map(|r| r.position_mm).collect();
     let u_mm = if axis.standard_uncertainty_mm.is_finite() { axis.standard_uncertainty_mm } else { ASSUMED_MM };
-    let extent = Extent::of_points(&points, u_mm);
+    let extent = Extent::from_points(&points, u_mm);
     let direction = || (phrase!("bound-axis-direction", joint), Quantity::Angle);
     let point = || (phrase!("bound-axis-point", joint), Quantity::Length);
     let components = if axis.fit.prismatic {

@@ -211,7 +211,7 @@ pub fn plan(
     }
     if let (Ok(by_chosen), Ok(by_all)) = (detectable(&chosen), detectable(&poses)) {
         let points: Vec<Vector> = candidates.iter().flat_map(|o| o.targets.iter().flatten().copied()).collect();
-        let extent = Extent::of_points(&points, noise.total_mm());
+        let extent = Extent::from_points(&points, noise.total_mm());
         messages.extend(undetected(robot, bound, &extent, [&by_chosen, &by_all]));
     }
     let step = |k: usize| {

@@ -125,7 +125,7 @@ impl AxesModel {
         let n = self.measured.len();
         let value = |rest: &[f64], j: usize| rest.get(j).copied().unwrap_or_default();
         for (m, change) in self.measured.iter().zip(changes) {
-            let pose = m.fit.frame_changed(&change[..m.fit.of_axis()]);
+            let pose = m.fit.frame_changed(&change[..m.fit.axis_parameter_count()]);
             let axis = AxisLine { direction: pose.axis(2), point_mm: pose.translation_mm, prismatic: m.fit.prismatic };
             // the joints before it were not at zero
             let before = axes.iter().enumerate();
@@ -134,8 +134,8 @@ impl AxesModel {
         }
         let targets = self.sources.iter().map(|&(sweep, path)| {
             let (m, change) = (&self.measured[sweep], &changes[sweep]);
-            let pose = m.fit.frame_changed(&change[..m.fit.of_axis()]);
-            let at = m.fit.of_axis() + 2 * path;
+            let pose = m.fit.frame_changed(&change[..m.fit.axis_parameter_count()]);
+            let at = m.fit.axis_parameter_count() + 2 * path;
             let phase = m.phases[path] + change[m.fit.cofactors.nrows() + path];
             let p = &m.fit.paths[path];
             let local = match m.fit.prismatic {

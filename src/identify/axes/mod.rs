@@ -111,14 +111,14 @@ impl JointAxis {
 
     /// Standard uncertainty of the radius of a path (mm).
     pub fn radius_uncertainty_mm(&self, path: usize) -> f64 {
-        let k = self.fit.of_axis() + 2 * path;
+        let k = self.fit.axis_parameter_count() + 2 * path;
         if self.fit.prismatic { 0.0 } else { self.covariance[(k, k)].max(0.0).sqrt() }
     }
 
     /// Covariance of point (mm) and direction of the axis, 6 × 6.
     pub fn point_direction_covariance(&self) -> [[f64; 6]; 6] {
         let [x, y] = [self.fit.frame.axis(0), self.fit.frame.axis(1)];
-        let n = self.fit.of_axis();
+        let n = self.fit.axis_parameter_count();
         let mut jacobian = DMatrix::zeros(6, n);
         for i in 0..3 {
             jacobian[(3 + i, 0)] = x[i];

@@ -89,10 +89,10 @@ pub(super) fn phases(sweep: &Sweep, fit: &SweepFit, u_mm: f64, own: &DMatrix<f64
     };
     let phases: Vec<f64> = (0..paths).map(|path| phase(&fit.frame, path)).collect();
     let mut sensitivity = DMatrix::zeros(paths, n);
-    for k in 0..fit.of_axis() {
+    for k in 0..fit.axis_parameter_count() {
         let step = if k < 2 { 1e-6 } else { 1e-4 };
         let at = |sign: f64, path: usize| {
-            let mut change = vec![0.0; fit.of_axis()];
+            let mut change = vec![0.0; fit.axis_parameter_count()];
             change[k] = sign * step;
             phase(&fit.frame_changed(&change), path)
         };
@@ -185,7 +185,7 @@ pub(super) fn travel(sweep: &Sweep, fit: &SweepFit, u_mm: f64, covariance: &DMat
         let each = rows.iter().zip(&weights).filter(|(_, w)| **w > 0.0);
         each.filter_map(|(rows, w)| Some(w / all * slope(&motions(sweep, fit, frame, rows)?))).sum::<f64>()
     };
-    let n = fit.of_axis();
+    let n = fit.axis_parameter_count();
     let by_axis = nalgebra::DVector::from_fn(n, |k, _| {
         let step = if k < 2 { 1e-6 } else { 1e-4 };
         let at = |sign: f64| {

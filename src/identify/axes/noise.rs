@@ -16,7 +16,7 @@ pub struct ByNoise {
 }
 
 impl ByNoise {
-    fn of(values: &[f64], scale: f64) -> Self {
+    fn new(values: &[f64], scale: f64) -> Self {
         let count = values.len().max(1) as f64;
         let mean = values.iter().sum::<f64>() / count;
         let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count;
@@ -59,12 +59,12 @@ pub(super) fn range_of_normal(n: usize, scale: f64) -> ByNoise {
             ranges.push(largest - normal.inverse_cdf(smallest));
         }
     }
-    ByNoise::of(&ranges, scale)
+    ByNoise::new(&ranges, scale)
 }
 
 /// Covariance of the translation along the axis and of the tilt, for unit noise of each coordinate
 /// of a rigid body of points (axis along z at the origin).
-fn of_body(points: &[Vector]) -> Option<(f64, Matrix2<f64>)> {
+fn rigid_body_covariance(points: &[Vector]) -> Option<(f64, Matrix2<f64>)> {
     let mut jacobian = DMatrix::zeros(3 * points.len(), 6);
     for (i, p) in points.iter().enumerate() {
         for k in 0..3 {
@@ -96,7 +96,7 @@ fn largest_tilt(n: usize, covariance: Matrix2<f64>, scale: f64) -> Option<ByNois
         let mean = [0, 1].map(|k| all.iter().map(|t| t[k]).sum::<f64>() / steps as f64);
         all.iter().map(|t| (t[0] - mean[0]).hypot(t[1] - mean[1])).fold(0.0, f64::max)
     };
-    Some(ByNoise::of(&(0..DRAWS).map(draw).collect::<Vec<_>>(), scale))
+    Some(ByNoise::new(&(0..DRAWS).map(draw).collect::<Vec<_>>(), scale))
 }
 
 /// Error motions by noise of `u_mm` of a coordinate; `body` is the rigid body of the targets and
@@ -106,7 +106,7 @@ pub(super) fn noise_motion(sweep: &Sweep, fit: &SweepFit, body: Option<(&[Vector
     // the fit absorbs a part of the noise
     let left = (fit.degrees_of_freedom as f64 / (2 * used) as f64).sqrt();
     let paths = fit.paths.iter().map(|path| range_of_normal(path.readings, u_mm * left)).collect();
-    let of_axis = body.and_then(|(points, steps)| Some((of_body(points)?, steps)));
+    let of_axis = body.and_then(|(points, steps)| Some((rigid_body_covariance(points)?, steps)));
     NoiseMotion {
         paths,
         axial: of_axis.map(|((variance, _), steps)| range_of_normal(steps, u_mm * variance.sqrt())),

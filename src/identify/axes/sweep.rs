@@ -86,7 +86,7 @@ const OF_PATH: usize = 2;
 
 impl SweepFit {
     /// Number of parameters of the axis.
-    pub fn of_axis(&self) -> usize {
+    pub fn axis_parameter_count(&self) -> usize {
         if self.prismatic { 2 } else { 4 }
     }
 
@@ -126,7 +126,7 @@ impl SweepFit {
     /// Coefficients of the trend of a component of the residuals of a path (0 or 1), as functions
     /// of the parameters of [`SweepFit::cofactors`].
     pub(super) fn trend_rows(&self, path: usize, component: usize) -> DMatrix<f64> {
-        let (of_axis, own) = (self.of_axis(), self.of_axis() + OF_PATH * path + component);
+        let (of_axis, own) = (self.axis_parameter_count(), self.axis_parameter_count() + OF_PATH * path + component);
         let columns = if self.prismatic { 2 } else { 3 };
         let mut rows = DMatrix::zeros(columns, self.cofactors.nrows());
         let p = &self.paths[path];
@@ -148,10 +148,10 @@ impl SweepFit {
     pub(super) fn adjusted(&self, readings: &[SweepReading], change: &[f64]) -> Self {
         let targets: Vec<usize> = self.paths.iter().map(|path| path.target).collect();
         let fit = Fit { readings, targets: &targets, prismatic: self.prismatic };
-        let mut next = fit.fit(self.frame_changed(&change[..self.of_axis()]), &self.used);
+        let mut next = fit.fit(self.frame_changed(&change[..self.axis_parameter_count()]), &self.used);
         next.cofactors = self.cofactors.clone();
         for (k, path) in next.paths.iter_mut().enumerate() {
-            let at = self.of_axis() + OF_PATH * k;
+            let at = self.axis_parameter_count() + OF_PATH * k;
             let before = self.paths[k].constants(self.prismatic);
             let mean = path.constants(self.prismatic);
             let own = [before[0] + change[at], before[1] + change[at + 1]];
@@ -382,7 +382,7 @@ struct Fit<'a> {
 
 impl Fit<'_> {
     /// Parameters of the axis.
-    fn of_axis(&self) -> usize {
+    fn axis_parameter_count(&self) -> usize {
         if self.prismatic { 2 } else { 4 }
     }
 
@@ -419,7 +419,7 @@ impl Fit<'_> {
 
     fn solve(&self, start: Pose, used: &[bool]) -> Result<SweepFit, SweepFault> {
         let mut frame = self.recentred(start, used);
-        let n = self.of_axis() + OF_PATH * self.targets.len();
+        let n = self.axis_parameter_count() + OF_PATH * self.targets.len();
         let needed = used.iter().filter(|u| **u).count();
         if 2 * needed < n {
             return Err(SweepFault::TooFew { needed: n.div_ceil(2), readings: needed });
@@ -431,7 +431,7 @@ impl Fit<'_> {
             // length of the step in the metric of the readings
             let size = (&normal * &step).dot(&step).max(0.0).sqrt();
             let fit = self.fit(frame, used);
-            let mut change = step.as_slice()[..self.of_axis()].to_vec();
+            let mut change = step.as_slice()[..self.axis_parameter_count()].to_vec();
             // a step that tilts by more than this leaves the linear model
             let tilt = change[0].hypot(change[1]);
             if tilt > 0.3 {
@@ -462,13 +462,15 @@ impl Fit<'_> {
 
     /// Normal matrix, right side and sum of squares.
     fn normal(&self, frame: &Pose, used: &[bool]) -> (DMatrix<f64>, DVector<f64>, f64) {
-        let n = self.of_axis() + OF_PATH * self.targets.len();
+        let n = self.axis_parameter_count() + OF_PATH * self.targets.len();
         let inverse = frame.inverse();
         let means = self.means(&inverse, used);
         let (mut normal, mut right, mut squares) = (DMatrix::zeros(n, n), DVector::zeros(n), 0.0);
         for (r, _) in self.readings.iter().zip(used).filter(|(_, used)| **used) {
             let t = self.targets.iter().position(|t| *t == r.target).unwrap_or_default();
-            for (residual, row) in self.rows(inverse.apply(r.position_mm), means[t], self.of_axis() + OF_PATH * t, n) {
+            for (residual, row) in
+                self.rows(inverse.apply(r.position_mm), means[t], self.axis_parameter_count() + OF_PATH * t, n)
+            {
                 normal.ger(1.0, &row, &row, 1.0);
                 right.axpy(-residual, &row, 1.0);
                 squares += residual * residual;
@@ -487,7 +489,7 @@ impl Fit<'_> {
             [0, 1].map(|k| held[k] - means[index(r.target)][k])
         };
         let residuals_mm: Vec<[f64; 2]> = self.readings.iter().map(residual).collect();
-        let n = self.of_axis() + OF_PATH * self.targets.len();
+        let n = self.axis_parameter_count() + OF_PATH * self.targets.len();
         let count = used.iter().filter(|u| **u).count();
         let degrees_of_freedom = (2 * count).saturating_sub(n);
         let squares: f64 =

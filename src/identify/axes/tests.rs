@@ -101,12 +101,12 @@ fn axes_of_drawn_arms_are_found_within_their_uncertainty() {
     assert!(share(far) < 0.01 && (share(inside) - 0.95).abs() < 0.02);
 }
 
-fn model_of(arm: &Arm, sweeps: &[Sweep]) -> AxesModel {
+fn derived_model(arm: &Arm, sweeps: &[Sweep]) -> AxesModel {
     let axes = sweeps.iter().map(|s| joint_axis(s, &settings(arm)).unwrap()).collect();
     AxesModel::new(axes, arm.targets.len()).unwrap()
 }
 
-fn sweeps_of(arm: &Arm, noise: &mut Noise) -> Vec<Sweep> {
+fn draw_sweeps(arm: &Arm, noise: &mut Noise) -> Vec<Sweep> {
     let sweep = |noise: &mut Noise, joint: usize| {
         let rest: Vec<f64> = arm.axes.iter().map(|_| noise.uniform(0.8)).collect();
         let span = if arm.axes[joint].prismatic { 500.0 } else { (165.0 + noise.uniform(135.0)).to_radians() };
@@ -121,8 +121,8 @@ fn the_derived_model_predicts_new_poses_within_its_uncertainty() {
     for trial in 0..60 {
         let mut noise = Noise::new(46, trial);
         let arm = Arm::drawn(&mut noise, 6, 1 + trial as usize % 2, trial % 3 == 0);
-        let sweeps = sweeps_of(&arm, &mut noise);
-        let model = model_of(&arm, &sweeps);
+        let sweeps = draw_sweeps(&arm, &mut noise);
+        let model = derived_model(&arm, &sweeps);
         let joints: Vec<f64> = arm.axes.iter().map(|_| noise.uniform(2.0)).collect();
         let predicted = model.predict(&joints, 0);
         let truth = arm.position(&joints, 0);
@@ -164,7 +164,7 @@ fn without_joint_values_home_is_the_start_of_every_sweep() {
             sweeps.push(sweep);
         }
         assert!(start_gap(&sweeps).unwrap().0 < 0.2);
-        let model = model_of(&arm, &sweeps);
+        let model = derived_model(&arm, &sweeps);
         let joints: Vec<f64> = (0..6).map(|_| noise.uniform(1.5)).collect();
         let (predicted, truth) = (model.predict(&joints, 0), arm.position(&joints, 0));
         for (k, truth) in truth.iter().enumerate() {
@@ -281,8 +281,8 @@ fn exchanged_joints_are_named_by_the_sweeps_themselves() {
     for trial in 0..10 {
         let mut noise = Noise::new(51, trial);
         let arm = Arm::drawn(&mut noise, 5, 1, false);
-        let mut sweeps = sweeps_of(&arm, &mut noise);
-        let sound = model_of(&arm, &sweeps);
+        let mut sweeps = draw_sweeps(&arm, &mut noise);
+        let sound = derived_model(&arm, &sweeps);
         let found = sound.agreement(&compared(&sweeps, &sound.measured), NOISE_MM);
         assert!(found.worst < 5.0 && found.explained.is_none(), "{trial}: {}", found.worst);
         sweeps.swap(0, 3);
@@ -290,7 +290,7 @@ fn exchanged_joints_are_named_by_the_sweeps_themselves() {
             sweep.joint = joint;
             sweep.readings.iter_mut().for_each(|r| r.joints.swap(0, 3));
         }
-        let wrong = model_of(&arm, &sweeps);
+        let wrong = derived_model(&arm, &sweeps);
         let found = wrong.agreement(&compared(&sweeps, &wrong.measured), NOISE_MM);
         assert!(matches!(found.explained, Some((Change::Exchanged([0, 3]), _))), "{trial}: {found:?}");
     }
@@ -323,7 +323,7 @@ fn errors_of_screw_axes_have_their_covariance() {
             let span = |joint: usize| if arm.axes[joint].prismatic { 500.0 } else { 2.0 };
             let sweeps: Vec<Sweep> =
                 (0..6).map(|joint| arm.sweep(&mut noise, &rest, joint, (span(joint), 30))).collect();
-            model_of(&arm, &sweeps)
+            derived_model(&arm, &sweeps)
         };
         let [first, second] = [measured(), measured()];
         let [a, b] = [&first, &second].map(AxesModel::screw_parameters);

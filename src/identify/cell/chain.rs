@@ -79,18 +79,18 @@ struct Chain<'a> {
 
 impl Chain<'_> {
     /// Number of parameters of the tool: its rotation counts if orientations are measured.
-    fn of_tool(&self) -> usize {
+    fn tool_parameter_count(&self) -> usize {
         if matches!(self.measured.first(), Some(MeasuredPose::Pose(_))) { 6 } else { 3 }
     }
 }
 
 impl CellModel for Chain<'_> {
     fn parameters(&self) -> usize {
-        self.of_tool() + 6
+        self.tool_parameter_count() + 6
     }
 
     fn equations(&self) -> Vec<Equation> {
-        let n = self.of_tool();
+        let n = self.tool_parameter_count();
         let mut equations = Vec::new();
         for (reading, (pose, measured)) in self.poses.iter().zip(self.measured).enumerate() {
             let world_T_flange = self.world_T_base.then(pose);
@@ -123,7 +123,7 @@ impl CellModel for Chain<'_> {
     }
 
     fn moved(&self, step: &[f64]) -> Self {
-        let n = self.of_tool();
+        let n = self.tool_parameter_count();
         let turn = if n == 6 { &step[3..6] } else { &[0.0; 3] };
         Self {
             tool: moved(&self.tool, &step[..3], turn),
@@ -168,7 +168,8 @@ impl<'a> Chain<'a> {
     /// Minima from the best starts, best first.
     fn minima(&self) -> Vec<(Self, f64)> {
         let starts = cube_rotations().into_iter().filter_map(|start| {
-            let (tool, world) = if self.of_tool() == 6 { self.turned(start) } else { (Pose::identity(), start) };
+            let (tool, world) =
+                if self.tool_parameter_count() == 6 { self.turned(start) } else { (Pose::identity(), start) };
             let placed = self.placed(tool, world)?;
             let misfit = placed.misfit();
             Some((placed, misfit))
@@ -222,7 +223,7 @@ fn best<'a>(chain: &Chain<'a>) -> Result<(Chain<'a>, bool), CellFault> {
     let differs = |other: &Chain| {
         let angle = |a: &Pose, b: &Pose| a.inverse().then(b).angle_rad();
         angle(&first.world_T_base, &other.world_T_base) > DISTINCT
-            || chain.of_tool() == 6 && angle(&first.tool, &other.tool) > DISTINCT
+            || chain.tool_parameter_count() == 6 && angle(&first.tool, &other.tool) > DISTINCT
     };
     let ambiguous = minima[1..].iter().any(|(other, c)| *c <= AS_GOOD * cost + floor && differs(other));
     Ok((first.clone(), ambiguous))

@@ -39,7 +39,7 @@ pub enum Measure {
 }
 
 /// Index of a measure: positions, then orientations.
-fn index_of(measure: Measure) -> usize {
+fn measure_index(measure: Measure) -> usize {
     usize::from(measure == Measure::Orientation)
 }
 
@@ -145,7 +145,7 @@ impl Quality {
     pub fn standard_uncertainty(&self, measure: Measure, stated: &Stated) -> Option<f64> {
         let component = self.components.iter().find(|c| c.measure == measure)?;
         match component.agrees {
-            true => Some(stated.largest(index_of(measure))),
+            true => Some(stated.largest(measure_index(measure))),
             false => (component.redundancy > 0.5).then_some(component.deviation),
         }
     }

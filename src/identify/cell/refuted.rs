@@ -1,6 +1,6 @@
 //! Residuals that no plausible uncertainty explains: the answer is refuted.
 
-use super::{Component, Measure, Quality, Stated, index_of};
+use super::{Component, Measure, Quality, Stated, measure_index};
 use crate::chi_square_exceeds;
 use etalon_base::pose::{Pose, Vector, centroid, minus, norm};
 
@@ -22,17 +22,17 @@ pub struct Size {
 
 impl Size {
     /// Size of points.
-    pub fn of_points(points: &[Vector]) -> Self {
+    pub fn from_points(points: &[Vector]) -> Self {
         let from = centroid(points).unwrap_or_default();
         Self { position_mm: root_mean_square(points.iter().map(|p| norm(minus(*p, from)))), rotation_rad: 0.0 }
     }
 
     /// Size of poses with a tool.
-    pub fn of_poses(poses: &[Pose], tool_mm: Vector) -> Self {
+    pub fn from_poses(poses: &[Pose], tool_mm: Vector) -> Self {
         let positions: Vec<Vector> = poses.iter().map(|p| p.translation_mm).collect();
         let turns = poses.windows(2).map(|pair| pair[0].inverse().then(&pair[1]).angle_rad());
         Self {
-            position_mm: Self::of_points(&positions).position_mm.max(norm(tool_mm)),
+            position_mm: Self::from_points(&positions).position_mm.max(norm(tool_mm)),
             rotation_rad: root_mean_square(turns),
         }
     }
@@ -51,7 +51,7 @@ impl Quality {
     /// of tool and motion.
     pub fn refuted<'a>(&'a self, stated: &'a Stated, size: Size) -> impl Iterator<Item = &'a Component> {
         self.components.iter().filter(move |component| {
-            let k = index_of(component.measure);
+            let k = measure_index(component.measure);
             let plausible = PLAUSIBLE[k];
             if component.agrees || component.redundancy < 0.5 || component.deviation <= plausible {
                 return false;

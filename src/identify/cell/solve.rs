@@ -2,7 +2,7 @@
 //! one variance component each of positions and orientations (Förstner 1979; Luhmann et al.,
 //! Close-range photogrammetry and 3D imaging, 2.4.3).
 
-use super::{CellResidual, Component, Measure, Quality, Stated, index_of};
+use super::{CellResidual, Component, Measure, Quality, Stated, measure_index};
 use crate::chi_square_exceeds;
 use crate::judgement::bound::{ASSUMED_MM, ASSUMED_RAD};
 use etalon_base::pose::{Pose, Vector, cross, dot, norm};
@@ -104,7 +104,8 @@ impl Whitened {
         let (equations, n) = (model.equations(), model.parameters());
         let (mut jacobian, mut residuals) = (Vec::new(), Vec::new());
         for equation in &equations {
-            let covariance = Matrix3::from_fn(|i, j| equation.covariance[i][j]) * variances[index_of(equation.measure)];
+            let covariance =
+                Matrix3::from_fn(|i, j| equation.covariance[i][j]) * variances[measure_index(equation.measure)];
             let root = covariance.cholesky()?.l();
             let white = |v: Vector| root.solve_lower_triangular(&Vector3::from(v));
             residuals.extend(white(equation.residual)?.iter());
@@ -147,7 +148,7 @@ impl Whitened {
         for (i, equation) in self.equations.iter().enumerate() {
             let (rows, residual) = self.block(i);
             let taken = (&rows * cofactors * rows.transpose()).trace();
-            let sum = &mut sums[index_of(equation.measure)];
+            let sum = &mut sums[measure_index(equation.measure)];
             sum[0] += residual.norm_squared();
             sum[1] += 3.0 - taken;
             sum[2] += 3.0;
@@ -219,7 +220,8 @@ pub(super) fn solve<M: CellModel>(start: M, stated: &Stated) -> Option<Solved<M>
                 change = 1.0;
             }
             if estimated[k] && count > 0.0 && redundancy > 1e-6 {
-                let shape = at.equations.iter().find(|e| index_of(e.measure) == k).map_or(1.0, |e| e.covariance[0][0]);
+                let shape =
+                    at.equations.iter().find(|e| measure_index(e.measure) == k).map_or(1.0, |e| e.covariance[0][0]);
                 let next = (variances[k] * squares / redundancy).max(ROUNDING[k].powi(2) / shape);
                 change = change.max((next / variances[k] - 1.0).abs());
                 variances[k] = next;
@@ -260,7 +262,7 @@ fn quality(at: &Whitened, covariance: &DMatrix<f64>, estimated: [bool; 2], state
         });
     }
     let judged = |(i, equation): (usize, &Equation)| {
-        let k = index_of(equation.measure);
+        let k = measure_index(equation.measure);
         let free = estimated[k].then_some(sums[k][1]);
         CellResidual {
             reading: equation.reading,

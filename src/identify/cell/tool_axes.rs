@@ -38,8 +38,8 @@ struct Axes<'a> {
 }
 
 impl Axes<'_> {
-    /// Index of the first parameter of the place of each reading.
-    fn of_places(&self) -> (Vec<usize>, usize) {
+    /// Index of the first parameter of the place of each reading, and the number of all parameters.
+    fn first_place_parameters(&self) -> (Vec<usize>, usize) {
         let mut next = 9;
         let mut first = Vec::new();
         for (role, _) in self.readings {
@@ -56,11 +56,11 @@ impl Axes<'_> {
 
 impl CellModel for Axes<'_> {
     fn parameters(&self) -> usize {
-        self.of_places().1
+        self.first_place_parameters().1
     }
 
     fn equations(&self) -> Vec<Equation> {
-        let (first, _) = self.of_places();
+        let (first, _) = self.first_place_parameters();
         let mut equations = Vec::new();
         for (reading, (role, pose)) in self.readings.iter().enumerate() {
             let [x, z] = self.places[reading];
@@ -87,7 +87,7 @@ impl CellModel for Axes<'_> {
     }
 
     fn moved(&self, step: &[f64]) -> Self {
-        let (first, _) = self.of_places();
+        let (first, _) = self.first_place_parameters();
         let mut places = self.places.clone();
         for ((place, at), (role, _)) in places.iter_mut().zip(first).zip(self.readings) {
             match role {

@@ -38,7 +38,7 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    pub fn of(joint: usize, inputs: Vec<usize>, radius: f64, centres: Vec<Vec<f64>>) -> Self {
+    pub fn new(joint: usize, inputs: Vec<usize>, radius: f64, centres: Vec<Vec<f64>>) -> Self {
         let distance = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
         let count = centres.len();
         let of = |i: usize, j: usize| {
@@ -70,7 +70,7 @@ impl Basis {
             rows.joints.iter().any(|o| distance(o) <= 1.5 * step)
         };
         grid.retain(near);
-        (2..=MOST_CENTRES).contains(&grid.len()).then(|| Self::of(joint, inputs, radius, grid))
+        (2..=MOST_CENTRES).contains(&grid.len()).then(|| Self::new(joint, inputs, radius, grid))
     }
 
     pub fn len(&self) -> usize {

@@ -123,7 +123,7 @@ impl FieldTrial {
 /// # Examples
 ///
 /// ```
-/// use etalon_identify::{Observation, Settings, field_of, FieldRefusal, identify};
+/// use etalon_identify::{Observation, Settings, search_field, FieldRefusal, identify};
 /// use etalon_robots::{Prexyt, Robot};
 ///
 /// // exact positions of both balls at eight poses: too few for a field
@@ -137,11 +137,11 @@ impl FieldTrial {
 /// let observations: Vec<_> = (0..8).map(corner).collect();
 /// let settings = Settings::default();
 /// let found = identify(&robot, &observations, &settings)?;
-/// let trial = field_of(&robot, &observations, &settings, &found);
+/// let trial = search_field(&robot, &observations, &settings, &found);
 /// assert!(matches!(trial.refusal, Some(FieldRefusal::TooFewPoses(8, needed)) if needed >= 20));
 /// # Ok::<(), etalon_identify::Error>(())
 /// ```
-pub fn field_of(
+pub fn search_field(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
@@ -224,7 +224,7 @@ impl Component {
             values.zip(&self.inputs).map(|(q, input)| q / input.scale).collect()
         };
         let centres = self.centres.iter().map(|c| scaled(&mut c.iter().copied())).collect();
-        let basis = Basis::of(self.joint, Vec::new(), self.radius, centres);
+        let basis = Basis::new(self.joint, Vec::new(), self.radius, centres);
         let at = scaled(&mut self.inputs.iter().map(|input| joints[input.joint]));
         let values = basis.covariances(&at);
         let shown = basis.independent(&values).norm_squared();

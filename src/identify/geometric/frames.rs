@@ -45,7 +45,7 @@ impl FittedPlane {
     pub fn project(&self, p: &UncertainPoint) -> Flat {
         let [e1, e2, e3] = self.axes;
         let c = self.point_mm;
-        Uncertain::of([&p[0], &p[1], &p[2], &self.tilt[0], &self.tilt[1]], |[x, y, z, t1, t2]| {
+        Uncertain::propagate([&p[0], &p[1], &p[2], &self.tilt[0], &self.tilt[1]], |[x, y, z, t1, t2]| {
             let w = [x + (-c[0]), y + (-c[1]), z + (-c[2])];
             let along = |e: Vector| w[0] * e[0] + w[1] * e[1] + w[2] * e[2];
             let (a, b, h) = (along(e1), along(e2), along(e3));
@@ -147,7 +147,7 @@ impl Axes {
             return Err(error!("ball-unmoved", ball = "R", actuator = 2).into());
         }
         let [y_axis_rad] =
-            Uncertain::of([&home[0], &home[1], &end[0], &end[1]], |[x0, y0, x1, y1]| [(y1 - y0).atan2(x1 - x0)]);
+            Uncertain::propagate([&home[0], &home[1], &end[0], &end[1]], |[x0, y0, x1, y1]| [(y1 - y0).atan2(x1 - x0)]);
         Ok(Self { plane, home, y_axis_rad })
     }
 }
@@ -183,7 +183,7 @@ impl Base {
 /// Coordinates of `p` relative to `origin`: along the axis perpendicular to the axis at this angle,
 /// and along that axis.
 fn express(p: &Flat, origin: &Flat, y_axis_rad: &Uncertain) -> Flat {
-    Uncertain::of([&p[0], &p[1], &origin[0], &origin[1], y_axis_rad], |[x, y, x0, y0, angle]| {
+    Uncertain::propagate([&p[0], &p[1], &origin[0], &origin[1], y_axis_rad], |[x, y, x0, y0, angle]| {
         let (sin, cos) = angle.sin_cos();
         let (dx, dy) = (x - x0, y - y0);
         [dx * sin - dy * cos, dx * cos + dy * sin]
@@ -223,7 +223,7 @@ impl Mobile {
             let three = [t.k, t.l, t.i].map(|p| readings.add_one(p));
             let [k, l, i] = three.each_ref().map(|p| plane.project(p));
             let [x, y, length] =
-                Uncertain::of([&k[0], &k[1], &l[0], &l[1], &i[0], &i[1]], |[kx, ky, lx, ly, ix, iy]| {
+                Uncertain::propagate([&k[0], &k[1], &l[0], &l[1], &i[0], &i[1]], |[kx, ky, lx, ly, ix, iy]| {
                     let (ex, ey, wx, wy) = (lx - kx, ly - ky, ix - kx, iy - ky);
                     let length = Scalar::sqrt(ex * ex + ey * ey);
                     [(wx * ex + wy * ey) / length, (wy * ex - wx * ey) / length, length]
@@ -239,7 +239,7 @@ impl Mobile {
     /// C in the plane, for these positions of K and L (eq. 3.16).
     pub fn centre(&self, k: &Flat, l: &Flat) -> Flat {
         let [x_c, y_c] = &self.circle.centre;
-        Uncertain::of([&k[0], &k[1], &l[0], &l[1], x_c, y_c], |[kx, ky, lx, ly, x, y]| {
+        Uncertain::propagate([&k[0], &k[1], &l[0], &l[1], x_c, y_c], |[kx, ky, lx, ly, x, y]| {
             let (ex, ey) = (lx - kx, ly - ky);
             let length = Scalar::sqrt(ex * ex + ey * ey);
             [kx + (x * ex - y * ey) / length, ky + (x * ey + y * ex) / length]

@@ -157,11 +157,14 @@ pub fn intersection(first: &Shaft, second: &Shaft) -> Result<Flat> {
     if between.is_nan() || between < PARALLEL {
         return Err(error!("shaft-positions-parallel").into());
     }
-    Ok(Uncertain::of([&a[0], &a[1], &b[0], &b[1], &c[0], &c[1], &d[0], &d[1]], |[ax, ay, bx, by, cx, cy, dx, dy]| {
-        let (ux, uy, vx, vy) = (bx - ax, by - ay, dx - cx, dy - cy);
-        let along = ((cx - ax) * vy - (cy - ay) * vx) / (ux * vy - uy * vx);
-        [ax + along * ux, ay + along * uy]
-    }))
+    Ok(Uncertain::propagate(
+        [&a[0], &a[1], &b[0], &b[1], &c[0], &c[1], &d[0], &d[1]],
+        |[ax, ay, bx, by, cx, cy, dx, dy]| {
+            let (ux, uy, vx, vy) = (bx - ax, by - ay, dx - cx, dy - cy);
+            let along = ((cx - ax) * vy - (cy - ay) * vx) / (ux * vy - uy * vx);
+            [ax + along * ux, ay + along * uy]
+        },
+    ))
 }
 
 /// Balls K and L after homing and moving actuators 2 and 3 to mid-travel, and K after actuator 1
@@ -199,7 +202,7 @@ impl OffsetMeasurements {
         }
         let (rho2, rho3) = (self.rho2_mm, self.rho3_mm);
         let inputs = [s, &from[0], &from[1], &to[0], &to[1], leads[0], leads[1]];
-        let [d3] = Uncertain::of(inputs, |[s, x0, y0, x1, y1, delta2, delta3]| {
+        let [d3] = Uncertain::propagate(inputs, |[s, x0, y0, x1, y1, delta2, delta3]| {
             [s * ((y1 - y0) / (x1 - x0)) - (delta3 * rho3 - delta2 * rho2)] // eq. 2.11
         });
         Ok(d3)

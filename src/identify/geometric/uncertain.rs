@@ -55,7 +55,7 @@ impl Uncertain {
     }
 
     /// `f` of numbers, with exact derivatives.
-    pub fn of<const N: usize, const M: usize>(
+    pub fn propagate<const N: usize, const M: usize>(
         inputs: [&Self; N],
         f: impl Fn([Dual<N>; N]) -> [Dual<N>; M],
     ) -> [Self; M] {
@@ -276,9 +276,9 @@ mod tests {
     fn what_is_shared_is_correlated() {
         let (a, b) = (Uncertain::coordinate(3.0, 0), Uncertain::coordinate(4.0, 2));
         let u = [0.1, 9.0, 0.2];
-        let [product] = Uncertain::of([&a, &b], |[a, b]| [a * b]);
+        let [product] = Uncertain::propagate([&a, &b], |[a, b]| [a * b]);
         assert!((product.standard_uncertainty(&u) - (0.4f64 * 0.4 + 0.6 * 0.6).sqrt()).abs() < 1e-15);
-        let [nothing] = Uncertain::of([&product, &a, &b], |[p, a, b]| [p / a - b]);
+        let [nothing] = Uncertain::propagate([&product, &a, &b], |[p, a, b]| [p / a - b]);
         assert!(nothing.value.abs() < 1e-15 && nothing.standard_uncertainty(&u) < 1e-15);
         assert!((product.covariance(&a, &u) - 4.0 * 0.01).abs() < 1e-15);
         assert_eq!(Uncertain::mean([&a, &b]).value, 3.5);

@@ -53,7 +53,7 @@ pub struct Extent {
 
 impl Extent {
     /// Extent of positions, whose coordinates have this standard uncertainty (mm).
-    pub fn of_points(points: &[Vector], coordinate_mm: f64) -> Self {
+    pub fn from_points(points: &[Vector], coordinate_mm: f64) -> Self {
         let from = centroid(points).unwrap_or_default();
         let radius_mm = points.iter().map(|p| norm(minus(*p, from))).fold(0.0, f64::max);
         Self { length_mm: 2.0 * radius_mm, coordinate_mm, orientation_rad: 0.0 }
@@ -278,7 +278,7 @@ impl Identification {
         let coordinate_mm = settings.coordinate_uncertainty_mm().max(self.rms);
         let [targets, part] = [places.collect(), part].map(|points| {
             let finite: Vec<Vector> = points.into_iter().filter(|p| p.iter().all(|v| v.is_finite())).collect();
-            Extent::of_points(&finite, coordinate_mm)
+            Extent::from_points(&finite, coordinate_mm)
         });
         if part.length_mm > targets.length_mm { part } else { targets }
     }

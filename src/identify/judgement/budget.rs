@@ -224,7 +224,7 @@ impl Budget {
         let Some(inverse) = solution.covariance() else { return };
         for (source, change) in errors {
             // S = -(JᵀJ)⁻¹ Jᵀ D
-            let answers = response::<1>(&inverse, problem.rows_of(jacobian), &change);
+            let answers = response::<1>(&inverse, problem.jacobian_rows(jacobian), &change);
             let answers: Vec<f64> = answers.iter().map(|[s]| -s).collect();
             let rows = covariance.chunks_exact_mut(n).zip(&answers).filter(|_| source != Source::Frame);
             rows.for_each(|(row, a)| row.iter_mut().zip(&answers).for_each(|(c, b)| *c += a * b));
@@ -234,7 +234,7 @@ impl Budget {
 
     /// Contribution of each source to the variance of an identified parameter, by its index among
     /// the identified ones; empty if points were eliminated.
-    pub fn of_parameter(&self, k: usize) -> Contributions {
+    pub fn parameter_contributions(&self, k: usize) -> Contributions {
         if self.readings.is_empty() {
             return Vec::new();
         }

@@ -214,7 +214,7 @@ impl JudgedErrors<'_> {
         let common = systematic.errors(&observed)?;
         let frames: BTreeMap<Key, Matrix6<f64>> = systematic.frames.iter().filter_map(of_pose).collect();
         let fitted = (!self.set_up.is_empty() && self.set_up.len() <= MOST_FITTED).then_some(self.calibration);
-        let judged = || matrix(&problem.rows_of(&problem.jacobian_at(&x)).dense(), free.len());
+        let judged = || matrix(&problem.jacobian_rows(&problem.jacobian_at(&x)).dense(), free.len());
         Ok(Propagation {
             readings: self.readings(u_mm),
             platform: problem.target_sensitivities(&x),
@@ -274,7 +274,7 @@ impl JudgedErrors<'_> {
         let observed =
             Observed { robot, observations: calibration, settings: &settings, free: self.set_up, values: self.values };
         let (problem, x) = (observed.problem()?, observed.x());
-        let fitted = matrix(&problem.rows_of(&problem.jacobian_at(&x)).dense(), self.set_up.len());
+        let fitted = matrix(&problem.jacobian_rows(&problem.jacobian_at(&x)).dense(), self.set_up.len());
         let inverse = pseudo_inverse(fitted.tr_mul(&fitted));
         let response = |(_, change): (Source, Vec<f64>)| {
             let rows = change.len().min(fitted.nrows());
@@ -331,7 +331,7 @@ impl Propagation {
         let mut all: BTreeMap<Source, f64> = BTreeMap::new();
         let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
         add(Source::Instrument, self.noise(by));
-        add(Source::FrameOfPoses, of_frames(&self.frames, &self.keys, &self.by_frame, by));
+        add(Source::FrameOfPoses, frame_variance(&self.frames, &self.keys, &self.by_frame, by));
         let by_vector = DVector::from_column_slice(by);
         // gradient by the fitted parameters, and what it makes of the readings they were fitted to
         let set_up = self.set_up.as_ref().map(|s| (s, s.judged.tr_mul(&by_vector)));
@@ -339,7 +339,7 @@ impl Propagation {
             let answer = &s.inverse * gradient;
             add(Source::Instrument, gradient.dot(&answer));
             let by_readings = &s.fitted * answer;
-            add(Source::FrameOfPoses, of_frames(&self.frames, &s.keys, &s.by_frame, by_readings.as_slice()));
+            add(Source::FrameOfPoses, frame_variance(&self.frames, &s.keys, &s.by_frame, by_readings.as_slice()));
         }
         for (e, (source, change)) in self.common.iter().enumerate() {
             let direct: f64 = change.iter().zip(by).map(|(a, b)| a * b).sum();
@@ -372,7 +372,7 @@ impl Propagation {
 
 /// Variance from the frames of single poses: their derivatives are summed over the residuals of a
 /// pose.
-fn of_frames(frames: &BTreeMap<Key, Matrix6<f64>>, keys: &[Option<Key>], by_frame: &[f64], by: &[f64]) -> f64 {
+fn frame_variance(frames: &BTreeMap<Key, Matrix6<f64>>, keys: &[Option<Key>], by_frame: &[f64], by: &[f64]) -> f64 {
     if frames.is_empty() {
         return 0.0;
     }
@@ -433,6 +433,6 @@ mod tests {
         // row 0 and twice row 5 of the first pose, row 2 of the second; the third has no frame
         let of_a: f64 = (0..6).map(|k| (f64::from(k) + 2.0 * f64::from(30 + k)).powi(2)).sum();
         let of_b: f64 = (0..6).map(|k| 2.0 * f64::from(12 + k).powi(2)).sum();
-        assert_eq!(of_frames(&frames, &keys, &by_frame, &by), of_a + of_b);
+        assert_eq!(frame_variance(&frames, &keys, &by_frame, &by), of_a + of_b);
     }
 }

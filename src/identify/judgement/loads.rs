@@ -49,7 +49,8 @@ impl LoadSlip {
         exchanged.into_iter().chain([0, 1, 2].map(Self::Sign)).chain(UNITS.map(Self::Unit))
     }
 
-    fn of(self, mut at_mm: Vector) -> Vector {
+    /// Centre of mass with the change.
+    fn changed_centre(self, mut at_mm: Vector) -> Vector {
         match self {
             Self::Exchanged([a, b]) => at_mm.swap(a, b),
             Self::Sign(k) => at_mm[k] = -at_mm[k],
@@ -62,7 +63,7 @@ impl LoadSlip {
     fn changed(self, joints: &[f64], mass: usize) -> Vec<f64> {
         let mut joints = joints.to_vec();
         if let Some(&[x, y, z]) = joints.get(mass + 1..mass + 4) {
-            joints[mass + 1..mass + 4].copy_from_slice(&self.of([x, y, z]));
+            joints[mass + 1..mass + 4].copy_from_slice(&self.changed_centre([x, y, z]));
         }
         joints
     }

@@ -54,9 +54,9 @@ impl Whitening {
     ) -> Self {
         let mut groups = Vec::new();
         if misfit.coordinate_mm > 0.0 {
-            groups = of_coordinates(misfit, problem, robot, observations);
+            groups = coordinate_groups(misfit, problem, robot, observations);
         }
-        groups.extend(of_conditions(&misfit.conditions, problem.coordinate_count(), settings));
+        groups.extend(condition_groups(&misfit.conditions, problem.coordinate_count(), settings));
         Self(groups)
     }
 
@@ -97,7 +97,12 @@ impl Group {
 }
 
 /// Groups of coordinates: the targets of each pose.
-fn of_coordinates(misfit: &Misfit, problem: &Residuals, robot: &dyn Robot, observations: &[Observation]) -> Vec<Group> {
+fn coordinate_groups(
+    misfit: &Misfit,
+    problem: &Residuals,
+    robot: &dyn Robot,
+    observations: &[Observation],
+) -> Vec<Group> {
     let (d, [of_pose_mm, of_target_mm]) = (robot.dimension(), misfit.parts_mm());
     let mut poses: BTreeMap<PoseName, Vec<(usize, usize)>> = BTreeMap::new();
     let mut row = 0;
@@ -138,7 +143,7 @@ fn of_coordinates(misfit: &Misfit, problem: &Residuals, robot: &dyn Robot, obser
 }
 
 /// Groups of conditions: repeats of a pose.
-fn of_conditions(sizes: &[f64], first: usize, settings: &Settings) -> Vec<Group> {
+fn condition_groups(sizes: &[f64], first: usize, settings: &Settings) -> Vec<Group> {
     // repeats observe a pose in the same order
     let mut numbers: BTreeMap<_, usize> = BTreeMap::new();
     let mut repeats: BTreeMap<_, Vec<(usize, usize, f64)>> = BTreeMap::new();

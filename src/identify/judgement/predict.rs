@@ -102,5 +102,5 @@ pub fn predict(
 
 fn jacobian_at_nominal(problem: &Residuals, nominal: &[f64]) -> Vec<f64> {
     let x: Vec<f64> = problem.free.iter().map(|&i| nominal[i]).collect();
-    problem.rows_of(&problem.jacobian_at(&x)).dense()
+    problem.jacobian_rows(&problem.jacobian_at(&x)).dense()
 }

@@ -153,7 +153,7 @@ fn measured_targets(o: &Observation) -> impl Iterator<Item = (usize, Vector)> + 
 }
 
 impl Pair {
-    fn of(readings: [u32; 2], all: &[&Reading]) -> Self {
+    fn new(readings: [u32; 2], all: &[&Reading]) -> Self {
         let [a, b] = readings.map(|i| all[i as usize]);
         let mut lengths = [0.0; POSITIONS];
         for (from, to) in a.at.iter().zip(&b.at) {
@@ -282,21 +282,21 @@ impl<'a> Group<'a> {
 /// Pairs of readings of one target at different poses: all of them, or an even selection. Also the
 /// number of all pairs. `readings` are those of all groups.
 fn pairs(groups: &[Vec<Reading>], readings: &[&Reading]) -> (Vec<Pair>, usize) {
-    let count: usize = groups.iter().map(|group| pairs_of(group.len())).sum();
+    let count: usize = groups.iter().map(|group| pair_count(group.len())).sum();
     let mut available = count;
     let mut indices = selection(count).peekable();
     let (mut chosen, mut first, mut start) = (Vec::with_capacity(count.min(MOST_PAIRS)), 0, 0);
     for group in groups {
         let mut poses: Vec<PoseName> = group.iter().map(|r| r.pose).collect();
         poses.sort_unstable();
-        available -= poses.chunk_by(|a, b| a == b).map(|same| pairs_of(same.len())).sum::<usize>();
-        let end = start + pairs_of(group.len());
+        available -= poses.chunk_by(|a, b| a == b).map(|same| pair_count(same.len())).sum::<usize>();
+        let end = start + pair_count(group.len());
         let mut j = 1;
         while let Some(index) = indices.next_if(|index| *index < end) {
             let i;
             [i, j] = pair_at(index - start, j);
             if group[i].pose != group[j].pose {
-                chosen.push(Pair::of([i, j].map(|k| (first + k) as u32), readings));
+                chosen.push(Pair::new([i, j].map(|k| (first + k) as u32), readings));
             }
         }
         first += group.len();
@@ -306,7 +306,7 @@ fn pairs(groups: &[Vec<Reading>], readings: &[&Reading]) -> (Vec<Pair>, usize) {
 }
 
 /// Number of pairs of `n` items.
-fn pairs_of(n: usize) -> usize {
+fn pair_count(n: usize) -> usize {
     n * n.saturating_sub(1) / 2
 }
 
@@ -327,10 +327,10 @@ fn selection(count: usize) -> impl Iterator<Item = usize> {
 /// Pair i < j at an index of the list (0, 1), (0, 2), (1, 2), (0, 3) ...; `j` is at least `from`.
 fn pair_at(index: usize, from: usize) -> [usize; 2] {
     let mut j = from;
-    while pairs_of(j + 1) <= index {
+    while pair_count(j + 1) <= index {
         j += 1;
     }
-    [index - pairs_of(j), j]
+    [index - pair_count(j), j]
 }
 
 /// Width of the steps of distances up to this one: 1, 2 or 5 times a power of ten.
@@ -346,11 +346,11 @@ mod tests {
 
     #[test]
     fn the_list_of_pairs_has_each_pair_once_and_the_selection_is_even() {
-        let listed: Vec<[usize; 2]> = (0..pairs_of(5)).map(|index| pair_at(index, 1)).collect();
+        let listed: Vec<[usize; 2]> = (0..pair_count(5)).map(|index| pair_at(index, 1)).collect();
         let expected: Vec<[usize; 2]> = (0..5).flat_map(|j| (0..j).map(move |i| [i, j])).collect();
         assert_eq!(listed, expected);
         for n in [3_000usize, 100_000, 60_000_000] {
-            let last = pairs_of(n) - 1;
+            let last = pair_count(n) - 1;
             assert_eq!((pair_at(last, n - 9), pair_at(last + 1, n - 1)), ([n - 2, n - 1], [0, n]));
         }
         assert!(selection(MOST_PAIRS).eq(0..MOST_PAIRS));

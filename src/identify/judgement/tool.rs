@@ -5,7 +5,7 @@
 
 use crate::model::frame_error::response;
 use crate::model::residuals::Residuals;
-use crate::model::rigid_part::turn_of;
+use crate::model::rigid_part::best_rotation;
 use crate::{Error, Result};
 use crate::{Group, Identification, Observation, Settings};
 use etalon_base::error;
@@ -116,7 +116,7 @@ impl ToolPoint {
                 let theta = rows[2 * n + i];
                 *column = [rows[i] + lever[0] * theta, rows[n + i] + lever[1] * theta, 0.0];
             }
-            return Ok(of_roles(robot, columns, &[Role::Robot]));
+            return Ok(columns_with_roles(robot, columns, &[Role::Robot]));
         }
         let mut full = vec![0.0; d * robot.targets().len() * n];
         let of_target = |full: &[f64], target: usize, parameter: usize| -> Vector {
@@ -127,7 +127,7 @@ impl ToolPoint {
             values[arm.target_place(0)..][..3].copy_from_slice(&self.point_mm);
             robot.jacobian(&values, joints, &mut full);
             columns.iter_mut().enumerate().for_each(|(i, column)| *column = of_target(&full, 0, i));
-            return Ok(of_roles(robot, columns, &[Role::Robot]));
+            return Ok(columns_with_roles(robot, columns, &[Role::Robot]));
         }
         robot.jacobian(&values, joints, &mut full);
         let places = places(robot, &values, joints);
@@ -136,7 +136,7 @@ impl ToolPoint {
             let moved: Vec<Vector> = carriers(robot).map(|k| of_target(&full, k, i)).collect();
             *column = carried(&places, &moved, at, self.point_mm == [0.0; 3]);
         }
-        Ok(of_roles(robot, columns, &[Role::Robot, Role::Target]))
+        Ok(columns_with_roles(robot, columns, &[Role::Robot, Role::Target]))
     }
 }
 
@@ -227,7 +227,7 @@ pub fn held(
     let of = |group: &&Group| {
         let held = [group.held];
         let by = problem(&held)?.jacobian_at(&at(&held));
-        let follow = response::<1>(&inverse, all.rows_of(&of_free), &by);
+        let follow = response::<1>(&inverse, all.jacobian_rows(&of_free), &by);
         Ok(Held { parameter: group.held, compensation: follow.iter().map(|[c]| -c).collect() })
     };
     groups.iter().map(of).collect()
@@ -249,7 +249,7 @@ fn carriers(robot: &dyn Robot) -> impl Iterator<Item = usize> + '_ {
 }
 
 /// The columns of parameters with one of these roles; the others are zero.
-fn of_roles(robot: &dyn Robot, mut columns: Vec<Vector>, roles: &[Role]) -> Vec<Vector> {
+fn columns_with_roles(robot: &dyn Robot, mut columns: Vec<Vector>, roles: &[Role]) -> Vec<Vector> {
     let others = robot.parameters().iter().zip(&mut columns).filter(|(p, _)| !roles.contains(&p.role));
     others.for_each(|(_, column)| *column = [0.0; 3]);
     columns
@@ -263,6 +263,6 @@ fn carried(places: &[Vector], moved: &[Vector], at: Vector, at_first: bool) -> V
     }
     let (centre, shift) = (centroid(places).unwrap_or_default(), centroid(moved).unwrap_or_default());
     let about: Vec<Vector> = places.iter().map(|p| minus(*p, centre)).collect();
-    let lever = cross(turn_of(&about, &about, moved), minus(at, centre));
+    let lever = cross(best_rotation(&about, &about, moved), minus(at, centre));
     std::array::from_fn(|i| shift[i] + lever[i])
 }

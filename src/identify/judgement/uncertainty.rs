@@ -94,8 +94,8 @@ pub(crate) fn with_uncertainty(
     }
     let plain = instrument.or_else(|| independent(problem, solution));
     let inflation_factor = inflation(plain.as_deref(), covariance.as_deref(), n);
-    warnings
-        .extend(chi_square.and_then(|chi| of_chi_square(chi, dof, inflation_factor, uncertainty_from)).map(Into::into));
+    let verdict = chi_square.and_then(|chi| judge_chi_square(chi, dof, inflation_factor, uncertainty_from));
+    warnings.extend(verdict.map(Into::into));
 
     let lengths = lengths(problem, solution);
     let own = solution.factor.as_ref().map(|f| f.own()).unwrap_or_default();
@@ -179,7 +179,7 @@ fn observability(
         // nominal values are not observed
         (Prior::Tolerances { .. }, _) if shown.free.is_empty() => None,
         (Prior::Tolerances { .. }, _) => {
-            let data = problem.of_others(&plain, &shown.free, &values)?;
+            let data = problem.with_free_parameters(&plain, &shown.free, &values)?;
             let whole = solution.measured.as_ref().filter(|_| data.prior_count() == 0 && data.free == problem.free);
             let (factor, scale) = match whole {
                 Some(factor) => {
@@ -193,7 +193,7 @@ fn observability(
     };
     let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     if let Some(o) = &mut observability {
-        let all = problem.of_others(&plain, wanted, &values)?;
+        let all = problem.with_free_parameters(&plain, wanted, &values)?;
         o.held_singular_values = held_singular_values(&all, &values, o);
     }
     Ok((observability, weak))
@@ -237,7 +237,7 @@ fn inflation(before: Option<&[f64]>, after: Option<&[f64]>, n: usize) -> f64 {
 }
 
 /// Verdict on chi-square.
-fn of_chi_square(chi: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Option<Message> {
+fn judge_chi_square(chi: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Option<Message> {
     match () {
         () if exceeds(chi, dof) => Some(rejection(chi, dof, inflation_factor, from)),
         () if falls_short(chi, dof) => Some(shortfall(chi, dof)),
@@ -294,7 +294,7 @@ fn from_instrument(
         };
         return Some((solution.covariance()?, problem.squares(solution) - problem.shapes().map(more).sum::<f64>()));
     }
-    noise_covariance(solution, &problem.rows_of(jacobian).dense(), &noise(problem, solution, u, placed)?)
+    noise_covariance(solution, &problem.jacobian_rows(jacobian).dense(), &noise(problem, solution, u, placed)?)
 }
 
 /// Covariance from residuals that the instrument's uncertainty does not explain, or without a
@@ -345,7 +345,7 @@ fn by_region(
     (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
     series: &[Vec<PoseName>],
 ) -> Option<Found> {
-    let remaining = Remaining::new(&problem.poses(), solution, problem.rows_of(jacobian))?;
+    let remaining = Remaining::new(&problem.poses(), solution, problem.jacobian_rows(jacobian))?;
     let regional = Regional::new(problem, &remaining, series)?;
     let (covariance, degrees) = regional.covariance(&remaining.root);
     let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
@@ -363,7 +363,7 @@ fn by_region(
 /// parameters' covariance comes on top.
 pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
     let numbers = problem.clusters();
-    let remaining = Remaining::new(&numbers, solution, problem.rows_of(jacobian))?;
+    let remaining = Remaining::new(&numbers, solution, problem.jacobian_rows(jacobian))?;
     let Remaining { jacobian, residuals, root } = &remaining;
     let clusters = ByCluster::new(&numbers, root, residuals, jacobian).filter(ByCluster::is_usable)?;
     let (covariance, degrees) = (clusters.covariance.clone(), clusters.degrees_of_freedom.clone());

@@ -290,7 +290,7 @@ impl Comparison<'_> {
             }
             let positions = Comparison { observations: &back, settings: &positions, given: &place, ..self };
             let space = Space::new(positions).ok()?;
-            let fit = space.fit(&space.columns_of(moved)?);
+            let fit = space.fit(&space.derivatives_by(moved)?);
             let left = space.sum() - fit.explained;
             change.iter_mut().zip(fit.change.iter()).for_each(|(sum, step)| *sum += step);
             if moved == Moved::Base {
@@ -560,7 +560,7 @@ impl<'a> Space<'a> {
     }
 
     /// Derivatives of measured minus predicted values with respect to one of these.
-    fn columns_of(&self, moved: Moved) -> Option<DMatrix<f64>> {
+    fn derivatives_by(&self, moved: Moved) -> Option<DMatrix<f64>> {
         if let Moved::Target(k) = moved {
             return self.targets().into_iter().find(|(target, _)| *target == k).map(|(_, columns)| columns);
         }

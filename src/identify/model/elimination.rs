@@ -51,7 +51,7 @@ impl Layout {
             let measured = (0..o.targets.len()).filter(|&k| o.targets[k].is_some());
             measured.for_each(|k| add(Some(arm.target_place(k)), robot.dimension()));
         }
-        settings.conditions.iter().for_each(|c| add(owners.of(arm, c), c.kind.rows()));
+        settings.conditions.iter().for_each(|c| add(owners.first_unknown(arm, c), c.kind.rows()));
         for known in &settings.known {
             add(Some(known.points()[0]).filter(|_| known.points().len() == 1), known.rows());
         }
@@ -206,7 +206,7 @@ impl Owners {
     }
 
     /// First unknown on which a condition depends.
-    fn of(&self, arm: &dyn FreeBase, c: &Condition) -> Option<usize> {
+    fn first_unknown(&self, arm: &dyn FreeBase, c: &Condition) -> Option<usize> {
         let equation = c.kind.equation();
         match self.of_targets {
             true => equation.moving(arm.target_place(c.target)),

@@ -23,7 +23,7 @@ pub(crate) fn carry<'a>(
     total: &mut [f64],
 ) {
     let n = solution.x.len();
-    let jacobian = problem.rows_of(jacobian);
+    let jacobian = problem.jacobian_rows(jacobian);
     let Some(inverse) = solution.covariance() else { return };
     for frame in frames {
         let by_frame = problem.frame_jacobian(&solution.x, frame.pose);

@@ -94,7 +94,7 @@ impl<'a> Residuals<'a> {
     }
 
     /// Residuals of these observations with another set of free parameters.
-    pub fn of_others(&self, settings: &'a Settings, free: &[usize], values: &[f64]) -> Result<Self> {
+    pub fn with_free_parameters(&self, settings: &'a Settings, free: &[usize], values: &[f64]) -> Result<Self> {
         Ok(Self::unloaded(self.robot, self.observations, settings, free, values)?.under(self.loads.clone()))
     }
 
@@ -299,7 +299,7 @@ impl<'a> Residuals<'a> {
 
     /// Residuals of the conditions or, for a given `width`, their derivatives, over chunks of
     /// conditions.
-    fn of_conditions(&self, all: &[f64], out: &mut [f64], width: usize, write: impl Fn(&Met, &mut [f64]) + Sync) {
+    fn fill_condition_rows(&self, all: &[f64], out: &mut [f64], width: usize, write: impl Fn(&Met, &mut [f64]) + Sync) {
         let mut parts = Vec::new();
         let (mut out, mut row) = (out, self.coordinate_count());
         for conditions in self.conditions.chunks(CHUNK) {
@@ -323,7 +323,7 @@ impl<'a> Residuals<'a> {
     fn condition_jacobian(&self, all: &[f64], out: &mut [f64]) {
         let (n, width) = (all.len(), self.width());
         let (robot, loads) = (self.robot.parametrised(all), self.robot.loads());
-        self.of_conditions(all, out, width, |met, out| {
+        self.fill_condition_rows(all, out, width, |met, out| {
             let (condition, dimension) = (met.condition, self.robot.dimension());
             let mut moved = vec![0.0; dimension * n];
             if condition.kind.equation().depends_on_target() {
@@ -356,7 +356,7 @@ impl<'a> Residuals<'a> {
     }
 
     /// A Jacobian with its columns.
-    pub fn rows_of<'j>(&'j self, jacobian: &'j [f64]) -> Rows<'j> {
+    pub fn jacobian_rows<'j>(&'j self, jacobian: &'j [f64]) -> Rows<'j> {
         Rows { numbers: jacobian, n: self.free.len(), blocks: Problem::blocks(self) }
     }
 
@@ -566,7 +566,7 @@ impl<'a> Residuals<'a> {
     /// Residuals before whitening.
     pub fn plain_residuals(&self, x: &[f64], r: &mut [f64]) {
         let all = self.all(x);
-        self.of_conditions(&all, &mut r[self.coordinate_count()..], 1, |met, out| {
+        self.fill_condition_rows(&all, &mut r[self.coordinate_count()..], 1, |met, out| {
             met.condition.residuals(&met.condition.at(met.arm, &all, met.position), out);
         });
         if let (Some(size), Some(reference_mm)) = (self.size(&all), self.reference_mm) {

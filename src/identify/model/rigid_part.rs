@@ -143,7 +143,7 @@ impl Shape {
             });
             let by_target: Vec<Vector> = by_target.collect();
             // the best fit turns back with them
-            let back = turn_of(&self.centred, &places, &by_target);
+            let back = best_rotation(&self.centred, &places, &by_target);
             for (k, (by, place)) in by_target.iter().zip(&places).enumerate() {
                 let turned = cross(back, *place);
                 (0..d).for_each(|i| moved[(k * d + i, column)] = by[i] - turned[i]);
@@ -198,7 +198,7 @@ impl Shape {
 /// The small rotation ω in `moved` (displacements of points at `places`), for the best fit onto
 /// points at `fixed`: both are about their centres, and Σ fixed × (moved − ω × places) = 0; zero
 /// about a line that contains all points.
-pub(crate) fn turn_of(fixed: &[Vector], places: &[Vector], moved: &[Vector]) -> Vector {
+pub(crate) fn best_rotation(fixed: &[Vector], places: &[Vector], moved: &[Vector]) -> Vector {
     let (mut inertia, mut moment) = (Matrix3::zeros(), Vector3::zeros());
     for ((s, y), d) in fixed.iter().zip(places).zip(moved) {
         let [s, y, d] = [*s, *y, *d].map(Vector3::from);

@@ -111,7 +111,7 @@ impl Root {
                 return Proven { bound: bound.min(relaxation), best, relaxation, nodes: looked };
             }
             if let Some(whole) = decided(&fixed, count) {
-                let choice = Choice::of(pool, whole);
+                let choice = Choice::new(pool, whole);
                 if choice.value > best.value {
                     best = choice;
                 }
@@ -133,7 +133,7 @@ impl Root {
             for (fixed, relaxed) in [with, without] {
                 looked += 1;
                 if let Some(whole) = decided(&fixed, count) {
-                    let choice = Choice::of(pool, whole);
+                    let choice = Choice::new(pool, whole);
                     if choice.value > best.value {
                         best = choice;
                     }
@@ -144,7 +144,7 @@ impl Root {
                 if looked % 64 == 1 {
                     let taken = fixed.iter().enumerate().filter(|(_, f)| **f == Fixed::In).map(|(i, _)| i);
                     let chosen: Vec<usize> = taken.chain(rounded.into_iter().map(|(_, i)| i)).take(count).collect();
-                    let choice = exchange(pool, &Choice::of(pool, chosen));
+                    let choice = exchange(pool, &Choice::new(pool, chosen));
                     if choice.value > best.value * BETTER {
                         best = choice;
                     }
@@ -222,7 +222,7 @@ struct Relaxed {
 }
 
 impl Relaxed {
-    fn of(shares: &Shares) -> Self {
+    fn new(shares: &Shares) -> Self {
         let [above, below] = shares.parts.clone();
         Self { bound: shares.bound, weights: shares.weights.clone(), above, below }
     }
@@ -336,7 +336,7 @@ fn relax(
     let problem = Problem { pool, fixed, count };
     let weights = start_weights(fixed, count, near);
     let mut now = problem.shares(weights.clone(), &problem.tangent(&weights)?);
-    let mut best = Relaxed::of(&now);
+    let mut best = Relaxed::new(&now);
     let mut values = vec![now.value.ln()];
     let steepest = now.slopes.iter().fold(0.0f64, |most, s| most.max(s.abs()));
     let mut stride = 1.0 / steepest;
@@ -352,7 +352,7 @@ fn relax(
         stride = next_stride(&now, &next, stride);
         values.push(next.value.ln());
         if next.bound < best.bound {
-            best = Relaxed::of(&next);
+            best = Relaxed::new(&next);
         }
         now = next;
     }

@@ -17,7 +17,7 @@ mod study;
 
 pub use criterion::{Criterion, Pool};
 pub use search::Choice;
-pub use study::{PlaceError, Setting, SizeStudy, point_of, study};
+pub use study::{PlaceError, Setting, SizeStudy, reference_point, study};
 
 use crate::Result;
 use crate::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
@@ -148,11 +148,11 @@ pub fn plan(
         let (positions, candidates) = (request.positions, members.len());
         return Err(error!("too-many-positions", positions, candidates).into());
     }
-    let pool = pool_of(&known, &members, request.criterion);
+    let pool = candidate_pool(&known, &members, request.criterion);
     let begin = begin(robot, observations, &members, request)?;
     let longest = (2 * request.positions).max(request.positions + 8).min(members.len());
     let steps = greedy(&pool, &begin, longest).chosen;
-    let thesis = Choice::of(&pool, steps[..request.positions].to_vec());
+    let thesis = Choice::new(&pool, steps[..request.positions].to_vec());
     let free = greedy(&pool, &[], request.positions);
     let take = |chosen: &[usize]| -> Vec<Observation> {
         chosen.iter().flat_map(|&c| members[c].iter().map(|&k| observations[k].clone())).collect()
@@ -164,7 +164,7 @@ pub fn plan(
     chosen.sort_unstable();
     let prediction = predict(robot, &take(&chosen), settings, &known.free)?;
     let step = |count: usize| {
-        let now = Choice::of(&pool, steps[..count].to_vec());
+        let now = Choice::new(&pool, steps[..count].to_vec());
         let condition = predict(robot, &take(&steps[..count]), settings, &known.free).ok()?.observability?.condition;
         let configurations = pool.configurations(&now.chosen);
         Some(Step { positions: count, configurations, index: request.criterion.index(&pool, now.value), condition })
@@ -189,11 +189,11 @@ pub fn plan(
 }
 
 /// The index of other poses, by their numbers; configurations that are not candidates do not count.
-pub fn index_of(plan: &Plan, observations: &[Observation], criterion: Criterion, poses: &[PoseName]) -> f64 {
-    let pool = pool_of(&plan.sensitivity, &plan.members, criterion);
+pub fn index_of_poses(plan: &Plan, observations: &[Observation], criterion: Criterion, poses: &[PoseName]) -> f64 {
+    let pool = candidate_pool(&plan.sensitivity, &plan.members, criterion);
     let of = |m: &Vec<usize>| m.iter().any(|&k| poses.contains(&observations[k].pose));
     let chosen = (0..plan.members.len()).filter(|&c| of(&plan.members[c])).collect();
-    criterion.index(&pool, Choice::of(&pool, chosen).value)
+    criterion.index(&pool, Choice::new(&pool, chosen).value)
 }
 
 /// Configurations that are measured together: those of a pose, or single ones.
@@ -209,7 +209,7 @@ fn group(observations: &[Observation], single: bool) -> Vec<Vec<usize>> {
 }
 
 /// Information of the candidates, with columns scaled for the criterion.
-pub fn pool_of(known: &Sensitivity, members: &[Vec<usize>], criterion: Criterion) -> Pool {
+pub fn candidate_pool(known: &Sensitivity, members: &[Vec<usize>], criterion: Criterion) -> Pool {
     let m = known.free.len();
     let mut first = vec![0];
     first.extend(known.rows.iter().scan(0, |sum, rows| {

@@ -20,7 +20,7 @@ pub struct Choice {
 
 impl Choice {
     /// Creates the choice of these candidates.
-    pub fn of(pool: &Pool, chosen: Vec<usize>) -> Self {
+    pub fn new(pool: &Pool, chosen: Vec<usize>) -> Self {
         let value = pool.criterion.value(pool, pool.information(&chosen), pool.configurations(&chosen));
         Self { chosen, value }
     }
@@ -151,7 +151,7 @@ pub fn greedy(pool: &Pool, start: &[usize], count: usize) -> Choice {
             let base = Base::new(pool, by, &chosen)?;
             match by {
                 Criterion::O1 | Criterion::D => best_determinant(&base, &chosen, &mut gains),
-                _ => best_of(&base, &chosen),
+                _ => best_candidate(&base, &chosen),
             }
         };
         match best(pool.criterion).filter(|b| b.0 > 0.0).or_else(|| best(Criterion::D)) {
@@ -159,12 +159,12 @@ pub fn greedy(pool: &Pool, start: &[usize], count: usize) -> Choice {
             None => break,
         }
     }
-    Choice::of(pool, chosen)
+    Choice::new(pool, chosen)
 }
 
-/// [`best_of`] for determinants without examining all candidates: `gains` are the last computed
-/// increases of the logarithm, which are upper bounds because increases fall with every chosen
-/// candidate (Minoux 1978).
+/// [`best_candidate`] for determinants without examining all candidates: `gains` are the last
+/// computed increases of the logarithm, which are upper bounds because increases fall with every
+/// chosen candidate (Minoux 1978).
 fn best_determinant(base: &Base, chosen: &[usize], gains: &mut [f64]) -> Option<(f64, usize)> {
     let candidates = &base.pool.candidates;
     let value = |i: usize, gain: f64| base.with_determinant(&candidates[i], gain);
@@ -186,7 +186,7 @@ fn best_determinant(base: &Base, chosen: &[usize], gains: &mut [f64]) -> Option<
 }
 
 /// The best candidate that is not chosen yet, with its criterion; among equal ones the first.
-fn best_of(base: &Base, chosen: &[usize]) -> Option<(f64, usize)> {
+fn best_candidate(base: &Base, chosen: &[usize]) -> Option<(f64, usize)> {
     let free = (0..base.pool.candidates.len()).filter(|i| !chosen.contains(i));
     free.map(|i| (base.with(i), i)).fold(None, |best, now| match best {
         Some((value, _)) if now.0 <= value => best,
@@ -240,7 +240,7 @@ fn best_exchange(pool: &Pool, present: &Choice, place: usize, screen: Option<&Sc
     let mut rest = chosen.clone();
     rest.swap_remove(place);
     let Some(screen) = screen else {
-        return best_of(&Base::new(pool, pool.criterion, &rest)?, chosen);
+        return best_candidate(&Base::new(pool, pool.criterion, &rest)?, chosen);
     };
     let hopes = screen.hopes(chosen, place, present.value * IMPROVEMENT);
     if hopes.is_empty() {
@@ -277,7 +277,7 @@ pub fn exchange(pool: &Pool, start: &Choice) -> Choice {
         if let Some((_, candidate)) = found {
             let mut chosen = best.chosen.clone();
             chosen[place] = candidate;
-            let exchanged = Choice::of(pool, chosen);
+            let exchanged = Choice::new(pool, chosen);
             if exchanged.value > best.value * IMPROVEMENT {
                 best = exchanged;
                 screen = Screen::new(pool, &best.chosen);
@@ -300,7 +300,7 @@ pub fn exchange_from_many(pool: &Pool, first: &[Choice], starts: u64, seed: u64,
             let at = ((noise.uniform(0.5) + 0.5) * left.len() as f64) as usize;
             left.swap_remove(at.min(left.len() - 1))
         };
-        Choice::of(pool, (0..count.min(pool.candidates.len())).map(|_| draw()).collect())
+        Choice::new(pool, (0..count.min(pool.candidates.len())).map(|_| draw()).collect())
     };
     let all: Vec<Choice> = first.iter().cloned().chain((0..starts).map(random)).collect();
     let exchanged = |start: &Choice| {
@@ -328,7 +328,7 @@ mod tests {
                 let all = free.map(|i| {
                     let mut chosen = best.chosen.clone();
                     chosen[place] = i;
-                    Choice::of(pool, chosen)
+                    Choice::new(pool, chosen)
                 });
                 let found = all.max_by(|a, b| a.value.total_cmp(&b.value)).unwrap();
                 if found.value > best.value * IMPROVEMENT {
@@ -352,7 +352,7 @@ mod tests {
             let blocks: Vec<(Vec<f64>, usize)> = (0..15).map(block).collect();
             let pool = Pool::new(&blocks, scale, criterion);
             for first in 0..3 {
-                let start = Choice::of(&pool, (0..5).map(|k| (3 * k + first) % 15).collect());
+                let start = Choice::new(&pool, (0..5).map(|k| (3 * k + first) % 15).collect());
                 let (found, expected) = (exchange(&pool, &start), by_definition(&pool, &start));
                 assert!((found.value / expected.value - 1.0).abs() < 1e-9, "{criterion:?} {found:?} {expected:?}");
             }

@@ -1,7 +1,7 @@
 //! A simulated calibration with the chosen poses (thesis, section 4.6): errors of parameters and
 //! positions relative to the truth.
 
-use super::{Criterion, Plan, pool_of, search::Choice};
+use super::{Criterion, Plan, candidate_pool, search::Choice};
 use crate::Result;
 use crate::{Observation, Settings, ToolPoint, identify_from};
 use etalon_base::catalogue::Phrase;
@@ -32,7 +32,7 @@ pub struct Setting<'a> {
 }
 
 /// Point to which the errors of a study refer.
-pub fn point_of(robot: &dyn Robot) -> Phrase {
+pub fn reference_point(robot: &dyn Robot) -> Phrase {
     match robot.platform() {
         Some(_) => phrase!("platform-in-base"),
         None => phrase!("targets-in-world"),
@@ -80,11 +80,11 @@ pub fn study(
     settings: &Settings,
     setting: &Setting,
 ) -> Result<Vec<SizeStudy>> {
-    let pool = pool_of(&plan.sensitivity, &plan.members, Criterion::D);
+    let pool = candidate_pool(&plan.sensitivity, &plan.members, Criterion::D);
     let mut order: Vec<usize> = Vec::new();
     let mut studies = Vec::new();
     while order.len() < plan.chosen.len() {
-        let with = |i: usize| Choice::of(&pool, [&order[..], &[i]].concat()).value;
+        let with = |i: usize| Choice::new(&pool, [&order[..], &[i]].concat()).value;
         let left = plan.chosen.iter().copied().filter(|i| !order.contains(i)).map(|i| (with(i), i));
         let Some((_, next)) = left.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))) else { break };
         order.push(next);

@@ -62,7 +62,7 @@ impl Known {
     }
 
     /// `true` if the fact refers to one of these parameters.
-    pub fn is_of(&self, parameters: &BTreeSet<usize>) -> bool {
+    pub fn refers_to(&self, parameters: &BTreeSet<usize>) -> bool {
         self.points().iter().any(|first| parameters.contains(first))
     }
 }
@@ -121,7 +121,7 @@ pub fn place_apart(
     for (k, &i) in free.iter().enumerate() {
         placed.uncertainties.insert(i, inverse[k * n + k].sqrt());
     }
-    let jacobian = problem.rows_of(&problem.jacobian_at(&x)).dense();
+    let jacobian = problem.jacobian_rows(&problem.jacobian_at(&x)).dense();
     let mut redundancy = jacobian.chunks_exact(n).map(|row| 1.0 - leverage(row, &inverse));
     let mut mean = |rows: usize| redundancy.by_ref().take(rows).sum::<f64>() / rows as f64;
     for of_target in placed.observations.iter_mut().flatten().flatten() {

@@ -76,7 +76,7 @@ pub(crate) fn observe(
     let plain = (problem.is_whitened() || problem.is_weighted()).then(|| plain(problem, x));
     let (factor, scale) = plain.as_ref().map_or((factor, scale), |(factor, scale)| (factor, scale.as_slice()));
     let (all, common) = (factor.columns(), factor.common());
-    let (n, free) = (common.len(), of_common(problem, factor));
+    let (n, free) = (common.len(), common_parameters(problem, factor));
     let scaled = svd(factor);
     let scale: Vec<f64> = common.iter().map(|&j| scale[j]).collect();
     let unscaled = svd(&unscale(factor, &scale, problem.unit));
@@ -132,12 +132,12 @@ pub(crate) fn held_singular_values(
     }
     let x: Vec<f64> = problem.free.iter().map(|&i| values[i]).collect();
     let factor = plain(problem, &x).0;
-    let mut all = singular_values(&svd(&factor), &of_common(problem, &factor));
+    let mut all = singular_values(&svd(&factor), &common_parameters(problem, &factor));
     all.split_off(identified.singular_values.len().min(all.len()))
 }
 
 /// The parameters of the common columns.
-fn of_common(problem: &Residuals, factor: &Factor) -> Vec<usize> {
+fn common_parameters(problem: &Residuals, factor: &Factor) -> Vec<usize> {
     factor.common().into_iter().map(|j| problem.free[j]).collect()
 }
 
@@ -154,7 +154,7 @@ fn singular_values(svd: &Svd, free: &[usize]) -> Vec<SingularValue> {
 fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
     let mut jacobian = vec![0.0; problem.residual_count() * problem.width()];
     problem.plain_jacobian(x, &mut jacobian);
-    let rows = problem.rows_of(&jacobian);
+    let rows = problem.jacobian_rows(&jacobian);
     let scale = rows.norms();
     (rows.factor(&vec![0.0; problem.residual_count()], &scale), scale)
 }

@@ -147,7 +147,7 @@ fn place_all(
     nominal: &[f64],
     places: &[usize],
 ) -> Result<Option<Placed>> {
-    let sightings = Sighting::of(arm, observations, nominal);
+    let sightings = Sighting::from_observations(arm, observations, nominal);
     let turned = |r: &[f64; 3]| linear_start(&sightings, nominal, places, *r);
     let mut candidates: Vec<(f64, Vec<f64>)> = rotations(nominal, places).iter().filter_map(turned).collect();
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -234,7 +234,7 @@ struct Sighting {
 impl Sighting {
     /// All measured targets of an arm whose own parameters are nominal: the joint values determine
     /// the flange relative to the base.
-    fn of(arm: &dyn FreeBase, observations: &[Observation], nominal: &[f64]) -> Vec<Self> {
+    fn from_observations(arm: &dyn FreeBase, observations: &[Observation], nominal: &[f64]) -> Vec<Self> {
         let mut in_base = nominal.to_vec();
         in_base[..6].fill(0.0);
         let of_pose = |o: &Observation| {

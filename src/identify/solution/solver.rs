@@ -276,7 +276,7 @@ impl Estimation<'_> {
                 return Err(diagnose_failure(self, &start, solution.termination));
             }
             wanted.retain(|&i| useless.iter().all(|g| g.held != i));
-            let all = problem.of_others(settings, &by_rank(robot, &wanted), &values)?;
+            let all = problem.with_free_parameters(settings, &by_rank(robot, &wanted), &values)?;
             let (new, redundant): (Vec<Group>, Vec<Group>) = Analysis::at(&all, &values, all.noise(Some(&solution)))
                 .groups
                 .into_iter()
@@ -312,7 +312,7 @@ impl Estimation<'_> {
         if free.is_empty() {
             return Err(nothing_left(robot, observations, settings, start));
         }
-        let residuals = all.of_others(settings, &free, start)?;
+        let residuals = all.with_free_parameters(settings, &free, start)?;
         let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
         let weight = |&i: &usize| ANCHOR_MM / residuals.unit / robot.parameters()[i].known_within();
         let prior = |(parameter, i)| etalon_math::ParameterPrior { parameter, value: x[parameter], weight: weight(i) };

@@ -26,7 +26,7 @@ pub(super) struct Region {
 
 impl Region {
     pub fn of_points(points: &[Vector]) -> Self {
-        Self { length_mm: Extent::of_points(points, 0.0).length_mm, ..Self::default() }
+        Self { length_mm: Extent::from_points(points, 0.0).length_mm, ..Self::default() }
     }
 
     /// Region of positions that a tool of this position in the flange takes.

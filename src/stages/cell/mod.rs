@@ -299,7 +299,7 @@ impl Task<'_> {
         let known = fit.quality.has_uncertainty();
         let unit = judgement::of_unit(&poses, fit.tool.at_mm);
         let messages = unit.into_iter().chain(judgement::of_active_tool(&fit.tool, known)).collect();
-        let size = Size::of_poses(&poses, fit.tool.at_mm);
+        let size = Size::from_poses(&poses, fit.tool.at_mm);
         Ok(Found {
             points: vec![point_entry("tool", "flange", &fit.tool), point_entry("fixed", "base", &fit.fixed)],
             region: Region::of_tool(&positions(&poses), fit.tool.at_mm),
@@ -344,7 +344,7 @@ impl Task<'_> {
             frames: vec![frame_entry("base", "world", &fit.world_T_base)],
             region: Region::of_tool(&measured, fit.tool.at_mm).with_centres([centroid(&measured)]),
             messages: judgement::of_unit(&poses, fit.tool.at_mm).into_iter().collect(),
-            size: Size::of_poses(&poses, fit.tool.at_mm),
+            size: Size::from_poses(&poses, fit.tool.at_mm),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -392,7 +392,7 @@ impl Task<'_> {
             ],
             region: Region::of_tool(&hands, hand_mm).with_centres([None, centroid(&hands)]),
             messages: judgement::of_unit(&poses, hand_mm).into_iter().collect(),
-            size: Size::of_poses(&poses, hand_mm),
+            size: Size::from_poses(&poses, hand_mm),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -414,7 +414,7 @@ impl Task<'_> {
         Ok(Found {
             frames: vec![frame_entry("object", "points", &fit.frame)],
             region: Region::of_points(&measured).with_centres([centroid(&measured)]),
-            size: Size::of_points(&measured),
+            size: Size::from_points(&measured),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -488,7 +488,7 @@ impl Task<'_> {
             points: vec![point_entry("fixed", "base", &fit.fixed)],
             region: Region::of_tool(&positions(&poses), fit.tool.pose.translation_mm),
             messages: judgement::of_unit(&poses, fit.tool.pose.translation_mm).into_iter().collect(),
-            size: Size::of_poses(&poses, fit.tool.pose.translation_mm),
+            size: Size::from_poses(&poses, fit.tool.pose.translation_mm),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -534,7 +534,7 @@ impl Task<'_> {
                 radius_mm: None,
             }),
             messages: scale_warning(fit.scale, fit.scale_standard_uncertainty, &fit.quality).into_iter().collect(),
-            size: Size::of_points(&points),
+            size: Size::from_points(&points),
             quality: Some(fit.quality),
             ..Found::default()
         })
@@ -574,7 +574,7 @@ impl Task<'_> {
                 radius_mm: Some(fit.radius_mm),
             }),
             messages: scale_warning(fit.ratio, fit.ratio_standard_uncertainty, &fit.quality).into_iter().collect(),
-            size: Size::of_points(&points),
+            size: Size::from_points(&points),
             quality: Some(fit.quality),
             ..Found::default()
         })

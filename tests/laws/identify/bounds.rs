@@ -74,7 +74,7 @@ fn accepted_tool_points_are_within_their_bounds() {
         };
         let positions: Vec<Vector> = poses.iter().map(|p| p.translation_mm).collect();
         let spread =
-            Extent::of_points(&positions, found.quality.standard_uncertainty(Measure::Position, &stated).unwrap());
+            Extent::from_points(&positions, found.quality.standard_uncertainty(Measure::Position, &stated).unwrap());
         let extent = Extent { length_mm: spread.length_mm.max(norm(found.tool.at_mm)), ..spread };
         let errors = minus(found.tool.at_mm, tool).map(|v| (v, Quantity::Length));
         judged.add(&errors, found.tool.covariance_mm2.as_flattened(), &extent);
@@ -96,7 +96,7 @@ fn accepted_frames_of_three_points_are_within_their_bounds() {
             judged.refused += 1;
             continue;
         };
-        let extent = Extent::of_points(touched.as_flattened(), u_mm);
+        let extent = Extent::from_points(touched.as_flattened(), u_mm);
         judged.add(&frame_errors(&found.frame, &truth), found.frame.covariance.as_flattened(), &extent);
     }
     assert!(judged.accepted > 100 && judged.refused > 100, "{} {}", judged.accepted, judged.refused);
@@ -123,7 +123,7 @@ fn accepted_rotary_axes_are_within_their_bounds() {
         };
         let points: Vec<Vector> = readings.iter().map(|r| r.position_mm).collect();
         let u_mm = found.quality.standard_uncertainty(Measure::Position, &stated).unwrap();
-        let extent = Extent::of_points(&points, u_mm);
+        let extent = Extent::from_points(&points, u_mm);
         judged.add(&frame_errors(&found.frame, &truth), found.frame.covariance.as_flattened(), &extent);
     }
     assert!(judged.accepted > 50 && judged.refused > 50, "{} {}", judged.accepted, judged.refused);

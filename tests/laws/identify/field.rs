@@ -7,8 +7,8 @@ use etalon::base::noise::Noise;
 use etalon::base::pose::norm;
 use etalon::base::pose_name::PoseName;
 use etalon::identify::{
-    Corrected, Effects, FieldRefusal, FieldTrial, Identification, JointField, Observation, Prior, Settings, field_of,
-    identify,
+    Corrected, Effects, FieldRefusal, FieldTrial, Identification, JointField, Observation, Prior, Settings, identify,
+    search_field,
 };
 use etalon::math::statistics::rms;
 use etalon::robots::{Correction, Quantity, Robot, Role, Serial};
@@ -99,7 +99,7 @@ fn spoilt(left_out: LeftOut, poses: i64, seed: u64, spoil: &dyn Fn(&mut [Observa
         ..Settings::default()
     };
     let found = identify(&model, &observations, &settings).expect("identified");
-    let trial = field_of(&model, &observations, &settings, &found);
+    let trial = search_field(&model, &observations, &settings, &found);
     let fresh = truth.observe(1000..1100, 1.3, &mut noise);
     Campaign { model, found, trial, fresh }
 }

@@ -6,7 +6,7 @@ use etalon::base::pose_name::PoseName;
 use etalon::identify::plan::bound::branch_and_bound;
 use etalon::identify::plan::candidates::Candidates;
 use etalon::identify::plan::search::{exchange_from_many, greedy};
-use etalon::identify::plan::{Choice, Criterion, Plan, Pool, Request, plan, pool_of};
+use etalon::identify::plan::{Choice, Criterion, Plan, Pool, Request, candidate_pool, plan};
 use etalon::identify::{Observation, identify_from};
 use etalon::math::{Factor, Svd, svd};
 use etalon::robots::{FiveBar, Robot, WORKING_MODES};
@@ -113,7 +113,7 @@ fn pool(robot: &FiveBar, observations: &[Observation], criterion: Criterion) -> 
             _ => members.push(vec![k]),
         }
     }
-    pool_of(&known, &members, criterion)
+    candidate_pool(&known, &members, criterion)
 }
 
 #[test]
@@ -356,7 +356,7 @@ fn seven_planned_positions_give_the_accuracy_of_table_4_2_and_fewer_less_in_the_
         let pool = pool(&robot, &observations, Criterion::D);
         let mut order: Vec<usize> = Vec::new();
         while order.len() < 7 {
-            let with = |i: usize| Choice::of(&pool, [&order[..], &[i]].concat()).value;
+            let with = |i: usize| Choice::new(&pool, [&order[..], &[i]].concat()).value;
             let free = found.chosen.iter().copied().filter(|i| !order.contains(i));
             order.push(free.max_by(|&a, &b| with(a).total_cmp(&with(b))).unwrap());
         }

@@ -10,7 +10,7 @@ use etalon::base::noise::Noise;
 use etalon::base::phrase;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
-use etalon::identify::{FieldTrial, Observation, Settings, Systematic, field_of};
+use etalon::identify::{FieldTrial, Observation, Settings, Systematic, search_field};
 use etalon::robots::{Effect, PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::walk;
 use etalon::stages::evaluate::Sets;
@@ -385,7 +385,7 @@ fn with_field(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> (Ve
     };
     solved.judge(robot, &sets, &settings, Vec::new());
     let said: Vec<Message> = solved.found.warnings.iter().map(|warning| warning.message.clone()).collect();
-    let trial = (!said.iter().any(is_error)).then(|| field_of(robot, observations, &settings, &solved.found));
+    let trial = (!said.iter().any(is_error)).then(|| search_field(robot, observations, &settings, &solved.found));
     (said, trial)
 }
 
