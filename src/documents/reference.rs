@@ -48,7 +48,8 @@ impl ReferencePose {
             None => robot.branches().is_empty().then_some(0),
         };
         let Some(branch) = branch.filter(|_| self.joints.len() == robot.joints().len()) else { return f64::INFINITY };
-        let is_seen = robot.branches().is_empty() || (0..robot.targets().len()).any(|k| robot.branch_of(k) == branch);
+        let is_seen =
+            robot.branches().is_empty() || (0..robot.targets().len()).any(|k| robot.target_branch(k) == branch);
         if !is_seen {
             return 0.0;
         }

@@ -41,11 +41,11 @@ impl Branches {
 
     /// Loads of all branches at joint values.
     fn loads_at(&self, nominal: &[f64], joints: &[f64]) -> Vec<f64> {
-        self.arms.iter().flat_map(|arm| arm.loads_of(nominal, joints)).collect()
+        self.arms.iter().flat_map(|arm| arm.loads_with_parameters(nominal, joints)).collect()
     }
 
     /// State of a branch: the joint values of the robot with the loads of the branch.
-    fn state_of<'s>(&self, branch: usize, state: State<'s>) -> State<'s> {
+    fn branch_state<'s>(&self, branch: usize, state: State<'s>) -> State<'s> {
         let first: usize = self.arms[..branch].iter().map(Serial::load_count).sum();
         State { loads: &state.loads[first..][..self.arms[branch].load_count()], ..state }
     }
@@ -62,9 +62,9 @@ impl Branches {
         target: usize,
         evaluate: impl FnOnce(&WithParameters, State) -> T,
     ) -> T {
-        let branch = self.branch_of(target);
+        let branch = self.target_branch(target);
         let arm = &self.arms[branch];
-        let loads = if arm.load_count() == 0 { Vec::new() } else { arm.loads_of(&self.nominal(), joints) };
+        let loads = if arm.load_count() == 0 { Vec::new() } else { arm.loads_with_parameters(&self.nominal(), joints) };
         evaluate(&arm.with(parameters), State { joints, loads: &loads })
     }
 }
@@ -106,7 +106,7 @@ impl Robot for Branches {
     fn branches(&self) -> &[String] {
         &self.links
     }
-    fn branch_of(&self, target: usize) -> usize {
+    fn target_branch(&self, target: usize) -> usize {
         self.of_target.get(target).copied().unwrap_or(0)
     }
     fn joints_of_base(&self) -> &[String] {
@@ -120,7 +120,7 @@ impl Robot for Branches {
     }
     fn nominal_gain(&self, joint: usize) -> f64 {
         let nominal = self.nominal();
-        self.arms.iter().find_map(|arm| arm.gain_of(joint, &nominal)).unwrap_or(1.0)
+        self.arms.iter().find_map(|arm| arm.joint_gain(joint, &nominal)).unwrap_or(1.0)
     }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)
@@ -171,9 +171,9 @@ impl Bound<'_> {
         state: State<'s>,
         targets: &'s [usize],
     ) -> impl Iterator<Item = (&'s WithParameters<'s>, State<'s>, Vec<usize>)> + 's {
-        let of = move |branch: usize| targets.iter().copied().filter(move |&k| self.robot.branch_of(k) == branch);
+        let of = move |branch: usize| targets.iter().copied().filter(move |&k| self.robot.target_branch(k) == branch);
         let parts = self.arms.iter().enumerate();
-        let parts = parts.map(move |(i, arm)| (arm, self.robot.state_of(i, state), of(i).collect::<Vec<_>>()));
+        let parts = parts.map(move |(i, arm)| (arm, self.robot.branch_state(i, state), of(i).collect::<Vec<_>>()));
         parts.filter(|(.., targets)| !targets.is_empty())
     }
 
@@ -397,7 +397,7 @@ mod tests {
         }
         let joints: Vec<&str> = robot.joints().iter().map(|joint| joint.name.as_str()).collect();
         assert_eq!(joints, ["turn", "rise", "l1", "l2", "l3", "r1", "r2", "r3"]);
-        assert_eq!((robot.branch_of(0), robot.branch_of(1), robot.branch_of(2)), (1, 0, 0));
+        assert_eq!((robot.target_branch(0), robot.target_branch(1), robot.target_branch(2)), (1, 0, 0));
         // nominal values that are set later apply
         let mut robot = robot;
         let mut nominal = robot.nominal();

@@ -54,7 +54,7 @@ pub(super) struct Term {
 
 impl Term {
     /// A parameter with factor one.
-    pub fn of(parameter: usize) -> Self {
+    pub fn new(parameter: usize) -> Self {
         Self { parameter, coefficient: Coefficient::Constant(1.0) }
     }
 }

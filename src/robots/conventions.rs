@@ -272,7 +272,7 @@ impl JointKeys {
     }
 
     /// Joint `i` of a table; `alone` if there is no other axis on the side of its link.
-    fn of_table(&self, i: usize, alone: bool) -> Result<SerialJoint, Faults> {
+    fn table_joint(&self, i: usize, alone: bool) -> Result<SerialJoint, Faults> {
         let (mut faults, at) = (Faults::default(), || At::Item("joint", i));
         let mut once = |key, stated| match stated {
             Stated::Once(value) => value,
@@ -343,7 +343,7 @@ impl Keys {
         }
         let home = Pose::from_xyz_rpy(xyz_mm.unwrap_or_default(), rpy_rad.unwrap_or_default());
         faults.or(())?;
-        Ok(Serial::of_screws(&screws, &home, targets, effects))
+        Ok(Serial::from_screws(&screws, &home, targets, effects))
     }
 
     fn table(&self, convention: TableConvention, targets: &[String], effects: &Effects) -> Result<Serial, Faults> {
@@ -351,7 +351,7 @@ impl Keys {
         let mut joints = Vec::new();
         for (i, keys) in self.joints.iter().enumerate() {
             let alone = i == if convention == TableConvention::Modified { 0 } else { self.joints.len() - 1 };
-            joints.extend(faults.keep(keys.of_table(i, alone)));
+            joints.extend(faults.keep(keys.table_joint(i, alone)));
         }
         for (key, stated) in [("flange_xyz", self.flange_xyz_mm), ("flange_rpy", self.flange_rpy_rad)] {
             if stated.is_some() {
@@ -359,7 +359,7 @@ impl Keys {
             }
         }
         faults.or(())?;
-        Ok(Serial::of_table(convention, &joints, targets, effects))
+        Ok(Serial::from_table(convention, &joints, targets, effects))
     }
 }
 
@@ -476,33 +476,33 @@ impl Serial {
             coupling: coupling.iter().map(|&(j, by)| (j - 1, by - 1)).collect(),
             ..Effects::default()
         };
-        Self::of_table(TableConvention::Modified, joints, targets, &effects)
+        Self::from_table(TableConvention::Modified, joints, targets, &effects)
     }
 
     /// Creates an arm of `joints` in modified (Craig) or else standard Denavit-Hartenberg
     /// parameters,
     /// with `targets` on its last link.
-    pub fn of_axis_table(modified: bool, joints: &[SerialJoint], targets: &[String]) -> Self {
+    pub fn from_axis_table(modified: bool, joints: &[SerialJoint], targets: &[String]) -> Self {
         let convention = if modified { TableConvention::Modified } else { TableConvention::Standard };
-        Self::of_table(convention, joints, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
+        Self::from_table(convention, joints, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
     }
 
     /// Creates an arm of screw axes in the base frame at joint values zero, with `targets` on its
     /// flange, whose pose there is `home` (product of exponentials: Brockett 1984).
-    pub fn of_axes(axes: &[AxisLine], home: &Pose, targets: &[String]) -> Self {
-        Self::of_screws(axes, home, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
+    pub fn from_axes(axes: &[AxisLine], home: &Pose, targets: &[String]) -> Self {
+        Self::from_screws(axes, home, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
     }
 
     /// Arm described by a table of joints, with `targets` on its last link.
-    fn of_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String], effects: &Effects) -> Self {
+    fn from_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String], effects: &Effects) -> Self {
         let other = convention.other();
         let rigid = Effects { gravity: effects.gravity, ..Effects::default() };
         let what = phrase!("table-read-as", convention = other.name());
-        let as_other = Self::of_one_table(other, joints, targets, &rigid);
-        Self::of_one_table(convention, joints, targets, effects).with_other(what, as_other)
+        let as_other = Self::from_table_alone(other, joints, targets, &rigid);
+        Self::from_table_alone(convention, joints, targets, effects).with_other(what, as_other)
     }
 
-    fn of_one_table(
+    fn from_table_alone(
         convention: TableConvention,
         joints: &[SerialJoint],
         targets: &[String],
@@ -515,7 +515,7 @@ impl Serial {
             let n = i + 1;
             let [alpha_means, a_means] = if modified { BEFORE } else { BEHIND };
             let own = |name: &str, quantity, nominal, meaning| {
-                Parameter::new(format!("{name}_{n}"), quantity, Role::Robot, nominal).meaning(meaning).of_joint(i)
+                Parameter::new(format!("{name}_{n}"), quantity, Role::Robot, nominal).meaning(meaning).with_joint(i)
             };
             let alpha = arm.add(own("alpha", Quantity::Angle, j.alpha_rad, alpha_means));
             let a = arm.add(own("a", Quantity::Length, j.a_mm, a_means));
@@ -534,7 +534,7 @@ impl Serial {
             if modified {
                 link(&mut arm);
             }
-            let drive = Drive::of_number(n, j.prismatic);
+            let drive = Drive::from_number(n, j.prismatic);
             let (fixed, offset): (f64, &[usize]) = if j.parallel { (j.d_mm, &[]) } else { (0.0, &[beta_or_d]) };
             arm.push(Motion::Turn(2), 0.0, &[theta]);
             if j.prismatic {
@@ -560,13 +560,13 @@ impl Serial {
     /// Arm described by screw axes, with `targets` on its flange; `home` is the pose of the flange
     /// in the base frame at joint values zero. Each axis has small errors in the base frame: two
     /// rotations and, for a revolute joint, two translations, at the point that describes the axis.
-    fn of_screws(screws: &[AxisLine], home: &Pose, targets: &[String], effects: &Effects) -> Self {
+    fn from_screws(screws: &[AxisLine], home: &Pose, targets: &[String], effects: &Effects) -> Self {
         let mut arm = ArmBuilder::new(targets);
         arm.elastic(effects);
         for (i, screw) in screws.iter().enumerate() {
             let at = Pose { translation_mm: screw.point_mm, ..Pose::identity() };
             arm.place(at);
-            let errors = arm.screw(screw.direction, Drive::of_number(i + 1, screw.prismatic), false);
+            let errors = arm.screw(screw.direction, Drive::from_number(i + 1, screw.prismatic), false);
             errors.iter().rev().for_each(|error| arm.push_back(error));
             arm.place(at.inverse());
             let Body { mass_kg, center_mm } = effects.bodies.get(i).copied().unwrap_or_default();
@@ -579,7 +579,7 @@ impl Serial {
 
 impl Drive {
     /// Drive of joint q`number`.
-    fn of_number(number: usize, prismatic: bool) -> Self {
+    fn from_number(number: usize, prismatic: bool) -> Self {
         Self {
             label: number.to_string(),
             name: format!("q{number}"),
@@ -646,9 +646,9 @@ mod tests {
         let home = Pose::from_xyz_rpy([374.0, 0.0, 630.0], [0.0, 1.57, 0.0]);
         let targets = ["T".to_owned()];
         vec![
-            Serial::of_table(TableConvention::Modified, &joints, &targets, effects),
-            Serial::of_table(TableConvention::Standard, &joints, &targets, effects),
-            Serial::of_screws(&screws, &home, &targets, effects),
+            Serial::from_table(TableConvention::Modified, &joints, &targets, effects),
+            Serial::from_table(TableConvention::Standard, &joints, &targets, effects),
+            Serial::from_screws(&screws, &home, &targets, effects),
         ]
     }
 
@@ -756,7 +756,7 @@ mod tests {
             ..Effects::default()
         };
         let home = Pose { translation_mm: [800.0, 0.0, 0.0], ..Pose::identity() };
-        let robot = Serial::of_screws(&[axis], &home, &["T".to_owned()], &effects);
+        let robot = Serial::from_screws(&[axis], &home, &["T".to_owned()], &effects);
         // gravity has no moment about itself
         assert!(robot.index("pedestal_z").is_none() && robot.circumstances().is_empty());
         for name in ["pedestal_y", "lateral_1_y"] {
@@ -813,8 +813,8 @@ mod tests {
                 ..*axis
             };
             let elsewhere: Vec<AxisLine> = axes.iter().map(|axis| moved(axis, noise.uniform(1500.0))).collect();
-            let mut all = vec![(Pose::identity(), Serial::of_screws(&axes, &home, &targets, &in_base))];
-            all.push((Pose::identity(), Serial::of_screws(&elsewhere, &home, &targets, &in_base)));
+            let mut all = vec![(Pose::identity(), Serial::from_screws(&axes, &home, &targets, &in_base))];
+            all.push((Pose::identity(), Serial::from_screws(&elsewhere, &home, &targets, &in_base)));
             let tables = [
                 (TableConvention::Modified, crate::modified_table(&elsewhere, &home)),
                 (TableConvention::Standard, crate::standard_table(&elsewhere, &home)),
@@ -822,7 +822,7 @@ mod tests {
             for (convention, table) in tables {
                 assert_eq!(table.base, Pose::identity());
                 let built = |effects: &Effects| {
-                    let mut arm = Serial::of_table(convention, &table.joints, &targets, effects);
+                    let mut arm = Serial::from_table(convention, &table.joints, &targets, effects);
                     let mut nominal = arm.nominal();
                     for tilt in &table.tilts {
                         nominal[arm.index(&format!("beta_{}", tilt.row + 1)).unwrap()] = tilt.angle_rad;
@@ -879,7 +879,7 @@ mod tests {
                 mass_kg: 0.0,
                 center_mm: [0.0; 3],
             };
-            keys.of_table(1, alone).unwrap().parallel
+            keys.table_joint(1, alone).unwrap().parallel
         };
         for prismatic in [false, true] {
             for alpha_deg in [0.0, 2.9, -2.9, 180.0, -180.0, 177.1, 182.9] {

@@ -216,7 +216,7 @@ impl Parameter {
     }
 
     /// Assigns the parameter to a joint, by its index.
-    pub fn of_joint(self, joint: usize) -> Self {
+    pub fn with_joint(self, joint: usize) -> Self {
         Self { joint: Some(joint), ..self }
     }
 

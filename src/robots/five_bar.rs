@@ -328,7 +328,7 @@ impl WithParameters<'_> {
         let tied = |by_u: f64, by_v: f64| [(by_u * v[1] - by_v * u[1]) / area, (by_v * u[0] - by_u * v[0]) / area];
         // B2 E turns with B2 C (eq. 4.1)
         let moved = |db2: [f64; 2], dc: [f64; 2]| plus(db2, turn_by(self.tool, minus(dc, db2), p[5] / p[3]));
-        let across = |length: f64, along: [f64; 2]| left_of(along).map(|x| length * x);
+        let across = |length: f64, along: [f64; 2]| left_normal(along).map(|x| length * x);
         let still = [0.0; 2];
         let in_base = [
             moved(still, tied(dot(u, first), 0.0)),
@@ -337,13 +337,13 @@ impl WithParameters<'_> {
             minus(moved(still, tied(0.0, p[3])), b2_e.map(|x| x / p[3])),
             moved([0.5, 0.0], tied(-0.5 * u[0], 0.5 * v[0])),
             turn_by(self.tool, v, 1.0 / p[3]),
-            left_of(b2_e),
+            left_normal(b2_e),
             moved(still, tied(dot(u, across(p[0], first)), 0.0)),
             moved(across(p[2], second), tied(0.0, dot(v, across(p[2], second)))),
         ];
         let mut all = [still; PARAMETERS];
         all.iter_mut().zip(in_base).for_each(|(all, of_tool)| *all = turn_by(self.base, of_tool, 1.0));
-        (all[9], all[10], all[11]) = ([1.0, 0.0], [0.0, 1.0], left_of(turn_by(self.base, e, 1.0)));
+        (all[9], all[10], all[11]) = ([1.0, 0.0], [0.0, 1.0], left_normal(turn_by(self.base, e, 1.0)));
         all
     }
 }
@@ -411,7 +411,7 @@ fn turn_by<T: Scalar>([cos, sin]: [T; 2], v: [T; 2], stretch: T) -> [T; 2] {
 }
 
 /// Rotates `v` counterclockwise by a right angle.
-fn left_of([x, y]: [f64; 2]) -> [f64; 2] {
+fn left_normal([x, y]: [f64; 2]) -> [f64; 2] {
     [-y, x]
 }
 
@@ -596,7 +596,7 @@ impl Robot for FiveBar {
     }
     fn joint_range(&self, joint: usize) -> JointRange {
         let ends = self.limits.limits_rad.get(joint).copied();
-        JointRange::of_limits(ends.filter(|ends| *ends != FiveBarLimits::default().limits_rad[0]))
+        JointRange::from_limits(ends.filter(|ends| *ends != FiveBarLimits::default().limits_rad[0]))
     }
     fn remedy(&self, _parameters: &[usize]) -> Option<Phrase> {
         Some(phrase!("measure-all-working-modes"))

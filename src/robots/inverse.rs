@@ -381,7 +381,7 @@ impl<'a> Search<'a> {
     }
 
     /// Nearest permissible of some joint values, or the first if none is permissible.
-    fn nearest_of(&self, all: impl IntoIterator<Item = Vec<f64>>, near: &[f64]) -> Option<Vec<f64>> {
+    fn nearest_permissible(&self, all: impl IntoIterator<Item = Vec<f64>>, near: &[f64]) -> Option<Vec<f64>> {
         let key = |q: &Vec<f64>| (!self.is_within(q), self.distance(q, near));
         all.into_iter()
             .map(|q| (key(&q), q))
@@ -530,7 +530,7 @@ impl<'a> Search<'a> {
         let Some(along) = self.family(&found).into_iter().next() else { return Some(found) };
         let members = self.trace(&found, &along);
         let shown = members.iter().filter_map(|member| self.represent(member.clone(), near));
-        let nearest = self.nearest_of(shown, near);
+        let nearest = self.nearest_permissible(shown, near);
         families.push(members);
         nearest.map(|member| self.slide_within(member, near))
     }
@@ -555,7 +555,7 @@ impl<'a> Search<'a> {
             ..=6 => self.all(near),
             _ => self.redundant(near),
         };
-        let best = self.nearest_of(joints.into_iter().chain(close), near);
+        let best = self.nearest_permissible(joints.into_iter().chain(close), near);
         let Some(best) = best else { return Err(self.unreached(starts)) };
         match self.serial.limit_violation(self.parameters, &best) {
             None => Ok(best),
@@ -598,7 +598,7 @@ impl<'a> Search<'a> {
                 _ => self.moved(near, &step, 1.0, false),
             };
             let others = self.closest(&start, near).into_iter().filter(|q| self.is_within(q));
-            if let Some(other) = self.nearest_of(others, near).filter(|q| self.distance(q, near) < distance) {
+            if let Some(other) = self.nearest_permissible(others, near).filter(|q| self.distance(q, near) < distance) {
                 best = other;
             }
         }
@@ -664,7 +664,7 @@ mod tests {
             parallel: false,
         };
         let joints: Vec<SerialJoint> = rows.iter().map(joint).collect();
-        let arm = Serial::of_axis_table(modified, &joints, &["tool".to_owned()]);
+        let arm = Serial::from_axis_table(modified, &joints, &["tool".to_owned()]);
         arm.with_limits(vec![limits.map(|limit| [-limit, limit]); rows.len()])
     }
 
@@ -721,7 +721,7 @@ mod tests {
         ];
         let home = Pose { translation_mm: [374.0, 0.0, 630.0], ..Pose::identity() };
         let limits = [165.0, 110.0, 110.0, 160.0, 120.0, 400.0].map(|l: f64| Some([-l.to_radians(), l.to_radians()]));
-        Serial::of_axes(&axes, &home, &["tool".to_owned()]).with_limits(limits.to_vec())
+        Serial::from_axes(&axes, &home, &["tool".to_owned()]).with_limits(limits.to_vec())
     }
 
     /// Distance of joint values.

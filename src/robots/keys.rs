@@ -142,7 +142,7 @@ impl Value {
 /// Type that a value can be converted to.
 pub(super) trait Setting: Default {
     const SHAPE: Shape;
-    fn of(value: &Value) -> Option<Self>;
+    fn from_value(value: &Value) -> Option<Self>;
     fn value(self) -> Value;
 }
 
@@ -150,7 +150,7 @@ macro_rules! setting {
     ($type:ty, $shape:ident, $value:ident) => {
         impl Setting for $type {
             const SHAPE: Shape = Shape::$shape;
-            fn of(value: &Value) -> Option<Self> {
+            fn from_value(value: &Value) -> Option<Self> {
                 if let Value::$value(value) = value { value.clone().try_into().ok() } else { None }
             }
             fn value(self) -> Value {
@@ -170,7 +170,7 @@ setting!(Arc<Tree>, Tree, Tree);
 
 impl Setting for f64 {
     const SHAPE: Shape = Shape::Number;
-    fn of(value: &Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         <[f64; 1]>::try_from(if let Value::Numbers(numbers) = value { &numbers[..] } else { &[] }).ok().map(|[v]| v)
     }
     fn value(self) -> Value {
@@ -220,7 +220,7 @@ impl<'v> Reader<'v> {
     }
 
     fn get<T: Setting>(&mut self, key: Key, absence: Absence) -> Option<T> {
-        self.value(Key { shape: T::SHAPE, absence, ..key }).and_then(T::of)
+        self.value(Key { shape: T::SHAPE, absence, ..key }).and_then(T::from_value)
     }
 
     /// Reads a mandatory value.
@@ -238,7 +238,7 @@ impl<'v> Reader<'v> {
         let default = default.value();
         let quantity = key.quantity;
         let stated = self.get(key, Absence::Default(default.clone()));
-        stated.or_else(|| T::of(&default.inward(quantity))).unwrap_or_default()
+        stated.or_else(|| T::from_value(&default.inward(quantity))).unwrap_or_default()
     }
 
     /// Reads a value that may be stated in either of two units.
@@ -246,7 +246,7 @@ impl<'v> Reader<'v> {
         let key = Key { shape: T::SHAPE, absence: Absence::Nothing, two_units: true, ..key };
         match self.value(key) {
             Some(Value::Twice) => Stated::Twice,
-            value => value.and_then(T::of).map_or(Stated::Missing, Stated::Once),
+            value => value.and_then(T::from_value).map_or(Stated::Missing, Stated::Once),
         }
     }
 

@@ -71,7 +71,7 @@ pub enum JointRange {
 
 impl JointRange {
     /// Converts stated limits; equal infinite limits mean continuous rotation.
-    fn of_limits(limits: Option<[f64; 2]>) -> Self {
+    fn from_limits(limits: Option<[f64; 2]>) -> Self {
         match limits {
             Some([lower, upper]) if lower.is_infinite() && upper.is_infinite() => Self::Endless,
             Some(ends) if ends[0] < ends[1] => Self::Limits(ends),
@@ -176,7 +176,7 @@ pub trait Robot: Send + Sync {
     }
 
     /// Index of the branch that carries a target. Targets of one branch are a rigid body.
-    fn branch_of(&self, _target: usize) -> usize {
+    fn target_branch(&self, _target: usize) -> usize {
         0
     }
 

@@ -114,14 +114,14 @@ pub(super) struct LegValues<'a, L, T = f64> {
 
 impl<L: Legs, T: Scalar> LegValues<'_, L, T> {
     /// Parameters of one leg.
-    fn of(&self, leg: usize) -> &[T] {
+    fn leg_parameters(&self, leg: usize) -> &[T] {
         let n = L::PARAMETERS.len();
         &self.parameters[leg * n..][..n]
     }
 
     /// All rods.
     pub fn rods(&self, joints: &[T]) -> Vec<Rod<T>> {
-        (0..L::COUNT).map(|leg| self.legs.rod(leg, self.of(leg), joints[leg])).collect()
+        (0..L::COUNT).map(|leg| self.legs.rod(leg, self.leg_parameters(leg), joints[leg])).collect()
     }
 }
 
@@ -194,7 +194,7 @@ impl<L: Legs> Parallel<L> {
             let own = L::PARAMETERS.iter().zip(nominal);
             parameters.extend(
                 own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v).meaning(p.meaning))
-                    .map(|p| p.of_joint(leg)),
+                    .map(|p| p.with_joint(leg)),
             );
         }
         let joint = |leg: usize| Joint { name: numbered(L::JOINT.name, leg), quantity: L::JOINT.quantity };
@@ -236,7 +236,7 @@ impl<L: Legs> Parallel<L> {
         let inverse = lengthening(&values.rods(joints), platform).try_inverse()?;
         let (mut twists, still) = (Twists::default(), constant(platform));
         for (leg, &q) in joints.iter().enumerate().take(L::COUNT) {
-            let own = values.of(leg);
+            let own = values.leg_parameters(leg);
             let p: Vec<Dual<MOST>> = own.iter().enumerate().map(|(k, &v)| Dual::variable(v, k)).collect();
             let gap = self.legs.rod(leg, &p, Dual::variable(q, own.len())).gap(&still);
             let by = |k: usize| {
@@ -305,7 +305,7 @@ impl<L: Legs> Robot for Parallel<L> {
         let ends: Vec<Vector> = rods.iter().map(|rod| platform.apply(rod.platform_mm)).collect();
         rods.iter().zip(&ends).for_each(|(rod, end)| sketch.add(StrokeKind::Part, "", &[rod.base_mm, *end]));
         sketch.add(StrokeKind::Part, "", &[&ends[..], &ends[..1]].concat());
-        self.legs.sketch(values.of(0), joints[0], &platform, &mut sketch);
+        self.legs.sketch(values.leg_parameters(0), joints[0], &platform, &mut sketch);
         let size = sketch.extent_mm();
         sketch.frame("base", &Pose::identity(), 0.14 * size);
         sketch.frame("platform", &platform, 0.1 * size);
@@ -351,7 +351,7 @@ impl<L: Legs> Robot for Parallel<L> {
         limit_violation(self.joints(), &self.limits, joints).or_else(apart)
     }
     fn joint_range(&self, joint: usize) -> JointRange {
-        JointRange::of_limits(self.limits.get(joint).copied().flatten())
+        JointRange::from_limits(self.limits.get(joint).copied().flatten())
     }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)
@@ -399,7 +399,7 @@ impl<L: Legs> Kinematics for Parallel<L> {
             let (platform, values) = (pose(v), values());
             let values = LegValues { legs, parameters: &values };
             let branch = |leg: usize| if two { v[names.len() + leg] } else { Recorded::from(1.0) };
-            let at = |leg: usize| legs.joint_at(leg, values.of(leg), &platform, branch(leg));
+            let at = |leg: usize| legs.joint_at(leg, values.leg_parameters(leg), &platform, branch(leg));
             joints.iter().cloned().zip((0..L::COUNT).map(at)).collect()
         });
         let outputs = |pose: &Pose<Recorded>| pose_outputs(pose).into_iter().take(names.len()).collect::<Vec<_>>();
@@ -430,7 +430,7 @@ impl<L: Legs> Kinematics for Parallel<L> {
         let values = self.values(parameters);
         let mut all = vec![Vec::new()];
         for leg in 0..L::COUNT {
-            let at = |branch: &f64| self.legs.joint_at(leg, values.of(leg), pose, *branch);
+            let at = |branch: &f64| self.legs.joint_at(leg, values.leg_parameters(leg), pose, *branch);
             let ways: Vec<f64> = L::BRANCHES.iter().map(at).filter(|q| q.is_finite()).collect();
             all = all.iter().flat_map(|q: &Vec<f64>| ways.iter().map(|w| [&q[..], &[*w]].concat())).collect();
         }

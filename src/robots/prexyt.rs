@@ -357,7 +357,7 @@ impl Robot for Prexyt {
         Some(phrase!("actuator-beyond-travel", actuator = format!("rho{}", i + 1), rho = *rho, end))
     }
     fn joint_range(&self, joint: usize) -> JointRange {
-        JointRange::of_limits(self.travel_mm.and_then(|ends| Some([0.0, *ends.get(joint)?])))
+        JointRange::from_limits(self.travel_mm.and_then(|ends| Some([0.0, *ends.get(joint)?])))
     }
     fn nominal_gain(&self, joint: usize) -> f64 {
         // delta, delta2 and delta3 are the gains of the three joints

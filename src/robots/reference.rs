@@ -87,7 +87,7 @@ fn points(robot: &dyn Robot, parameters: &[f64], branch: usize, joints: &[f64]) 
     let pose = match robot.kinematics() {
         Some(arm) => arm.tool_pose(parameters, &state)?,
         None => {
-            let target = (0..robot.targets().len()).find(|&target| robot.branch_of(target) == branch)?;
+            let target = (0..robot.targets().len()).find(|&target| robot.target_branch(target) == branch)?;
             let arm = robot.free_base()?;
             super::base_pose(parameters).inverse().then(&arm.flange(parameters, &state, target))
         }

@@ -175,7 +175,7 @@ fn joint_error(name: String, quantity: Quantity, effect: Effect, joint: usize) -
         Effect::Lateral => LATERAL,
         _ => BENDING,
     };
-    let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).of_joint(joint);
+    let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).with_joint(joint);
     Parameter { effect, ..own }
 }
 
@@ -380,7 +380,7 @@ impl ArmBuilder {
 
     /// Adds a motion by `constant` + Σ parameters.
     pub fn push(&mut self, motion: Motion, constant: f64, parameters: &[usize]) {
-        let terms = parameters.iter().copied().map(Term::of).collect();
+        let terms = parameters.iter().copied().map(Term::new).collect();
         self.elements.push(Element { motion, constant, terms });
     }
 
@@ -449,7 +449,7 @@ impl ArmBuilder {
             let Drive { ref label, joint, factor, offset, mimics, .. } = self.axes[k].drive;
             let gain = Parameter::new(format!("gain_{label}"), Quantity::Ratio, Role::Robot, 1.0);
             let by = mimics.then_some(joint);
-            let parameter = self.add(Parameter { by, ..gain.meaning(GAIN).of_joint(joint) });
+            let parameter = self.add(Parameter { by, ..gain.meaning(GAIN).with_joint(joint) });
             self.axes[k].gain = Some(parameter);
             self.moved[k].push(Term { parameter, coefficient: Coefficient::Joint { joint, factor, offset } });
         }
@@ -655,7 +655,7 @@ impl ArmBuilder {
         for (turn, quantity) in [(false, Quantity::Length), (true, Quantity::Angle)] {
             for k in error_axes(direction).into_iter().filter(|_| turn || !drive.prismatic) {
                 let name = format!("{}_{}{}", drive.name, if turn { "r" } else { "" }, AXES[k]);
-                let error = Parameter::new(name, quantity, Role::Robot, 0.0).of_joint(drive.joint);
+                let error = Parameter::new(name, quantity, Role::Robot, 0.0).with_joint(drive.joint);
                 let parameter = (!follows).then(|| self.add(error.meaning(if turn { TILT } else { ASIDE })));
                 let motion = if turn { Motion::Turn(k) } else { Motion::Shift(k) };
                 self.push(motion, 0.0, parameter.as_slice());
@@ -1129,7 +1129,7 @@ impl Serial {
     }
 
     /// Loads at joint values on a geometry with these parameters.
-    pub(super) fn loads_of(&self, nominal: &[f64], joints: &[f64]) -> Vec<f64> {
+    pub(super) fn loads_with_parameters(&self, nominal: &[f64], joints: &[f64]) -> Vec<f64> {
         if self.loads.is_empty() {
             return Vec::new();
         }
@@ -1146,12 +1146,12 @@ impl Serial {
         write: &mut dyn FnMut(usize, f64),
     ) -> Option<f64> {
         let changes: Vec<f64> = parameters.iter().zip(nominal).map(|(value, nominal)| value - nominal).collect();
-        self.joint_motion(&changes, State { joints, loads: &self.loads_of(nominal, joints) }, joint, write)
+        self.joint_motion(&changes, State { joints, loads: &self.loads_with_parameters(nominal, joints) }, joint, write)
     }
 
     /// Gain of a joint with these parameters, without the factor of its drive; `None` if the joint
     /// does not move the arm.
-    pub(super) fn gain_of(&self, joint: usize, parameters: &[f64]) -> Option<f64> {
+    pub(super) fn joint_gain(&self, joint: usize, parameters: &[f64]) -> Option<f64> {
         let axis = self.axes.iter().find(|axis| axis.drive.joint == joint)?;
         Some(self.gain(axis, parameters))
     }
@@ -1258,10 +1258,10 @@ impl Robot for Serial {
         limit_violation(self.joints(), &self.limits, joints)
     }
     fn joint_range(&self, joint: usize) -> JointRange {
-        JointRange::of_limits(self.limits.get(joint).copied().flatten())
+        JointRange::from_limits(self.limits.get(joint).copied().flatten())
     }
     fn nominal_gain(&self, joint: usize) -> f64 {
-        self.gain_of(joint, &self.nominal()).unwrap_or(1.0)
+        self.joint_gain(joint, &self.nominal()).unwrap_or(1.0)
     }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)

@@ -477,7 +477,7 @@ mod tests {
             let q: Vec<f64> = axes.iter().map(|a| noise.uniform(if a.prismatic { 200.0 } else { 3.0 })).collect();
             for (convention, table) in [(true, modified_table(&axes, &flange)), (false, standard_table(&axes, &flange))]
             {
-                let arm = Serial::of_axis_table(convention, &table.joints, &["T".to_owned()]);
+                let arm = Serial::from_axis_table(convention, &table.joints, &["T".to_owned()]);
                 let chain = table.base.then(&arm.direct(&arm.nominal(), &q)).then(&table.flange);
                 let wrong = differ(&chain, &direct(&axes, &flange, &q));
                 assert!(wrong < 1e-6, "trial {trial}, modified {convention}: {wrong} mm, {table:?}");
@@ -485,7 +485,7 @@ mod tests {
             }
             // and back: the axes of the arm that the table builds
             let table = modified_table(&axes, &flange);
-            let arm = Serial::of_axis_table(true, &table.joints, &["T".to_owned()]);
+            let arm = Serial::from_axis_table(true, &table.joints, &["T".to_owned()]);
             let (back, _) = arm.joint_chain(&arm.nominal()).unwrap().axes();
             for (axis, back) in axes.iter().zip(&back) {
                 let back = back.moved(&table.base);
@@ -516,7 +516,7 @@ mod tests {
             row(half, 0.0, 0.0, 0.0, false),
             row(-half, 0.0, 0.0, 72.0, false),
         ];
-        let arm = Serial::of_axis_table(true, &joints, &["T".to_owned()]);
+        let arm = Serial::from_axis_table(true, &joints, &["T".to_owned()]);
         let (axes, flange) = arm.joint_chain(&arm.nominal()).unwrap().axes();
         let table = modified_table(&axes, &flange);
         assert_eq!((table.base, table.flange), (Pose::identity(), Pose::identity()));
@@ -563,7 +563,7 @@ mod tests {
                 }
             };
             let near: Vec<AxisLine> = axes.iter().map(|a| moved(a, &mut vector)).collect();
-            let [of, to] = [&axes, &near].map(|axes| Serial::of_axes(axes, &home, &["T".to_owned()]));
+            let [of, to] = [&axes, &near].map(|axes| Serial::from_axes(axes, &home, &["T".to_owned()]));
             let mut values = of.nominal();
             for (k, (axis, near)) in axes.iter().zip(&near).enumerate() {
                 let own = of.parameters().iter().enumerate().filter(|(_, p)| p.joint == Some(k));

@@ -362,7 +362,7 @@ impl Tree {
 }
 
 /// Joints of a chain that move its base.
-fn of_base_joints(chain: &[Step]) -> Vec<String> {
+fn base_joints(chain: &[Step]) -> Vec<String> {
     let moving = chain.iter().filter(|step| step.upward && step.joint.kind != "fixed");
     moving.map(|step| step.joint.name.clone()).collect()
 }
@@ -410,7 +410,7 @@ impl Description for Keys {
         }
         let effects = faults.keep(self.effects.among(&axes));
         let mut of_base: Vec<String> = Vec::new();
-        for joint in branches.iter().flat_map(|branch| of_base_joints(&branch.chain)) {
+        for joint in branches.iter().flat_map(|branch| base_joints(&branch.chain)) {
             if !of_base.contains(&joint) {
                 of_base.push(joint);
             }

@@ -192,7 +192,7 @@ impl BeforeAfter<'_> {
         let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
         let seen = &seen[..];
         let of_branch = |i: usize| {
-            let same = move |k: &usize| robot.branch_of(seen[*k].0) == robot.branch_of(seen[i].0);
+            let same = move |k: &usize| robot.target_branch(seen[*k].0) == robot.target_branch(seen[i].0);
             (0..seen.len()).filter(same)
         };
         let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
@@ -431,7 +431,7 @@ fn frame_rotation_rad(systematic: &Systematic, planar: bool) -> f64 {
 /// planar robots rotate about z alone. The largest of all branches.
 fn rotation_per_mm(robot: &dyn Robot, o: &Observation) -> Option<f64> {
     let of_branch = |branch: usize| {
-        let own = o.targets.iter().enumerate().filter(|(k, _)| robot.branch_of(*k) == branch);
+        let own = o.targets.iter().enumerate().filter(|(k, _)| robot.target_branch(*k) == branch);
         body_rotation_per_mm(&own.filter_map(|(_, at)| *at).collect::<Vec<_>>(), robot.dimension() == 2)
     };
     (0..robot.branches().len().max(1)).filter_map(of_branch).reduce(f64::max)

@@ -546,7 +546,7 @@ mod tests {
             (90.0, 0.0, 0.0, 0.0),
             (-90.0, 0.0, 180.0, 72.0),
         ];
-        Serial::of_axis_table(true, &rows.map(joint), &["T".to_owned()])
+        Serial::from_axis_table(true, &rows.map(joint), &["T".to_owned()])
     }
 
     /// Rows of drawn joints (deg), and points of a target in a turned world, multiplied by `scale`

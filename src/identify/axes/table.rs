@@ -32,7 +32,7 @@ impl AxesModel {
         if table.joints.is_empty() {
             return None;
         }
-        let robot = Serial::of_axis_table(modified, &table.joints, &["target".to_owned()]);
+        let robot = Serial::from_axis_table(modified, &table.joints, &["target".to_owned()]);
         let listed: Vec<usize> =
             (0..robot.parameters().len()).filter(|&i| is_of_axes(&robot.parameters()[i])).collect();
         let values: Vec<f64> = listed.iter().map(|&i| robot.parameters()[i].nominal).collect();
@@ -53,7 +53,7 @@ impl AxesModel {
     /// Small errors of the screw axes, which are zero in the robot of the sweeps. Axes 1 and 2 are
     /// in the base as its rule places them: their other errors are fixed.
     pub fn screw_parameters(&self) -> DerivedParameters {
-        let robot = Serial::of_axes(&self.axes, &self.flange, &["target".to_owned()]);
+        let robot = Serial::from_axes(&self.axes, &self.flange, &["target".to_owned()]);
         let of_joint = |p: &&Parameter| is_of_axes(p);
         // in the order of the joints, as the errors of each axis are
         let listed: Vec<&Parameter> = robot.parameters().iter().filter(of_joint).collect();
@@ -74,7 +74,7 @@ impl AxesModel {
             let mut changed = if modified { modified_table(axes, flange) } else { standard_table(axes, flange) };
             // a change does not decide what is near-parallel
             changed.joints.iter_mut().zip(&table.joints).for_each(|(row, of)| row.parallel = of.parallel);
-            let robot = Serial::of_axis_table(modified, &changed.joints, &["target".to_owned()]);
+            let robot = Serial::from_axis_table(modified, &changed.joints, &["target".to_owned()]);
             let parameters = robot.parameters();
             let difference = |(&i, value): (&usize, &f64)| {
                 let changed = parameters[i].nominal;

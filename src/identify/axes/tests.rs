@@ -132,7 +132,7 @@ fn the_derived_model_predicts_new_poses_within_its_uncertainty() {
             inside += usize::from(z.abs() < 1.97);
         }
         // the robot in its base frame moves alike
-        let arm = etalon_robots::Serial::of_axes(&model.axes, &model.flange, &["T".to_owned()]);
+        let arm = etalon_robots::Serial::from_axes(&model.axes, &model.flange, &["T".to_owned()]);
         let flange = etalon_robots::Robot::kinematics(&arm).unwrap();
         let pose = flange.tool_pose(&etalon_robots::Robot::nominal(&arm), &joints).unwrap();
         let same = model.world_T_base.then(&pose).apply(model.targets_mm[0]);
@@ -328,7 +328,7 @@ fn errors_of_screw_axes_have_their_covariance() {
         let [first, second] = [measured(), measured()];
         let [a, b] = [&first, &second].map(AxesModel::screw_parameters);
         assert_eq!((a.fixed.len(), &a.names), (6, &b.names), "{:?}", a.fixed);
-        let robot = Serial::of_axes(&first.axes, &first.flange, &["T".to_owned()]);
+        let robot = Serial::from_axes(&first.axes, &first.flange, &["T".to_owned()]);
         let errors = first.axes.iter().zip(&second.axes).flat_map(|(axis, near)| axis.errors_to(near));
         let named = robot.parameters().iter().filter(|p| p.joint.is_some() && p.effect == Effect::Geometry);
         for (p, error) in named.zip(errors) {

@@ -245,7 +245,7 @@ fn places(robot: &dyn Robot, values: &[f64], joints: &[f64]) -> Vec<Vector> {
 
 /// Targets of the rigid body that carries the first target.
 fn carriers(robot: &dyn Robot) -> impl Iterator<Item = usize> + '_ {
-    (0..robot.targets().len()).filter(|&k| robot.branch_of(k) == robot.branch_of(0))
+    (0..robot.targets().len()).filter(|&k| robot.target_branch(k) == robot.target_branch(0))
 }
 
 /// The columns of parameters with one of these roles; the others are zero.

@@ -39,14 +39,14 @@ impl Size {
         let fitting: Vec<&Condition> = conditions.iter().filter(fits).collect();
         let targets = fitting.iter().flat_map(|c| [Some(c.target), c.kind.other_target()]).flatten();
         let seen: BTreeSet<usize> = targets.collect();
-        let on = |branch: usize| seen.iter().copied().filter(move |&k| robot.branch_of(k) == branch);
+        let on = |branch: usize| seen.iter().copied().filter(move |&k| robot.target_branch(k) == branch);
         let mut places: Vec<Moved> = Vec::new();
         for c in fitting.iter().step_by(fitting.len().div_ceil(CONDITIONS).max(1)) {
             let at = Moved::all(robot, values, &c.joints);
             match c.kind.other_target() {
                 Some(other) => places.extend(
-                    on(robot.branch_of(other))
-                        .flat_map(|from| on(robot.branch_of(c.target)).map(move |to| (from, to)))
+                    on(robot.target_branch(other))
+                        .flat_map(|from| on(robot.target_branch(c.target)).map(move |to| (from, to)))
                         .map(|(from, to)| at[to].less(&at[from])),
                 ),
                 None => places.push(at[c.target].clone()),

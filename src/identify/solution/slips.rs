@@ -84,7 +84,7 @@ fn exchanged_branches(robot: &dyn Robot, observations: &[Observation]) -> Vec<(P
     let links = robot.branches();
     let seen = readings(robot, observations);
     let of = |branch: usize| -> Vec<usize> {
-        seen.iter().map(|(k, _)| *k).filter(|&k| robot.branch_of(k) == branch).collect()
+        seen.iter().map(|(k, _)| *k).filter(|&k| robot.target_branch(k) == branch).collect()
     };
     let pairs = (0..links.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
     let exchanged = |(a, b): (usize, usize)| {

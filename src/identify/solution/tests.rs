@@ -98,7 +98,7 @@ fn table(rows: &[Row], parallel: impl Fn(usize) -> bool, targets: &[String]) -> 
         parallel: parallel(k),
     };
     let joints: Vec<SerialJoint> = rows.iter().enumerate().map(joint).collect();
-    Serial::of_axis_table(true, &joints, targets)
+    Serial::from_axis_table(true, &joints, targets)
 }
 
 /// Flange of an arm with errors of every row: length, offset and zero, and the tilts of the axis
@@ -164,9 +164,9 @@ fn arms_have_the_same_residuals_in_each_convention() {
         let nominal = table(rows, |_| false, &names);
         let (axes, home) = nominal.joint_chain(&nominal.nominal()).unwrap().axes();
         let robots = [
-            Serial::of_axis_table(true, &modified_table(&axes, &home).joints, &names),
-            Serial::of_axis_table(false, &standard_table(&axes, &home).joints, &names),
-            Serial::of_axes(&axes, &home, &names),
+            Serial::from_axis_table(true, &modified_table(&axes, &home).joints, &names),
+            Serial::from_axis_table(false, &standard_table(&axes, &home).joints, &names),
+            Serial::from_axes(&axes, &home, &names),
         ];
         let found = robots.map(|robot| {
             let found = identify(&robot, &observations, &settings(&[])).unwrap();

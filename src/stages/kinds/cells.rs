@@ -107,7 +107,7 @@ impl Cells {
         let name = self.name(column)?;
         let Some(other) = index(name).filter(|_| !robot.branches().is_empty()) else { return Ok(None) };
         match index(&self.target) {
-            Some(own) if robot.branch_of(own) != robot.branch_of(other) => Ok(Some(other)),
+            Some(own) if robot.target_branch(own) != robot.target_branch(other) => Ok(Some(other)),
             _ => Err(error!("target-of-same-branch", target = self.target, name).into()),
         }
     }

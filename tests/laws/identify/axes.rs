@@ -180,9 +180,9 @@ impl Convention {
         let names: Vec<String> = (0..targets).map(|t| format!("T{t}")).collect();
         let (axes, flange) = (&model.axes, &model.flange);
         match self {
-            Self::Modified => Serial::of_axis_table(true, &modified_table(axes, flange).joints, &names),
-            Self::Standard => Serial::of_axis_table(false, &standard_table(axes, flange).joints, &names),
-            Self::Screws => Serial::of_axes(axes, flange, &names),
+            Self::Modified => Serial::from_axis_table(true, &modified_table(axes, flange).joints, &names),
+            Self::Standard => Serial::from_axis_table(false, &standard_table(axes, flange).joints, &names),
+            Self::Screws => Serial::from_axes(axes, flange, &names),
         }
     }
 }
@@ -312,7 +312,7 @@ fn few_poses(trial: u64) -> Few {
 /// Identification of all readings from the true robot as nominal one.
 fn identified(arm: &Arm, sweeps: &[Sweep]) -> (Serial, Vec<f64>) {
     let names: Vec<String> = (0..arm.targets.len()).map(|t| format!("T{t}")).collect();
-    let robot = Serial::of_axes(&arm.axes, &Pose::identity(), &names);
+    let robot = Serial::from_axes(&arm.axes, &Pose::identity(), &names);
     let mut observations = Vec::new();
     for (pose, readings) in sweeps.iter().flat_map(|s| s.readings.chunks(arm.targets.len())).enumerate() {
         observations.push(Observation {
