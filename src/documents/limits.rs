@@ -71,7 +71,7 @@ impl Acceptance {
 impl Conformity {
     /// Combines the conformities of several values that must all be within a limit.
     pub fn of_all(values: impl IntoIterator<Item = Self>) -> Self {
-        decision::Conformity::of_all(values.into_iter().map(Into::into)).into()
+        decision::Conformity::combine(values.into_iter().map(Into::into)).into()
     }
 }
 

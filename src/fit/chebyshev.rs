@@ -27,7 +27,7 @@ pub(super) fn least_spread(rows: &[[f64; 3]], enough: f64) -> Option<Level> {
     let size = |k: usize| rows.iter().fold(0.0f64, |m, row| m.max(row[k].abs()));
     let sizes = [size(0), size(1), size(2)];
     for _ in 0..EXCHANGES {
-        let (level, holding) = of_few(rows, &set)?;
+        let (level, holding) = solve_subset(rows, &set)?;
         if level.spread >= enough {
             return Some(level);
         }
@@ -47,7 +47,7 @@ pub(super) fn least_spread(rows: &[[f64; 3]], enough: f64) -> Option<Level> {
         set.sort_unstable();
         set.dedup();
     }
-    of_few(rows, &set).map(|(level, _)| level)
+    solve_subset(rows, &set).map(|(level, _)| level)
 }
 
 /// Four additional rows that keep the slope within `reach`. The rows lie between the extremes if
@@ -111,7 +111,7 @@ fn first_rows(rows: &[[f64; 3]]) -> Option<Vec<usize>> {
 ///
 /// At the minimum four rows are at the upper or lower level. Each choice of four rows and of their
 /// levels gives a slope, which is judged by its spread over the whole set.
-fn of_few(rows: &[[f64; 3]], set: &[usize]) -> Option<(Level, Vec<usize>)> {
+fn solve_subset(rows: &[[f64; 3]], set: &[usize]) -> Option<(Level, Vec<usize>)> {
     let mut best: Option<(Level, Vec<usize>)> = None;
     let mut consider = |slope: [f64; 2], holding: &[usize]| {
         let (low, high) = set.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &i| {

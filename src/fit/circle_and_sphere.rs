@@ -83,14 +83,14 @@ impl Surface<3, 1> for Disc {
 /// circle in the plane. The full orthogonal distance to the curve gives a different result: 0.9
 /// µrad in the normal for NIST's set 25.
 pub fn circle3d(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
-    circle3d_of(points.into(), settings)
+    fit_circle3d(points.into(), settings)
 }
 
-pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit> {
+pub(super) fn fit_circle3d(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Circle3d)?;
     let cloud = Cloud::new(Element::Circle3d, points, settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
-    let heights = Residuals::of(&cloud, |q| along(q, normal));
+    let heights = Residuals::from_distances(&cloud, |q| along(q, normal));
     let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), heights.squares);
     let circle = refine_circle(&cloud, chart, settings);
     let [a, b, radius] = circle.x;
@@ -177,7 +177,7 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
     let mut fit = refined.to_fit(Element::Circle3d, cloud, centre, Arc::about(&chart, centre))?;
     // largest component positive, whatever the orientation of the chart
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
-    let heights = Residuals::of(cloud, |q| chart.seen(q, [a, b, h])[2]);
+    let heights = Residuals::from_distances(cloud, |q| chart.seen(q, [a, b, h])[2]);
     fit.circle = CircleMethod::Orthogonal;
     fit.principal_rad = normal_uncertainty(cloud).filter(|_| !axis_held);
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
@@ -205,10 +205,10 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn sphere(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
-    sphere_of(points.into(), settings)
+    fit_sphere(points.into(), settings)
 }
 
-pub(super) fn sphere_of(points: Source, settings: &FitSettings) -> Result<Fit> {
+pub(super) fn fit_sphere(points: Source, settings: &FitSettings) -> Result<Fit> {
     settings.check(Element::Sphere)?;
     let cloud = Cloud::new(Element::Sphere, points, settings)?;
     let (start, radius) = taubin::<4>(&cloud.thinned(SAMPLE).points().collect::<Vec<_>>());

@@ -20,10 +20,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// cones are not singular (Shakarji 1998, 3.5). Starts are searched over the hemisphere of axes;
 /// the best starts are refined.
 pub fn cone(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
-    cone_of(points.into(), settings)
+    fit_cone(points.into(), settings)
 }
 
-pub(super) fn cone_of(points: Source, settings: &FitSettings) -> Result<Fit> {
+pub(super) fn fit_cone(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Cone)?;
     let cloud = Cloud::new(Element::Cone, points, settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
@@ -62,7 +62,7 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings)
     }
     // of a plane the apex is anywhere: its best place makes a cone of noise, which the uncertainty
     // of the angle at that place does not show
-    let heights = Residuals::of(cloud, |q| along(q, cloud.axes[2]));
+    let heights = Residuals::from_distances(cloud, |q| along(q, cloud.axes[2]));
     let improvement = fit.degrees_of_freedom as f64 * ((heights.rms * cloud.scale_mm / fit.rms_mm()).powi(2) - 1.0);
     if improvement < BY_NOISE || uncertain.is_some_and(|u| u > FRAC_PI_2 - half_angle.abs()) {
         fit.warnings.push(warning!("cone-is-plane"));

@@ -90,7 +90,7 @@ impl Gather for Arc {
     fn take(&mut self, q: Points, _: F64x8) {
         let [x, y, _] = self.chart.seen(q, self.centre);
         let part = x * (x.abs() + y.abs()).inverse_or_zero();
-        let turn = F64x8::all(2.0) - (F64x8::all(1.0) + part).with_sign_of(y);
+        let turn = F64x8::all(2.0) - (F64x8::all(1.0) + part).with_signs(y);
         // the sum with 2^52 is an integer, held in the last bits
         let sector = (turn * (SECTORS / 4) as f64 + F64x8::all(4_503_599_627_370_496.0)).0.map(f64::to_bits);
         self.sectors.take(&turn.0.map(f64::to_bits), &sector);

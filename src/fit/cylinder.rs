@@ -34,10 +34,10 @@ use etalon_base::pose::Vector;
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn cylinder(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
-    cylinder_of(points.into(), settings)
+    fit_cylinder(points.into(), settings)
 }
 
-pub(super) fn cylinder_of(points: Source, settings: &FitSettings) -> Result<Fit> {
+pub(super) fn fit_cylinder(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Cylinder)?;
     let cloud = Cloud::new(Element::Cylinder, points, settings)?;
     let radius = settings.held_radius_mm().map(|r| r / cloud.scale_mm);

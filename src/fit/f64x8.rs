@@ -112,7 +112,7 @@ impl F64x8 {
 
     /// Magnitudes with the signs of `other`.
     #[inline(always)]
-    pub fn with_sign_of(self, other: Self) -> Self {
+    pub fn with_signs(self, other: Self) -> Self {
         self.zip(other, f64::copysign)
     }
 

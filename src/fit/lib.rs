@@ -56,13 +56,13 @@ pub fn element<'a>(element: Element, points: impl Into<Source<'a>>, settings: &F
     match element {
         Element::Line2d => line2d(&flat(), settings),
         Element::Line => line_and_plane::fit(element, points, settings),
-        Element::Plane => line_and_plane::plane_of(points, settings),
+        Element::Plane => line_and_plane::fit_plane(points, settings),
         Element::Circle2d => circle2d(&flat(), settings),
-        Element::Circle3d => circle_and_sphere::circle3d_of(points, settings),
-        Element::Sphere => circle_and_sphere::sphere_of(points, settings),
-        Element::Cylinder => cylinder::cylinder_of(points, settings),
-        Element::Cone => cone::cone_of(points, settings),
-        Element::Torus => torus::torus_of(points, settings),
+        Element::Circle3d => circle_and_sphere::fit_circle3d(points, settings),
+        Element::Sphere => circle_and_sphere::fit_sphere(points, settings),
+        Element::Cylinder => cylinder::fit_cylinder(points, settings),
+        Element::Cone => cone::fit_cone(points, settings),
+        Element::Torus => torus::fit_torus(points, settings),
     }
 }
 

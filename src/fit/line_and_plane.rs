@@ -34,7 +34,7 @@ pub(super) fn fit(element: Element, points: Source, settings: &FitSettings) -> R
     } else {
         Chart::new(direction)
     };
-    let residuals = Residuals::of(&cloud, |q| {
+    let residuals = Residuals::from_distances(&cloud, |q| {
         let [x, y, _] = chart.seen(q, [0.0; 3]);
         if flat { y } else { (x * x + y * y).sqrt() }
     });
@@ -92,14 +92,14 @@ pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn plane(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
-    plane_of(points.into(), settings)
+    fit_plane(points.into(), settings)
 }
 
-pub(super) fn plane_of(points: Source, settings: &FitSettings) -> Result<Fit> {
+pub(super) fn fit_plane(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Plane)?;
     let cloud = Cloud::new(Element::Plane, points, settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
-    let residuals = Residuals::of(&cloud, |q| along(q, normal));
+    let residuals = Residuals::from_distances(&cloud, |q| along(q, normal));
     let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), residuals.squares);
     let degrees_of_freedom = cloud.len() - if held.is_some() { 1 } else { 3 };
     let mut fit = Fit::new(Element::Plane, &cloud, [0.0; 3], residuals);

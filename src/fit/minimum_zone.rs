@@ -339,7 +339,7 @@ fn rows_about(points: &[[f64; 2]], center: [f64; 2]) -> Vec<[f64; 3]> {
     points.iter().map(row).collect()
 }
 
-fn width_of(rows: &[[f64; 3]]) -> (f64, f64) {
+fn ring_width(rows: &[[f64; 3]]) -> (f64, f64) {
     let (low, high) = rows.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), r| (l.min(r[2]), h.max(r[2])));
     (high - low, low)
 }
@@ -350,14 +350,16 @@ fn narrow_ring(points: &[[f64; 2]], from: [f64; 2]) -> Ring {
     let mut center = from;
     let mut rows = rows_about(points, center);
     for _ in 0..100 {
-        let (width, _) = width_of(&rows);
+        let (width, _) = ring_width(&rows);
         let Some(level) = least_spread(&rows, f64::INFINITY) else { break };
         let halved = (0..40).map(|k| level.slope.map(|s| s * 0.5f64.powi(k)));
         let mut tried = halved.map(|step| {
             let center = [center[0] + step[0], center[1] + step[1]];
             (center, rows_about(points, center))
         });
-        let Some(next) = tried.find(|(c, rows)| c[0].hypot(c[1]) < FARTHEST && width_of(rows).0 < width) else { break };
+        let Some(next) = tried.find(|(c, rows)| c[0].hypot(c[1]) < FARTHEST && ring_width(rows).0 < width) else {
+            break;
+        };
         (center, rows) = next;
     }
     let (low, high, lower, upper) = sides(&rows.iter().map(|row| row[2]).collect::<Vec<_>>());
@@ -410,7 +412,7 @@ fn search_rings(points: &[[f64; 2]], mut best: Ring) -> Option<(Ring, bool, usiz
         looked_at += 1;
         looks += points_here.len();
         let mut rows = rows_about(&points_here, middle);
-        let (width, inner) = width_of(&rows);
+        let (width, inner) = ring_width(&rows);
         // unit vectors to two points of the cloud differ by the angle it subtends, which limits the
         // change of the width per unit length
         let change = radius * if nearest > size { 2.0 * size / nearest } else { 2.0 };
@@ -430,7 +432,7 @@ fn search_rings(points: &[[f64; 2]], mut best: Ring) -> Option<(Ring, bool, usiz
             }
             let there = [middle[0] + level.slope[0], middle[1] + level.slope[1]];
             let near = distance(there, middle) <= 2.0 * radius;
-            if near && width_of(&rows_about(&points_here, there)).0 <= best.width + SLACK {
+            if near && ring_width(&rows_about(&points_here, there)).0 <= best.width + SLACK {
                 let found = narrow_ring(points, there);
                 if found.width < best.width {
                     best = found;

@@ -33,7 +33,7 @@ impl Block {
 impl PackedPoints {
     /// Stores points with these coordinates in a unit of `in_mm` millimetres. Retrieved values
     /// equal `coordinate * in_mm` to the last bit, except for the sign of zero.
-    pub fn of([x, y, z]: &[Vec<f64>; 3], in_mm: f64) -> Self {
+    pub fn new([x, y, z]: &[Vec<f64>; 3], in_mm: f64) -> Self {
         let points = || x.iter().zip(y).zip(z).map(|((x, y), z)| [*x, *y, *z]);
         let packed = (0..=MOST_DECIMALS).find_map(|decimals| {
             let tens = 10f64.powi(decimals);
@@ -113,7 +113,7 @@ mod tests {
         for in_mm in [1.0, 25.4, 1000.0] {
             for (row, decimal) in cases {
                 let [x, y, z] = row.map(|v| column(&[v, "3.5"]));
-                let packed = PackedPoints::of(&[x.clone(), y.clone(), z.clone()], in_mm);
+                let packed = PackedPoints::new(&[x.clone(), y.clone(), z.clone()], in_mm);
                 assert_eq!(matches!(packed.blocks[0], Block::Decimal { .. }), decimal, "{row:?}");
                 expected.extend((0..2).map(|i| [x[i] * in_mm, y[i] * in_mm, z[i] * in_mm]));
                 all.append(packed);
@@ -145,7 +145,7 @@ mod tests {
         let mut packed = PackedPoints::default();
         for from in (0..points.len()).step_by(3000) {
             let to = points.len().min(from + 3000);
-            packed.append(PackedPoints::of(&[0, 1, 2].map(|k| column(k)[from..to].to_vec()), 1.0));
+            packed.append(PackedPoints::new(&[0, 1, 2].map(|k| column(k)[from..to].to_vec()), 1.0));
         }
         for kind in [Element::Cylinder, Element::Plane, Element::Sphere, Element::Circle2d] {
             let (a, b) =

@@ -78,7 +78,7 @@ pub struct Residuals {
 
 impl Residuals {
     /// Residuals of all points from their distances.
-    pub(super) fn of(cloud: &Cloud, distance: impl Fn(Points) -> F64x8 + Sync) -> Self {
+    pub(super) fn from_distances(cloud: &Cloud, distance: impl Fn(Points) -> F64x8 + Sync) -> Self {
         Self::and(
             cloud,
             #[inline(always)]

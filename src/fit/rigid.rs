@@ -55,7 +55,7 @@ pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     if (values[3] - values[2]) <= 1e-12 * largest {
         return Err(error!("rotation-ambiguous").into());
     }
-    let rotation = rotation_of(vectors[3]);
+    let rotation = rotation_matrix(vectors[3]);
     let turn = Pose { rotation, translation_mm: [0.0; 3] };
     let translation_mm = minus(b.centre_mm, turn.rotate(a.centre_mm));
     // residuals about the centroids lose no digits far from the origin
@@ -70,7 +70,7 @@ pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
 /// Rotation that best maps centred points onto others, pair by pair; one of several if it is not
 /// unique.
 pub fn rotation_onto(pairs: impl Iterator<Item = (Vector, Vector)>) -> [[f64; 3]; 3] {
-    rotation_of(quaternions(pairs).1[3])
+    rotation_matrix(quaternions(pairs).1[3])
 }
 
 /// Eigenvalues and eigenvectors of Horn's N for pairs of centred points, ascending.
@@ -99,7 +99,7 @@ fn horn(s: &[[f64; 3]; 3]) -> [[f64; 4]; 4] {
 }
 
 /// Rotation matrix of a quaternion (w, x, y, z) (Horn 1987, 3.E).
-fn rotation_of(q: [f64; 4]) -> [[f64; 3]; 3] {
+fn rotation_matrix(q: [f64; 4]) -> [[f64; 3]; 3] {
     let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
     let [w, x, y, z] = q.map(|v| v / length);
     [

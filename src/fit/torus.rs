@@ -19,10 +19,10 @@ use etalon_math::symmetric_eigen;
 /// hemisphere of axes, with a circle through the points projected along the axis and a circle
 /// through their section along the tube for each axis.
 pub fn torus(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
-    torus_of(points.into(), settings)
+    fit_torus(points.into(), settings)
 }
 
-pub(super) fn torus_of(points: Source, settings: &FitSettings) -> Result<Fit> {
+pub(super) fn fit_torus(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Torus)?;
     let cloud = Cloud::new(Element::Torus, points, settings)?;
     let free = [true, true, true, held.is_none(), held.is_none(), true, true];

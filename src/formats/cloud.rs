@@ -64,7 +64,7 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
 /// # Errors
 /// Fails if the file cannot be read.
 pub fn packed_points(path: &Path, format: &Format, unit: Unit) -> Result<Option<PackedPoints>> {
-    let parts = read(path, format, unit, |part| PackedPoints::of(&part.xyz, unit.in_mm()))?;
+    let parts = read(path, format, unit, |part| PackedPoints::new(&part.xyz, unit.in_mm()))?;
     Ok(parts.map(|parts| {
         let mut all = PackedPoints::default();
         parts.into_iter().for_each(|part| all.append(part));

@@ -36,7 +36,7 @@ impl Blocks {
     }
 
     /// Block and position of a column in a row; the block is `None` for common columns.
-    pub fn place_of(&self, column: usize) -> Option<(Option<usize>, usize)> {
+    pub fn column_place(&self, column: usize) -> Option<(Option<usize>, usize)> {
         let of = |(block, own): (usize, &Vec<usize>)| Some((Some(block), own.iter().position(|&j| j == column)?));
         let common = || Some((None, OWN + self.common.iter().position(|&j| j == column)?));
         self.own.iter().enumerate().find_map(of).or_else(common)
@@ -45,7 +45,7 @@ impl Blocks {
     /// Adds one row for each of `columns`, with that column as its only entry.
     pub fn with_single_rows(&self, columns: impl Iterator<Item = usize>) -> Self {
         let mut with = self.clone();
-        with.of_row.extend(columns.map(|j| self.place_of(j).and_then(|place| place.0)));
+        with.of_row.extend(columns.map(|j| self.column_place(j).and_then(|place| place.0)));
         with
     }
 }

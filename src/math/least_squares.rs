@@ -69,7 +69,7 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
         }
     }
     Solution {
-        cost: run.cost_of(&run.residuals),
+        cost: run.evaluate_cost(&run.residuals),
         factor: run.factor.filter(|_| options.loss == Loss::Squares),
         measured: run.measured.filter(|_| options.loss == Loss::Squares),
         jacobian: run.jacobian,
@@ -134,7 +134,7 @@ pub fn solve_near(
             return Some(trial);
         }
         run.problem.residuals(&trial, &mut residuals);
-        let cost = run.cost_of(&residuals);
+        let cost = run.evaluate_cost(&residuals);
         run.go_to(trial, &mut residuals, cost);
         last = size;
     }
@@ -175,7 +175,7 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
             trial.iter_mut().zip(bend).for_each(|(x, bend)| *x += bend);
         }
         run.problem.residuals(&trial, &mut trial_residuals);
-        let trial_cost = run.cost_of(&trial_residuals);
+        let trial_cost = run.evaluate_cost(&trial_residuals);
         let ratio = region.judge(&step, run.cost, trial_cost);
         if ratio > 1e-4 {
             run.go_to(trial, &mut trial_residuals, trial_cost);
@@ -249,7 +249,7 @@ fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
         }
         let trial: Vec<f64> = run.x.iter().zip(&step).map(|(x, s)| x + s).collect();
         run.problem.residuals(&trial, &mut residuals);
-        let cost = run.cost_of(&residuals);
+        let cost = run.evaluate_cost(&residuals);
         if cost > run.cost * (1.0 + 1e-6) + f64::MIN_POSITIVE {
             break;
         }
@@ -327,11 +327,11 @@ impl<'a, P: Problem> Run<'a, P> {
             scale: vec![1.0; n],
             iterations: 0,
         };
-        run.cost = run.cost_of(&run.residuals);
+        run.cost = run.evaluate_cost(&run.residuals);
         run
     }
 
-    fn cost_of(&self, residuals: &[f64]) -> f64 {
+    fn evaluate_cost(&self, residuals: &[f64]) -> f64 {
         self.options.loss.sum(residuals, self.problem.prior_count())
     }
 

@@ -22,7 +22,7 @@ const CURVATURE_KEPT: f64 = 0.01;
 
 impl Loss {
     /// Loss ρ(r²); NaN if the constant of the loss is not positive.
-    pub fn of(self, residual: f64) -> f64 {
+    pub fn value(self, residual: f64) -> f64 {
         let square = residual * residual;
         match self {
             Self::Squares => square,
@@ -56,7 +56,7 @@ impl Loss {
         let squares = |r: &[f64]| r.iter().map(|r| r * r).sum::<f64>();
         match self {
             Self::Squares => squares(residuals),
-            _ => measured.iter().map(|&r| self.of(r)).sum::<f64>() + squares(priors),
+            _ => measured.iter().map(|&r| self.value(r)).sum::<f64>() + squares(priors),
         }
     }
 
@@ -86,7 +86,7 @@ mod tests {
         for loss in [Loss::Squares, Loss::Cauchy(2.385)] {
             for r in [-7.0, -1.0, -0.3, 0.0, 0.2, 1.1, 2.0, 30.0] {
                 let h = 1e-5;
-                let slope = (loss.of(r + h) - loss.of(r - h)) / (4.0 * h);
+                let slope = (loss.value(r + h) - loss.value(r - h)) / (4.0 * h);
                 assert!((slope - loss.influence(r)).abs() < 1e-8, "{loss:?} {r}");
                 let bend = (loss.influence(r + h) - loss.influence(r - h)) / (2.0 * h);
                 assert!((bend - loss.curvature(r)).abs() < 1e-8, "{loss:?} {r}");
@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn a_constant_that_is_not_positive_has_no_value() {
         for loss in [Loss::Cauchy(0.0), Loss::Cauchy(-1.0), Loss::Cauchy(f64::NAN)] {
-            assert!(loss.of(1.0).is_nan());
+            assert!(loss.value(1.0).is_nan());
         }
     }
 }

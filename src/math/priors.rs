@@ -50,7 +50,8 @@ impl<P: Problem> Problem for WithPriors<'_, P> {
         self.problem.jacobian(x, measured);
         known.fill(0.0);
         for (row, prior) in known.chunks_exact_mut(width.max(1)).zip(&self.priors) {
-            let place = self.blocks.as_ref().map_or(Some(prior.parameter), |b| Some(b.place_of(prior.parameter)?.1));
+            let place =
+                self.blocks.as_ref().map_or(Some(prior.parameter), |b| Some(b.column_place(prior.parameter)?.1));
             if let Some(j) = place.and_then(|place| row.get_mut(place)) {
                 *j = prior.weight;
             }

@@ -59,7 +59,7 @@ pub struct UpperTail {
 impl UpperTail {
     /// Tail of the sizes (absolute values) of values in any order, as [`quantile`]; `None` without
     /// values. Rearranges the values and removes their signs.
-    pub fn of_sizes(values: &mut [f64], share: f64) -> Option<Self> {
+    pub fn from_sizes(values: &mut [f64], share: f64) -> Option<Self> {
         let (at, part) = rank(values.len(), share)?;
         // bits of non-negative numbers are in the order of the numbers
         values.iter_mut().for_each(|v| *v = v.abs());
@@ -122,10 +122,10 @@ pub struct SizeStatistics {
 impl SizeStatistics {
     /// Statistics of the sizes of values in any order; rearranges the values and removes their
     /// signs.
-    pub fn of(values: &mut [f64]) -> Self {
+    pub fn new(values: &mut [f64]) -> Self {
         let mut sums = SizeSums::default();
         values.iter().for_each(|value| sums.add(*value));
-        sums.statistics(UpperTail::of_sizes(values, 0.95).unwrap_or_default())
+        sums.statistics(UpperTail::from_sizes(values, 0.95).unwrap_or_default())
     }
 }
 
@@ -181,13 +181,13 @@ mod tests {
     #[test]
     fn sizes_have_the_quantile_of_their_absolute_values() {
         let sign = |k: u32| if k.is_multiple_of(3) { -1.0 } else { 1.0 };
-        let s = SizeStatistics::of(&mut (1..=21u32).rev().map(|k| sign(k) * f64::from(k)).collect::<Vec<_>>());
+        let s = SizeStatistics::new(&mut (1..=21u32).rev().map(|k| sign(k) * f64::from(k)).collect::<Vec<_>>());
         assert_eq!((s.mean, s.rms, s.p95, s.max), (11.0, (3311.0f64 / 21.0).sqrt(), 20.0, 21.0));
-        assert_eq!(SizeStatistics::of(&mut []), SizeStatistics::default());
+        assert_eq!(SizeStatistics::new(&mut []), SizeStatistics::default());
         for count in 1..40u32 {
             let values: Vec<f64> = (0..count).map(|k| sign(k) * f64::from(k * 7919 % 31)).collect();
             let mut sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
-            let tail = UpperTail::of_sizes(&mut values.clone(), 0.95).unwrap();
+            let tail = UpperTail::from_sizes(&mut values.clone(), 0.95).unwrap();
             assert_eq!(Some(tail.quantile()), quantile(&mut sizes, 0.95), "{count}");
             assert_eq!(Some(tail.max), sizes.into_iter().max_by(f64::total_cmp));
         }

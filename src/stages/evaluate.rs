@@ -573,7 +573,7 @@ fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size:
 /// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum
 /// of sizes.
 pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
-    documented(SizeStatistics::of(&mut sizes))
+    documented(SizeStatistics::new(&mut sizes))
 }
 
 fn documented(sizes: SizeStatistics) -> Statistics {

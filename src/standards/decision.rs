@@ -82,7 +82,7 @@ impl DecisionRule {
 
 impl Conformity {
     /// Combines the conformities of several values that must all be within a limit.
-    pub fn of_all(values: impl IntoIterator<Item = Self>) -> Self {
+    pub fn combine(values: impl IntoIterator<Item = Self>) -> Self {
         values.into_iter().fold(Self::Conforming, |all, one| match (all, one) {
             (Self::NotConforming, _) | (_, Self::NotConforming) => Self::NotConforming,
             (Self::Conforming, Self::Conforming) => Self::Conforming,
@@ -109,7 +109,7 @@ impl Acceptance {
     }
 
     /// The worst of several verdicts; `None` if nothing was judged.
-    pub fn of_all(values: impl IntoIterator<Item = Self>) -> Option<Self> {
+    pub fn worst(values: impl IntoIterator<Item = Self>) -> Option<Self> {
         values.into_iter().max()
     }
 }
@@ -154,10 +154,10 @@ mod tests {
             let interval = u.map(|u: f64| Interval { low_mm: value - u, high_mm: value + u });
             assert_eq!(rules.map(|rule| rule.judge(value, interval, 0.4)), expected, "{value} {u:?}");
         }
-        assert_eq!(Conformity::of_all([Conforming, Neither]), Neither);
-        assert_eq!(Conformity::of_all([Neither, NotConforming, Conforming]), NotConforming);
-        assert_eq!(Conformity::of_all([]), Conforming);
-        assert_eq!(Conformity::of_all([Conforming, Conformity::NotAssessable]), Neither);
+        assert_eq!(Conformity::combine([Conforming, Neither]), Neither);
+        assert_eq!(Conformity::combine([Neither, NotConforming, Conforming]), NotConforming);
+        assert_eq!(Conformity::combine([]), Conforming);
+        assert_eq!(Conformity::combine([Conforming, Conformity::NotAssessable]), Neither);
     }
 
     #[test]
@@ -168,8 +168,8 @@ mod tests {
         assert_eq!(Neither.acceptance(true), Acceptance::Undecided);
         assert_eq!(Conformity::NotAssessable.acceptance(false), Acceptance::Undecided);
         let all = [Acceptance::Conditional, Acceptance::Undecided, Acceptance::Pass];
-        assert_eq!(Acceptance::of_all(all), Some(Acceptance::Undecided));
-        assert_eq!(Acceptance::of_all([]), None);
+        assert_eq!(Acceptance::worst(all), Some(Acceptance::Undecided));
+        assert_eq!(Acceptance::worst([]), None);
         let accepted = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail];
         assert_eq!(accepted.map(Acceptance::is_accepted), [true, true, false, false]);
     }

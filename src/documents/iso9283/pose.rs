@@ -80,7 +80,7 @@ impl Iso9283Document {
             return Err(error!("limits-for-several-robots", robots = count).into());
         }
         let placed = misplaced_poses(robots).map(|found| misplacement(&found)).transpose()?;
-        let test = &robots.of_first_robot();
+        let test = &robots.first_robot_test();
         let poses: Vec<Iso9283Pose> = all(characteristics(test, settings)?);
         let conventions = conventions(robots, settings);
         Ok(Self {

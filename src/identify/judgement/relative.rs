@@ -245,7 +245,7 @@ impl<'a> Group<'a> {
         let [before, after] = [0, 1].map(|side| {
             sizes.clear();
             sizes.extend(self.pairs.iter().map(|pair| pair.error_mm[side]));
-            UpperTail::of_sizes(&mut sizes, 0.95).unwrap_or_default()
+            UpperTail::from_sizes(&mut sizes, 0.95).unwrap_or_default()
         });
         DistanceErrors {
             range_mm,

@@ -154,6 +154,6 @@ impl PreparedTest {
             };
             p.attained.iter().map(visit).collect::<Vec<_>>()
         };
-        self.test.of_first_robot().poses.iter().flat_map(of_pose).collect()
+        self.test.first_robot_test().poses.iter().flat_map(of_pose).collect()
     }
 }

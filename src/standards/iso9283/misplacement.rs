@@ -230,7 +230,7 @@ mod tests {
     ];
 
     /// Three cycles of the poses of a cube, 0.1 mm off.
-    fn test_of(attained: impl Fn(Vector) -> Vector, commanded: impl Fn(Vector) -> Vector) -> PoseTest {
+    fn cube_test(attained: impl Fn(Vector) -> Vector, commanded: impl Fn(Vector) -> Vector) -> PoseTest {
         let visit = |cycle: i64, p: Vector| AttainedPose {
             cycle,
             position_mm: p,
@@ -255,15 +255,15 @@ mod tests {
         let same = |p: Vector| p;
         for (unit, length_mm) in UNITS {
             let small = |p: Vector| p.map(|v| v / length_mm);
-            let found = misplaced_poses(&test_of(small, same));
+            let found = misplaced_poses(&cube_test(small, same));
             let expected = |table, axes| Some(Misplacement::Unit { table, axes, unit, length_mm });
             assert_eq!(found, expected(TestTable::Attained(String::new()), vec![0, 1, 2]));
-            assert_eq!(misplaced_poses(&test_of(same, small)), expected(TestTable::Commanded, vec![0, 1, 2]));
+            assert_eq!(misplaced_poses(&cube_test(same, small)), expected(TestTable::Commanded, vec![0, 1, 2]));
             let one = |p: Vector| [p[0], p[1], p[2] / length_mm];
-            assert_eq!(misplaced_poses(&test_of(one, same)), expected(TestTable::Attained(String::new()), vec![2]));
+            assert_eq!(misplaced_poses(&cube_test(one, same)), expected(TestTable::Attained(String::new()), vec![2]));
             // in another frame as well
             let moved = |p: Vector| [(p[1] - 900.0) / length_mm, (-p[0] + 70.0) / length_mm, p[2] / length_mm];
-            let found = misplaced_poses(&test_of(moved, same));
+            let found = misplaced_poses(&cube_test(moved, same));
             assert!(matches!(&found, Some(Misplacement::Unit { unit: u, .. }) if *u == unit), "{found:?}");
         }
     }
@@ -271,14 +271,14 @@ mod tests {
     #[test]
     fn a_frame_is_named_and_sound_tests_are_not() {
         let same = |p: Vector| p;
-        assert_eq!(misplaced_poses(&test_of(same, same)), None);
+        assert_eq!(misplaced_poses(&cube_test(same, same)), None);
         // a robot with an error of 5 mm, and one whose frame is a little off
-        assert_eq!(misplaced_poses(&test_of(|p| [p[0] + 5.0, p[1], p[2]], same)), None);
-        let shifted = misplaced_poses(&test_of(|p| [p[0] + 600.0, p[1], p[2] - 200.0], same)).unwrap();
+        assert_eq!(misplaced_poses(&cube_test(|p| [p[0] + 5.0, p[1], p[2]], same)), None);
+        let shifted = misplaced_poses(&cube_test(|p| [p[0] + 600.0, p[1], p[2] - 200.0], same)).unwrap();
         assert!(
             matches!(shifted, Misplacement::Frame { turn_rad: None, shift_mm, .. } if (shift_mm[0] - 600.1).abs() < 1e-9)
         );
-        let turned = misplaced_poses(&test_of(|p| [-p[1], p[0], p[2]], same)).unwrap();
+        let turned = misplaced_poses(&cube_test(|p| [-p[1], p[0], p[2]], same)).unwrap();
         let Misplacement::Frame { turn_rad: Some(turn), left_mm, .. } = turned else { panic!("{turned:?}") };
         assert!((turn.to_degrees() - 90.0).abs() < 0.1 && left_mm < 0.2, "{turn} {left_mm}");
         // two poses exchanged
@@ -291,11 +291,11 @@ mod tests {
                 p
             }
         };
-        let found = misplaced_poses(&test_of(same, exchanged)).unwrap();
+        let found = misplaced_poses(&cube_test(same, exchanged)).unwrap();
         let Misplacement::Large { poses, .. } = found else { panic!("{found:?}") };
         assert!(poses.contains(&2.into()) && poses.contains(&4.into()), "{poses:?}");
         // repeats alone, without commanded poses
-        let mut alone = test_of(same, same);
+        let mut alone = cube_test(same, same);
         alone.poses.iter_mut().for_each(|p| p.commanded_mm = None);
         assert_eq!(misplaced_poses(&alone), None);
     }

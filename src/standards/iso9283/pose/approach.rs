@@ -33,8 +33,8 @@ pub fn came_from(rows: &[(i64, PoseName)]) -> Vec<CameFrom> {
     }
     let sequences: Vec<Vec<PoseName>> =
         cycles.iter().map(|visits| visits.iter().map(|&i| rows[i].1).collect()).collect();
-    let orders = Orders::of(&sequences);
-    let possible: Vec<Vec<&[PoseName]>> = sequences.iter().map(|s| orders.of_cycle(s)).collect();
+    let orders = Orders::new(&sequences);
+    let possible: Vec<Vec<&[PoseName]>> = sequences.iter().map(|s| orders.possible_orders(s)).collect();
     for (c, visits) in cycles.iter().enumerate() {
         let first = possible[c].iter().all(|order| order.first() == sequences[c].first());
         let last = c == 0 || possible[c - 1].iter().all(|order| order.last() == sequences[c - 1].last());
@@ -70,7 +70,7 @@ fn cycles(rows: &[(i64, PoseName)]) -> Vec<Vec<usize>> {
 struct Orders<'a>(Vec<(&'a [PoseName], usize)>, BTreeMap<&'a [PoseName], usize>);
 
 impl<'a> Orders<'a> {
-    fn of(sequences: &'a [Vec<PoseName>]) -> Self {
+    fn new(sequences: &'a [Vec<PoseName>]) -> Self {
         let mut counts: BTreeMap<&[PoseName], usize> = BTreeMap::new();
         sequences.iter().for_each(|sequence| *counts.entry(sequence.as_slice()).or_default() += 1);
         let mut frequent: Vec<(&[PoseName], usize)> = counts.iter().map(|(order, count)| (*order, *count)).collect();
@@ -80,7 +80,7 @@ impl<'a> Orders<'a> {
     }
 
     /// Orders that a cycle may have had: the more frequent ones that contain it, or its own.
-    fn of_cycle(&self, cycle: &'a [PoseName]) -> Vec<&'a [PoseName]> {
+    fn possible_orders(&self, cycle: &'a [PoseName]) -> Vec<&'a [PoseName]> {
         let own = self.1.get(cycle).copied().unwrap_or(1);
         let contains = |order: &[PoseName]| {
             let mut poses = order.iter();

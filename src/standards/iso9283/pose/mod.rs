@@ -108,10 +108,10 @@ pub struct Assessed {
 /// AP and RP of all poses in a test of one robot.
 pub fn characteristics(test: &PoseTest, settings: &PoseTestSettings) -> Result<Vec<PoseCharacteristics>> {
     let mut bootstraps = BTreeMap::new();
-    test.poses.iter().map(|p| of_pose(test, p, settings, &mut bootstraps)).collect()
+    test.poses.iter().map(|p| pose_characteristics(test, p, settings, &mut bootstraps)).collect()
 }
 
-fn of_pose(
+fn pose_characteristics(
     test: &PoseTest,
     p: &TestedPose,
     settings: &PoseTestSettings,
@@ -123,7 +123,7 @@ fn of_pose(
         pose: p.pose,
         cycles: n,
         ellipsoid: ellipsoid(&positions).ok(),
-        noise_free: noise_free::of_pose(p)?,
+        noise_free: noise_free::repeatability_without_noise(p)?,
         spatial: test.spatial,
         ..PoseCharacteristics::default()
     };

@@ -64,7 +64,7 @@ pub fn without_noise(visits_mm: &[Vec<Vector>]) -> Result<NoiseFree> {
 }
 
 /// RP without noise of a pose with at least three visits, if any visit was read twice.
-pub fn of_pose(pose: &TestedPose) -> Result<Option<NoiseFree>> {
+pub fn repeatability_without_noise(pose: &TestedPose) -> Result<Option<NoiseFree>> {
     let read_again = pose.attained.iter().any(|v| v.readings_mm.len() > 1);
     let readings: Vec<Vec<Vector>> = pose.attained.iter().map(|v| v.readings_mm.clone()).collect();
     (read_again && readings.len() > 2).then(|| without_noise(&readings)).transpose()

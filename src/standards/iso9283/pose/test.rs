@@ -133,7 +133,7 @@ impl PoseTest {
     }
 
     /// Test of the first robot by name.
-    pub fn of_first_robot(&self) -> Self {
+    pub fn first_robot_test(&self) -> Self {
         let mut first = self.clone();
         let Some(robot) = self.robots().first().map(|r| (*r).to_owned()) else { return first };
         first.poses.iter_mut().for_each(|p| p.attained.retain(|v| v.robot == robot));
