@@ -85,7 +85,7 @@ fn true_errors(robot: &Prexyt, truth: &[f64], parameters: &[f64], commands: &[Pl
     let nominal = robot.nominal();
     let one = |command: &PlanarPose| {
         let joints = robot.inverse(&nominal, *command);
-        let landing = Landing::of(robot, truth, parameters, Frame::Base, &joints).expect("reached");
+        let landing = Landing::new(robot, truth, parameters, Frame::Base, &joints).expect("reached");
         [landing.error_mm[0], landing.error_mm[1], landing.rotation_rad[2]]
     };
     commands.iter().map(one).collect()

@@ -181,7 +181,7 @@ impl Simulated {
     /// True position in the world minus commanded, with the pose of each.
     fn errors(&self, identified: &[f64]) -> Vec<(usize, [f64; 2])> {
         let poses = by_pose(&self.plate);
-        let landing = |o: &Observation| Landing::of(&self.robot, &self.truth, identified, Frame::World, &o.joints);
+        let landing = |o: &Observation| Landing::new(&self.robot, &self.truth, identified, Frame::World, &o.joints);
         let one = |(i, o): (usize, &&Observation)| Some((i, landing(o).map(|l| [l.error_mm[0], l.error_mm[1]])?));
         poses.iter().enumerate().flat_map(|(i, p)| p.iter().map(move |o| (i, o))).filter_map(one).collect()
     }

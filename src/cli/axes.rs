@@ -74,7 +74,7 @@ impl AxesCommand {
                 None => {}
             },
         }
-        Ok(Verdict::of(met))
+        Ok(Verdict::new(met))
     }
 
     /// The answer from a table in memory.

@@ -226,10 +226,10 @@ impl AxisTable {
                 let arm = given.robot.map_or_else(|| Err(error!("robot-option-missing").into()), whole_pose)?;
                 let identified = identified(arm, given.parameters, &self.source)?;
                 calibrated = Calibrated { arm, nominal: arm.nominal(), identified, field: None };
-                self.of_robot(&calibrated)?
+                self.robot_deviations(&calibrated)?
             }
-            Read::Leads(geometric) => self.of_lead(geometric)?,
-            Read::Measured(file) => self.of_table(file)?,
+            Read::Leads(geometric) => self.lead_deviations(geometric)?,
+            Read::Measured(file) => self.table_deviations(file)?,
         };
         let rows = self.rows(&source)?;
         let largest = rows.iter().flatten().flatten().fold(0.0, |most: f64, v| most.max(v.abs()));
@@ -311,7 +311,7 @@ impl AxisTable {
         names.into_iter().flatten().flatten()
     }
 
-    fn of_robot<'a>(&self, robot: &'a Calibrated<'a>) -> Result<Source<'a>> {
+    fn robot_deviations<'a>(&self, robot: &'a Calibrated<'a>) -> Result<Source<'a>> {
         let cartesian = |name: &str| XYZ.iter().position(|known| *known == name);
         let joints = robot.arm.joints();
         let joint = |name: &str| joints.iter().position(|joint| joint.column() == name);
@@ -346,7 +346,7 @@ impl AxisTable {
         Ok(Source::Joint { robot, joints: near, bases, corrected })
     }
 
-    fn of_lead<'a>(&self, geometric: &'a GeometricDocument) -> Result<Source<'a>> {
+    fn lead_deviations<'a>(&self, geometric: &'a GeometricDocument) -> Result<Source<'a>> {
         let name = &self.axes[0].name;
         let lead = geometric.leads.iter().find(|lead| *name == format!("rho{}_mm", lead.actuator));
         let missing = || {
@@ -360,7 +360,7 @@ impl AxisTable {
     }
 
     /// Measured errors of a table, whose positions become those of the base axes.
-    fn of_table<'a>(&mut self, file: &TableFile) -> Result<Source<'a>> {
+    fn table_deviations<'a>(&mut self, file: &TableFile) -> Result<Source<'a>> {
         let both = BOTH.iter().any(|name| file.table.column(name).is_ok()) && file.table.column(DEVIATION).is_err();
         let errors = if both { &BOTH[..] } else { &[DEVIATION] };
         let errors = errors.iter().map(|name| (*name).to_owned());

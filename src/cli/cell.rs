@@ -119,7 +119,7 @@ impl CellCommand {
             (None, Some(maker)) => remark(&[error!("cell-data-withheld", maker)]),
             (None, None) => print_text(&text(&document))?,
         }
-        Ok(Verdict::of(fit))
+        Ok(Verdict::new(fit))
     }
 
     /// The answer from a table in memory.

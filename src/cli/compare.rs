@@ -61,7 +61,7 @@ const COMPARED: [&str; 5] =
 
 /// Reads a campaign's output folder and its documents.
 fn read(named: &Path) -> Result<(PathBuf, Compared)> {
-    let folder = documents::folder_of(named)?;
+    let folder = documents::output_folder(named)?;
     let place = folder.canonicalize().unwrap_or_else(|_| folder.clone());
     let documents = Documents::open(&folder)?;
     let mut inputs = BTreeMap::new();

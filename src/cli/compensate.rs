@@ -204,7 +204,7 @@ impl Compensate {
                 remark(&[warning!("poses-computed-by-program", names)]);
             }
         }
-        print_with(data, Verdict::of(refused.is_empty() && uncertain.is_none()))
+        print_with(data, Verdict::new(refused.is_empty() && uncertain.is_none()))
     }
 
     /// Reads the targets of the table or program.

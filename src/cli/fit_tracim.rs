@@ -54,13 +54,13 @@ fn fit(package: Package, set: &DataSet) -> Result<Quantities, Problems> {
             // distances are those of the points from the element (manual, appendix)
             let settings = FitSettings { circle: CircleMethod::Orthogonal, ..FitSettings::default() };
             let fit = etalon_fit::element(element, Source::from(&set.points_mm), &settings).map_err(within)?;
-            Ok(of_fit(&fit))
+            Ok(fit_quantities(&fit))
         }
-        Package::Chebyshev => Ok(of_zone(&etalon_fit::minimum_zone(element, &set.points_mm).map_err(within)?)),
+        Package::Chebyshev => Ok(zone_quantities(&etalon_fit::minimum_zone(element, &set.points_mm).map_err(within)?)),
     }
 }
 
-fn of_fit(fit: &Fit) -> Quantities {
+fn fit_quantities(fit: &Fit) -> Quantities {
     // axes of cones point towards decreasing radii (manual, table 2), ours towards larger ones
     let sign = if fit.element == Element::Cone { -1.0 } else { 1.0 };
     Quantities {
@@ -72,7 +72,7 @@ fn of_fit(fit: &Fit) -> Quantities {
     }
 }
 
-fn of_zone(zone: &MinimumZone) -> Quantities {
+fn zone_quantities(zone: &MinimumZone) -> Quantities {
     Quantities {
         position_mm: zone.point_mm,
         // as in the public sample data

@@ -162,7 +162,7 @@ impl IdentifyCommand {
     /// Rules of `--exclude`.
     fn exclusions(&self) -> Result<Vec<Exclusion>, Problems> {
         let rule = |text: &String| {
-            let (poses, reason) = Exclusion::of_option("--exclude", text)?;
+            let (poses, reason) = Exclusion::parse_option("--exclude", text)?;
             let rule = Exclude { poses: Some(poses), reason, ..Exclude::default() };
             Ok(Exclusion { rule, place: Place::file("--exclude") })
         };
@@ -174,7 +174,7 @@ impl IdentifyCommand {
         let mut left_out = vec![false; observed.table.height()];
         let mut messages = Vec::new();
         for text in &self.exclude_rows {
-            let (rows, reason) = Exclusion::of_option("--exclude-rows", text)?;
+            let (rows, reason) = Exclusion::parse_option("--exclude-rows", text)?;
             let excluded = excluded_rows(&rows, &reason, 1..=left_out.len() as i64)?;
             excluded.iter().for_each(|row| left_out[*row as usize - 1] = true);
             messages.push(warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason));

@@ -51,7 +51,7 @@ pub fn set_parameters(robot: &mut dyn Robot, json: Option<&str>) -> std::result:
 /// Fails like the command.
 pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument> {
     let files = ["--robot", PLACEHOLDER, "--observations", PLACEHOLDER];
-    options_of::<super::identify::IdentifyCommand>(&files, options)?.in_memory(given)
+    parse_options::<super::identify::IdentifyCommand>(&files, options)?.in_memory(given)
 }
 
 /// Chooses poses to measure, as `etalon plan`.
@@ -60,7 +60,7 @@ pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument>
 /// Fails like the command.
 pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
     let files = ["--robot", PLACEHOLDER, "--candidates", PLACEHOLDER];
-    options_of::<super::plan::PlanCommand>(&files, options)?.in_memory(given)
+    parse_options::<super::plan::PlanCommand>(&files, options)?.in_memory(given)
 }
 
 /// Judges whether parameters still hold, as `etalon verify`.
@@ -69,7 +69,7 @@ pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
 /// Fails like the command.
 pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]) -> Result<VerificationDocument> {
     let files = ["--robot", PLACEHOLDER, "--parameters", PLACEHOLDER, PLACEHOLDER];
-    options_of::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
+    parse_options::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
 }
 
 /// Finds the axes of joints from sweeps, as `etalon axes`.
@@ -77,7 +77,7 @@ pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]
 /// # Errors
 /// Fails like the command.
 pub fn axes(table: &Table, options: &[String]) -> Result<AxesDocument> {
-    Ok(options_of::<super::axes::AxesCommand>(&[PLACEHOLDER], options)?.in_memory(table)?)
+    Ok(parse_options::<super::axes::AxesCommand>(&[PLACEHOLDER], options)?.in_memory(table)?)
 }
 
 /// Finds tool, object, hand and eye, or an external axis, as `etalon cell`.
@@ -85,7 +85,7 @@ pub fn axes(table: &Table, options: &[String]) -> Result<AxesDocument> {
 /// # Errors
 /// Fails like the command.
 pub fn cell(table: &Table, options: &[String]) -> Result<CellDocument> {
-    Ok(options_of::<super::cell::CellCommand>(&[PLACEHOLDER], options)?.in_memory(table)?)
+    Ok(parse_options::<super::cell::CellCommand>(&[PLACEHOLDER], options)?.in_memory(table)?)
 }
 
 /// Evaluates attained poses, as `etalon iso9283 pose`; the second table has the commanded poses,
@@ -97,7 +97,7 @@ pub fn iso9283([attained, commanded, reference]: [Option<&Table>; 3], options: &
     let attained = needed(attained)?;
     let files = [PLACEHOLDER, "--commanded", PLACEHOLDER];
     let files = if commanded.is_some() { &files[..] } else { &files[..1] };
-    Ok(options_of::<super::iso9283::Iso9283>(files, options)?.poses_in_memory(attained, commanded, reference)?)
+    Ok(parse_options::<super::iso9283::Iso9283>(files, options)?.poses_in_memory(attained, commanded, reference)?)
 }
 
 /// Evaluates a recorded motion, as `etalon iso9283 path`; the second table has the commanded poses,
@@ -112,7 +112,7 @@ pub fn iso9283_path(
     let recording = needed(recording)?;
     let files = ["--stream", PLACEHOLDER, "--path", PLACEHOLDER];
     let files = if path.is_some() { &files[..] } else { &files[..2] };
-    Ok(options_of::<super::iso9283::Iso9283>(files, options)?.path_in_memory(recording, commanded, path)?)
+    Ok(parse_options::<super::iso9283::Iso9283>(files, options)?.path_in_memory(recording, commanded, path)?)
 }
 
 /// Evaluates the positioning of an axis, as `etalon iso230`.
@@ -150,7 +150,7 @@ fn needed<'t, 'a>(table: Option<&'t Table<'a>>) -> std::result::Result<&'t Table
 }
 
 /// Options of a command, which are checked as on the command line.
-fn options_of<T: Args>(files: &[&str], options: &[String]) -> Result<T> {
+fn parse_options<T: Args>(files: &[&str], options: &[String]) -> Result<T> {
     let words = ["etalon"].into_iter().chain(files.iter().copied()).chain(options.iter().map(String::as_str));
     let read = T::augment_args(clap::Command::new("etalon")).try_get_matches_from(words);
     let found = read.and_then(|matches| T::from_arg_matches(&matches));

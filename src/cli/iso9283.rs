@@ -270,7 +270,7 @@ impl Iso9283 {
         let ByOptions { pose, seed, .. } = &self.by_options;
         pose.check()?;
         let parse = |table: Option<&Table>| table.map(Table::parse).transpose();
-        let tables = PoseTables::of(attained.parse()?, parse(commanded)?, parse(reference)?);
+        let tables = PoseTables::new(attained.parse()?, parse(commanded)?, parse(reference)?);
         pose.evaluate(&tables, commanded.is_some(), *seed)
     }
 

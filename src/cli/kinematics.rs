@@ -87,7 +87,7 @@ impl KinematicsCommand {
         let families = document.poses.iter().filter(|entry| !entry.free_joints.is_empty());
         let families = families.map(|entry| warning!("pose-singular", pose = entry.pose, joints = entry.free_joints));
         remark(&document.unreachable.iter().map(said).chain(families).collect::<Vec<_>>());
-        let verdict = Verdict::of(document.unreachable.is_empty());
+        let verdict = Verdict::new(document.unreachable.is_empty());
         let inverse = self.direction == Direction::Inverse;
         let answer = if self.json { to_json(&document)? } else { csv(&document, inverse).into_bytes() };
         print_with(answer, verdict)

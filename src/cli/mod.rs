@@ -118,7 +118,7 @@ enum Verdict {
 }
 
 impl Verdict {
-    fn of(met: bool) -> Self {
+    fn new(met: bool) -> Self {
         if met { Self::Met } else { Self::LimitNotMet }
     }
 }
@@ -259,7 +259,7 @@ fn print_after_writing(data: impl AsRef<[u8]>, verdict: Verdict) -> Verdict {
 
 /// Prints a report on the terminal, or the given JSON.
 fn answer(renderer: &Renderer, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
-    print_with(json.unwrap_or_else(|| renderer.terminal().into_bytes()), Verdict::of(renderer.passes()))
+    print_with(json.unwrap_or_else(|| renderer.terminal().into_bytes()), Verdict::new(renderer.passes()))
 }
 
 /// Checks that the number of an option, if stated, is positive.

@@ -152,7 +152,7 @@ impl PlanCommand {
         let robot_file = read_robot(&self.robot)?;
         let (robot, candidates, generated) = self.candidates(&robot_file)?;
         self.program.check(robot.as_ref())?;
-        let elsewhere = |path: &PathBuf| candidates_of(&robot_file, &self.format.read_poses(path)?);
+        let elsewhere = |path: &PathBuf| read_candidates(&robot_file, &self.format.read_poses(path)?);
         let elsewhere = self.workspace.as_ref().map(elsewhere).transpose()?;
         let everywhere = elsewhere.map(|(_, all)| all.observations);
         let inputs = files::sha256_of(self.inputs())?;
@@ -182,7 +182,7 @@ impl PlanCommand {
         }
         // clap demands one of both
         let path = self.candidates.clone().unwrap_or_default();
-        let (robot, candidates) = candidates_of(file, &self.format.read_poses(&path)?)?;
+        let (robot, candidates) = read_candidates(file, &self.format.read_poses(&path)?)?;
         Ok((robot, candidates, None))
     }
 
@@ -190,7 +190,7 @@ impl PlanCommand {
     pub(super) fn in_memory(&self, given: &Given) -> anyhow::Result<PlanDocument> {
         check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
         let file = self.format.parse_poses(given.table.name, given.table.text)?;
-        let (robot, candidates) = candidates_of(given.robot, &file)?;
+        let (robot, candidates) = read_candidates(given.robot, &file)?;
         self.planned(robot.as_ref(), candidates, None, given.inputs())
     }
 
@@ -253,7 +253,7 @@ impl PlanCommand {
 }
 
 /// Reads a table of candidates: its robot with the named targets, and its configurations.
-pub(super) fn candidates_of(robot_file: &RobotFile, file: &TableFile) -> Result<(Box<dyn Robot>, Candidates)> {
+pub(super) fn read_candidates(robot_file: &RobotFile, file: &TableFile) -> Result<(Box<dyn Robot>, Candidates)> {
     let here = |problems: Problems| file.place(problems);
     let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
     let robot = robot_file.build(&targets).map_err(here)?;

@@ -114,7 +114,7 @@ impl ReportCommand {
 }
 
 fn write_report(folder: &Path, branding: &Branding, certificate: bool) -> Result<Vec<String>> {
-    let documents = Documents::open(&documents::folder_of(folder)?)?;
+    let documents = Documents::open(&documents::output_folder(folder)?)?;
     let mut run = documents::Run::read(&documents)?;
     run.campaign.report = branding.over(run.campaign.report)?;
     let exported = documents.manifest.files.contains_key(CERTIFICATE);

@@ -65,7 +65,7 @@ impl Run {
             (true, None, None, Some(streams)) => to_json(streams)?,
             (true, None, None, None) => to_json(&tested.compliance)?,
         };
-        let verdict = print_after_writing(data, Verdict::of(met));
+        let verdict = print_after_writing(data, Verdict::new(met));
         next.filter(|_| met).inspect(|next| next_step(self.json, next));
         Ok(verdict)
     }

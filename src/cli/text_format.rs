@@ -72,16 +72,19 @@ impl TextForm {
 
     /// Sources of the columns by name.
     fn columns(&self) -> Result<BTreeMap<String, ColumnSource>, Problems> {
-        self.named.iter().map(|text| named("column", text).map(|(name, source)| (name, source_of(source)))).collect()
+        self.named
+            .iter()
+            .map(|text| named("column", text).map(|(name, source)| (name, parse_column_source(source))))
+            .collect()
     }
 
     /// Sources of the columns of one of several tables: of several headings for one column, the
     /// heading that the table has.
-    fn columns_of(&self, path: &Path, layout: &TableLayout) -> Result<BTreeMap<String, ColumnSource>, Problems> {
+    fn columns_in_table(&self, path: &Path, layout: &TableLayout) -> Result<BTreeMap<String, ColumnSource>, Problems> {
         let mut all: BTreeMap<String, Vec<ColumnSource>> = BTreeMap::new();
         for text in &self.named {
             let (name, source) = named("column", text)?;
-            all.entry(name).or_default().push(source_of(source));
+            all.entry(name).or_default().push(parse_column_source(source));
         }
         let has = |name: &str, source: &ColumnSource| {
             let columns = BTreeMap::from([(name.to_owned(), source.clone())]);
@@ -150,7 +153,7 @@ impl TextForm {
     /// out.
     fn one_of_several(&self, path: &Path, layout: TableLayout) -> Result<TableFile, Problems> {
         let layout = TableLayout { lenient: true, ..layout };
-        self.table(path, TableLayout { columns: self.columns_of(path, &layout)?, ..layout })
+        self.table(path, TableLayout { columns: self.columns_in_table(path, &layout)?, ..layout })
     }
 }
 
@@ -300,7 +303,7 @@ impl TableFormat {
     }
 
     fn layout(&self, is_of_observations: bool) -> Result<TableLayout, Problems> {
-        let constant = |text: &String| named("constant", text).map(|(name, value)| (name, constant_of(value)));
+        let constant = |text: &String| named("constant", text).map(|(name, value)| (name, parse_constant(value)));
         Ok(TableLayout {
             constants: self.constants.iter().map(constant).collect::<Result<_, _>>()?,
             coverage_factor: self.coverage_factor,
@@ -323,7 +326,7 @@ fn named<'a>(option: &str, text: &'a str) -> Result<(String, &'a str), Problems>
 /// Role of a column, and the heading, number or expression that it is.
 fn role(text: &str) -> Result<(ColumnRole, ColumnAt), Problems> {
     let (name, source) = named("column", text)?;
-    let at = match source_of(source) {
+    let at = match parse_column_source(source) {
         ColumnSource::Heading(heading) => ColumnAt::Name(heading),
         ColumnSource::Number(number) => ColumnAt::Number(number),
     };
@@ -336,7 +339,7 @@ fn is_heading(at: &ColumnAt) -> bool {
 }
 
 /// A number, or a text.
-fn constant_of(text: &str) -> Constant {
+fn parse_constant(text: &str) -> Constant {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() => Constant::Number(number),
         _ => Constant::Text(text.to_owned()),
@@ -345,7 +348,7 @@ fn constant_of(text: &str) -> Constant {
 
 /// Cells by column of the options of a filter.
 fn filter(option: &str, stated: &[String]) -> Result<BTreeMap<String, Cells>, Problems> {
-    let cells = |text: &str| Cells::Any(text.split(',').map(|cell| constant_of(cell.trim())).collect());
+    let cells = |text: &str| Cells::Any(text.split(',').map(|cell| parse_constant(cell.trim())).collect());
     stated.iter().map(|text| named(option, text).map(|(column, all)| (column, cells(all)))).collect()
 }
 
@@ -357,7 +360,7 @@ fn missing(texts: Vec<String>) -> Result<Missing, Problems> {
 }
 
 /// A number of a column, or a heading or an expression.
-fn source_of(text: &str) -> ColumnSource {
+fn parse_column_source(text: &str) -> ColumnSource {
     match text.parse::<usize>() {
         Ok(number) if number > 0 => ColumnSource::Number(number),
         _ => text.into(),

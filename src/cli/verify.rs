@@ -3,7 +3,7 @@
 use super::bound::BoundOption;
 use super::given::Given;
 use super::identify::{check_uncertainty, unread};
-use super::plan::candidates_of;
+use super::plan::read_candidates;
 use super::report::Reports;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, progress, remark, validity};
@@ -187,7 +187,7 @@ impl Verify {
     fn plan(&self, robot_file: &RobotFile, document: &ParametersDocument) -> anyhow::Result<Verdict> {
         let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
         let table = self.format.read_other(candidates)?;
-        let (mut robot, Candidates { observations, limit_violations }) = candidates_of(robot_file, &table)?;
+        let (mut robot, Candidates { observations, limit_violations }) = read_candidates(robot_file, &table)?;
         let described = robot_file.description_paths();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);

@@ -63,7 +63,7 @@ pub fn is_file_of_run(name: &str) -> bool {
 ///
 /// # Errors
 /// Fails if the campaign cannot be read.
-pub fn folder_of(named: &Path) -> Result<PathBuf> {
+pub fn output_folder(named: &Path) -> Result<PathBuf> {
     match named.join("campaign.toml").is_file() || named.is_file() {
         true => {
             let (campaign, problems) = Campaign::recover(named)?;

@@ -31,14 +31,14 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
             pose: Some(turn.pose.into()),
             cycle: Some(turn.cycle),
             time_s: Some(turn.time_s()),
-            label: scene.truth.label_of(turn.pose).map(str::to_owned),
+            label: scene.truth.label_at_pose(turn.pose).map(str::to_owned),
             assembly: joints.last().copied(),
             joints: encoders.chain(stated).collect(),
             ..LogRow::default()
         });
     }
     let all = etalon_formats::write_log(scene.campaign.stated(), log, &values)?;
-    gather::log_of(scene.campaign, log, &all)?;
+    gather::parse_log(scene.campaign, log, &all)?;
     Ok(all)
 }
 

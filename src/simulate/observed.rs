@@ -109,7 +109,7 @@ pub(super) fn items(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
                 cells.by_column.insert("coordinates".to_owned(), Cell::Text(coordinates.clone()));
             }
             let simulated = kind.simulated(&cells, robot)?;
-            let target = kinds::target_of(kind, &stated.target, robot)?;
+            let target = kinds::target_index(kind, &stated.target, robot)?;
             let poses = stated.poses.as_ref().map(Selection::parse).transpose()?;
             let (u_um, urot_deg) = (stated.u_um, stated.urot_deg);
             Ok(Item { cells, simulated, target, poses, u_um, urot_deg })

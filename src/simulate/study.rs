@@ -138,7 +138,13 @@ impl Landing {
     /// Attained pose of a robot with the parameters `truth` if its controller, which computes with
     /// `identified`, is commanded the pose of the nominal robot at `joints`; the working mode is
     /// kept. `None` if one of the robots cannot attain the pose.
-    pub fn of(robot: &dyn Kinematics, truth: &[f64], identified: &[f64], frame: Frame, joints: &[f64]) -> Option<Self> {
+    pub fn new(
+        robot: &dyn Kinematics,
+        truth: &[f64],
+        identified: &[f64],
+        frame: Frame,
+        joints: &[f64],
+    ) -> Option<Self> {
         let base = |p: &[f64]| match frame {
             Frame::Base => Some(Pose::identity()),
             Frame::World => robot.base_in_world(p),
@@ -403,7 +409,7 @@ impl StudyFile {
                 let at_set = |problems: Problems| problems.within(&phrase!("in-set", set = set.name));
                 let draws = study.draws(&poses, noise_um / 1e3, self.draws.max(1)).map_err(at_set)?;
                 let landings = |p: &[f64]| {
-                    commands.iter().filter_map(|o| Landing::of(arm, &truth, p, self.frame, &o.joints)).collect()
+                    commands.iter().filter_map(|o| Landing::new(arm, &truth, p, self.frame, &o.joints)).collect()
                 };
                 let errors: Vec<Vec<Landing>> = draws.par_iter().map(|d| landings(&d.mean)).collect();
                 designs.push(StudiedDesign {

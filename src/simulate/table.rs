@@ -283,7 +283,7 @@ fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Resu
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     let mut robot = campaign.build_robot_with(&kinds::targets(&table, &campaign.robot.branches())?)?;
     let table = Observations::Table(table);
-    let read = Input::of(campaign, identify, &table)?.read(robot.as_mut(), &mut Vec::new())?;
+    let read = Input::new(campaign, identify, &table)?.read(robot.as_mut(), &mut Vec::new())?;
     let value = |p: &etalon_robots::Parameter| scene.robot.index(&p.name).map_or(p.nominal, |i| scene.values[i]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let instrument = campaign.file.instrument.standard_uncertainty_mm();

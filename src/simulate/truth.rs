@@ -226,7 +226,7 @@ impl Poses {
 
 impl Truth {
     /// Label of the point on which the tool stands at a pose, numbered from 1.
-    pub(super) fn label_of(&self, pose: i64) -> Option<&str> {
+    pub(super) fn label_at_pose(&self, pose: i64) -> Option<&str> {
         let mut labels = self.poses.iter().flat_map(|p| std::iter::repeat_n(p.label.as_deref(), p.count()));
         labels.nth(pose.max(1) as usize - 1).flatten()
     }

@@ -20,7 +20,7 @@ pub fn identify_again(
 ) -> Option<ControllersDocument> {
     let (mut files, mut messages) = (Vec::<ControllerFiles>::new(), Vec::new());
     for &(name, exporter) in formats.iter().filter(|(_, exporter)| exporter.unsuited(given).is_none()) {
-        match of_format(given, robot, found, exporter) {
+        match identify_for_format(given, robot, found, exporter) {
             Ok(None) => {}
             Ok(Some(file)) => match files.iter_mut().find(|f| f.left_out == file.left_out && f.values == file.values) {
                 Some(same) => same.formats.push(name.to_owned()),
@@ -64,7 +64,7 @@ fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
 
 /// Values of a format that omits or ties parameters; `None` if the format holds the identified
 /// values.
-fn of_format(
+fn identify_for_format(
     given: &Given,
     robot: &dyn Robot,
     found: &Identified,

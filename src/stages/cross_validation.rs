@@ -116,7 +116,7 @@ impl<'a> Study<'a> {
     }
 
     /// Returns the settings that identify these effects, and base and targets.
-    pub fn of_effects(&self, chosen: &[Effect]) -> Settings {
+    pub fn settings_with_effects(&self, chosen: &[Effect]) -> Settings {
         self.holding(self.held(|i| self.effects[i].is_some_and(|effect| chosen.contains(&effect))))
     }
 
@@ -149,8 +149,8 @@ impl<'a> Study<'a> {
             let values = choose(&sets.calibration, &settings)?.values;
             Ok(self.squares_at(&sets.validation, &sets.validation_conditions, &values))
         };
-        let left_out = mean_of(self.folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
-        let by_block = mean_of(self.blocks.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
+        let left_out = mean_squares(self.folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
+        let by_block = mean_squares(self.blocks.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
         let found = choose(&self.sets.calibration, settings)?;
         let fitted = self.squares_at(&self.sets.calibration, &self.settings.conditions, &found.values);
         Ok(Tried { found, left_out, by_block, fitted })
@@ -174,7 +174,7 @@ impl<'a> Study<'a> {
             let mut tried = Vec::new();
             for effect in left {
                 // an effect that these poses do not suffice to identify is not tried
-                if let Ok(found) = self.tried(&self.of_effects(&[&chosen[..], &[effect]].concat()), None) {
+                if let Ok(found) = self.tried(&self.settings_with_effects(&[&chosen[..], &[effect]].concat()), None) {
                     tried.push((effect, found));
                 }
                 one_more();
@@ -272,7 +272,7 @@ fn squares_at(robot: &dyn Robot, (out, conditions): (&[Observation], &[Condition
 }
 
 /// Means over the divisions.
-fn mean_of(folds: Vec<Squares>) -> Squares {
+fn mean_squares(folds: Vec<Squares>) -> Squares {
     let mut all: BTreeMap<PoseName, Vec<f64>> = BTreeMap::new();
     folds.into_iter().flatten().for_each(|(pose, squared)| all.entry(pose).or_default().push(squared));
     all.into_iter().map(|(pose, squares)| (pose, mean(squares))).collect()
@@ -353,7 +353,7 @@ impl Tried {
 /// Fails like [`Study::new`], or if the identification fails.
 pub(super) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Result<(Vec<Effect>, Vec<EffectProof>)> {
     let study = Study::new(robot, sets, settings.clone())?;
-    let none = study.tried(&study.of_effects(&[]), None)?;
+    let none = study.tried(&study.settings_with_effects(&[]), None)?;
     let (steps, chosen) = study.steps(&none, &mut || ())?;
     let accepted: Vec<&EffectStep> = steps.iter().filter(|step| step.accepted).collect();
     let proof = |pair: &[&EffectStep]| {
@@ -361,7 +361,7 @@ pub(super) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Res
         let of_effect = |i: usize| study.effects[i].is_some_and(|own| effect == own.into());
         Some(EffectProof {
             effect,
-            joints: joints_of(robot, of_effect),
+            joints: joint_names(robot, of_effect),
             is_identified: true,
             robot_key: None,
             without_mm: pair[0].held_out_rms_mm,
@@ -375,7 +375,7 @@ pub(super) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Res
 }
 
 /// Names of the joints of some parameters of the robot itself.
-fn joints_of(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String> {
+fn joint_names(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String> {
     let parameters = robot.parameters().iter().enumerate().filter(|(i, _)| chosen(*i));
     let joints: BTreeSet<usize> = parameters.filter_map(|(_, p)| p.joint).collect();
     joints.into_iter().filter_map(|joint| Some(robot.joints().get(joint)?.name.clone())).collect()
@@ -402,18 +402,18 @@ pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
         let others = unused.iter().filter(|&&i| effects[i] != kept);
         with_held(&settings, others.map(|&i| robot.parameters()[i].name.clone()).collect())
     };
-    let Some((plain, without)) = trial.of(&held(None)) else { return Vec::new() };
+    let Some((plain, without)) = trial.cross_validate(&held(None)) else { return Vec::new() };
     let blocks = temperature_blocks(robot, &few.calibration, &settings.conditions);
     let by_block = Trial { folds: &blocks, ..trial };
     let holds = |effect: Effect| {
-        let errors = |kept| Some(by_block.of(&held(kept))?.1);
+        let errors = |kept| Some(by_block.cross_validate(&held(kept))?.1);
         let gains = || Some(gain(&errors(None)?, &errors(Some(effect))?));
         !effect.is_thermal() || gains().is_some_and(|[gain, u]| gain > u)
     };
     let candidates = Effect::ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
     let proof = |effect: Effect| {
-        let (fit, with) = trial.of(&held(Some(effect)))?;
-        let joints = joints_of(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
+        let (fit, with) = trial.cross_validate(&held(Some(effect)))?;
+        let joints = joint_names(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
         would_prove((plain, &without), (fit, &with), (effect, joints))
     };
     candidates.filter(|effect| holds(*effect)).filter_map(proof).collect()
@@ -449,7 +449,8 @@ pub(super) fn undescribed_bending(
     let joints: Vec<usize> = turning.filter(carries).take(BENDING).collect();
     let bending = robot_file.build_bending(&joints, robot.targets()).filter(|_| !joints.is_empty())?;
     let (few, settings, folds) = sampled(sets, settings)?;
-    let (plain, without) = Trial { robot, sets: &few, start: &found.values, folds: &folds }.of(&settings)?;
+    let (plain, without) =
+        Trial { robot, sets: &few, start: &found.values, folds: &folds }.cross_validate(&settings)?;
     let value = |name: &str| Some(found.values[robot.index(name)?]);
     let start: Vec<f64> = bending.parameters().iter().map(|p| value(&p.name).unwrap_or(p.nominal)).collect();
     let mut settings = settings;
@@ -457,7 +458,7 @@ pub(super) fn undescribed_bending(
         chosen.push(Effect::Bending);
     }
     let trial = Trial { robot: bending.as_ref(), sets: &few, start: &start, folds: &folds };
-    let (fit, with) = trial.of(&settings)?;
+    let (fit, with) = trial.cross_validate(&settings)?;
     let names = joints.iter().map(|j| robot.joints()[j - 1].name.clone()).collect();
     let proof = would_prove((plain, &without), (fit, &with), (Effect::Bending, names))?;
     let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
@@ -513,7 +514,7 @@ struct Trial<'a> {
 impl Trial<'_> {
     /// Sum of squares, degrees of freedom and parameters of the fit to all poses, and errors at
     /// left-out poses.
-    fn of(&self, settings: &Settings) -> Option<([f64; 3], Squares)> {
+    fn cross_validate(&self, settings: &Settings) -> Option<([f64; 3], Squares)> {
         let fit = NestedFit::new(self.robot, &self.sets.calibration, settings, self.start).ok()?;
         let of_fold = |fold: &BTreeSet<PoseName>| -> Option<Squares> {
             let (sets, settings) = split(self.robot, self.sets, settings, fold);
@@ -521,6 +522,6 @@ impl Trial<'_> {
             Some(squares_at(self.robot, (&sets.validation, &sets.validation_conditions), &values))
         };
         let left_out = self.folds.par_iter().map(of_fold).collect::<Option<Vec<_>>>()?;
-        Some(([fit.squares, fit.degrees_of_freedom, fit.determined], mean_of(left_out)))
+        Some(([fit.squares, fit.degrees_of_freedom, fit.determined], mean_squares(left_out)))
     }
 }

@@ -40,7 +40,7 @@ pub struct Sets {
 
 impl Sets {
     /// Observations and conditions of a set.
-    pub fn of(&self, set: PoseSet) -> (&[Observation], &[Condition]) {
+    pub fn observations_and_conditions(&self, set: PoseSet) -> (&[Observation], &[Condition]) {
         match set {
             PoseSet::Calibration => (&self.calibration, &self.calibration_conditions),
             PoseSet::Validation => (&self.validation, &self.validation_conditions),
@@ -115,7 +115,7 @@ impl BeforeAfter<'_> {
         let Self { robot, before, after } = *self;
         let mut all = Vec::new();
         for set in PoseSet::ALL {
-            let (observations, conditions) = sets.of(set);
+            let (observations, conditions) = sets.observations_and_conditions(set);
             for o in observations {
                 match robot.platform() {
                     Some(platform) => {
@@ -235,7 +235,7 @@ pub(super) struct PointErrors<'a> {
 
 impl<'a> PointErrors<'a> {
     pub fn new(robot: &'a dyn Robot, sets: &'a Sets) -> Self {
-        let observations = || PoseSet::ALL.into_iter().flat_map(|set| sets.of(set).0);
+        let observations = || PoseSet::ALL.into_iter().flat_map(|set| sets.observations_and_conditions(set).0);
         let loads = robot.loads().map_or_else(Vec::new, |at| observations().map(|o| at(&o.joints)).collect());
         Self { robot, sets, loads }
     }
@@ -248,7 +248,7 @@ impl<'a> PointErrors<'a> {
         let mut loads = self.loads.iter();
         let mut all = Vec::new();
         for set in PoseSet::ALL {
-            let (observations, conditions) = self.sets.of(set);
+            let (observations, conditions) = self.sets.observations_and_conditions(set);
             for o in observations {
                 let loads = loads.next().map_or(&[][..], Vec::as_slice);
                 if let Some(platform) = robot.platform() {
@@ -331,13 +331,14 @@ impl ErrorUncertainty {
     ///
     /// # Errors
     /// Fails if residuals cannot be evaluated.
-    pub fn of(campaign: &Campaign, judged: Judged, systematic: &Systematic) -> Result<Self> {
+    pub fn new(campaign: &Campaign, judged: Judged, systematic: &Systematic) -> Result<Self> {
         let Judged { robot, values, set_up, sets, settings } = judged;
         let instrument = &campaign.file.instrument;
         let coordinate_mm = settings.coordinate_uncertainty_mm();
         let validates =
             !sets.validation.is_empty() || sets.validation_conditions.iter().any(|c| c.kind.error_kind().is_some());
-        let (observations, conditions) = sets.of(if validates { PoseSet::Validation } else { PoseSet::Calibration });
+        let (observations, conditions) =
+            sets.observations_and_conditions(if validates { PoseSet::Validation } else { PoseSet::Calibration });
         let errors = JudgedErrors {
             robot,
             values,
@@ -391,7 +392,7 @@ pub fn relative(
         values,
         set_up,
         calibration: &sets.calibration,
-        observations: sets.of(set).0,
+        observations: sets.observations_and_conditions(set).0,
         conditions: &[],
         position_mm: campaign.file.instrument.position_uncertainty_mm(),
     };
@@ -469,7 +470,7 @@ pub fn evaluate(
     for name in PoseSet::ALL {
         let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name && e.own_share().is_some()).collect();
         if !of.is_empty() {
-            sets.push(accuracy_of(name, &of, planar, &uncertainty));
+            sets.push(accuracy_set(name, &of, planar, &uncertainty));
         }
     }
     let verdicts = verdicts(limits, sets.last(), &uncertainty);
@@ -521,7 +522,7 @@ fn verdicts(limits: &Limits, judged: Option<&AccuracySet>, uncertainty: &ErrorUn
     limits.stated().filter_map(verdict).collect()
 }
 
-fn accuracy_of(name: PoseSet, errors: &[&PointError], planar: bool, uncertainty: &ErrorUncertainty) -> AccuracySet {
+fn accuracy_set(name: PoseSet, errors: &[&PointError], planar: bool, uncertainty: &ErrorUncertainty) -> AccuracySet {
     let poses: BTreeSet<PoseName> = errors.iter().map(|e| e.pose).collect();
     let of = |quantity| errors.iter().copied().filter(|e| e.quantity == quantity).collect::<Vec<&PointError>>();
     let positions = of(Position);

@@ -21,7 +21,7 @@ pub struct Exclusion {
 
 impl Exclusion {
     /// The rules of a campaign.
-    pub fn of_campaign(campaign: &Campaign, stated: &Identify) -> Vec<Self> {
+    pub fn from_campaign(campaign: &Campaign, stated: &Identify) -> Vec<Self> {
         let rule = |rule: &Spanned<Exclude>| Self { rule: rule.get_ref().clone(), place: campaign.place(rule) };
         stated.exclude.iter().map(rule).collect()
     }
@@ -42,7 +42,7 @@ impl Exclusion {
     ///
     /// # Errors
     /// Fails if an option states no reason.
-    pub fn of_option(option: &str, text: &str) -> Result<(StatedPoses, String)> {
+    pub fn parse_option(option: &str, text: &str) -> Result<(StatedPoses, String)> {
         let (named, reason) = text.split_once(':').unwrap_or((text, ""));
         if reason.trim().is_empty() {
             return Err(error!("exclusion-option-without-reason", option, text).into());
@@ -60,7 +60,7 @@ pub fn exclude(rules: &[Exclusion], robot: &dyn Robot, observed: &mut Observed) 
     let mut excluded: BTreeSet<usize> = BTreeSet::new();
     for Exclusion { rule, place } in rules {
         let Some(poses) = &rule.poses else { continue };
-        match readings_of(rule, poses, robot, &measured) {
+        match excluded_readings(rule, poses, robot, &measured) {
             Ok(readings) => {
                 let Exclude { cycle, target, reason, .. } = rule;
                 let poses = poses.to_string();
@@ -124,7 +124,7 @@ fn readings(observations: &[Observation], conditions: &[Condition]) -> Vec<Readi
 }
 
 /// Indices of the readings that a rule excludes.
-fn readings_of(
+fn excluded_readings(
     rule: &Exclude,
     poses: &StatedPoses,
     robot: &dyn Robot,

@@ -121,7 +121,7 @@ pub fn place(campaign: &Campaign, points: &[Point]) -> Result<Vec<FramePose>> {
     let features = elements(campaign, points)?;
     match campaign.file.world() {
         Some(world) if !world.as_exported && world.targets.is_none() => {
-            let geometry = Geometry::of(campaign, points, &features, world);
+            let geometry = Geometry::new(campaign, points, &features, world);
             Ok(vec![for_all_poses(plane_pose(campaign, &geometry, world)?)])
         }
         _ => Ok(placed(campaign, points, &features)?.poses),
@@ -148,7 +148,7 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
             from_targets(campaign, points, targets, each.is_some())?
         }
         Some(world) => {
-            let pose = plane_pose(campaign, &Geometry::of(campaign, points, features, world), world)?;
+            let pose = plane_pose(campaign, &Geometry::new(campaign, points, features, world), world)?;
             fixed(plane_definition(world), pose)
         }
         None => fixed(phrase!("frame-as-exported"), Pose::identity()),
@@ -183,7 +183,7 @@ struct Geometry {
 }
 
 impl Geometry {
-    fn of(campaign: &Campaign, points: &[Point], features: &FeaturesDocument, world: &WorldDefinition) -> Self {
+    fn new(campaign: &Campaign, points: &[Point], features: &FeaturesDocument, world: &WorldDefinition) -> Self {
         let labelled = LabelledPoints::new(campaign, points);
         let features: BTreeMap<_, _> =
             features.features.iter().map(|f| (f.name.clone(), (f.point_mm, f.direction))).collect();
@@ -252,7 +252,7 @@ fn plane_definition(world: &WorldDefinition) -> Phrase {
 /// Covariance of a world frame from the uncertainty of each point that defines it: Z = (f(x + u) −
 /// f(x − u)) / 2 for each coordinate (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
 fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, nominal: &Pose) -> Result<[[f64; 6]; 6]> {
-    let mut basis = Basis::of(campaign, points, world);
+    let mut basis = Basis::new(campaign, points, world);
     let mut sum = [[0.0; 6]; 6];
     for i in 0..basis.points.len() {
         for axis in 0..3 {
@@ -288,7 +288,7 @@ struct Basis {
 }
 
 impl Basis {
-    fn of(campaign: &Campaign, points: &[Point], world: &WorldDefinition) -> Self {
+    fn new(campaign: &Campaign, points: &[Point], world: &WorldDefinition) -> Self {
         let named: Vec<&str> = world.plane.iter().chain(world.names()).map(|n| n.get_ref().as_str()).collect();
         let elements = campaign.file.features.iter().filter(|(name, _)| named.contains(&name.as_str()));
         let elements: Vec<_> = elements.filter_map(|(name, f)| f.element().map(|found| (name, found))).collect();

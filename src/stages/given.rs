@@ -34,7 +34,7 @@ pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenPa
         }
     }
     if document.robot != robot.model() || !missing.is_empty() {
-        return Err(of_another_robot(robot, document, &missing).into());
+        return Err(other_robot_message(robot, document, &missing).into());
     }
     if document.covariance.is_empty() && document.parameters.iter().any(|p| p.status == ParameterStatus::Identified) {
         return Err(error!("given-without-covariance").into());
@@ -58,7 +58,7 @@ fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d Para
     document.parameters.iter().find(|entry| entry.name == p.name && entry.unit == p.quantity.unit())
 }
 
-fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
+fn other_robot_message(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
     let names = shown(missing.iter().map(|p| format!("`{}`", p.name)), NAMED);
     if document.robot == robot.model() && missing.iter().all(|p| p.role != Role::Robot) {
         return error!("calibrated-targets-missing", names);
@@ -163,7 +163,7 @@ pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[R
         }
     }
     if document.robot != robot.model() || !missing.is_empty() {
-        return Err(of_another_robot(robot, document, &missing).into());
+        return Err(other_robot_message(robot, document, &missing).into());
     }
     Ok(values)
 }
@@ -276,7 +276,7 @@ impl ExpectedDeviation {
     pub fn conditions(&self, robot: &dyn Robot, values: &[f64], conditions: &[Condition]) -> Vec<VerifiedQuantity> {
         let one = |found: ConditionResiduals| {
             let found = quantity_residuals(&found);
-            let unit = of_unit(found.quantity);
+            let unit = physical_quantity(found.quantity);
             let model = unit.outward(self.model(found.quantity));
             VerifiedQuantity {
                 quantity: found.quantity,
@@ -295,8 +295,8 @@ impl ExpectedDeviation {
     }
 }
 
-/// Unit of a quantity.
-fn of_unit(quantity: ErrorQuantity) -> Quantity {
+/// Angle or length, of which a quantity of errors is.
+fn physical_quantity(quantity: ErrorQuantity) -> Quantity {
     if quantity == ErrorQuantity::Orientation { Quantity::Angle } else { Quantity::Length }
 }
 
@@ -330,7 +330,7 @@ fn estimated(residuals: &ResidualSummary) -> Variance {
 fn model_errors(residuals: &ResidualSummary) -> Vec<(ErrorQuantity, f64)> {
     let rows = residuals.count as f64 / residuals.degrees_of_freedom.max(1) as f64;
     let of_quantity = |found: &QuantityResiduals| {
-        let unit = of_unit(found.quantity);
+        let unit = physical_quantity(found.quantity);
         let excess = found.rms.powi(2) * rows - found.standard_uncertainty.powi(2);
         let model = if residuals.chi_square_rejected { excess.max(0.0).sqrt() } else { 0.0 };
         (found.quantity, unit.inward(model))

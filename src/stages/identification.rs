@@ -154,7 +154,7 @@ fn identify_selected(
     for (name, log) in joined.observations.iter().skip(1) {
         let observations = log.positions(robot, &mut messages)?;
         let mut theirs = Observed { observations, settings: campaign.settings(stated) };
-        exclude(&Exclusion::of_campaign(campaign, stated), robot, &mut theirs)?;
+        exclude(&Exclusion::from_campaign(campaign, stated), robot, &mut theirs)?;
         let others = evaluate::split(&theirs, &poses, &selections);
         let Fitted { values, rms } = Fitted::new(robot, &others.calibration, &settings).map_err(remedied)?;
         let found = &solved.found;
@@ -176,7 +176,7 @@ fn identify_selected(
     let all = apart.beside(&sets);
     let set_up = found.set_up_parameters(robot);
     let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: &all, settings: &settings };
-    let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
+    let uncertainty = ErrorUncertainty::new(campaign, judged, &systematic)?;
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
     found.warnings.extend(accuracy.limits.iter().filter_map(not_assessable).map(Into::into));
     accuracy.placed_apart = placed.documents(robot);
@@ -357,7 +357,7 @@ pub fn select(
     frames: &FramesDocument,
 ) -> Result<Selected> {
     let mut messages = Vec::new();
-    let observed = Input::of(campaign, stated, &joined.observations[0].1)?.observed(robot, &mut messages)?;
+    let observed = Input::new(campaign, stated, &joined.observations[0].1)?.observed(robot, &mut messages)?;
     let robot: &dyn Robot = robot;
     messages.extend(stale(robot, &observed.observations));
     let poses = observed.poses();
@@ -400,7 +400,7 @@ pub(crate) struct Input<'a> {
 
 impl<'a> Input<'a> {
     /// Observations of a campaign.
-    pub fn of(campaign: &'a Campaign, stated: &Identify, observations: &'a Observations) -> Result<Self> {
+    pub fn new(campaign: &'a Campaign, stated: &Identify, observations: &'a Observations) -> Result<Self> {
         let settings = campaign.settings(stated);
         let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
@@ -412,7 +412,7 @@ impl<'a> Input<'a> {
             let files: Vec<&str> = campaign.file.observations.iter().map(|o| o.file.get_ref().as_str()).collect();
             if files.is_empty() { in_campaign(problems, &campaign.path) } else { in_files(problems, &files) }
         };
-        let exclusions = Exclusion::of_campaign(campaign, stated);
+        let exclusions = Exclusion::from_campaign(campaign, stated);
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })
     }
 
@@ -443,7 +443,7 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
         return Ok(Preview::default());
     };
     let mut messages = Vec::new();
-    let observed = Input::of(campaign, stated, observations)?.observed(robot, &mut messages)?;
+    let observed = Input::new(campaign, stated, observations)?.observed(robot, &mut messages)?;
     messages.extend(stale(robot, &observed.observations));
     let set_up = check_set_up(robot, &observed.observations, &observed.settings);
     messages.extend(set_up.err().unwrap_or_default().0);

@@ -27,7 +27,7 @@ impl<'a> LabelledPoints<'a> {
     }
 
     /// Returns points whose labels have the form of `pattern`, with numbers as poses.
-    pub fn of(&self, pattern: &Spanned<String>) -> Result<PointGroup> {
+    pub fn matching(&self, pattern: &Spanned<String>) -> Result<PointGroup> {
         self.with_poses(pattern, &[])
     }
 

@@ -152,7 +152,7 @@ impl<'a> Trials<'a> {
         let entry = |k: usize| {
             let p = &robot.parameters()[found.free[k]];
             let out = |v: f64| p.quantity.outward(v);
-            let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[k]).collect());
+            let drawn = Distribution::new(monte_carlo.iter().map(|trial| trial[k]).collect());
             let value = found.values[found.free[k]];
             let (u, tolerance) = (linear(k), numerical_tolerance(drawn.sd));
             let of_end = OF_END * drawn.sd / (monte_carlo.len() as f64).sqrt();
@@ -170,11 +170,11 @@ impl<'a> Trials<'a> {
                 standard_deviation: out(drawn.sd),
                 interval_95: Some(drawn.interval.map(out)),
                 agrees: u.map(agrees),
-                bootstrap: bootstrap.as_ref().map(|all| out(Distribution::of(all.iter().map(|t| t[k]).collect()).sd)),
+                bootstrap: bootstrap.as_ref().map(|all| out(Distribution::new(all.iter().map(|t| t[k]).collect()).sd)),
             }
         };
         let figure = |(i, figure): (usize, Figure)| {
-            let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[n + i]).collect());
+            let drawn = Distribution::new(monte_carlo.iter().map(|trial| trial[n + i]).collect());
             let of_budget = trials.budget.iter().find(|b| b.figure == figure && b.quantity == ErrorQuantity::Position);
             DistributionEntry {
                 name: format!("{figure:?}").to_lowercase(),
@@ -230,7 +230,7 @@ impl<'a> Trials<'a> {
             }
             let columns = drawn[0].len();
             let summary = |k: usize| {
-                let d = Distribution::of(drawn.iter().map(|t| t[k]).collect());
+                let d = Distribution::new(drawn.iter().map(|t| t[k]).collect());
                 [d.mean, d.sd, d.interval[0], d.interval[1]]
             };
             sequences.push((0..columns).map(summary).collect());
@@ -420,7 +420,7 @@ pub(crate) struct Distribution {
 
 impl Distribution {
     /// Summarises the draws.
-    pub fn of(mut drawn: Vec<f64>) -> Self {
+    pub fn new(mut drawn: Vec<f64>) -> Self {
         drawn.sort_by(f64::total_cmp);
         let (mean, sd) = (mean(drawn.iter().copied()), standard_deviation(&drawn));
         let at = |p: f64| drawn.get((p * drawn.len() as f64) as usize).or(drawn.last()).copied().unwrap_or(f64::NAN);

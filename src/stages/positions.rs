@@ -15,7 +15,7 @@ use polars::prelude::DataFrame;
 /// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes
 /// derived from the measurement are in `messages`.
 pub fn observations(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
-    let table = &*resolution::of_table(table, messages)?;
+    let table = &*resolution::replace_table_zeros(table, messages)?;
     grouped(robot, &positions(robot, table)?, messages, table::lines(table)?)
 }
 
@@ -28,7 +28,7 @@ pub fn grouped(
 ) -> Result<Vec<Observation>> {
     match Observation::group(robot, measured) {
         Ok((observations, assumed)) => {
-            messages.extend(assumed.map(of_assumed_modes));
+            messages.extend(assumed.map(assumed_modes_warning));
             Ok(observations)
         }
         Err(ObservationError::Contradiction(row, what)) => {
@@ -53,7 +53,7 @@ pub fn grouped(
 }
 
 /// Returns a warning about assembly modes derived from the measurement.
-fn of_assumed_modes(AssumedModes { positive, negative, least_clear: (pose, d) }: AssumedModes) -> Message {
+fn assumed_modes_warning(AssumedModes { positive, negative, least_clear: (pose, d) }: AssumedModes) -> Message {
     let (near_mm, far_mm) = (d.near_mm, d.far_mm);
     warning!("assembly-modes-assumed", count = positive + negative, positive, negative, pose, near_mm, far_mm)
 }

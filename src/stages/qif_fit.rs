@@ -38,7 +38,7 @@ pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStat
     let settings = FitSettings { axis: settings.axis.or(in_plane), probe: None, ..*settings };
     let centres = etalon_fit::element(element, &feature.points_mm, &settings).map_err(named)?;
     let messages = etalon_fit::warnings(&centres, &Source::from(&feature.points_mm), &settings);
-    let (probe, side_from) = probe_of(feature, &centres, probe)?.unzip();
+    let (probe, side_from) = probe_and_source(feature, &centres, probe)?.unzip();
     let fit = centres.compensated(probe).map_err(named)?;
     let mut document = FitDocument::new(Some(label.to_owned()), &fit).with_messages(messages);
     if let Some(probe) = &mut document.probe {
@@ -54,7 +54,7 @@ fn is_coordinate_axis(d: Vector) -> bool {
 }
 
 /// The probe whose centres the points are, and the source of its side; `None` for contact points.
-fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, Phrase)>> {
+fn probe_and_source(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, Phrase)>> {
     let Touch::Centre { radius_mm } = feature.touch else { return Ok(None) };
     let label = feature.label();
     let missing =
@@ -63,13 +63,13 @@ fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Re
     let radius_mm = radius_mm.ok_or_else(|| missing("radius"))?;
     let (side, from) = match stated.side {
         Some(side) => (side, phrase!("side-stated")),
-        None => side_of(feature, centres, radius_mm).ok_or_else(|| missing("side"))?,
+        None => side_and_source(feature, centres, radius_mm).ok_or_else(|| missing("side"))?,
     };
     Ok(Some((Probe { radius_mm, side }, from)))
 }
 
 /// The side of the probe as far as the file states it, and its source.
-fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, Phrase)> {
+fn side_and_source(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, Phrase)> {
     let known = [(&feature.nominal, "nominal"), (&feature.stated, "stated")];
     let first = |side: &dyn Fn(&FeatureGeometry) -> Option<Side>, of: &str| {
         known.iter().find_map(|(values, name)| Some((side(values)?, phrase!("side-from-values", values = name, of))))

@@ -68,10 +68,10 @@ impl Recommendation<'_> {
             ended += 1;
             report(ended.min(most - 1), most);
         };
-        let none = study.tried(&study.of_effects(&[]), None)?;
+        let none = study.tried(&study.settings_with_effects(&[]), None)?;
         one_more();
         let (steps, mut chosen) = study.steps(&none, &mut one_more)?;
-        let all = study.tried(&study.of_effects(&Effect::ALL), None)?;
+        let all = study.tried(&study.settings_with_effects(&Effect::ALL), None)?;
         one_more();
         // one effect may explain little without the others
         let left_mm = steps.iter().rfind(|step| step.accepted).map(|step| step.held_out_rms_mm);
@@ -79,7 +79,7 @@ impl Recommendation<'_> {
         if together {
             chosen = Effect::ALL.into_iter().filter(|effect| study.effects.contains(&Some(*effect))).collect();
         }
-        let model = study.of_effects(&chosen);
+        let model = study.settings_with_effects(&chosen);
         let full = study.identify(&model)?;
         let stability = self.stability(&model, &full)?;
         let choose = |choice: Choice, found: &Identification| {

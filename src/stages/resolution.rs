@@ -40,7 +40,7 @@ struct Zeros {
 
 impl Zeros {
     /// Zeros among these numbers; `None` without a zero.
-    fn of(values: &[f64]) -> Option<Self> {
+    fn new(values: &[f64]) -> Option<Self> {
         let count = values.iter().filter(|v| **v == 0.0).count();
         let others = values.iter().copied().filter(|v| v.is_finite() && *v != 0.0);
         let shown = others.clone().next().and_then(|_| step(others, MOST_DECIMALS));
@@ -63,7 +63,7 @@ impl Zeros {
 
 /// The table of observations with zeros of its standard uncertainties taken as their resolution,
 /// which `messages` state.
-pub fn of_table<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) -> Result<Cow<'t, DataFrame>> {
+pub fn replace_table_zeros<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) -> Result<Cow<'t, DataFrame>> {
     let mut columns: Vec<(&str, Vec<f64>)> = Vec::new();
     for name in COLUMNS.into_iter().filter(|name| observations.column(name).is_ok()) {
         columns.push((name, table::numbers(observations, name)?));
@@ -73,7 +73,7 @@ pub fn of_table<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) ->
         // a row states all numbers of a group or none
         let mut unread = vec![false; observations.height()];
         for (name, values) in columns.iter_mut().filter(|(name, _)| group.contains(name) && !MIXED.contains(name)) {
-            let Some(zeros) = Zeros::of(values) else { continue };
+            let Some(zeros) = Zeros::new(values) else { continue };
             let unit = name.rsplit('_').next().unwrap_or_default();
             messages.push(zeros.message(name, unit).at(Place { line: Some(1), ..Place::default() }));
             are_zero = true;
@@ -102,7 +102,7 @@ pub fn of_table<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) ->
 
 /// Takes zeros of the standard uncertainties of an export as their resolution, or, if unknown, as
 /// the uncertainty of the instrument.
-pub(super) fn of_export(campaign: &Campaign, export: &Export, rows: &mut [Point]) -> Vec<Message> {
+pub(super) fn replace_export_zeros(campaign: &Campaign, export: &Export, rows: &mut [Point]) -> Vec<Message> {
     let (mut messages, in_mm) = (Vec::new(), export.unit.in_mm());
     let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();
     if rows.iter().all(|p| p.standard_uncertainty_mm.is_none()) {
@@ -111,7 +111,7 @@ pub(super) fn of_export(campaign: &Campaign, export: &Export, rows: &mut [Point]
     for (axis, name) in ["u1", "u2", "u3"].into_iter().enumerate() {
         let of = |p: &Point| p.standard_uncertainty_mm.as_ref().map_or(f64::NAN, |u| u[axis] / in_mm);
         let values: Vec<f64> = rows.iter().map(of).collect();
-        let Some(zeros) = Zeros::of(&values) else { continue };
+        let Some(zeros) = Zeros::new(&values) else { continue };
         if rows.iter().all(|p| p.xyz_mm[axis] == 0.0) {
             // no coordinate was measured
             continue;

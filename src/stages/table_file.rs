@@ -60,7 +60,7 @@ pub(crate) fn in_campaign(mut problems: Problems, path: &str) -> Problems {
 
 impl TableFile {
     pub fn read(path: &Path) -> Result<Self> {
-        Self::of(path, files::text(path, files::read(path)?)?, etalon_formats::observations)
+        Self::new(path, files::text(path, files::read(path)?)?, etalon_formats::observations)
     }
 
     /// A table of this form, in a text or in a sheet of a workbook.
@@ -73,22 +73,22 @@ impl TableFile {
             layout.is_sheet = true;
         }
         let text = etalon_formats::file_text(path, bytes, form.encoding, &format)?;
-        Self::of(path, text, |name, text| etalon_formats::observations_with(name, text, &layout))
+        Self::new(path, text, |name, text| etalon_formats::observations_with(name, text, &layout))
     }
 
     /// A table that is in memory as CSV; `name` stands for its file.
     pub fn parse(name: &str, text: &str) -> Result<Self> {
-        Self::of(Path::new(name), text.to_owned(), etalon_formats::observations)
+        Self::new(Path::new(name), text.to_owned(), etalon_formats::observations)
     }
 
     /// Reads a table of another layout.
     pub fn parse_with(name: &str, text: &str, layout: &TableLayout) -> Result<Self> {
         let table = |name: &str, text: &str| etalon_formats::observations_with(name, text, layout);
-        Self::of(Path::new(name), text.to_owned(), table)
+        Self::new(Path::new(name), text.to_owned(), table)
     }
 
     /// Reads a table from the text of the file, by its name and text.
-    pub fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
+    pub fn new(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         let name = path.display().to_string();
         Ok(Self { table: table(&name, &text)?, name, text, more: Vec::new() })
     }
@@ -187,7 +187,7 @@ impl TableForm {
 
     /// Form of a table with keys of its own in a section of this form: the marks, the encoding and
     /// the comments of the section apply where the table states none.
-    fn of_table(&self, keys: &TableKeys) -> Self {
+    fn with_keys(&self, keys: &TableKeys) -> Self {
         let (own, section) = (keys.layout(), &self.layout);
         if keys.sheet.is_some() {
             return Self { layout: own, encoding: keys.encoding, sheet: keys.sheet.clone() };
@@ -231,7 +231,7 @@ impl CampaignTables<'_> {
         if let Some(key) = table.keys().and_then(TableKeys::meaningless_beside_sheet) {
             return Err(error!("key-of-text-table", key).at(self.campaign.place(table.first())).into());
         }
-        let own = table.keys().map(|keys| form.of_table(keys));
+        let own = table.keys().map(|keys| form.with_keys(keys));
         let form = own.as_ref().unwrap_or(form);
         let mut problems = Problems::default();
         let mut all: Option<TableFile> = None;
@@ -348,7 +348,7 @@ impl CampaignTables<'_> {
             match (&stream.format, stream.unit) {
                 (Some(format), Some(unit)) => {
                     let text = etalon_formats::file_text(path, &bytes, stream.encoding, format)?;
-                    TableFile::of(path, text, |file, text| etalon_formats::recorded_points(file, text, format, unit))
+                    TableFile::new(path, text, |file, text| etalon_formats::recorded_points(file, text, format, unit))
                 }
                 _ => {
                     let form = TableForm { encoding: stream.encoding, ..TableForm::default() };

@@ -75,7 +75,7 @@ impl<'a> Expected<'a> {
     /// Over the judged poses; `None` without a covariance.
     pub fn accuracy(&self, sets: &Sets, accuracy: &AccuracyDocument) -> Result<Option<ToolAccuracy>> {
         let Some(judged) = accuracy.sets.last() else { return Ok(None) };
-        let (observations, _) = sets.of(judged.name);
+        let (observations, _) = sets.observations_and_conditions(judged.name);
         let count = observations.len() as f64;
         let (mut sizes_before, mut sizes) = (Vec::new(), Vec::new());
         let (mut of_parameters, mut of_held) = (0.0, 0.0);

@@ -55,7 +55,7 @@ pub fn validate(
     }
     check_set_up(robot, &sets.calibration, &settings)?;
     messages.extend(document.and_then(|document| other_nominal(robot, document)));
-    let mut values = Values::of(robot, document, frames, &sets, &settings)?;
+    let mut values = Values::new(robot, document, frames, &sets, &settings)?;
     let robot: &dyn Robot = robot;
     let field = judged.field.map(|field| field.field(robot)).transpose()?;
     if let (Some(field), GivenFrames::Refit) = (&field, frames) {
@@ -79,7 +79,7 @@ pub fn validate(
     };
     let all = apart.beside(&sets);
     let judged = Judged { robot, values: &values.after, set_up: &set_up, sets: &all, settings: &settings };
-    let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
+    let uncertainty = ErrorUncertainty::new(campaign, judged, &systematic)?;
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
     accuracy.placed_apart = placed.documents(robot);
     // targets that are located by these poses would have too small errors
@@ -106,7 +106,7 @@ struct Values {
 }
 
 impl Values {
-    fn of(
+    fn new(
         robot: &mut dyn Robot,
         document: Option<&ParametersDocument>,
         frames: GivenFrames,

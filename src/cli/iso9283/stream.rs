@@ -148,7 +148,7 @@ impl StreamOptions {
                 let unit = self.text.unit()?;
                 let text = self.text.text(path, &format)?;
                 let points = |file: &str, text: &str| etalon_formats::recorded_points(file, text, &format, unit);
-                TableFile::of(path, text, points)?
+                TableFile::new(path, text, points)?
             }
             None => self.form().read(path)?,
         };

@@ -50,7 +50,7 @@ impl Program {
     pub(super) fn check(&self, robot: &dyn Robot) -> Result<()> {
         let Some(path) = &self.program else { return Ok(()) };
         check_positive("--dwell", Some(self.dwell))?;
-        check(self.language_of(path)?, robot.joints(), |k| robot.nominal_gain(k), &self.stated())
+        check(self.measuring_language(path)?, robot.joints(), |k| robot.nominal_gain(k), &self.stated())
     }
 
     fn stated(&self) -> Stated<'_> {
@@ -65,7 +65,7 @@ impl Program {
     /// Reports a file of an unknown language.
     pub(super) fn complete(&self, robot: &dyn Robot, document: &mut PlanDocument) -> Result<()> {
         let Some(path) = &self.program else { return Ok(()) };
-        let (name, language) = self.language_of(path)?;
+        let (name, language) = self.measuring_language(path)?;
         for values in document.chosen.iter_mut().flat_map(|pose| &mut pose.configurations) {
             for (k, joint) in robot.joints().iter().enumerate() {
                 if let Some(value) = values.get_mut(&joint.column()) {
@@ -98,11 +98,11 @@ impl Program {
             dwell_s: self.dwell,
             stated: self.stated(),
         };
-        let (_, language) = self.language_of(path)?;
+        let (_, language) = self.measuring_language(path)?;
         files::write(path, language.text(&program).as_bytes())
     }
 
-    fn language_of(&self, path: &Path) -> Result<(&'static str, &'static dyn MeasuringLanguage)> {
+    fn measuring_language(&self, path: &Path) -> Result<(&'static str, &'static dyn MeasuringLanguage)> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         let unknown = || error!("measuring-language-unknown", file = path.display().to_string()).into();
         language(self.language.as_deref(), ending).ok_or_else(unknown)

@@ -32,7 +32,7 @@ static FOUND: LazyLock<Vec<Result<Identified>>> =
     LazyLock::new(|| CAMPAIGNS.par_iter().map(|(_, _, files)| identified(files)).collect());
 
 fn rows(data: &Data) -> Vec<Rows> {
-    let mut rows = Rows::of("samples/reference");
+    let mut rows = Rows::new("samples/reference");
     for ((name, _, _), found) in CAMPAIGNS.iter().zip(FOUND.iter()) {
         match found {
             Ok(found) => compare(name, &data.at(&format!("/certified/{name}")), found, &mut rows),

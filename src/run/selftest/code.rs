@@ -30,7 +30,7 @@ impl<'t> Function<'t> {
             }
             let Some((place, value)) = line.split_once(" = ") else { continue };
             match (indexed(place, "t"), indexed(place, "out")) {
-                (Some(i), _) => drop(t.insert(i, value_of(value, q, &t)?)),
+                (Some(i), _) => drop(t.insert(i, evaluate_operation(value, q, &t)?)),
                 (_, Some(i)) => drop(out.insert(i, operand(value, q, &t)?)),
                 // the array of steps in Python
                 _ => {}
@@ -61,7 +61,7 @@ fn operand(word: &str, q: &[f64], t: &BTreeMap<usize, f64>) -> Option<f64> {
 }
 
 /// One operation.
-fn value_of(text: &str, q: &[f64], t: &BTreeMap<usize, f64>) -> Option<f64> {
+fn evaluate_operation(text: &str, q: &[f64], t: &BTreeMap<usize, f64>) -> Option<f64> {
     let of = |word: &str| operand(word, q, t);
     for (name, function) in FUNCTIONS {
         let arguments = text.strip_prefix(name).and_then(|rest| rest.strip_prefix('(')?.strip_suffix(')'));

@@ -23,7 +23,7 @@ const BY_CHANCE: f64 = 3.5;
 
 fn rows(data: &Data) -> Vec<Rows> {
     let data = data.at("/published/coverage");
-    let mut rows = Rows::of("JCGM 101:2008, 7.7");
+    let mut rows = Rows::new("JCGM 101:2008, 7.7");
     let (draws, seed) = (data.number("/draws"), data.number("/seed") as u64);
     let (noise_mm, stated_mm) = (data.number("/noise_mm"), data.number("/stated_mm"));
     let found: Vec<Drawn> =

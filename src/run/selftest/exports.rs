@@ -25,7 +25,7 @@ pub(super) const SUBJECT: Subject = Subject {
 const LISTS: [&str; 8] = ["json", "csv", "c-header", "matlab", "python", "twincat", "plcopen", "siemens-scl"];
 
 fn rows(data: &Data) -> Vec<Rows> {
-    let (mut lists, mut robots) = (Rows::of("parameters.json"), Rows::of("tests/selftest/make.py"));
+    let (mut lists, mut robots) = (Rows::new("parameters.json"), Rows::new("tests/selftest/make.py"));
     let model = |name: &str| {
         let all = data.at("/kinematics").items();
         all.into_iter().find(|item| item.text("/model") == name).unwrap_or_else(|| data.at("/missing"))

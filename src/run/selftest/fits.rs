@@ -24,7 +24,7 @@ const LENGTH: f64 = 1e-9;
 const UNCERTAINTY: f64 = 1e-6;
 
 fn rows(data: &Data) -> Vec<Rows> {
-    let mut rows = Rows::of("tests/selftest/make.py");
+    let mut rows = Rows::new("tests/selftest/make.py");
     for item in data.at("/fits").items() {
         least_squares(&item, &mut rows);
     }
@@ -60,7 +60,7 @@ fn least_squares(item: &Data, rows: &mut Rows) {
 
 /// Zones and enclosing balls that need no program.
 fn by_hand() -> Rows {
-    let mut rows = Rows::of("geometry");
+    let mut rows = Rows::new("geometry");
     // corners of a square on two levels: the zone is a plane across the diagonal of the levels
     let plane = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.1], [10.0, 10.0, 0.0], [0.0, 10.0, 0.1]];
     let form = minimum_zone(Element::Plane, &plane).map_or(f64::NAN, |zone| zone.form_mm);

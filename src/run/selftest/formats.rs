@@ -27,14 +27,14 @@ const DECIMALS: usize = 7;
 const ROUNDING: f64 = 25.4 * 0.5e-7 * 1.01;
 
 fn rows(data: &Data) -> Vec<Rows> {
-    let mut known = Rows::of("SI, 1 inch = 25.4 mm");
+    let mut known = Rows::new("SI, 1 inch = 25.4 mm");
     for item in data.at("/published/formats").items() {
         let (name, unit) = (item.text("/format"), item.text("/unit"));
         let found = read(name, unit, item.text("/text"));
         let found: Vec<f64> = found.into_iter().flatten().flatten().collect();
         known.add_all(phrase!("selftest-read", name, unit), "mm", [&item.numbers("/expected_mm"), &found], 1e-9);
     }
-    let mut again = Rows::of("round trip");
+    let mut again = Rows::new("round trip");
     for name in Format::names() {
         for unit in [Unit::Millimetre, Unit::Inch] {
             written(name, unit, &mut again);

@@ -18,7 +18,7 @@ pub(super) const SUBJECT: Subject = Subject {
 };
 
 fn rows(data: &Data) -> Vec<Rows> {
-    let mut rows = Rows::of("geometry");
+    let mut rows = Rows::new("geometry");
     let data = data.at("/published/frames");
     let turned = data.at("/rotation_vector");
     let (axis, angle) = (turned.numbers("/axis"), turned.number("/angle_deg").to_radians());

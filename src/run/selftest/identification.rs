@@ -31,7 +31,7 @@ const ABOUT: [f64; 2] = [0.35, 25.0];
 const LARGEST: f64 = 4.0;
 
 fn rows(data: &Data) -> Vec<Rows> {
-    let mut exact = Rows::of("exact observations");
+    let mut exact = Rows::new("exact observations");
     for item in data.at("/kinematics").items() {
         let name = item.text("/model");
         match recovered(&item) {
@@ -100,7 +100,7 @@ fn deviation(i: usize, parameter: &Parameter) -> f64 {
 
 /// Parameters of the embedded campaign against the true values of its simulation.
 fn campaign(truth: &Data) -> Rows {
-    let mut rows = Rows::of("thesis, table 3.3");
+    let mut rows = Rows::new("thesis, table 3.3");
     let evaluated = Scratch::campaign().and_then(|scratch| evaluate(&scratch.read()?));
     let Evaluated { identified: Some(identified), .. } = (match evaluated {
         Ok(evaluated) => evaluated,

@@ -26,11 +26,11 @@ pub(super) const SUBJECT: Subject = Subject {
 const POSITION: f64 = 1e-9;
 
 fn rows(data: &Data) -> Vec<Rows> {
-    data.at("/kinematics").items().iter().flat_map(of_model).collect()
+    data.at("/kinematics").items().iter().flat_map(model_rows).collect()
 }
 
-fn of_model(item: &Data) -> [Rows; 2] {
-    let (mut outside, mut own) = (Rows::of("tests/selftest/make.py"), Rows::of("own inverse"));
+fn model_rows(item: &Data) -> [Rows; 2] {
+    let (mut outside, mut own) = (Rows::new("tests/selftest/make.py"), Rows::new("own inverse"));
     let name = item.text("/model");
     let targets: &[&str] = if name == "prexyt" { &["K", "L"] } else { &["ball"] };
     let robot = match robot(item.text("/robot"), item.text("/urdf"), targets) {

@@ -28,7 +28,7 @@ use etalon_base::message::Result;
 use etalon_documents::{
     LockedPackage, Machine, Provenance, SelftestDocument, SelftestMustFail, SelftestProgram, SelftestRequirement,
 };
-use row::{Row, Subject, of_rows};
+use row::{Row, Subject, requirement_result};
 use sample::Scratch;
 use std::collections::BTreeMap;
 
@@ -92,7 +92,7 @@ pub fn selftest(expected_sha256: Option<&str>, report: &mut dyn FnMut(usize, usi
 
 fn requirement(subject: &Subject, data: &Data) -> SelftestRequirement {
     let requirement = (subject.requirement)();
-    of_rows(subject.id, requirement, (subject.rows)(data))
+    requirement_result(subject.id, requirement, (subject.rows)(data))
 }
 
 /// Repeats the tests of a subject with a slip in its reference data. The slip is noticed if more

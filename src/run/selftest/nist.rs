@@ -1,7 +1,7 @@
 //! Reference data of NIST (Algorithm Testing System): fitted elements, where `ETALON_REFERENCE` has
 //! the data.
 
-use super::row::{Rows, of_rows};
+use super::row::{Rows, requirement_result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
 use etalon_base::{files, phrase};
 use etalon_documents::SelftestRequirement;
@@ -14,11 +14,11 @@ pub(super) fn requirement() -> Option<SelftestRequirement> {
     if !folder.is_dir() {
         return None;
     }
-    let mut rows = Rows::of("NIST ATS");
+    let mut rows = Rows::new("NIST ATS");
     for (name, prefix, kind, errors) in ELEMENTS {
-        of_element(&folder.join(name), prefix, (kind, errors), &mut rows);
+        compare_element(&folder.join(name), prefix, (kind, errors), &mut rows);
     }
-    Some(of_rows("nist", phrase!("selftest-nist"), vec![rows]))
+    Some(requirement_result("nist", phrase!("selftest-nist"), vec![rows]))
 }
 
 /// Errors of a fit beside the published answer (mm, rad).
@@ -34,7 +34,7 @@ const ELEMENTS: [(&str, &str, Element, Errors); 6] = [
     ("Cone", "con", Element::Cone, cone),
 ];
 
-fn of_element(folder: &Path, prefix: &str, (kind, errors): (Element, Errors), rows: &mut Rows) {
+fn compare_element(folder: &Path, prefix: &str, (kind, errors): (Element, Errors), rows: &mut Rows) {
     let found = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let wanted = |path: &PathBuf| {
         path.extension().is_some_and(|e| e == "ds")

@@ -31,7 +31,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub fn of(source: &'static str) -> Self {
+    pub fn new(source: &'static str) -> Self {
         Self { source, all: Vec::new() }
     }
 
@@ -69,7 +69,7 @@ pub(super) struct Subject {
 }
 
 /// Result of the tests of a requirement.
-pub(super) fn of_rows(id: &str, requirement: Phrase, rows: Vec<Rows>) -> SelftestRequirement {
+pub(super) fn requirement_result(id: &str, requirement: Phrase, rows: Vec<Rows>) -> SelftestRequirement {
     let checks: Vec<SelftestCheck> = rows.into_iter().flat_map(|rows| rows.all).map(check).collect();
     SelftestRequirement {
         id: id.to_owned(),

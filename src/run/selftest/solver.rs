@@ -67,7 +67,7 @@ fn n(value: f64) -> D {
 }
 
 fn rows(data: &Data) -> Vec<Rows> {
-    let mut rows = Rows::of("ACM TOMS 7 (1981) 17");
+    let mut rows = Rows::new("ACM TOMS 7 (1981) 17");
     let data = data.at("/published/least_squares");
     for (name, solve) in PROBLEMS {
         let data = data.at(&format!("/{name}"));
@@ -145,7 +145,7 @@ fn jennrich_sampson(data: &Data) -> Solution {
 
 /// A line through three points, whose covariance is known: (JᵀJ)⁻¹ = [[5/6, -1/2], [-1/2, 1/2]].
 fn linear(_data: &Data) -> Rows {
-    let mut rows = Rows::of("normal equations");
+    let mut rows = Rows::new("normal equations");
     let points = [[0.0, 1.0], [1.0, 3.0], [2.0, 4.0]];
     let line = |x: &[D]| points.iter().map(|[t, y]| x[0] + x[1] * *t - n(*y)).collect();
     let solution = Function::new(3, line).solve(&[0.0, 0.0]);

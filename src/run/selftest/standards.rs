@@ -35,7 +35,7 @@ pub(super) const SUBJECT: Subject = Subject {
 
 fn rows(data: &Data) -> Vec<Rows> {
     let iso9283 = data.at("/iso9283");
-    let mut rows = Rows::of("ISO 9283:1998");
+    let mut rows = Rows::new("ISO 9283:1998");
     if let Err(problems) = poses(&iso9283, &mut rows).and_then(|()| path(&iso9283, &mut rows)) {
         rows.failed(not_made("ISO 9283", &problems));
     }
@@ -131,7 +131,7 @@ fn driven(data: &Data, commands: &[CommandPoint]) -> Result<Vec<Pass>> {
 
 /// Positioning of a measured axis.
 fn axis(data: &Data) -> Rows {
-    let mut rows = Rows::of("ISO 230-2:2014");
+    let mut rows = Rows::new("ISO 230-2:2014");
     let runs = |name: &str| -> Vec<Option<Approach>> {
         let of = |runs: &Data| Approach::new(&runs.numbers("").iter().map(|nm| nm * 1e-6).collect::<Vec<_>>());
         data.at(name).items().iter().map(of).collect()

@@ -17,7 +17,7 @@ pub(super) const SUBJECT: Subject =
 const MANY: usize = 4;
 
 fn rows(_data: &Data) -> Vec<Rows> {
-    let mut rows = Rows::of("prexyt-cmm");
+    let mut rows = Rows::new("prexyt-cmm");
     // in one folder: the second run replaces the files of the first one
     let both = Scratch::campaign().and_then(|scratch| Ok([written(&scratch, 1)?, written(&scratch, MANY)?]));
     match both {

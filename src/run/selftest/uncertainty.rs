@@ -46,7 +46,7 @@ type D = Dual<4>;
 
 /// Length of a gauge block by comparison.
 fn gauge_block(data: &Data) -> Rows {
-    let mut rows = Rows::of("JCGM 100:2008, H.1");
+    let mut rows = Rows::new("JCGM 100:2008, H.1");
     let n = |name: &str| data.number(&format!("/{name}"));
     // standard, difference, difference of the expansion coefficients, difference of temperatures
     let x = duals::<4>(&[n("standard_nm"), n("difference_nm"), 0.0, 0.0]);
@@ -62,7 +62,12 @@ fn gauge_block(data: &Data) -> Rows {
     let effective = (u.powi(4) / parts.iter().zip(&degrees).map(|(u, nu)| u.powi(4) / nu).sum::<f64>()).floor();
     let t_99 = StudentsT::new(0.0, 1.0, effective).map_or(f64::NAN, |t| t.inverse_cdf(0.995));
     let mut add = |name: &str, found: f64, permissible: f64| {
-        rows.add(phrase!("selftest-gum", name), unit_of(name), [n(&format!("expected/{name}")), found], permissible);
+        rows.add(
+            phrase!("selftest-gum", name),
+            unit_from_name(name),
+            [n(&format!("expected/{name}")), found],
+            permissible,
+        );
     };
     add("length_nm", length.value, 0.5);
     add("u_difference_nm", u_difference, 0.05);
@@ -76,13 +81,13 @@ fn gauge_block(data: &Data) -> Rows {
     rows
 }
 
-fn unit_of(name: &str) -> &'static str {
+fn unit_from_name(name: &str) -> &'static str {
     if name.ends_with("_nm") { "nm" } else { "" }
 }
 
 /// Resistance, reactance and impedance from simultaneous readings.
 fn impedance(data: &Data) -> Rows {
-    let mut rows = Rows::of("JCGM 100:2008, H.2");
+    let mut rows = Rows::new("JCGM 100:2008, H.2");
     let readings = ["/voltage_v", "/current_a", "/phase_rad"].map(|name| data.numbers(name));
     let count = readings[0].len() as f64;
     let means = [0, 1, 2].map(|i| mean(readings[i].iter().copied()));
@@ -118,7 +123,7 @@ fn impedance(data: &Data) -> Rows {
 
 /// Calibration curve of a thermometer, by the solver of the program.
 fn thermometer(data: &Data) -> Rows {
-    let mut rows = Rows::of("JCGM 100:2008, H.3");
+    let mut rows = Rows::new("JCGM 100:2008, H.3");
     let (t, b) = (data.numbers("/reading_c"), data.numbers("/correction_c"));
     let (reference, at) = (data.number("/reference_c"), data.number("/at_c"));
     let residual = |x: &[D], (t, b): (&f64, &f64)| x[0] + x[1] * (t - reference) - D::from(*b);
@@ -162,13 +167,13 @@ const OF_END: f64 = 2.671;
 
 /// Sums of four quantities: normal, rectangular, and one that dominates.
 fn additive(data: &Data) -> Rows {
-    let mut rows = Rows::of("JCGM 101:2008, 9.2");
+    let mut rows = Rows::new("JCGM 101:2008, 9.2");
     for name in ["normal", "rectangular", "dominant"] {
         let u = data.numbers(&format!("/{name}/u"));
         let one = |noise: &mut Noise, u: f64| {
             if name == "normal" { noise.gaussian(u) } else { noise.uniform(3f64.sqrt() * u) }
         };
-        let found = Distribution::of(draws(data, |noise| u.iter().map(|u| one(noise, *u)).sum()));
+        let found = Distribution::new(draws(data, |noise| u.iter().map(|u| one(noise, *u)).sum()));
         let expected = data.number(&format!("/{name}/expected/u"));
         let half_digit = if name == "dominant" { 0.06 } else { 0.006 };
         let [of_u, of_end] = by_draws(expected, data.number("/draws"), half_digit);
@@ -181,14 +186,14 @@ fn additive(data: &Data) -> Rows {
 
 /// Mass of a weight by comparison in air.
 fn mass(data: &Data) -> Rows {
-    let mut rows = Rows::of("JCGM 101:2008, 9.3");
+    let mut rows = Rows::new("JCGM 101:2008, 9.3");
     let d = data.at("/mass");
     let pair = |name: &str| pair(&d, name);
     let (reference, difference) = (pair("/reference_mg"), pair("/difference_mg"));
     let bounds = ["/air", "/weight", "/standard"].map(pair);
     let (middle, half) = (|b: [f64; 2]| 0.5 * (b[0] + b[1]), |b: [f64; 2]| 0.5 * (b[1] - b[0]));
     let nominal = reference[0];
-    let found = Distribution::of(draws(data, |noise| {
+    let found = Distribution::new(draws(data, |noise| {
         let [air, weight, standard] = bounds.map(|b| middle(b) + noise.uniform(half(b)));
         let sum = reference[0] + noise.gaussian(reference[1]) + difference[0] + noise.gaussian(difference[1]);
         sum * (1.0 + (air - d.number("/air_0")) * (1.0 / weight - 1.0 / standard)) - nominal
@@ -218,7 +223,7 @@ fn pair(data: &Data, name: &str) -> [f64; 2] {
 
 /// Mismatch of a microwave power meter: X1² + X2².
 fn mismatch(data: &Data) -> Rows {
-    let mut rows = Rows::of("JCGM 101:2008, 9.4");
+    let mut rows = Rows::new("JCGM 101:2008, 9.4");
     let d = data.at("/mismatch");
     let u = d.number("/u");
     let shortest = d.numbers("/expected/shortest_1e6");
@@ -227,7 +232,7 @@ fn mismatch(data: &Data) -> Rows {
         let squares = |noise: &mut Noise| 1e6 * ((x1 + noise.gaussian(u)).powi(2) + noise.gaussian(u).powi(2));
         let mut drawn = draws(data, squares);
         let interval = shortest_interval(&mut drawn, 0.95);
-        let found = Distribution::of(drawn);
+        let found = Distribution::new(drawn);
         let name = format!("x1 = {x1}");
         let at = |name: &str| d.numbers(name).get(i).copied().unwrap_or(f64::NAN);
         let [of_u, of_end] = by_draws(at("/expected/u_1e6"), count, 0.5);
@@ -243,7 +248,7 @@ fn mismatch(data: &Data) -> Rows {
 
 /// Length of a gauge block: t, normal, arc sine and curvilinear trapezoidal distributions.
 fn gauge(data: &Data) -> Rows {
-    let mut rows = Rows::of("JCGM 101:2008, 9.5");
+    let mut rows = Rows::new("JCGM 101:2008, 9.5");
     let d = data.at("/gauge");
     let triple = |name: &str| {
         let all = d.numbers(name);
@@ -264,7 +269,7 @@ fn gauge(data: &Data) -> Rows {
         standard + difference + random + systematic - standard * (by_alpha + by_theta) - nominal
     });
     let interval = shortest_interval(&mut drawn, 0.99);
-    let found = Distribution::of(drawn);
+    let found = Distribution::new(drawn);
     let expected = d.at("/expected");
     let [of_u, of_end] = by_draws(expected.number("/u"), data.number("/draws"), 0.5);
     rows.add(phrase!("selftest-draws-mean", name = "gauge"), "nm", [expected.number("/y"), found.mean], of_u);
@@ -309,7 +314,7 @@ fn shortest_interval(drawn: &mut [f64], share: f64) -> [f64; 2] {
 
 /// Distributions that decide: chi-square, F, and the probability of conformity.
 fn tables(data: &Data) -> Rows {
-    let mut rows = Rows::of("R 4: qchisq, qf");
+    let mut rows = Rows::new("R 4: qchisq, qf");
     let expected = data.numbers("/chi_square/expected");
     let bounds: Vec<f64> =
         data.numbers("/chi_square/degrees").iter().map(|k| Variance::Stated.bound(0.05, *k as usize)).collect();

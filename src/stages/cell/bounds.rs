@@ -25,13 +25,13 @@ pub(super) struct Region {
 }
 
 impl Region {
-    pub fn of_points(points: &[Vector]) -> Self {
+    pub fn from_points(points: &[Vector]) -> Self {
         Self { length_mm: Extent::from_points(points, 0.0).length_mm, ..Self::default() }
     }
 
     /// Region of positions that a tool of this position in the flange takes.
-    pub fn of_tool(points: &[Vector], tool_mm: Vector) -> Self {
-        Self { length_mm: Self::of_points(points).length_mm.max(norm(tool_mm)), ..Self::default() }
+    pub fn from_points_and_tool(points: &[Vector], tool_mm: Vector) -> Self {
+        Self { length_mm: Self::from_points(points).length_mm.max(norm(tool_mm)), ..Self::default() }
     }
 
     pub fn with_uncertainty(self, coordinate_mm: Option<f64>) -> Self {
@@ -55,11 +55,11 @@ impl Region {
 /// Names of coordinate axes.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-fn of_position(name: &str) -> impl Iterator<Item = Component> + '_ {
+fn position_components(name: &str) -> impl Iterator<Item = Component> + '_ {
     AXES.into_iter().map(move |axis| (phrase!("bound-position", axis, name), Quantity::Length))
 }
 
-fn of_rotation(name: &str) -> impl Iterator<Item = Component> + '_ {
+fn rotation_components(name: &str) -> impl Iterator<Item = Component> + '_ {
     AXES.into_iter().map(move |axis| (phrase!("bound-rotation", axis, name), Quantity::Angle))
 }
 
@@ -74,12 +74,14 @@ impl Task<'_> {
         let frames = found.frames.iter().enumerate().filter_map(|(i, frame)| {
             let centre = found.region.centres.get(i).copied().flatten();
             let covariance = covariance_at(frame, centre)?;
-            judge(of_position(&frame.name).chain(of_rotation(&frame.name)).collect(), covariance.as_flattened())
+            judge(
+                position_components(&frame.name).chain(rotation_components(&frame.name)).collect(),
+                covariance.as_flattened(),
+            )
         });
-        let points = found
-            .points
-            .iter()
-            .filter_map(|point| judge(of_position(&point.name).collect(), point.covariance_mm2?.as_flattened()));
+        let points = found.points.iter().filter_map(|point| {
+            judge(position_components(&point.name).collect(), point.covariance_mm2?.as_flattened())
+        });
         let axis = found.axis.as_ref();
         let directions = axis.filter(|axis| axis.prismatic).and_then(|axis| {
             let direction = || AXES.into_iter().map(|axis| (phrase!("bound-direction", axis), Quantity::Angle));

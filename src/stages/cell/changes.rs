@@ -12,7 +12,7 @@ const DEG: f64 = std::f64::consts::PI / 180.0;
 pub(super) const UNITS: [(f64, &str); 2] = [(1000.0, "m"), (25.4, "inch")];
 
 /// Poses after a change, with its description. `side` is `flange` or `measured`.
-pub(super) fn of_orientations(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
+pub(super) fn orientation_changes(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
     let mut all: Vec<(Phrase, Vec<Pose>)> = Vec::new();
     let mut add = |change: Phrase, order: Option<AngleOrder>, of: &dyn Fn(&Written) -> Written| {
         all.extend(written.poses_with(order, of).map(|poses| (change, poses)));
@@ -51,7 +51,7 @@ pub(super) fn of_orientations(written: &WrittenPoses, side: &str) -> Vec<(Phrase
 }
 
 /// Poses with positions in another unit.
-pub(super) fn of_positions(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
+pub(super) fn unit_changes(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
     let scaled = |factor: f64| {
         let scale = |p: Pose| Pose { translation_mm: p.translation_mm.map(|v| v * factor), ..p };
         written.poses().into_iter().map(scale).collect()
@@ -60,7 +60,7 @@ pub(super) fn of_positions(written: &WrittenPoses, side: &str) -> Vec<(Phrase, V
 }
 
 /// Poses with two coordinates of the positions exchanged, or one with the other sign.
-pub(super) fn of_axes(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
+pub(super) fn axis_changes(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
     const NAMES: [&str; 3] = ["x", "y", "z"];
     let poses = written.poses();
     let with = |change: &dyn Fn(&mut [f64; 3])| {

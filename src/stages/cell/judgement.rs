@@ -21,7 +21,7 @@ const KNOWN_MM: f64 = 2.0;
 
 /// Error about positions that are probably in metres, or in millimetres under metres: poses near
 /// the base and a tool that is a point, or poses far away and a tool longer than any.
-pub(super) fn of_unit(poses: &[Pose], tool_mm: Vector) -> Option<Message> {
+pub(super) fn judge_unit(poses: &[Pose], tool_mm: Vector) -> Option<Message> {
     let distance_mm = poses.iter().map(|p| norm(p.translation_mm)).fold(0.0, f64::max);
     let tool_mm = norm(tool_mm);
     if distance_mm > LARGE_MM && tool_mm > LARGE_TOOL_MM {
@@ -32,7 +32,7 @@ pub(super) fn of_unit(poses: &[Pose], tool_mm: Vector) -> Option<Message> {
 }
 
 /// Error about poses of an active tool.
-pub(super) fn of_active_tool(tool: &CellPoint, known: bool) -> Option<Message> {
+pub(super) fn judge_active_tool(tool: &CellPoint, known: bool) -> Option<Message> {
     let u_mm = (0..3).map(|i| tool.covariance_mm2[i][i]).sum::<f64>().max(0.0).sqrt();
     let distance_mm = norm(tool.at_mm);
     let active = known && u_mm < KNOWN_MM && distance_mm < AT_FLANGE * u_mm;

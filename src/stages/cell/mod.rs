@@ -291,18 +291,20 @@ impl Task<'_> {
         let poses = written.poses();
         let uncertain = Stated { measured_mm: Vec::new(), ..self.uncertain.clone() };
         let fit = tool_point(&poses, &uncertain).map_err(|fault| self.fault(fault))?;
-        let own = changes::of_orientations(&written, "flange").into_iter().chain(changes::of_axes(&written, "flange"));
+        let own = changes::orientation_changes(&written, "flange")
+            .into_iter()
+            .chain(changes::axis_changes(&written, "flange"));
         let changes = own.filter_map(|(change, poses)| {
             Some(AlternativeFit { change, quality: tool_point(&poses, &uncertain).ok()?.quality })
         });
         self.refuse_slips(&fit.quality, changes.collect())?;
         let known = fit.quality.has_uncertainty();
-        let unit = judgement::of_unit(&poses, fit.tool.at_mm);
-        let messages = unit.into_iter().chain(judgement::of_active_tool(&fit.tool, known)).collect();
+        let unit = judgement::judge_unit(&poses, fit.tool.at_mm);
+        let messages = unit.into_iter().chain(judgement::judge_active_tool(&fit.tool, known)).collect();
         let size = Size::from_poses(&poses, fit.tool.at_mm);
         Ok(Found {
             points: vec![point_entry("tool", "flange", &fit.tool), point_entry("fixed", "base", &fit.fixed)],
-            region: Region::of_tool(&positions(&poses), fit.tool.at_mm),
+            region: Region::from_points_and_tool(&positions(&poses), fit.tool.at_mm),
             quality: Some(fit.quality),
             size,
             messages,
@@ -314,14 +316,14 @@ impl Task<'_> {
         let written = self.flange()?;
         let (poses, measured) = (written.poses(), readings::coordinates(self.file, "")?);
         let fit = reflector(&poses, &measured, &self.uncertain).map_err(|fault| self.fault(fault))?;
-        let few = Few::of(poses.len(), &self.uncertain);
+        let few = Few::new(poses.len(), &self.uncertain);
         let points = few.rows(&measured);
         let solved = |poses: &[Pose], points: &[Vector]| {
             reflector(&few.rows(poses), points, &few.uncertain).ok().map(|fit| fit.quality)
         };
-        let own = changes::of_orientations(&written, "flange").into_iter();
-        let own = own.chain(changes::of_positions(&written, "flange"));
-        let changed: Vec<_> = own.chain(changes::of_axes(&written, "flange")).collect();
+        let own = changes::orientation_changes(&written, "flange").into_iter();
+        let own = own.chain(changes::unit_changes(&written, "flange"));
+        let changed: Vec<_> = own.chain(changes::axis_changes(&written, "flange")).collect();
         let mut all = explaining(changed, |poses| solved(poses, &points));
         for (factor, unit) in changes::UNITS {
             let scaled: Vec<Vector> = points.iter().map(|p| p.map(|v| v * factor)).collect();
@@ -342,8 +344,8 @@ impl Task<'_> {
         Ok(Found {
             points: vec![point_entry("tool", "flange", &fit.tool)],
             frames: vec![frame_entry("base", "world", &fit.world_T_base)],
-            region: Region::of_tool(&measured, fit.tool.at_mm).with_centres([centroid(&measured)]),
-            messages: judgement::of_unit(&poses, fit.tool.at_mm).into_iter().collect(),
+            region: Region::from_points_and_tool(&measured, fit.tool.at_mm).with_centres([centroid(&measured)]),
+            messages: judgement::judge_unit(&poses, fit.tool.at_mm).into_iter().collect(),
             size: Size::from_poses(&poses, fit.tool.at_mm),
             quality: Some(fit.quality),
             ..Found::default()
@@ -360,20 +362,20 @@ impl Task<'_> {
         let seen = readings::poses(self.file, "", self.stated.measured_order)?;
         let (poses, measured) = (written.poses(), seen.poses());
         let fit = hand_eye(&poses, &measured, mounting, &self.uncertain).map_err(|fault| self.fault(fault))?;
-        let few = Few::of(poses.len(), &self.uncertain);
+        let few = Few::new(poses.len(), &self.uncertain);
         let solved = |poses: &[Pose], measured: &[Pose]| {
             let fit = hand_eye(&few.rows(poses), &few.rows(measured), mounting, &few.uncertain);
             fit.ok().map(|fit| fit.quality)
         };
-        let of_flange = changes::of_orientations(&written, "flange").into_iter();
-        let of_flange = of_flange.chain(changes::of_positions(&written, "flange"));
-        let of_flange: Vec<_> = of_flange.chain(changes::of_axes(&written, "flange")).collect();
+        let of_flange = changes::orientation_changes(&written, "flange").into_iter();
+        let of_flange = of_flange.chain(changes::unit_changes(&written, "flange"));
+        let of_flange: Vec<_> = of_flange.chain(changes::axis_changes(&written, "flange")).collect();
         let mut all = explaining(of_flange, |poses| solved(poses, &measured));
-        let of_seen = changes::of_orientations(&seen, "measured").into_iter();
-        let of_seen: Vec<_> = of_seen.chain(changes::of_axes(&seen, "measured")).collect();
+        let of_seen = changes::orientation_changes(&seen, "measured").into_iter();
+        let of_seen: Vec<_> = of_seen.chain(changes::axis_changes(&seen, "measured")).collect();
         all.extend(explaining(of_seen, |measured| solved(&poses, measured)));
         for ((change, measured), (factor, _)) in
-            changes::of_positions(&seen, "measured").into_iter().zip(changes::UNITS)
+            changes::unit_changes(&seen, "measured").into_iter().zip(changes::UNITS)
         {
             let quality = solved(&poses, &measured).map(|quality| quality.in_unit(factor));
             all.extend(quality.map(|quality| AlternativeFit { change, quality }));
@@ -390,8 +392,8 @@ impl Task<'_> {
                 frame_entry(hand, "flange", &fit.flange_T_hand),
                 frame_entry(other, "base", &fit.base_T_world),
             ],
-            region: Region::of_tool(&hands, hand_mm).with_centres([None, centroid(&hands)]),
-            messages: judgement::of_unit(&poses, hand_mm).into_iter().collect(),
+            region: Region::from_points_and_tool(&hands, hand_mm).with_centres([None, centroid(&hands)]),
+            messages: judgement::judge_unit(&poses, hand_mm).into_iter().collect(),
             size: Size::from_poses(&poses, hand_mm),
             quality: Some(fit.quality),
             ..Found::default()
@@ -413,7 +415,7 @@ impl Task<'_> {
         self.refuse_slips(&fit.quality, changes)?;
         Ok(Found {
             frames: vec![frame_entry("object", "points", &fit.frame)],
-            region: Region::of_points(&measured).with_centres([centroid(&measured)]),
+            region: Region::from_points(&measured).with_centres([centroid(&measured)]),
             size: Size::from_points(&measured),
             quality: Some(fit.quality),
             ..Found::default()
@@ -464,7 +466,7 @@ impl Task<'_> {
         }
         Ok(Found {
             frames: vec![frame_entry("object", "points", &fit.frame)],
-            region: Region::of_points(&points).with_uncertainty(fit.standard_uncertainty_mm),
+            region: Region::from_points(&points).with_uncertainty(fit.standard_uncertainty_mm),
             messages,
             ..Found::default()
         })
@@ -478,7 +480,9 @@ impl Task<'_> {
         let uncertain = Stated { measured_mm: Vec::new(), ..self.uncertain.clone() };
         let poses = written.poses();
         let fit = tool_axes(&with(poses.clone()), &uncertain).map_err(|fault| self.fault(fault))?;
-        let own = changes::of_orientations(&written, "flange").into_iter().chain(changes::of_axes(&written, "flange"));
+        let own = changes::orientation_changes(&written, "flange")
+            .into_iter()
+            .chain(changes::axis_changes(&written, "flange"));
         let changes = own.filter_map(|(change, poses)| {
             Some(AlternativeFit { change, quality: tool_axes(&with(poses), &uncertain).ok()?.quality })
         });
@@ -486,8 +490,8 @@ impl Task<'_> {
         Ok(Found {
             frames: vec![frame_entry("tool", "flange", &fit.tool)],
             points: vec![point_entry("fixed", "base", &fit.fixed)],
-            region: Region::of_tool(&positions(&poses), fit.tool.pose.translation_mm),
-            messages: judgement::of_unit(&poses, fit.tool.pose.translation_mm).into_iter().collect(),
+            region: Region::from_points_and_tool(&positions(&poses), fit.tool.pose.translation_mm),
+            messages: judgement::judge_unit(&poses, fit.tool.pose.translation_mm).into_iter().collect(),
             size: Size::from_poses(&poses, fit.tool.pose.translation_mm),
             quality: Some(fit.quality),
             ..Found::default()
@@ -524,7 +528,7 @@ impl Task<'_> {
         let fit = linear_axis(readings, &self.uncertain).map_err(|fault| self.fault(fault))?;
         let points: Vec<Vector> = readings.iter().map(|r| r.position_mm).collect();
         Ok(Found {
-            region: Region::of_points(&points),
+            region: Region::from_points(&points),
             axis: Some(CellAxisEntry {
                 prismatic: true,
                 direction: fit.direction,
@@ -564,7 +568,7 @@ impl Task<'_> {
         let points: Vec<Vector> = readings.iter().map(|r| r.position_mm).collect();
         Ok(Found {
             frames: vec![frame_entry("axis", "points", &fit.frame)],
-            region: Region::of_points(&points),
+            region: Region::from_points(&points),
             axis: Some(CellAxisEntry {
                 prismatic: false,
                 direction: fit.frame.pose.axis(2),
@@ -592,7 +596,7 @@ struct Few {
 }
 
 impl Few {
-    fn of(all: usize, uncertain: &Stated) -> Self {
+    fn new(all: usize, uncertain: &Stated) -> Self {
         let count = all.min(MOST_READINGS);
         let rows: Vec<usize> = (0..count).map(|k| k * all / count.max(1)).collect();
         let measured_mm = rows.iter().filter_map(|&i| uncertain.measured_mm.get(i).copied()).collect();

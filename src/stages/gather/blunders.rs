@@ -27,7 +27,7 @@ enum Together {
 const FEWEST: usize = 3;
 
 impl Together {
-    fn of(point: &Point) -> Option<Self> {
+    fn new(point: &Point) -> Option<Self> {
         match (point.pose, point.time_s) {
             (Some(pose), _) => Some(Self::Pose(pose, point.cycle)),
             // 0.0 and -0.0 are the same time
@@ -140,7 +140,7 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
     for (i, point) in points.iter().enumerate() {
         let Some(&k) = point.target.as_deref().and_then(|target| index.get(target)) else { continue };
         let at = || point.place();
-        let key = Together::of(point).ok_or_else(|| error!("rigid-row-without-pose", target = names[k]).at(at()))?;
+        let key = Together::new(point).ok_or_else(|| error!("rigid-row-without-pose", target = names[k]).at(at()))?;
         let slot = &mut groups.entry(key).or_insert_with(|| vec![None; names.len()])[k];
         if let Some(first) = slot.map(|first: usize| points[first].line) {
             return Err(error!("rigid-time-twice", target = names[k], first).at(at()));
@@ -354,7 +354,7 @@ const MOST_BESIDE: usize = 256;
 /// Points that were measured together, by their pose or time.
 fn together(points: &[Point]) -> BTreeMap<Option<Together>, Vec<&Point>> {
     let mut all: BTreeMap<_, Vec<&Point>> = BTreeMap::new();
-    points.iter().for_each(|point| all.entry(Together::of(point)).or_default().push(point));
+    points.iter().for_each(|point| all.entry(Together::new(point)).or_default().push(point));
     all
 }
 
@@ -364,7 +364,7 @@ fn coincident<'a>(
     together: &BTreeMap<Option<Together>, Vec<&'a Point>>,
     tolerance_mm: f64,
 ) -> Option<&'a str> {
-    let beside = together.get(&Together::of(point))?.iter().filter(|p| p.target != point.target).take(MOST_BESIDE);
+    let beside = together.get(&Together::new(point))?.iter().filter(|p| p.target != point.target).take(MOST_BESIDE);
     let near = |p: &&Point| norm(minus(p.xyz_mm, point.xyz_mm)) <= tolerance_mm;
     beside.copied().find(near).and_then(|p| p.target.as_deref())
 }

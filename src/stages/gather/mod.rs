@@ -205,7 +205,7 @@ fn together(logs: Vec<JointLog>) -> JointLog {
 }
 
 /// The points of an export with this text, before the rules about blunders.
-pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
+pub(crate) fn parse_points(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
     let mut columns = PointColumns::default();
     columns
         .read(
@@ -219,7 +219,7 @@ pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Res
 }
 
 /// The table of a log if this is its text.
-pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<JointLog> {
+pub(crate) fn parse_log(campaign: &Campaign, stated: &Log, text: &str) -> Result<JointLog> {
     etalon_formats::log(
         campaign.stated(),
         stated,

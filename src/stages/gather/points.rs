@@ -40,7 +40,7 @@ impl PointColumns {
         }
         problems = problems.at(&campaign.place(&export.file));
         self.remarks.extend(super::rounding::coarse(campaign, export, &rows));
-        self.remarks.extend(resolution::of_export(campaign, export, &mut rows));
+        self.remarks.extend(resolution::replace_export_zeros(campaign, export, &mut rows));
         problems.0.extend(self.add(campaign, export, rows, source).0);
         problems
     }

@@ -29,7 +29,7 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
     let all = LabelledPoints::new(campaign, points);
     let mut problems = Problems::default();
     let mut step = |pattern: &Spanned<String>| {
-        all.of(pattern).unwrap_or_else(|more| {
+        all.matching(pattern).unwrap_or_else(|more| {
             problems.0.extend(more.0);
             PointGroup::new()
         })

@@ -77,7 +77,7 @@ pub fn evaluate(
     frames: &FramesDocument,
 ) -> Result<Characteristics> {
     let mut poses = match (&data.poses, &campaign.file.poses, &campaign.file.repeatability) {
-        (Some(attained), Some(definition), _) => Some(of_tables(attained, definition, settings(campaign))?),
+        (Some(attained), Some(definition), _) => Some(evaluate_prepared(attained, definition, settings(campaign))?),
         (None, _, Some(labelled)) => {
             Some(repeatability::evaluate(campaign, labelled, &gathered.points, data.commanded.as_ref(), frames)?)
         }
@@ -126,17 +126,17 @@ fn drift_sets(campaign: &Campaign) -> Problems {
 /// The attained poses of `[poses]`, and whether they can be evaluated and judged.
 fn read_poses(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<PreparedTest> {
     let campaign = files.campaign;
-    let attained = PoseTables::of_campaign(files, definition)?.test(definition.rotation_order.as_deref())?;
+    let attained = PoseTables::from_campaign(files, definition)?.test(definition.rotation_order.as_deref())?;
     // a set of one cycle is an error of its own
     if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
         attained.drifts(*set.get_ref()).map_err(|more| more.at(&campaign.place(set)))?;
     }
-    let found = of_tables(&attained, definition, PoseTestSettings { draws: 0, ..settings(campaign) })?;
+    let found = evaluate_prepared(&attained, definition, PoseTestSettings { draws: 0, ..settings(campaign) })?;
     judged(campaign, &found.poses)?;
     Ok(attained)
 }
 
-fn of_tables(
+fn evaluate_prepared(
     attained: &PreparedTest,
     definition: &PosesDefinition,
     settings: PoseTestSettings,

@@ -35,16 +35,16 @@ impl PoseTables {
         let [attained, commanded, reference] = files;
         let none = || error!("table-to-evaluate-missing");
         let (commanded, reference) = (commanded.map(read).transpose()?, reference.map(read).transpose()?);
-        Ok(Self::of(read(attained.ok_or_else(none)?)?, commanded, reference))
+        Ok(Self::new(read(attained.ok_or_else(none)?)?, commanded, reference))
     }
 
     /// Tables that have been read before.
-    pub fn of(attained: TableFile, commanded: Option<TableFile>, reference: Option<TableFile>) -> Self {
+    pub fn new(attained: TableFile, commanded: Option<TableFile>, reference: Option<TableFile>) -> Self {
         Self { attained, commanded, reference }
     }
 
     /// Tables of a campaign; all unreadable tables are reported.
-    pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
+    pub fn from_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
         if let Some(key) = definition.meaningless_beside_sheet() {
             let place = files.campaign.place_of(&["poses", key]);
             return Err(error!("key-of-text-table", key).at(place).into());

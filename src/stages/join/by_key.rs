@@ -98,7 +98,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     if keys[0] == "row" {
         contradictions(log, pairs.clone().map(|(target, met)| (target.point, met)))?;
     }
-    Ok(pairs.map(|(target, met)| Row::of(target, met)).collect())
+    Ok(pairs.map(|(target, met)| Row::new(target, met)).collect())
 }
 
 /// Returns an error if measured points and the log both have keys without a partner, and one of

@@ -34,7 +34,7 @@ struct Met {
 /// log becomes the pose, or for interpolated rows the number of the time.
 pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remarks: &mut Remarks) -> Result<Vec<Row>> {
     let name = &log.name;
-    let times = targets.iter().map(|t| t.point.time_s.map(|time_s| clocks.clock.of_log(time_s)));
+    let times = targets.iter().map(|t| t.point.time_s.map(|time_s| clocks.clock.log_time_s(time_s)));
     let times = nanoseconds(times, "export")?;
     let spans = spans(log)?;
     let tolerance_ns = (clocks.tolerance_s * 1e9).round() as i64;
@@ -185,7 +185,7 @@ fn joined(targets: &[Target], log: &JointLog, times: &[i64], met: &[Option<Met>]
     let motions: Vec<Vec<f64>> = (0..log.joints.len()).filter(|_| between).map(|k| log.motion(k)).collect();
     let row = |(i, met): (usize, Met)| {
         let nearer = &log.rows[met.row];
-        let mut row = Row::of(&targets[i], nearer);
+        let mut row = Row::new(&targets[i], nearer);
         row.pose = row.pose.or(Some(if interpolated { rank[&times[i]] } else { nearer.row }.into()));
         let Some((other, share)) = met.other else { return row };
         row.line = None;

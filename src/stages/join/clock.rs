@@ -37,7 +37,7 @@ impl Clock {
     }
 
     /// Returns the time of the log at a time of the measurement.
-    pub fn of_log(&self, measured_s: f64) -> f64 {
+    pub fn log_time_s(&self, measured_s: f64) -> f64 {
         let equal = measured_s - self.offset_s;
         if self.rate == 0.0 { equal } else { self.reference_s + (equal - self.reference_s) / (1.0 + self.rate) }
     }
@@ -292,7 +292,7 @@ mod tests {
             assert!((found.clock.rate - rate).abs() <= 3.5 * found.rate_uncertainty, "{found:?}");
             assert!(found.rate_uncertainty < 25e-6 && found.offset_uncertainty_s < 0.05, "{found:?}");
             for t in &times {
-                let logged = found.clock.of_log(*t);
+                let logged = found.clock.log_time_s(*t);
                 assert!(
                     stands.iter().any(|(from, to)| *from - 1e-6 <= logged && logged <= *to + 1e-6),
                     "{t} {found:?}"

@@ -46,7 +46,7 @@ pub struct Joined {
 
 impl Joined {
     /// Observations of a table, which need no join.
-    pub fn of_table(table: DataFrame) -> Self {
+    pub fn from_table(table: DataFrame) -> Self {
         let observations = vec![("observations".to_owned(), Observations::Table(table))];
         Self { observations, messages: Vec::new(), unmatched: Vec::new() }
     }
@@ -98,7 +98,7 @@ struct Row {
 
 impl Row {
     /// A target and its row of the log.
-    fn of(target: &Target, met: &LogRow) -> Self {
+    fn new(target: &Target, met: &LogRow) -> Self {
         Self {
             pose: target.point.pose,
             cycle: target.point.cycle,
@@ -118,7 +118,7 @@ impl Row {
 /// The observations of a campaign: its table, or the targets of `robot` joined with every log.
 pub fn joined(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
     match &imported.observations {
-        Some(file) => Ok(Joined::of_table(file.table.clone())),
+        Some(file) => Ok(Joined::from_table(file.table.clone())),
         None => join(campaign, imported, frames, robot),
     }
 }
@@ -155,7 +155,7 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
             Ok(joined) => {
                 if observations.is_empty() {
                     remarks.messages.extend(moved_out);
-                    remarks.messages.extend(joined.incomplete(of_rows(campaign, &targets)));
+                    remarks.messages.extend(joined.incomplete(export_numbered_by_row(campaign, &targets)));
                 }
                 // poses, and points of further stations, are rows of a table of observations
                 let observed = if joined.has_orientations() || joined.has_stations() {
@@ -173,7 +173,7 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
 }
 
 /// Export with several targets whose rows are numbered as poses: each row is a pose of its own.
-fn of_rows<'a>(campaign: &'a Campaign, targets: &[Target]) -> Option<&'a str> {
+fn export_numbered_by_row<'a>(campaign: &'a Campaign, targets: &[Target]) -> Option<&'a str> {
     let numbered = campaign.file.exports.iter().filter(|export| export.pose.is_some());
     let mut files = numbered.map(|export| export.file.get_ref().as_str());
     files.find(|file| {
@@ -496,7 +496,7 @@ fn joint_rows(campaign: &Campaign, rows: &[Row], log: &JointLog, robot: &dyn Rob
         let (k, quantity) = column?;
         Some(quantity.inward(*row.joints.get(k)?))
     };
-    let exclusions = campaign.file.identify.as_ref().map(|stated| Exclusion::of_campaign(campaign, stated));
+    let exclusions = campaign.file.identify.as_ref().map(|stated| Exclusion::from_campaign(campaign, stated));
     let exclusions = exclusions.unwrap_or_default();
     let rules: Vec<_> = exclusions.iter().filter_map(Exclusion::covering).collect();
     let target = |row: &Row| robot.targets()[row.target].as_str();

@@ -11,7 +11,7 @@ pub(super) struct Bar;
 
 impl Bar {
     /// The other target, and the parameter of the length.
-    fn of(cells: &Cells, robot: &mut dyn Robot) -> Result<(usize, usize)> {
+    fn other_target_and_length(cells: &Cells, robot: &mut dyn Robot) -> Result<(usize, usize)> {
         let name = cells.name("other")?;
         let missing = || error!("bar-without-other-hand", name, target = cells.target);
         let other = cells.other_target("other", robot)?.ok_or_else(missing)?;
@@ -25,7 +25,7 @@ impl RowKind for Bar {
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {
-        let (other, length) = Self::of(&row.cells, robot)?;
+        let (other, length) = Self::other_target_and_length(&row.cells, robot)?;
         if row.cells.number("distance_mm").is_some_and(|distance| !distance.is_nan()) {
             return Err(error!("bar-length-at-pose").into());
         }
@@ -33,12 +33,12 @@ impl RowKind for Bar {
     }
 
     fn known(&self, row: &Row, standard_uncertainty_mm: f64, robot: &mut dyn Robot) -> Result<Known> {
-        let (_, parameter) = Self::of(&row.cells, robot)?;
+        let (_, parameter) = Self::other_target_and_length(&row.cells, robot)?;
         Ok(Known::Length { parameter, length_mm: row.cells.distance()?, standard_uncertainty_mm })
     }
 
     fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated> {
-        let (other, length) = Self::of(cells, robot)?;
+        let (other, length) = Self::other_target_and_length(cells, robot)?;
         let touches = Some(Kind::Between(Between { other, apart: Apart::Bar(length) }));
         Ok(Simulated { touches, ..Simulated::anywhere(|_| Ok(Vec::new())) })
     }
@@ -47,7 +47,7 @@ impl RowKind for Bar {
         if near_mm.is_some() {
             return Err(error!("near-without-surface").into());
         }
-        let (_, length) = Self::of(cells, robot)?;
+        let (_, length) = Self::other_target_and_length(cells, robot)?;
         Ok(Simulated::anywhere(move |at| Ok(vec![("distance_mm", at.length(at.values[length]))])))
     }
 }

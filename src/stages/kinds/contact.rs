@@ -8,7 +8,7 @@ use etalon_robots::Robot;
 pub(super) struct Contact;
 
 impl Contact {
-    fn of(cells: &Cells, robot: &mut dyn Robot) -> Result<Kind> {
+    fn contact_kind(cells: &Cells, robot: &mut dyn Robot) -> Result<Kind> {
         if let Some(other) = cells.other_target("socket", robot)? {
             return Ok(Kind::Between(Between { other, apart: Apart::Touching }));
         }
@@ -22,10 +22,10 @@ impl RowKind for Contact {
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {
-        Ok(vec![(Self::of(&row.cells, robot)?, f64::NAN)])
+        Ok(vec![(Self::contact_kind(&row.cells, robot)?, f64::NAN)])
     }
 
     fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated> {
-        Ok(Simulated { touches: Some(Self::of(cells, robot)?), ..Simulated::anywhere(|_| Ok(Vec::new())) })
+        Ok(Simulated { touches: Some(Self::contact_kind(cells, robot)?), ..Simulated::anywhere(|_| Ok(Vec::new())) })
     }
 }

@@ -1,6 +1,6 @@
 //! The value of a joint from a home switch or a second encoder.
 
-use super::kind::not_of;
+use super::kind::spatial_arm_message;
 use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::error;
 use etalon_base::message::Result;
@@ -54,5 +54,5 @@ fn joint(cells: &Cells, robot: &dyn Robot) -> Result<usize> {
 /// Motion of the joint at logged joint values (mm or rad).
 fn value(robot: &dyn Robot, values: &[f64], joints: &[f64], joint: usize) -> Result<f64> {
     let value = robot.free_base().and_then(|arm| arm.joint_value(values, joints, joint, &mut |_, _| ()));
-    Ok(value.ok_or_else(|| not_of("joints", robot))?)
+    Ok(value.ok_or_else(|| spatial_arm_message("joints", robot))?)
 }

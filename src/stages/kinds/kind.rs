@@ -145,6 +145,6 @@ pub(super) fn xyz(place_mm: Vector) -> Numbers {
 }
 
 /// Error about a kind of rows (`joints` or `poses`) that needs a spatial arm.
-pub(super) fn not_of(kind: &str, robot: &dyn Robot) -> Message {
+pub(super) fn spatial_arm_message(kind: &str, robot: &dyn Robot) -> Message {
     error!("kind-of-arms", kind, model = robot.model())
 }

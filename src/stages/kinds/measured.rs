@@ -44,7 +44,7 @@ pub(super) fn measured_rows<'t>(
     }
     let (line, poses) = (table::lines(observations)?, super::row_poses(observations)?);
     let named: Vec<_> = left_out.iter().map(|row| (line(*row), poses[*row])).collect();
-    let NamedRows { by, rows, more } = NamedRows::of(&named);
+    let NamedRows { by, rows, more } = NamedRows::from_lines_and_poses(&named);
     messages.push(warning!("rows-not-measured", count = left_out.len(), by, rows, more).routine());
     let kept =
         BooleanChunked::from_iter_values("kept".into(), (0..height).map(|row| left_out.binary_search(&row).is_err()));

@@ -18,7 +18,7 @@ mod surface;
 
 pub use cells::{ByColumn, Cell, Cells, names, stated_schema, text};
 pub use kind::{Facts, Measurement, RowKind, Simulated, no_known};
-pub use row::{Row, columns, numbers, target_of};
+pub use row::{Row, columns, numbers, target_index};
 
 use crate::stages::conventions;
 use crate::stages::orientations::{self, AngleOrder, Written, unstated};
@@ -253,11 +253,11 @@ struct NamedRows {
 
 impl NamedRows {
     fn new(rows: &[&Row]) -> Self {
-        Self::of(&rows.iter().map(|row| (row.line, row.pose)).collect::<Vec<_>>())
+        Self::from_lines_and_poses(&rows.iter().map(|row| (row.line, row.pose)).collect::<Vec<_>>())
     }
 
     /// Rows by their lines in one file, and their poses.
-    fn of(rows: &[(Option<usize>, Option<PoseName>)]) -> Self {
+    fn from_lines_and_poses(rows: &[(Option<usize>, Option<PoseName>)]) -> Self {
         let by =
             if rows.iter().all(|row| row.0.is_some_and(|line| line < table::FILE_LINES)) { "line" } else { "pose" };
         let name = |(line, pose): &(Option<usize>, Option<PoseName>)| match by {
@@ -306,7 +306,7 @@ pub fn observed(
     misspelt(observations)?.check()?;
     messages.extend(unread(robot, observations));
     let observations = &*measured_rows(robot, observations, messages)?;
-    let observations = &*resolution::of_table(observations, messages)?;
+    let observations = &*resolution::replace_table_zeros(observations, messages)?;
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)
         && !of_kinds("kind")

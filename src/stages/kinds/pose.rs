@@ -1,7 +1,7 @@
 //! Position of a target and orientation of the body that carries it, in the world or as another
 //! station of the instrument measures them.
 
-use super::kind::{not_of, xyz};
+use super::kind::{spatial_arm_message, xyz};
 use super::point::in_station;
 use super::{Cells, Facts, Row, RowKind, Simulated};
 use crate::stages::orientations;
@@ -33,7 +33,7 @@ impl RowKind for Body {
         Ok(Simulated::anywhere(move |at| {
             let frame_T_world = station.map_or_else(Pose::identity, |station| in_station(at, station));
             let mut numbers = xyz(at.place(frame_T_world.apply(at.position)));
-            let arm = at.robot.free_base().ok_or_else(|| not_of("poses", at.robot))?;
+            let arm = at.robot.free_base().ok_or_else(|| spatial_arm_message("poses", at.robot))?;
             let body =
                 arm.flange(at.values, at.joints, at.target).then(&Pose::from_rotation_vector(at.point(mounting)));
             let sigma_rad = at.sigma_rad.clone()?;

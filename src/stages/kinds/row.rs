@@ -161,7 +161,7 @@ impl Row {
         if self.joints.iter().any(|q| !q.is_finite()) {
             return Err(error!("joint-value-missing").into());
         }
-        let target = target_of(kind, &self.cells.target, robot)?;
+        let target = target_index(kind, &self.cells.target, robot)?;
         for (kind, own) in observed {
             let of_row = if kind.is_angle() { self.u_rotation_rad } else { self.u_mm };
             let standard_uncertainty = positive(if own.is_nan() { of_row } else { own }, kind.is_angle())?;
@@ -188,7 +188,7 @@ impl Row {
 }
 
 /// Index of the target of a row; 0 if the kind needs none.
-pub fn target_of(kind: &dyn RowKind, name: &str, robot: &dyn Robot) -> Result<usize> {
+pub fn target_index(kind: &dyn RowKind, name: &str, robot: &dyn Robot) -> Result<usize> {
     if name.is_empty() && kind.facts().is_of_robot {
         return Ok(0);
     }

@@ -207,7 +207,7 @@ fn table_3_2_follows_from_table_3_1() {
         for theta in [-15.0, 0.0, 15.0f64] {
             let (x_mm, y_mm) = (201.0 + radius * angle.cos(), 137.5 + radius * angle.sin());
             let joints = robot.inverse(&robot.nominal(), PlanarPose { x_mm, y_mm, theta_rad: theta.to_radians() });
-            let landing = Landing::of(&robot, &truth(), &identified, Frame::Base, &joints).expect("reached");
+            let landing = Landing::new(&robot, &truth(), &identified, Frame::Base, &joints).expect("reached");
             errors.push([landing.error_mm[0], landing.error_mm[1]].map(|e| 1000.0 * e));
         }
     }
