@@ -189,6 +189,12 @@ pub struct FormatsDocument {
     pub join: Option<FormatsJoin>,
     /// Proposal as lines for campaign.toml, with reasons, doubts and questions as comments.
     pub toml: String,
+    /// `true` if the robot's names of its joints name the columns. Not in the file.
+    #[serde(skip)]
+    pub joints_named: bool,
+    /// Largest residual (mm) of points that the nominal robot reproduces. Not in the file.
+    #[serde(skip)]
+    pub reproduced_mm: Option<f64>,
 }
 
 impl FormatsDocument {
@@ -208,12 +214,6 @@ impl FormatsDocument {
     pub fn ask(&mut self, question: Phrase) {
         self.questions.push(question.to_string());
         self.question_phrases.push(question);
-    }
-
-    /// Removes the doubts of an id of the catalogue.
-    pub fn dispel(&mut self, id: &str) {
-        self.doubt_phrases.retain(|doubt| doubt.id != id);
-        self.doubts = self.doubt_phrases.iter().map(Phrase::to_string).collect();
     }
 }
 
@@ -253,6 +253,9 @@ pub struct FormatsColumn {
     /// Text of the catalogue that is `why` in English.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why_phrase: Option<Phrase>,
+    /// Number of the joint, from 1, whose values the column has. Not in the file.
+    #[serde(skip)]
+    pub joint: Option<usize>,
 }
 
 /// One reading of a delimited text, without the unit of lengths.

@@ -295,7 +295,7 @@ impl ExpectedDeviation {
     }
 }
 
-/// Angle or length, of which a quantity of errors is.
+/// Quantity, angle or length, of the values of an error quantity.
 fn physical_quantity(quantity: ErrorQuantity) -> Quantity {
     if quantity == ErrorQuantity::Orientation { Quantity::Angle } else { Quantity::Length }
 }

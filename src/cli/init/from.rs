@@ -1,6 +1,5 @@
 //! `etalon init --from`: a whole campaign from files of measurements and logs.
 
-use etalon_base::catalogue::Argument;
 use etalon_base::message::Problems;
 use etalon_base::{error, files, phrase};
 use etalon_campaign::{RobotFile, parse_robot};
@@ -146,12 +145,8 @@ fn split(poses: usize) -> String {
 /// Names the joints of the lines as the robot does: by their headings, otherwise in the order of
 /// the file.
 fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFiles) -> String {
-    let columns = document.columns.iter().filter_map(|column| {
-        let meaning = column.taken_for_phrase.as_ref().filter(|meaning| meaning.id == "means-joint")?;
-        let Some(Argument::Whole(number)) = meaning.arguments.get("number") else { return None };
-        let number = usize::try_from(*number).ok()?;
-        Some((number, column.heading.clone().unwrap_or_default()))
-    });
+    let columns =
+        document.columns.iter().filter_map(|column| Some((column.joint?, column.heading.clone().unwrap_or_default())));
     let mut columns: Vec<(usize, String)> = columns.collect();
     // without a tool link the joints of the robot are open
     if columns.is_empty() || robot.joints.is_empty() {

@@ -3,7 +3,7 @@
 
 use super::branches::{BETTER, branches, names};
 use super::{Described, joint_keys, urdf_text};
-use etalon_base::catalogue::{Argument, Phrase};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::printable;
 use etalon_base::phrase;
 use etalon_campaign::{parse_robot, read_urdf_chains};
@@ -86,7 +86,6 @@ fn evidence(beside: &Path, source: &str, chain: &TreeChain, files: &[PathBuf]) -
     let robot = parse_robot(beside, &text).and_then(|robot| robot.build(&["target".to_owned()])).ok();
     let FilesProposal { documents, still, .. } = propose_files(files, robot.as_deref())?;
     let joints: Vec<&str> = chain.joints.iter().map(|joint| joint.name.as_str()).collect();
-    let has = |document: &FormatsDocument, id: &str| document.reason_phrases.iter().any(|reason| reason.id == id);
     let headings = |document: &FormatsDocument| {
         let named = |joint: &&str| {
             let is_joint = |heading: &String| heading_without_unit(heading) == *joint;
@@ -94,17 +93,10 @@ fn evidence(beside: &Path, source: &str, chain: &TreeChain, files: &[PathBuf]) -
         };
         joints.iter().all(named)
     };
-    let count = |document: &FormatsDocument| {
-        let of_joint = |phrase: &Option<Phrase>| phrase.as_ref().is_some_and(|phrase| phrase.id == "means-joint");
-        document.columns.iter().filter(|column| of_joint(&column.taken_for_phrase)).count()
-    };
-    let residual = |reason: &Phrase| match reason.arguments.get("rms_mm") {
-        Some(Argument::Number(rms_mm)) if reason.id == "robot-reproduces" => Some(*rms_mm),
-        _ => None,
-    };
-    let rms_mm = documents.iter().flat_map(|document| &document.reason_phrases).filter_map(residual).reduce(f64::max);
+    let count = |document: &FormatsDocument| document.columns.iter().filter(|column| column.joint.is_some()).count();
+    let rms_mm = documents.iter().filter_map(|document| document.reproduced_mm).reduce(f64::max);
     Ok(Evidence {
-        named: documents.iter().any(|document| has(document, "because-joints-named") || headings(document)),
+        named: documents.iter().any(|document| document.joints_named || headings(document)),
         counted: documents.iter().any(|document| count(document) == joints.len()),
         rms_mm,
         still: joints.iter().rev().take_while(|joint| still.iter().any(|name| name == *joint)).count(),

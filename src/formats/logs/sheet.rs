@@ -44,6 +44,11 @@ impl Sheet<'_> {
         row.cell(self.file, index)
     }
 
+    /// Returns the header if all its fields are numbers: no column has a name.
+    fn header_of_numbers(&self, decimal: Decimal) -> Option<&Row<'_>> {
+        self.header.as_ref().filter(|header| header.fields.iter().all(|field| is_number(field, decimal)))
+    }
+
     /// Returns the number of columns.
     fn width(&self) -> usize {
         self.header.as_ref().or(self.rows.first()).map_or(0, |row| row.fields.len())
@@ -74,8 +79,7 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     source.read_as(reading(log));
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
-    if problems.0.iter().any(|message| message.id == "header-holds-numbers") {
-        // no column has a name
+    if sheet.header_of_numbers(log.decimal).is_some() {
         return Err(problems);
     }
     source.rows_read = sheet.rows.len();
@@ -198,7 +202,7 @@ fn split<'a>(stated: SourceText, log: &'a Log, text: &'a str, problems: &mut Pro
         let guesses = guesses(text, None);
         return Err(one_column(log.delimiter(), guesses.first().map(|guess| &guess.dialect)).at(sheet.place()).into());
     }
-    if let Some(header) = sheet.header.as_ref().filter(|h| h.fields.iter().all(|f| is_number(f, log.decimal))) {
+    if let Some(header) = sheet.header_of_numbers(log.decimal) {
         problems.0.push(error!("header-holds-numbers").at(header.place(file)));
     }
     Ok(sheet)

@@ -13,6 +13,10 @@ use etalon_robots::Robot;
 pub(super) struct Remarks {
     pub reasons: Vec<Phrase>,
     pub doubts: Vec<Phrase>,
+    /// `true` if the robot's names of its joints name the columns.
+    pub joints_named: bool,
+    /// Largest residual (mm) of points that the nominal robot reproduces.
+    pub reproduced_mm: Option<f64>,
 }
 
 /// Maximum number of targets in a column of targets.
@@ -90,6 +94,7 @@ fn name_by_headings(robot: &dyn Robot, table: &Table, found: &mut Interpretation
     found.joint_names = robot.joints().iter().map(|joint| joint.name.clone()).collect();
     found.doubts.retain(|doubt| !SETTLED.contains(&&*doubt.id));
     remarks.reasons.push(phrase!("because-joints-named"));
+    remarks.joints_named = true;
     remarks
 }
 
@@ -346,6 +351,8 @@ pub(super) fn described(
     let named = points.map(|at| table.called(at)).join(", ");
     let Reading { rms_mm, rows, unit, origin, .. } = fitted;
     remarks.reasons.push(phrase!("robot-reproduces", points = named, rms_mm = *rms_mm, rows = *rows, unit = *unit));
+    let residual_mm = Some(*rms_mm).filter(|rms_mm| rms_mm.is_finite());
+    remarks.reproduced_mm = remarks.reproduced_mm.into_iter().chain(residual_mm).reduce(f64::max);
     for at in points {
         let heading = &mut table.columns[at].heading;
         let stated = heading.unit.filter(|stated| stated != unit && !heading.bare_metre);

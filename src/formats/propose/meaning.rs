@@ -87,6 +87,11 @@ impl Meaning {
             Self::Motion => phrase!("means-motion"),
         }
     }
+
+    /// Returns the number of the joint, from 1, of a column of joint values.
+    pub fn joint_number(self) -> Option<usize> {
+        if let Self::Joint(at) = self { Some(at + 1) } else { None }
+    }
 }
 
 /// Meaning of a column, and its reason.

@@ -208,6 +208,7 @@ fn propose_known_format(
     let (mut table, mut found) = points_alone(&points, unit);
     if let Some(correct) = correct {
         let remarks = correct(&mut table, &mut found);
+        (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
         remarks.reasons.into_iter().for_each(|reason| document.because(reason));
         remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
     }
@@ -304,17 +305,18 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
         return document;
     };
     let remarks = remarks.unwrap_or_default();
+    (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
     reasons(best, table).into_iter().chain(remarks.reasons).for_each(|reason| document.because(reason));
-    let doubts = doubts(&guesses).into_iter().chain(remarks.doubts).chain(found.doubts.iter().cloned());
+    let own = own::recognise(&proposal, &found.joint_columns());
+    // rows of fixed points have few numbers
+    let rows_may_differ = own.as_ref().is_some_and(|own| own.kind == "observations");
+    let doubts =
+        doubts(&guesses, rows_may_differ).into_iter().chain(remarks.doubts).chain(found.doubts.iter().cloned());
     doubts.for_each(|doubt| document.doubt(doubt));
     found.questions.iter().cloned().for_each(|question| document.ask(question));
-    let lines = match own::recognise(&proposal, &found.joint_columns()) {
+    let lines = match own {
         Some(own) => {
             document.kind = own.kind.to_owned();
-            // rows of fixed points have few numbers
-            if own.kind == "observations" {
-                document.dispel("doubt-rows-not-read");
-            }
             document.because(phrase!("because-columns-of", what = own.what));
             own.question.into_iter().for_each(|question| document.ask(question));
             own.lines
@@ -350,6 +352,7 @@ fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
         taken_for_phrase: Some(taken.meaning.words()),
         why: taken.why.as_ref().map(Phrase::to_string).unwrap_or_default(),
         why_phrase: taken.why.clone(),
+        joint: taken.meaning.joint_number(),
     };
     found.taken.iter().enumerate().map(column).collect()
 }
@@ -385,7 +388,7 @@ fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
 }
 
 /// Returns the doubts about the first reading.
-fn doubts(guesses: &[Guess]) -> Vec<Phrase> {
+fn doubts(guesses: &[Guess], rows_may_differ: bool) -> Vec<Phrase> {
     let [best, others @ ..] = guesses else { return Vec::new() };
     let mut doubts: Vec<Phrase> = others
         .iter()
@@ -402,7 +405,7 @@ fn doubts(guesses: &[Guess]) -> Vec<Phrase> {
     } else if best.threes == best.fractions && best.dialect.thousands.is_none() {
         doubts.push(phrase!("doubt-thousands-mark", mark));
     }
-    if let Some(line) = best.unread {
+    if let Some(line) = best.unread.filter(|_| !rows_may_differ) {
         doubts.push(phrase!("doubt-rows-not-read", count = best.rows - best.read, line));
     }
     if let (Some(row), None) = (&best.names, names(best)) {
