@@ -19,7 +19,7 @@ mod urdf;
 pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};
-pub use robot_file::RobotFile;
+pub use robot_file::{RobotFile, Unbuilt};
 pub use robot_text::{RobotHead, UrdfJoint, nominal_text, screws_text, table_text, urdf_text};
 pub use selection::{Selection, Selections, StatedPoses};
 pub use table::{TableDefinition, TableFiles, TableKeys};
@@ -287,20 +287,29 @@ impl Campaign {
 
     /// Builds the robot like [`Self::build_robot`], with additional targets.
     pub fn build_robot_with(&self, more: &[String]) -> Result<Box<dyn Robot>> {
+        self.try_robot_with(more).map_err(|unbuilt| unbuilt.problems)
+    }
+
+    /// Builds the robot like [`Self::build_robot_with`], and tells which errors are a lack of
+    /// targets.
+    pub fn try_robot_with(&self, more: &[String]) -> std::result::Result<Box<dyn Robot>, Unbuilt> {
         // an arm whose targets could not be read has some, and a test needs none
         let unread = self.unread.affects(&["join", "targets"]) || !self.identifies();
         let targets: Vec<String> = match unread && more.is_empty() {
             true => self.robot.targets_or("target"),
             false => self.file.join_targets().map(|t| t.get_ref()).chain(more).cloned().collect(),
         };
-        let built = match self.robot.build(&targets) {
+        let built = match self.robot.try_build(&targets) {
             // a robot without targets of its own
             Err(_) if targets.is_empty() && !self.file.stated_targets().is_empty() => {
-                self.robot.build(&self.file.stated_targets())
+                self.robot.try_build(&self.file.stated_targets())
             }
             built => built,
         };
-        built.map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
+        built.map_err(|unbuilt| Unbuilt {
+            problems: unbuilt.problems.at(&self.place_of(&["join", "targets"])),
+            ..unbuilt
+        })
     }
 
     /// Poses of `calibration` and `validation`.

@@ -8,7 +8,8 @@ use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_formats::xacro::Expanded;
 use etalon_robots::{
-    At, Definition, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value, Values,
+    At, Definition, FaultKind, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value,
+    Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -184,6 +185,21 @@ fn foreign(model: &Model) -> impl Iterator<Item = Vec<String>> {
     let own = robot_keys::paths(&model.keys());
     let all = MODELS.into_iter().rev().flat_map(|other| robot_keys::paths(&other.keys()));
     all.filter(move |path| !own.contains(path))
+}
+
+/// Errors of a robot that cannot be built.
+#[derive(Clone, Debug, Default)]
+pub struct Unbuilt {
+    /// All errors.
+    pub problems: Problems,
+    /// Indices of the errors that a robot in space has no target.
+    pub without_target: Vec<usize>,
+}
+
+impl From<Problems> for Unbuilt {
+    fn from(problems: Problems) -> Self {
+        Self { problems, without_target: Vec::new() }
+    }
 }
 
 impl RobotFile {
@@ -409,13 +425,19 @@ impl RobotFile {
 
     /// Builds the robot; `targets` applies if the model has no targets of its own.
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
+        self.try_build(targets).map_err(|unbuilt| unbuilt.problems)
+    }
+
+    /// Builds the robot like [`Self::build`], and tells which errors are a lack of targets.
+    pub(super) fn try_build(&self, targets: &[String]) -> std::result::Result<Box<dyn Robot>, Unbuilt> {
         // unreadable entries are already reported
         let readable = self.description.as_ref().filter(|(model, _)| {
             let essential = robot_keys::essential(&model.keys());
             !self.unread.affects_entry("model") && essential.iter().all(|key| !self.unread.affects_entry(key))
         });
-        let Some((model, values)) = readable else { return Err(Problems::default()) };
+        let Some((model, values)) = readable else { return Err(Unbuilt::default()) };
         let mut problems = self.odd_keys(model);
+        let mut without_target = Vec::new();
         let built = self.built(model, values.clone(), targets).and_then(|mut robot| {
             let mut values = robot.nominal();
             self.nominal(robot.as_ref(), model.states_geometry, &mut values)?;
@@ -424,7 +446,11 @@ impl RobotFile {
             self.tolerances(robot.definition_mut())?;
             Ok(robot)
         });
-        built.map_err(|more| problems.0.extend(more.0)).ok().filter(|_| problems.0.is_empty()).ok_or(problems)
+        let robot = built.map_err(|more: Unbuilt| {
+            without_target.extend(more.without_target.into_iter().map(|i| problems.0.len() + i));
+            problems.0.extend(more.problems.0);
+        });
+        robot.ok().filter(|_| problems.0.is_empty()).ok_or(Unbuilt { problems, without_target })
     }
 
     /// Builds the robot with these joints bending, by number from 1, and these targets; `None` if
@@ -467,15 +493,24 @@ impl RobotFile {
     }
 
     /// Robot by its description alone.
-    fn built(&self, model: &Model, mut values: Values, targets: &[String]) -> Result<Box<dyn Robot>> {
+    fn built(
+        &self,
+        model: &Model,
+        mut values: Values,
+        targets: &[String],
+    ) -> std::result::Result<Box<dyn Robot>, Unbuilt> {
         let mut urdf = None;
         if let Some((key, _)) = self.tree_key() {
             // an unreadable file is already reported
-            let Some(Beside { expanded, .. }) = &self.beside else { return Err(Problems::default()) };
+            let Some(Beside { expanded, .. }) = &self.beside else { return Err(Unbuilt::default()) };
             let file = urdf.insert(urdf::read(expanded)?);
             values.insert(key, Value::Tree(file.tree.clone()));
         }
-        model.build(&values, targets).map_err(|faults| self.worded(&faults, &model.keys(), urdf.as_ref()))
+        model.build(&values, targets).map_err(|faults| {
+            let kinds = faults.0.iter().map(|fault| &fault.kind).enumerate();
+            let without_target = kinds.filter(|(_, kind)| **kind == FaultKind::NoTarget).map(|(i, _)| i).collect();
+            Unbuilt { problems: self.worded(&faults, &model.keys(), urdf.as_ref()), without_target }
+        })
     }
 
     /// Errors for keys that only other models have.

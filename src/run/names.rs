@@ -4,7 +4,7 @@ use crate::stages::gather::Gathered;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{Campaign, JoinBy};
+use etalon_campaign::{Campaign, JoinBy, Unbuilt};
 use etalon_documents::ResidualKind;
 use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
@@ -16,8 +16,43 @@ use toml::Spanned;
 /// Maximum number of targets that a hint states.
 const MOST_TARGETS: usize = 12;
 
+/// Kind of a name in the campaign.
+#[derive(Clone, Copy, PartialEq)]
+enum Sought {
+    Label,
+    Feature,
+    LabelOrFeature,
+    Target,
+}
+
+impl Sought {
+    /// Error if nothing has the name.
+    fn unknown(self, name: &str) -> Message {
+        match self {
+            Self::Label => error!("label-unknown", label = name),
+            Self::Feature => error!("feature-unknown", feature = name),
+            Self::LabelOrFeature => error!("point-or-feature-unknown", name),
+            Self::Target => error!("target-not-exported", target = name),
+        }
+    }
+}
+
+/// Targets that no export has, and the error of each.
+#[derive(Default)]
+pub(super) struct NotExported(Vec<(String, Message)>);
+
+impl NotExported {
+    /// Removes the errors of targets whose absence has another reason, by target and error.
+    pub fn withdraw(&self, problems: &mut Problems, is_explained: impl Fn(&str, &Message) -> bool) {
+        let explained = self.0.iter().filter(|(target, error)| is_explained(target, error));
+        let errors: Vec<&Message> = explained.map(|(_, error)| error).collect();
+        problems.0.retain(|problem| !errors.contains(&problem));
+    }
+}
+
 /// Reports labels and features that do not exist: as a warning if an unread export may have them.
-pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) {
+/// Returns the targets that no export has.
+pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, problems: &mut Problems) -> NotExported {
     let points = imported.all_points();
     // labels that name a target at a pose are not proposed
     let (mut plain, mut labels, mut targets) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
@@ -30,41 +65,45 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
         }
     }
     let file = &campaign.file;
-    let mut open: Vec<String> = Vec::new();
-    let mut want = |name: &Spanned<String>, among: &[&BTreeSet<&str>], unknown: &dyn Fn(&str) -> Message| {
+    let (mut open, mut not_exported) = (Vec::<String>::new(), NotExported::default());
+    let mut want = |name: &Spanned<String>, among: &[&BTreeSet<&str>], sought: Sought| {
         let text = name.get_ref();
         let borne = |set: &&BTreeSet<&str>| set.contains(text.as_str()) || set.iter().any(|l| matches_pattern(text, l));
         if !among.iter().any(borne) {
-            let message = unknown(text);
-            if !complete && message.id != "feature-unknown" {
+            // the campaign states its features, the exports all else
+            if !complete && sought != Sought::Feature {
                 return open.push(text.clone());
             }
             let meant = |label: &&str| !label.is_empty() && (!labels.contains(*label) || plain.contains(label));
             let known = among.iter().flat_map(|set| set.iter().copied()).filter(meant);
-            problems.0.push(message.at(campaign.place(name)).hint_names(text, known.collect::<Vec<_>>()));
+            let message = sought.unknown(text).at(campaign.place(name)).hint_names(text, known.collect::<Vec<_>>());
+            if sought == Sought::Target {
+                not_exported.0.push((text.clone(), message.clone()));
+            }
+            problems.0.push(message);
         }
     };
     for feature in file.features.values() {
         for label in feature.element().map_or(&[][..], |(_, labels)| labels) {
-            want(label, &[&labels], &|label| error!("label-unknown", label));
+            want(label, &[&labels], Sought::Label);
         }
     }
     let features: BTreeSet<&str> = file.features.keys().map(String::as_str).collect();
     if let Some(world) = file.world() {
         if let (Some(name), false) = (&world.plane, campaign.unread.affects(&["feature"])) {
-            want(name, &[&features], &|feature| error!("feature-unknown", feature));
+            want(name, &[&features], Sought::Feature);
         }
         for name in world.names() {
-            want(name, &[&labels, &features], &|name| error!("point-or-feature-unknown", name));
+            want(name, &[&labels, &features], Sought::LabelOrFeature);
         }
         for name in world.targets.iter().flatten() {
             let among: &[&BTreeSet<&str>] = if world.each.is_some() { &[&targets] } else { &[&targets, &labels] };
-            want(name, among, &|target| error!("target-not-exported", target));
+            want(name, among, Sought::Target);
         }
     }
     let rigid = file.rigid.iter().flat_map(|r| &r.targets).chain(file.fixed.iter().flat_map(|f| &f.targets));
     for name in rigid {
-        want(name, &[&targets], &|target| error!("target-not-exported", target));
+        want(name, &[&targets], Sought::Target);
     }
     // points that a log touches need not have the name of the robot's target
     let joined = || file.join_targets().filter(|_| file.join_by() != Some(JoinBy::Label));
@@ -73,7 +112,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
     // where no label has the form that is stated, no target is named
     let is_odd = complete && !odd.is_empty() && !joined().all(is_measured);
     for name in joined().filter(|_| !is_odd) {
-        want(name, &[&targets], &|target| error!("target-not-exported", target));
+        want(name, &[&targets], Sought::Target);
     }
     problems.0.extend(odd.into_iter().filter(|_| is_odd));
     if !open.is_empty() {
@@ -82,10 +121,11 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
         let names: Vec<String> = open.iter().map(|name| format!("`{name}`")).collect();
         problems.0.push(warning!("names-unchecked", names));
     }
+    not_exported
 }
 
 /// Checks the campaign against the robot.
-pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
+pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, not_exported: &NotExported, problems: &mut Problems) {
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in campaign.file.identify.iter().flat_map(|identify| &identify.hold) {
         if !names().any(|name| matches_pattern(pattern.get_ref(), name)) {
@@ -104,7 +144,7 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
     for target in &foreign {
         let message = error!("target-not-of-robot", target = target.get_ref()).at(campaign.place(target));
         // a target that this robot cannot have need not be measured
-        problems.0.retain(|other| other.id != "target-not-exported" || other.place != message.place);
+        not_exported.withdraw(problems, |_, other| other.place == message.place);
         problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
     }
     // a wrong name stands where the missing one belongs
@@ -133,13 +173,18 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
 
 /// Errors of a robot without targets: with the line that states the targets that labels name, and
 /// none if the table that names them does not read.
-pub(super) fn targets_to_state(mut problems: Problems, imported: &Gathered, unread: bool) -> Problems {
-    problems.0.retain(|message| !unread || message.id != "no-target");
+pub(super) fn targets_to_state(unbuilt: Unbuilt, imported: &Gathered, unread: bool) -> Problems {
+    let Unbuilt { mut problems, without_target } = unbuilt;
+    if unread {
+        let mut index = 0..;
+        problems.0.retain(|_| !index.next().is_some_and(|i| without_target.contains(&i)));
+        return problems;
+    }
     let at_poses = imported.all_points().filter(|point| point.pose.is_some());
     let targets: BTreeSet<&str> = at_poses.filter_map(|point| point.target.as_deref()).collect();
-    for message in problems.0.iter_mut().filter(|message| message.id == "no-target" && !targets.is_empty()) {
+    for i in without_target.into_iter().filter(|_| !targets.is_empty()) {
         let targets = format!("{:?}", targets.iter().take(MOST_TARGETS).collect::<Vec<_>>());
-        *message = message.clone().hint(phrase!("state-targets", targets));
+        problems.0[i] = problems.0[i].clone().hint(phrase!("state-targets", targets));
     }
     problems
 }

@@ -11,7 +11,7 @@ use crate::stages::identification::{Identified, check_selections, identify, prev
 use crate::stages::iso9283::{self, TestData};
 use crate::stages::join::{self, Joined};
 use crate::stages::kinds;
-use etalon_base::message::{Message, Problems, Result, Severity};
+use etalon_base::message::{Problems, Result, Severity};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
@@ -146,7 +146,7 @@ impl Walk {
         let opened =
             gathered.document.sources.iter().filter(|s| s.kind == SourceKind::Export && s.rows_read > 0).count();
         let complete = opened == campaign.file.exports.len();
-        names::labels(campaign, &gathered, complete, problems);
+        let not_exported = names::labels(campaign, &gathered, complete, problems);
         walk.is_named = complete && problems.0.len() == before && whole(&["feature", "frame"]);
         let usable = walk.is_named && walk.is_read;
         if let (Some(definition), true) = (&campaign.file.geometric, usable && whole(&["geometric"])) {
@@ -157,33 +157,27 @@ impl Walk {
             problems.0.extend(iso9283::label_problems(campaign, &tests, &gathered).0);
         }
         problems.0.extend(more.0);
-        if problems.0.iter().any(|message| message.id == "target-without-pose") {
-            // rows without a pose are not read: their targets are not missing
-            problems.0.retain(|message| message.id != "target-not-exported");
-        }
-        // the exports do contain a target whose rows [[rigid]] refuses
-        let rigid = problems.0.iter().filter(|message| message.id == "rigid-target-refused");
-        let refused: Vec<_> = rigid.filter_map(|message| message.arguments.get("target").cloned()).collect();
-        let is_refused = |message: &Message| message.arguments.get("target").is_some_and(|t| refused.contains(t));
-        problems.0.retain(|message| message.id != "target-not-exported" || !is_refused(message));
+        // rows without a pose are not read: their targets are not missing; and the exports do
+        // contain a target whose rows [[rigid]] refuses
+        let is_left_out =
+            |target: &str| gathered.has_rows_without_pose || gathered.refused_targets.iter().any(|t| t == target);
+        not_exported.withdraw(problems, |target, _| is_left_out(target));
         problems.0.extend(wrong.0);
         let branches = campaign.robot.branches();
         let targets = gathered.observations.as_ref();
         let targets = targets.map(|t| kinds::targets(&t.table, &branches).map_err(|more| t.place(more)));
         let targets = targets.and_then(|targets| problems.keep(targets)).unwrap_or_default();
         let unread = gathered.observations.is_none() && !campaign.file.observations.is_empty();
-        let built =
-            campaign.build_robot_with(&targets).map_err(|more| names::targets_to_state(more, &gathered, unread));
+        let built = campaign.try_robot_with(&targets).map_err(|more| names::targets_to_state(more, &gathered, unread));
         walk.robot = problems.keep(built);
         if let Some(robot) = &walk.robot {
-            names::robot(campaign, robot.as_ref(), problems);
+            names::robot(campaign, robot.as_ref(), &not_exported, problems);
             let before = problems.0.len();
             names::logs(campaign, robot.as_ref(), problems);
-            if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_empty() {
-                let explained = ["target-without-pose", "rigid-target-refused"];
-                if !problems.0.iter().any(|message| explained.contains(&message.id.as_ref())) {
-                    names::targets(campaign, robot.as_ref(), &gathered, problems);
-                }
+            let all_read = !gathered.has_rows_without_pose && gathered.refused_targets.is_empty();
+            let is_joined = campaign.identifies() && campaign.file.observations.is_empty();
+            if complete && all_read && is_joined && whole(&["join"]) {
+                names::targets(campaign, robot.as_ref(), &gathered, problems);
             }
             // without its joints a log cannot be joined, nor can points without their targets
             walk.is_read &= problems.0.len() == before;

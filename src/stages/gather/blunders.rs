@@ -80,7 +80,10 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
         }
         // sorted once: the rows of many poses may be refused
         sources.iter_mut().for_each(|source| source.refused.sort_by_key(|r| r.line));
-        problems.0.extend(wholly_refused(campaign, rigid, &columns.points, &refused));
+        for (target, message) in wholly_refused(campaign, rigid, &columns.points, &refused) {
+            columns.refused_targets.push(target);
+            problems.0.push(message);
+        }
         let mut index = 0..;
         columns.points.retain(|_| index.next().is_some_and(|i| !refused.contains_key(&i)));
     }
@@ -322,14 +325,14 @@ impl Exchange<'_> {
     }
 }
 
-/// Errors for targets of a rigid part whose rows are all rejected.
+/// Targets of a rigid part whose rows are all rejected, and their errors.
 fn wholly_refused(
     campaign: &Campaign,
     rigid: &Rigid,
     points: &[Point],
     refused: &BTreeMap<usize, Phrase>,
-) -> Vec<Message> {
-    let mut messages = Vec::new();
+) -> Vec<(String, Message)> {
+    let mut all = Vec::new();
     let mut by_target: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (i, point) in points.iter().enumerate() {
         by_target.entry(point.target.as_deref().unwrap_or_default()).or_default().push(i);
@@ -343,9 +346,9 @@ fn wholly_refused(
         let point = &points[own[0]];
         let (rows, file) = (own.len(), &*point.export);
         let message = error!("rigid-target-refused", target = name, rows, file, line = point.line, reason);
-        messages.push(message.at(campaign.place(target)));
+        all.push((name.clone(), message.at(campaign.place(target))));
     }
-    messages
+    all
 }
 
 /// Most points of a pose that are compared with one of them.

@@ -37,6 +37,10 @@ pub struct Gathered {
     pub logs: Vec<JointLog>,
     /// The table of observations, if the campaign has one.
     pub(crate) observations: Option<TableFile>,
+    /// `true` if rows of a target are left out because they have no pose.
+    pub(crate) has_rows_without_pose: bool,
+    /// Targets of rigid parts whose rows are all refused.
+    pub(crate) refused_targets: Vec<String>,
     /// Files that were read, and rows that were refused.
     pub document: ImportDocument,
 }
@@ -139,7 +143,8 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         messages: Problems(messages).grouped().0,
         unmatched: Vec::new(),
     };
-    (Gathered { points: columns.points, stationed: columns.stationed, logs, observations, document }, problems)
+    let PointColumns { points, stationed, has_rows_without_pose, refused_targets, .. } = columns;
+    (Gathered { points, stationed, logs, observations, has_rows_without_pose, refused_targets, document }, problems)
 }
 
 /// Size of an export (bytes) above which its text is released once it is read: later messages name

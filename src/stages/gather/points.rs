@@ -28,6 +28,10 @@ pub(super) struct PointColumns {
     pub stationed: Vec<Stationed>,
     /// Warnings about exports as a whole.
     pub remarks: Vec<Message>,
+    /// `true` if rows of a target are left out because they have no pose.
+    pub has_rows_without_pose: bool,
+    /// Targets of rigid parts whose rows are all refused.
+    pub refused_targets: Vec<String>,
 }
 
 impl PointColumns {
@@ -86,6 +90,7 @@ impl PointColumns {
             let in_frame = |t: &SharedText| frame_targets.iter().any(|f| **f.get_ref() == **t);
             let placed = pose.is_some() || row.time_s.is_some() || unreadable;
             if target.is_some() && !placed && !target.as_ref().is_some_and(in_frame) {
+                self.has_rows_without_pose = true;
                 let message = error!("target-without-pose");
                 problems.0.push(message.at(row.place_in(export.file.get_ref())));
                 return None;
