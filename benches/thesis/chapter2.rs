@@ -42,7 +42,7 @@ fn repeatability(draws: u64) -> Vec<Entry> {
     let row = |pose: usize| {
         let cell = |k: usize| Compared {
             printed: Some(REPEATABILITY[pose][k]),
-            ours: Spread::of(drawn.iter().map(|(poses, _)| of(&poses[pose])[k])),
+            ours: Spread::new(drawn.iter().map(|(poses, _)| of(&poses[pose])[k])),
             digits: 1,
         };
         (format!("P{}", pose + 1), (0..7).map(cell).collect())
@@ -241,7 +241,7 @@ fn geometric(draws: u64) -> Vec<Entry> {
     let mut first = 0;
     let table = |(k, (title, rows)): (usize, &(&'static str, &[Row]))| {
         let ours = |i: usize, f: &dyn Fn(&etalon::documents::PoseRow) -> f64| {
-            Spread::of(drawn.iter().map(|d| f(&d.tables[k].rows[i])))
+            Spread::new(drawn.iter().map(|d| f(&d.tables[k].rows[i])))
         };
         let cell = |printed: f64, ours: Spread| Compared { printed: Some(printed), ours, digits: 3 };
         let name = |r: &Row| format!("{{{:.0}, {:.1}}} mm, {:.0}°", r.0[0], r.0[1], r.0[2]);

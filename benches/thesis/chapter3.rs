@@ -155,7 +155,7 @@ fn table_3_1(robot: &Prexyt, truth: &[f64], drawn: &[Vec<Draw>]) -> Entry {
     let row = |(i, p): (usize, &etalon::robots::Parameter)| {
         let cell = |(set, draws): (usize, &Vec<Draw>)| Compared {
             printed: IDENTIFIED[set].1.get(i).copied(),
-            ours: Spread::of(draws.iter().map(|d| p.quantity.outward(d.mean[i]))),
+            ours: Spread::new(draws.iter().map(|d| p.quantity.outward(d.mean[i]))),
             digits: 3,
         };
         (
@@ -185,7 +185,7 @@ fn figure_3_6(robot: &Prexyt, truth: &[f64], drawn: &[Vec<Draw>]) -> Entry {
     let ours = |set: usize, i: usize| {
         let quantity = robot.parameters()[i].quantity;
         // an error is shown by its size
-        let spread = Spread::of(drawn[set].iter().map(|d| quantity.outward(d.mean[i] - truth[i]).abs()));
+        let spread = Spread::new(drawn[set].iter().map(|d| quantity.outward(d.mean[i] - truth[i]).abs()));
         Spread { low: 0.0, ..spread }
     };
     let row = |i: usize| {
@@ -248,7 +248,7 @@ fn table_3_2(robot: &Prexyt, truth: &[f64], drawn: &[Vec<Draw>]) -> Entry {
         let sets: Vec<Vec<[f64; 8]>> = (0..4).map(by).collect();
         let cell = |e: usize, set: usize| Compared {
             printed: printed.then_some(AFTER[set][e]),
-            ours: Spread::of(sets[set].iter().map(|s| s[e])),
+            ours: Spread::new(sets[set].iter().map(|s| s[e])),
             digits: DIGITS[e],
         };
         let rows = (0..8).map(|e| (ERRORS[e].to_owned(), (0..4).map(|set| cell(e, set)).collect())).collect();
@@ -340,7 +340,7 @@ fn three_sigma(sample: &str, draws: u64) -> Vec<Spread> {
         (0..13).map(deviation).collect::<Vec<f64>>()
     };
     let all: Vec<Vec<f64>> = (0..draws.min(40)).into_par_iter().map(draw).collect();
-    (0..13).map(|i| Spread::of(all.iter().map(|d| d[i]))).collect()
+    (0..13).map(|i| Spread::new(all.iter().map(|d| d[i]))).collect()
 }
 
 fn table_3_3(draws: u64) -> Vec<Entry> {
@@ -414,7 +414,7 @@ fn judged_parameters(draws: u64) -> Vec<Entry> {
         errors.iter().map(&mut scattered).collect()
     };
     let cell = |e: usize, j: usize| {
-        let ours = Spread::of((0..draws).map(|draw| summary(&with_scatter(&exact[j], draw))[e]));
+        let ours = Spread::new((0..draws).map(|draw| summary(&with_scatter(&exact[j], draw))[e]));
         Compared { printed: Some(JUDGED[j % 3][e]), ours, digits: DIGITS[e] }
     };
     let table = |caption: &str, columns: &[(&str, usize)], judged: bool| Comparison {

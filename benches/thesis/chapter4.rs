@@ -332,14 +332,14 @@ fn table_4_1(s: &Simulated, both: &[Vec<Draw>; 2]) -> [Entry; 2] {
     let row = |i: usize| {
         let cell = |k: usize| Compared {
             printed: Some(TABLE_4_1[i][k + 1]),
-            ours: Spread::of(both[k].iter().map(|d| model[i].quantity.outward(d.mean[i]))),
+            ours: Spread::new(both[k].iter().map(|d| model[i].quantity.outward(d.mean[i]))),
             digits: 4,
         };
         (format!("{}, {} (actual {:.3})", NAMES[i], model[i].quantity.unit(), TABLE_4_1[i][0]), vec![cell(0), cell(1)])
     };
     let error = |i: usize, k: usize| {
         let outward = |v: f64| model[i].quantity.outward(v).abs();
-        let ours = Spread::of(both[k].iter().map(|d| outward(d.mean[i] - s.truth[i])));
+        let ours = Spread::new(both[k].iter().map(|d| outward(d.mean[i] - s.truth[i])));
         Compared {
             printed: Some((TABLE_4_1[i][k + 1] - TABLE_4_1[i][0]).abs()),
             ours: Spread { low: 0.0, ..ours },
@@ -392,7 +392,7 @@ fn table_4_2(s: &Simulated, both: &[Vec<Draw>; 2]) -> [Entry; 2] {
     let summaries = [s.summaries(&both[0]), s.summaries(&both[1])];
     let cell = |k: usize, e: usize| Compared {
         printed: Some(TABLE_4_2[k][e]),
-        ours: Spread::of(summaries[k].iter().map(|v| v[e])),
+        ours: Spread::new(summaries[k].iter().map(|v| v[e])),
         digits: 1,
     };
     let columns = names(&["conventional approach", "our approach"]);
@@ -455,7 +455,7 @@ fn table_4_3(s: &Simulated, chosen: &[Observation]) -> Entry {
         let summaries = s.draw(&measured).map(|drawn| s.summaries(&drawn)).unwrap_or_default();
         let cell = |e: usize| Compared {
             printed: Some(TABLE_4_3[count - 3][e]),
-            ours: Spread::of(summaries.iter().map(|v| v[e])),
+            ours: Spread::new(summaries.iter().map(|v| v[e])),
             digits: 1,
         };
         (format!("{count}"), vec![cell(0), cell(1)])
@@ -616,7 +616,7 @@ fn table_4_4(robot: &FiveBar, runs: &[Vec<Vec<Found>>; 2]) -> Entry {
     let row = |i: usize| {
         let cell = |k: usize| Compared {
             printed: Some(TABLE_4_4[i][2 * k + 1]),
-            ours: Spread::of(runs[k].iter().map(|five| three_sigma(five, i))),
+            ours: Spread::new(runs[k].iter().map(|five| three_sigma(five, i))),
             digits: 4,
         };
         (format!("{}, {}", NAMES[i], robot.parameters()[i].quantity.unit()), vec![cell(0), cell(1)])
@@ -648,7 +648,7 @@ fn table_4_5(robot: &FiveBar, balls: &[Ball], by_count: &[Vec<Found>]) -> [Entry
         by_count[count - 3].iter().map(|f| summary(&f.1.values().copied().collect::<Vec<_>>())).collect()
     };
     let (five, seven) = (after(5), after(7));
-    let spread = |all: &[[f64; 6]], e: usize| Spread::of(all.iter().map(|s| s[e]));
+    let spread = |all: &[[f64; 6]], e: usize| Spread::new(all.iter().map(|s| s[e]));
     let nominal = summary(&before_all);
     let row = |e: usize| {
         let cells = [exactly(nominal[e]), spread(&five, e), spread(&seven, e)];

@@ -304,7 +304,7 @@ fn sources(text: &'static str) -> impl Iterator<Item = (&'static str, &'static s
             let line = rest.split_inclusive('\n').next()?;
             let whole = rest;
             rest = &rest[line.len()..];
-            if let Some(id) = id_of(line) {
+            if let Some(id) = entry_id(line) {
                 let more: usize = rest.split_inclusive('\n').take_while(is_continued).map(str::len).sum();
                 rest = &rest[more..];
                 return Some((id, &whole[..line.len() + more]));
@@ -314,7 +314,7 @@ fn sources(text: &'static str) -> impl Iterator<Item = (&'static str, &'static s
 }
 
 /// Id whose text begins on this line of a file.
-fn id_of(line: &str) -> Option<&str> {
+fn entry_id(line: &str) -> Option<&str> {
     let (id, _) = line.starts_with(|c: char| c.is_ascii_alphabetic()).then(|| line.split_once(" ="))??;
     (!id.contains(' ')).then_some(id)
 }
@@ -467,13 +467,13 @@ impl Entry {
 
 /// All texts of the catalogue, file by file.
 pub fn entries() -> Vec<Entry> {
-    FILES.iter().flat_map(|(file, texts)| entries_of(file, texts[0])).collect()
+    FILES.iter().flat_map(|(file, texts)| file_entries(file, texts[0])).collect()
 }
 
-fn entries_of(file: &'static str, text: &'static str) -> Vec<Entry> {
+fn file_entries(file: &'static str, text: &'static str) -> Vec<Entry> {
     let (mut all, mut entry, mut last) = (Vec::new(), Entry::default(), None);
     for line in text.lines() {
-        if let Some(id) = id_of(line) {
+        if let Some(id) = entry_id(line) {
             all.push(Entry { id, file, ..std::mem::take(&mut entry) });
         } else if let Some(comment) = line.strip_prefix("# ") {
             let labelled = comment.split_once(": ").and_then(|(label, rest)| Some((part(label)?, rest)));
@@ -564,7 +564,7 @@ mod tests {
     #[test]
     fn an_explanation_is_read_by_its_labels() {
         let text = "# Means: one\n# more\n# Example: `a: b`\nan-id = text\n    .hint = h\n\nother = x\n";
-        let all = entries_of("base", text);
+        let all = file_entries("base", text);
         assert_eq!((all[0].id, all[0].meaning.as_str(), all[0].example.as_str()), ("an-id", "one more", "`a: b`"));
         assert!(all[0].is_message() && !all[1].is_message() && all.len() == 2);
     }

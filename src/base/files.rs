@@ -70,7 +70,7 @@ pub fn read_text(path: &Path) -> Result<String> {
 /// Like [`read_text`], with the stamp of the file.
 pub fn read_statement(path: &Path) -> Result<(String, Stamp)> {
     let bytes = read_at_most(path, LARGEST_STATEMENT)?;
-    let stamp = Stamp::of(&bytes);
+    let stamp = Stamp::new(&bytes);
     Ok((text(path, bytes)?, stamp))
 }
 
@@ -92,7 +92,7 @@ pub struct Stamp {
 
 impl Stamp {
     /// Stamp of `bytes`.
-    pub fn of(bytes: &[u8]) -> Self {
+    pub fn new(bytes: &[u8]) -> Self {
         Self { sha256: sha256(bytes), size: bytes.len() }
     }
 }
@@ -414,6 +414,6 @@ fn hexadecimal(bytes: &[u8]) -> String {
 }
 
 /// SHA-256 of files, by their names as the user gave them.
-pub fn sha256_of<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<BTreeMap<String, String>> {
+pub fn sha256_by_name<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<BTreeMap<String, String>> {
     paths.into_iter().map(|path| Ok((path.display().to_string(), sha256(&read(path)?)))).collect()
 }

@@ -86,13 +86,13 @@ pub struct Message {
 /// alone is its own name: `error!("no-pose", pose)`.
 #[macro_export]
 macro_rules! error {
-    ($($call:tt)*) => { $crate::message::Message::of($crate::message::Severity::Error, $crate::phrase!($($call)*)) };
+    ($($call:tt)*) => { $crate::message::Message::new($crate::message::Severity::Error, $crate::phrase!($($call)*)) };
 }
 
 /// Warning of an id of the catalogue; arguments as of [`error!`](crate::error).
 #[macro_export]
 macro_rules! warning {
-    ($($call:tt)*) => { $crate::message::Message::of($crate::message::Severity::Warning, $crate::phrase!($($call)*)) };
+    ($($call:tt)*) => { $crate::message::Message::new($crate::message::Severity::Warning, $crate::phrase!($($call)*)) };
 }
 
 impl Place {
@@ -190,7 +190,7 @@ impl Message {
     /// assert!(message.to_string().starts_with(&lines.join("\n")), "{message}");
     /// assert!(message.is("galil-value-too-large", &[("parameter", &"d")]));
     /// ```
-    pub fn of(severity: Severity, text: Phrase) -> Self {
+    pub fn new(severity: Severity, text: Phrase) -> Self {
         let Phrase { id, arguments } = text;
         let rank = if severity == Severity::Error { Rank::Decide } else { Rank::Know };
         let (what, around) = (String::new(), Vec::new());
@@ -396,31 +396,31 @@ struct Shapes<'a>(BTreeMap<&'a str, BTreeSet<&'static str>>);
 
 impl<'a> Shapes<'a> {
     /// Shape of a message; its English text if it has no id.
-    fn of_message(&mut self, message: &'a Message) -> String {
+    fn message_shape(&mut self, message: &'a Message) -> String {
         if message.id.is_empty() {
             return message.what.clone();
         }
-        let around = message.around.iter().map(|phrase| self.of_text(&phrase.id, &phrase.arguments));
+        let around = message.around.iter().map(|phrase| self.text_shape(&phrase.id, &phrase.arguments));
         let around: String = around.collect();
-        self.of_text(&message.id, &message.arguments) + &around
+        self.text_shape(&message.id, &message.arguments) + &around
     }
 
-    fn of_text(&mut self, id: &'a str, arguments: &'a Arguments) -> String {
+    fn text_shape(&mut self, id: &'a str, arguments: &'a Arguments) -> String {
         let kept = self.0.entry(id).or_insert_with(|| unquoted(id));
         let kept: Vec<_> = arguments.iter().filter(|(name, _)| kept.contains(name.as_str())).collect();
         let kept = kept.into_iter().map(|(name, value)| match value {
             Argument::Whole(1) if name == FIELDS => format!("{name}: 1"),
-            _ => format!("{name}: {}", self.of_argument(value)),
+            _ => format!("{name}: {}", self.argument_shape(value)),
         });
         format!("{id}({})", kept.collect::<Vec<_>>().join("; "))
     }
 
-    fn of_argument(&mut self, argument: &'a Argument) -> String {
+    fn argument_shape(&mut self, argument: &'a Argument) -> String {
         match argument {
             Argument::Whole(_) | Argument::Number(_) => String::new(),
             Argument::Text(text) => text.chars().filter(|c| !c.is_ascii_digit() && !"+-.".contains(*c)).collect(),
-            Argument::List(all) => all.iter().map(|one| self.of_argument(one)).collect::<Vec<_>>().join(", "),
-            Argument::Phrase(phrase) => self.of_text(&phrase.id, &phrase.arguments),
+            Argument::List(all) => all.iter().map(|one| self.argument_shape(one)).collect::<Vec<_>>().join(", "),
+            Argument::Phrase(phrase) => self.text_shape(&phrase.id, &phrase.arguments),
         }
     }
 }
@@ -557,7 +557,7 @@ impl Problems {
         let mut shapes = Shapes::default();
         let keys = self.0.iter().map(|message| {
             let place = message.place.as_ref()?;
-            Some(((place.file.clone(), shapes.of_message(message)), place.line?))
+            Some(((place.file.clone(), shapes.message_shape(message)), place.line?))
         });
         let keys: Vec<Option<((String, String), usize)>> = keys.collect();
         for (key, line) in keys.iter().flatten() {

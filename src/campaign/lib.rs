@@ -216,7 +216,7 @@ impl Campaign {
 
     /// Place of a key's value in `campaign.toml`, given by the keys that lead to it; the file if
     /// the key is missing.
-    pub fn place_of(&self, path: &[&str]) -> Place {
+    pub fn key_place(&self, path: &[&str]) -> Place {
         let span = toml_file::find(&self.text, path);
         span.map_or_else(|| Place::file(self.path.as_str()), |span| Place::span(self.path.as_str(), &self.text, span))
     }
@@ -277,7 +277,7 @@ impl Campaign {
 
     /// Place of the definition of the world frame.
     pub fn world_place(&self) -> Place {
-        self.place_of(&["frame", "world"])
+        self.key_place(&["frame", "world"])
     }
 
     /// Builds the robot of the campaign, with the targets of `[join]`.
@@ -307,7 +307,7 @@ impl Campaign {
             built => built,
         };
         built.map_err(|unbuilt| Unbuilt {
-            problems: unbuilt.problems.at(&self.place_of(&["join", "targets"])),
+            problems: unbuilt.problems.at(&self.key_place(&["join", "targets"])),
             ..unbuilt
         })
     }
@@ -346,7 +346,7 @@ fn open_questions(name: &str, text: &str) -> Problems {
 /// Keys of `campaign.toml` that this campaign needs and does not state. A test by ISO 9283 needs
 /// fewer keys than an identification.
 fn missing_keys(text: &str) -> Vec<&'static str> {
-    let all = toml_file::Stated::of(text);
+    let all = toml_file::Stated::parse(text);
     let stated = |key: &&str| all.find(&[key]).is_some();
     let tests = ["repeatability", "poses", "stream", "compliance"].iter().any(stated);
     let geometric = stated(&"geometric");
@@ -402,7 +402,7 @@ pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
 /// # Errors
 /// Fails like [`read_robot`].
 pub fn parse_urdf_robot(text: &str, [base_link, tool_link]: [&str; 2]) -> Result<RobotFile> {
-    RobotFile::of_urdf(text, [base_link, tool_link])
+    RobotFile::from_urdf(text, [base_link, tool_link])
 }
 
 /// Reads a URDF file: its chain with the most moving joints, and its text without xacro.

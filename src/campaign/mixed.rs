@@ -28,7 +28,7 @@ impl CampaignFile {
             }
             // several points of a row share the joints of the row
             if self.logs.iter().all(|log| log.file.get_ref() != export.file.get_ref()) {
-                let mut log = log_of(export);
+                let mut log = log_from_export(export);
                 if !self.logs.is_empty() {
                     log.name = format!("log-{}", self.logs.len() + 1);
                 }
@@ -84,7 +84,7 @@ impl CampaignFile {
     }
 }
 
-fn log_of(export: &Export) -> Log {
+fn log_from_export(export: &Export) -> Log {
     let dialect = &export.format.dialect;
     Log {
         name: "log".to_owned(),

@@ -113,7 +113,7 @@ fn keys(models: &[&Model]) -> Schema {
 
 /// Schema of the keys of one model, including mandatory keys, which allows keys of other models
 /// with any value, as these are reported separately.
-fn keys_of(model: &Model) -> Json {
+fn model_schema(model: &Model) -> Json {
     let mut schema = keys(&[model]).to_value();
     let own = robot_keys::schema(&model.keys(), &mut SchemaGenerator::default()).to_value();
     if let (Some(required), Some(own)) = (schema["required"].as_array_mut(), own["required"].as_array()) {
@@ -247,14 +247,14 @@ impl RobotFile {
     }
 
     /// Reads a robot file whose URDF is this text.
-    pub(super) fn of_urdf(urdf: &str, [base_link, tool_link]: [&str; 2]) -> Result<Self> {
+    pub(super) fn from_urdf(urdf: &str, [base_link, tool_link]: [&str; 2]) -> Result<Self> {
         const FILE: &str = "robot.urdf";
         let [base, tool] = [base_link, tool_link].map(toml::Value::from);
         let text = format!("model = \"urdf\"\nfile = \"{FILE}\"\nbase_link = {base}\ntool_link = {tool}\n");
         let (robot, problems) = Self::alone(Path::new("robot.toml"), &text);
         let path = PathBuf::from(FILE);
         let expanded = urdf::expand(&path, urdf.to_owned(), &[])?;
-        let beside = Beside { path, expanded, stamp: Stamp::of(urdf.as_bytes()) };
+        let beside = Beside { path, expanded, stamp: Stamp::new(urdf.as_bytes()) };
         let robot = robot.filter(|_| problems.0.is_empty()).ok_or(problems)?;
         Ok(Self { beside: Some(beside), ..robot })
     }
@@ -266,7 +266,7 @@ impl RobotFile {
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
         let stated = MODELS.iter().find(|model| written.trim_matches(['"', '\'']) == model.name);
         let schema = match stated {
-            Some(model) => toml_file::kept_schema(format!("robot {}", model.name).into(), || keys_of(model)),
+            Some(model) => toml_file::kept_schema(format!("robot {}", model.name).into(), || model_schema(model)),
             None => toml_file::kept_schema("robot".into(), || keys(&MODELS).to_value()),
         };
         let Recovered { value, problems, unread } = toml_file::recover_with(&name, text, &schema, read);
@@ -517,7 +517,7 @@ impl RobotFile {
     fn odd_keys(&self, model: &Model) -> Problems {
         let mut odd: Vec<Message> = Vec::new();
         let (name, text) = &self.source;
-        let stated = toml_file::Stated::of(text);
+        let stated = toml_file::Stated::parse(text);
         for path in foreign(model) {
             let path: Vec<&str> = path.iter().map(String::as_str).collect();
             let (Some(span), Some(key)) = (stated.find(&path), path.last()) else { continue };

@@ -79,10 +79,10 @@ pub(super) fn schema(keys: &[Key], generator: &mut SchemaGenerator) -> Schema {
                 (_, Quantity::Angle) => "The same in radians.",
                 _ => "The same in metres.",
             };
-            let mut schema = schema_of(key, generator);
+            let mut schema = key_schema(key, generator);
             schema.insert("description".to_owned(), meaning.into());
             if let Absence::Default(value) = &key.absence {
-                schema.insert("default".to_owned(), json_of(value, &key.shape));
+                schema.insert("default".to_owned(), default_json(value, &key.shape));
             }
             properties.insert(spelling, schema.to_value());
         }
@@ -96,22 +96,22 @@ pub(super) fn schema(keys: &[Key], generator: &mut SchemaGenerator) -> Schema {
     table
 }
 
-fn schema_of(key: &Key, generator: &mut SchemaGenerator) -> Schema {
-    fn of<T: JsonSchema>(key: &Key, generator: &mut SchemaGenerator) -> Schema {
+fn key_schema(key: &Key, generator: &mut SchemaGenerator) -> Schema {
+    fn typed_schema<T: JsonSchema>(key: &Key, generator: &mut SchemaGenerator) -> Schema {
         match key.absence {
             Absence::Nothing => Option::<T>::json_schema(generator),
             _ => T::json_schema(generator),
         }
     }
     match &key.shape {
-        Shape::Number => of::<f64>(key, generator),
-        Shape::Range => of::<[f64; 2]>(key, generator),
-        Shape::Triple => of::<[f64; 3]>(key, generator),
-        Shape::Flag => of::<bool>(key, generator),
-        Shape::Text | Shape::Tree => of::<String>(key, generator),
-        Shape::Words => of::<Vec<String>>(key, generator),
-        Shape::Joints => of::<Vec<StatedJoint>>(key, generator),
-        Shape::JointPairs => of::<Vec<(StatedJoint, StatedJoint)>>(key, generator),
+        Shape::Number => typed_schema::<f64>(key, generator),
+        Shape::Range => typed_schema::<[f64; 2]>(key, generator),
+        Shape::Triple => typed_schema::<[f64; 3]>(key, generator),
+        Shape::Flag => typed_schema::<bool>(key, generator),
+        Shape::Text | Shape::Tree => typed_schema::<String>(key, generator),
+        Shape::Words => typed_schema::<Vec<String>>(key, generator),
+        Shape::Joints => typed_schema::<Vec<StatedJoint>>(key, generator),
+        Shape::JointPairs => typed_schema::<Vec<(StatedJoint, StatedJoint)>>(key, generator),
         Shape::Choice(choices) => {
             let one =
                 |(name, meaning): &(&str, &str)| json!({ "description": meaning, "type": "string", "const": name });
@@ -127,7 +127,7 @@ fn schema_of(key: &Key, generator: &mut SchemaGenerator) -> Schema {
 }
 
 /// JSON form of a default value.
-fn json_of(value: &Value, shape: &Shape) -> Json {
+fn default_json(value: &Value, shape: &Shape) -> Json {
     match (value, shape) {
         (Value::Numbers(numbers), Shape::Number) => numbers.first().copied().into(),
         (Value::Numbers(numbers), _) => numbers.clone().into(),
@@ -143,7 +143,7 @@ pub(super) fn read(keys: &[Key], table: Spanned<DeTable<'_>>) -> Result<Values, 
 }
 
 /// Names in serde's notation.
-fn one_of(names: &[String]) -> String {
+fn alternatives(names: &[String]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     match &quoted[..] {
         [one] => one.clone(),
@@ -211,7 +211,7 @@ impl<'k> Visitor<'_> for KeyOf<'k> {
         let find = |key: &'k Key| Some((key, spellings(key).iter().position(|spelling| spelling == name)?));
         self.0.iter().find_map(find).ok_or_else(|| {
             let known: Vec<String> = self.0.iter().flat_map(spellings).collect();
-            E::custom(format!("unknown field `{name}`, expected {}", one_of(&known)))
+            E::custom(format!("unknown field `{name}`, expected {}", alternatives(&known)))
         })
     }
 }
@@ -280,7 +280,7 @@ impl<'de> Visitor<'de> for ChoiceOf<'_> {
     fn visit_str<E: de::Error>(self, word: &str) -> Result<usize, E> {
         self.0.iter().position(|(name, _)| *name == word).ok_or_else(|| {
             let known: Vec<String> = self.0.iter().map(|(name, _)| (*name).to_owned()).collect();
-            E::custom(format!("unknown variant `{word}`, expected {}", one_of(&known)))
+            E::custom(format!("unknown variant `{word}`, expected {}", alternatives(&known)))
         })
     }
 }

@@ -290,7 +290,7 @@ impl<'a> Check<'a> {
             }
             other => DeValue::String(other.as_str().unwrap_or_default().to_owned().into()),
         };
-        match (listed(schema).and_then(|all| all.first().copied()), type_of(schema)) {
+        match (listed(schema).and_then(|all| all.first().copied()), schema_type(schema)) {
             (Some(choice), _) => of_json(choice),
             (_, "number" | "integer") => DeValue::parse("1").map_or(DeValue::Boolean(false), Spanned::into_inner),
             (_, "boolean") => DeValue::Boolean(false),
@@ -323,7 +323,7 @@ impl<'a> Check<'a> {
 }
 
 /// Type of a schema, apart from `null`.
-fn type_of(schema: &Value) -> &str {
+fn schema_type(schema: &Value) -> &str {
     match &schema["type"] {
         Value::Array(all) => all.iter().filter_map(Value::as_str).find(|t| *t != "null").unwrap_or(""),
         other => other.as_str().unwrap_or(""),
@@ -339,7 +339,7 @@ fn listed(schema: &Value) -> Option<Vec<&Value>> {
 fn is_of_kind(schema: &Value, value: &DeValue) -> bool {
     // a schema without a type lists values of any type, or allows all values
     let lists = |is: fn(&Value) -> bool| listed(schema).is_none_or(|all| all.into_iter().any(is));
-    match (value, type_of(schema)) {
+    match (value, schema_type(schema)) {
         (DeValue::Integer(number), "integer") => {
             let value = i128::from_str_radix(&number.as_str().replace('_', ""), number.radix()).ok();
             schema["minimum"].as_i64().zip(value).is_none_or(|(least, value)| value >= i128::from(least))
@@ -359,7 +359,7 @@ fn kinds(schema: &Value) -> Vec<Argument> {
         let limit = schema[key].as_u64().map_or_else(|| "none".argument(), |limit| limit.argument());
         vec![phrase!("kind-expected", kind, limit).argument()]
     };
-    match (listed(schema), type_of(schema)) {
+    match (listed(schema), schema_type(schema)) {
         (Some(all), _) => {
             let shown = |v: &Value| v.as_str().map_or_else(|| v.to_string(), |v| format!("`{v}`"));
             all.into_iter().map(|v| shown(v).argument()).collect()
@@ -388,14 +388,14 @@ fn known_keys(schema: &Value) -> Vec<String> {
 
 /// Span of a key's value, given by the keys that lead to it; numbers count tables of an array.
 pub(super) fn find(text: &str, path: &[&str]) -> Option<Range<usize>> {
-    Stated::of(text).find(path)
+    Stated::parse(text).find(path)
 }
 
 /// Parsed text in which several keys can be found.
 pub(super) struct Stated<'t>(Spanned<DeTable<'t>>);
 
 impl<'t> Stated<'t> {
-    pub fn of(text: &'t str) -> Self {
+    pub fn parse(text: &'t str) -> Self {
         Self(DeTable::parse_recoverable(text).0)
     }
 

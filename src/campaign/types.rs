@@ -754,7 +754,7 @@ pub struct Limits {
 
 impl Limits {
     /// Limit of a quantity.
-    pub fn of(&self, quantity: LimitQuantity) -> Option<f64> {
+    pub fn limit(&self, quantity: LimitQuantity) -> Option<f64> {
         match quantity {
             LimitQuantity::PositionMaxMm => self.position_max_mm,
             LimitQuantity::PositionMeanMm => self.position_mean_mm,
@@ -771,7 +771,7 @@ impl Limits {
 
     /// Stated limits.
     pub fn stated(&self) -> impl Iterator<Item = (LimitQuantity, f64)> {
-        LimitQuantity::ALL.iter().filter_map(|&quantity| Some((quantity, self.of(quantity)?)))
+        LimitQuantity::ALL.iter().filter_map(|&quantity| Some((quantity, self.limit(quantity)?)))
     }
 }
 

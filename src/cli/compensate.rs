@@ -210,7 +210,7 @@ impl Compensate {
     /// Reads the targets of the table or program.
     fn read(&self, robot: &Calibrated) -> Result<Source> {
         let ending = self.targets.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-        match commands::language_of(ending) {
+        match commands::language_by_extension(ending) {
             Some((name, language)) => {
                 if self.start.is_empty() && robot.arm.has_assembly_modes() {
                     return Err(error!("working-mode-missing").into());

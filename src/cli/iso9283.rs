@@ -217,7 +217,7 @@ impl PoseOptions {
             true => to_json(&document)?,
             false => to_json(&document.poses)?,
         };
-        let poses = Some(if all { document } else { document.of_poses() });
+        let poses = Some(if all { document } else { document.keep_pose_characteristics() });
         answer(&Renderer::test(&Characteristics { poses, ..Characteristics::default() }), json.then_some(data))
     }
 

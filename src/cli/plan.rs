@@ -155,7 +155,7 @@ impl PlanCommand {
         let elsewhere = |path: &PathBuf| read_candidates(&robot_file, &self.format.read_poses(path)?);
         let elsewhere = self.workspace.as_ref().map(elsewhere).transpose()?;
         let everywhere = elsewhere.map(|(_, all)| all.observations);
-        let inputs = files::sha256_of(self.inputs())?;
+        let inputs = files::sha256_by_name(self.inputs())?;
         let mut document = self.planned(robot.as_ref(), candidates, everywhere, inputs)?;
         document.generated = generated;
         self.program.complete(robot.as_ref(), &mut document)?;

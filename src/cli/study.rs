@@ -42,7 +42,7 @@ impl StudyCommand {
             designs,
             provenance: Provenance {
                 version: env!("CARGO_PKG_VERSION").to_owned(),
-                inputs: files::sha256_of(&inputs)?,
+                inputs: files::sha256_by_name(&inputs)?,
                 seed: Some(file.seed),
             },
         };

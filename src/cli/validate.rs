@@ -50,8 +50,8 @@ impl Validate {
         let judged = Validation { document: document.as_ref(), field: field.as_ref(), frames: self.frames };
         let Validated { mut accuracy, messages } = validate(&campaign, judged)?;
         if let Some(provenance) = &mut accuracy.provenance {
-            provenance.inputs.extend(files::sha256_of(&self.parameters)?);
-            provenance.inputs.extend(files::sha256_of(&self.field)?);
+            provenance.inputs.extend(files::sha256_by_name(&self.parameters)?);
+            provenance.inputs.extend(files::sha256_by_name(&self.field)?);
         }
         remark(&messages);
         let renderer = Renderer::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;

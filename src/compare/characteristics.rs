@@ -1,7 +1,7 @@
 //! ISO 9283 pose characteristics over campaigns.
 
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
-use super::trend::{TrendName, changed, of_estimates, pairs};
+use super::trend::{TrendName, changed, pairs, trend_from_estimates};
 use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
@@ -83,7 +83,7 @@ fn positions(place: &Phrase, documents: &[&Iso9283Document], all: &[&Iso9283Pose
                 .collect(),
         };
         let of = (CompareFamily::MeanPosition, TrendName::at(phrase!("mean-of-axis", axis = letter), place), "mm");
-        trends.extend(estimates.map(|estimates| of_estimates(of, &estimates)));
+        trends.extend(estimates.map(|estimates| trend_from_estimates(of, &estimates)));
     }
     trends
 }

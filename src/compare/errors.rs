@@ -1,7 +1,7 @@
 //! Errors before and after calibration over campaigns.
 
 use super::significance::Estimate;
-use super::trend::{TrendName, of_estimates};
+use super::trend::{TrendName, trend_from_estimates};
 use etalon_base::phrase;
 use etalon_documents::*;
 
@@ -12,20 +12,20 @@ pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<Com
     let mut trends = Vec::new();
     for set in &first.1.sets {
         let kinds = [ErrorQuantity::Position, ErrorQuantity::Orientation].into_iter().chain(ErrorQuantity::OTHERS);
-        for error in kinds.filter_map(|q| set.of(q)) {
+        for error in kinds.filter_map(|q| set.error_statistics(q)) {
             for (when, of) in [
                 (phrase!("before"), (|e| e.before) as fn(&ErrorStatistics) -> Statistics),
                 (phrase!("after"), |e: &ErrorStatistics| e.after),
             ] {
                 let estimate = |c: &&(ParametersDocument, AccuracyDocument)| {
                     let set = c.1.sets.iter().find(|s| s.name == set.name)?;
-                    mean(set.poses, &of(set.of(error.quantity)?))
+                    mean(set.poses, &of(set.error_statistics(error.quantity)?))
                 };
                 let estimates: Vec<Option<Estimate>> = all.iter().map(estimate).collect();
                 if estimates.iter().all(Option::is_some) {
                     let (quantity, set) = (error.quantity.phrase(), set.name.phrase());
                     let name = TrendName::Words(phrase!("mean-error-of-set", quantity, set, when));
-                    trends.push(of_estimates((CompareFamily::MeanError, name, &error.unit), &estimates));
+                    trends.push(trend_from_estimates((CompareFamily::MeanError, name, &error.unit), &estimates));
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Parameters over campaigns.
 
 use super::significance::{Estimate, LEVEL};
-use super::trend::{TrendName, of_estimates, pairs};
+use super::trend::{TrendName, pairs, trend_from_estimates};
 use etalon_base::message::Message;
 use etalon_base::warning;
 use etalon_documents::*;
@@ -13,7 +13,7 @@ type Identified<'a> = &'a (ParametersDocument, AccuracyDocument);
 
 /// Degrees of freedom of a parameter's standard uncertainty; infinite if it follows from stated
 /// uncertainties.
-fn degrees_of(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
+fn parameter_degrees_of_freedom(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
     match residuals.uncertainties_from {
         UncertaintyFrom::Instrument | UncertaintyFrom::Nothing => f64::INFINITY,
         _ => entry.degrees_of_freedom.unwrap_or(residuals.degrees_of_freedom as f64),
@@ -23,7 +23,7 @@ fn degrees_of(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
 /// Degrees of freedom of the covariance: the smallest of all parameters.
 pub(super) fn degrees((parameters, _): Identified) -> f64 {
     let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
-    identified.map(|p| degrees_of(p, &parameters.residuals)).fold(f64::INFINITY, f64::min)
+    identified.map(|p| parameter_degrees_of_freedom(p, &parameters.residuals)).fold(f64::INFINITY, f64::min)
 }
 
 /// All parameters except those that no campaign identified.
@@ -41,7 +41,11 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         let estimate = |(entry, c): (&Option<&ParameterEntry>, &Identified)| {
             let entry = entry.filter(|e| e.status == ParameterStatus::Identified)?;
             let standard_uncertainty = entry.standard_uncertainty.unwrap_or(f64::NAN);
-            Some(Estimate { value: entry.value, standard_uncertainty, degrees: degrees_of(entry, &c.0.residuals) })
+            Some(Estimate {
+                value: entry.value,
+                standard_uncertainty,
+                degrees: parameter_degrees_of_freedom(entry, &c.0.residuals),
+            })
         };
         let estimates: Vec<Option<Estimate>> = entries.iter().zip(all).map(estimate).collect();
         match estimates.iter().flatten().count() {
@@ -52,7 +56,7 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         // only base and targets are fitted before the calibration
         let set_up = entries.iter().flatten().any(|e| e.before != e.nominal);
         let family = if set_up { CompareFamily::SetUp } else { CompareFamily::Robot };
-        trends.push(of_estimates((family, TrendName::Parameter(p.name.clone()), &p.unit), &estimates));
+        trends.push(trend_from_estimates((family, TrendName::Parameter(p.name.clone()), &p.unit), &estimates));
     }
     if !held.is_empty() {
         messages.push(warning!("parameters-not-in-all", parameters = held));

@@ -46,7 +46,7 @@ impl TrendName {
 }
 
 /// A quantity with standard uncertainties.
-pub(super) fn of_estimates(
+pub(super) fn trend_from_estimates(
     (family, name, unit): (CompareFamily, TrendName, &str),
     estimates: &[Option<Estimate>],
 ) -> CompareTrend {

@@ -59,7 +59,7 @@ fn arrays(given: &Given) -> Result<Vec<Array>> {
     ])
 }
 
-fn bytes_of<const N: usize, T: Copy>(values: &[T], bytes: impl Fn(T) -> [u8; N]) -> Vec<u8> {
+fn encode<const N: usize, T: Copy>(values: &[T], bytes: impl Fn(T) -> [u8; N]) -> Vec<u8> {
     values.iter().flat_map(|value| bytes(*value)).collect()
 }
 
@@ -98,18 +98,18 @@ fn npy(content: &Content) -> Vec<u8> {
             let longest = texts.iter().map(|text| text.chars().count()).max().unwrap_or(1).max(1);
             let padded = texts.iter().flat_map(|text| text.chars().chain(std::iter::repeat('\0')).take(longest));
             let characters: Vec<u32> = padded.map(u32::from).collect();
-            (format!("<U{longest}"), format!("({},)", texts.len()), bytes_of(&characters, u32::to_le_bytes))
+            (format!("<U{longest}"), format!("({},)", texts.len()), encode(&characters, u32::to_le_bytes))
         }
         Content::Numbers(numbers) => {
-            ("<f8".to_owned(), format!("({},)", numbers.len()), bytes_of(numbers, f64::to_le_bytes))
+            ("<f8".to_owned(), format!("({},)", numbers.len()), encode(numbers, f64::to_le_bytes))
         }
         Content::Places(places) => {
-            let data = bytes_of(places, |place| (place as u64).to_le_bytes());
+            let data = encode(places, |place| (place as u64).to_le_bytes());
             ("<u8".to_owned(), format!("({},)", places.len()), data)
         }
         Content::Matrix(rows) => {
             let shape = format!("({0}, {0})", rows.len());
-            ("<f8".to_owned(), shape, bytes_of(&rows.concat(), f64::to_le_bytes))
+            ("<f8".to_owned(), shape, encode(&rows.concat(), f64::to_le_bytes))
         }
     };
     let mut header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
@@ -174,16 +174,16 @@ impl Exporter for Mat {
 
 fn characters(text: &str) -> Vec<u8> {
     let units: Vec<u16> = text.encode_utf16().collect();
-    matrix(CHARACTERS, [1, units.len()], "", &element(UTF16, &bytes_of(&units, u16::to_le_bytes)))
+    matrix(CHARACTERS, [1, units.len()], "", &element(UTF16, &encode(&units, u16::to_le_bytes)))
 }
 
 fn doubles(size: [usize; 2], name: &str, values: &[f64]) -> Vec<u8> {
-    matrix(DOUBLES, size, name, &element(DOUBLE, &bytes_of(values, f64::to_le_bytes)))
+    matrix(DOUBLES, size, name, &element(DOUBLE, &encode(values, f64::to_le_bytes)))
 }
 
 fn matrix(class: u32, size: [usize; 2], name: &str, data: &[u8]) -> Vec<u8> {
-    let mut inside = element(UINT32, &bytes_of(&[class, 0], u32::to_le_bytes));
-    inside.extend(element(INT32, &bytes_of(&size, |n| (n as u32).to_le_bytes())));
+    let mut inside = element(UINT32, &encode(&[class, 0], u32::to_le_bytes));
+    inside.extend(element(INT32, &encode(&size, |n| (n as u32).to_le_bytes())));
     inside.extend(element(INT8, name.as_bytes()));
     inside.extend(data);
     element(MATRIX, &inside)
@@ -191,7 +191,7 @@ fn matrix(class: u32, size: [usize; 2], name: &str, data: &[u8]) -> Vec<u8> {
 
 /// A tag and its data, padded to a multiple of eight bytes.
 fn element(kind: u32, data: &[u8]) -> Vec<u8> {
-    let mut out = bytes_of(&[kind, data.len() as u32], u32::to_le_bytes);
+    let mut out = encode(&[kind, data.len() as u32], u32::to_le_bytes);
     out.extend(data);
     out.resize(out.len().next_multiple_of(8), 0);
     out

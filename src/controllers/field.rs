@@ -70,7 +70,7 @@ pub fn field_code(field: &FieldDocument) -> Result<Vec<(&'static str, Vec<u8>)>>
     let render = |(name, template): (&'static str, &str)| {
         let values = context! {
             version => field.provenance.version.as_str(),
-            synthetic => field.synthetic.as_deref().map(crate::of_synthetic),
+            synthetic => field.synthetic.as_deref().map(crate::synthetic_notice),
             sha256 => field.parameters_sha256.as_str(),
             joints => Serde(&field.joints),
             parameters => Serde(&moved),

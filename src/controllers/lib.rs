@@ -222,7 +222,7 @@ pub struct Description<'a> {
 }
 
 /// Statement that data are synthetic, with the campaign's explanation.
-pub(crate) fn of_synthetic(why: &str) -> String {
+pub(crate) fn synthetic_notice(why: &str) -> String {
     format!("SYNTHETIC DATA, not of a measured robot: {why}")
 }
 
@@ -267,7 +267,7 @@ impl<'a> Given<'a> {
     pub fn synthetic(&self) -> Option<String> {
         let of_campaign = || self.summary.and_then(|summary| summary.synthetic.as_ref());
         let why = self.parameters.synthetic.as_ref().or_else(of_campaign)?;
-        Some(of_synthetic(why))
+        Some(synthetic_notice(why))
     }
 
     /// Warning of formats without header lines: failed checks, otherwise a file that is not clearly

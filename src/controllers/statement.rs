@@ -146,7 +146,7 @@ impl Given<'_> {
         let names: Vec<&str> = left_out.iter().map(String::as_str).collect();
         if names.is_empty() {
             let set = self.accuracy.and_then(|accuracy| accuracy.sets.last()).filter(|_| self.is_whole(exporter));
-            let errors = set.and_then(|set| ControllerErrors::of(set, None));
+            let errors = set.and_then(|set| ControllerErrors::new(set, None));
             return Ok(Statement { errors, frame, ..Statement::default() });
         }
         let conditioned = self

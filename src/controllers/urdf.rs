@@ -66,7 +66,7 @@ impl Exporter for Urdf {
         let file = given.description.ok_or_else(|| super::other_robot(self.name(), robot, phrase!("kind-urdf")))?;
         let mut edits = Vec::new();
         let mut left_out = Vec::new();
-        edits_of(file.text, given, &mut edits, &mut left_out)
+        collect_edits(file.text, given, &mut edits, &mut left_out)
             .ok_or_else(|| error!("urdf-malformed", file = file.file))?;
         let mut lines = given.header_of_geometry("m, rad")?;
         lines.push(format!("origins of `{}` with identified errors", file.file));
@@ -107,7 +107,7 @@ fn holds_xacro(text: &str) -> bool {
 
 /// Collects changes of a file, and parameters that its format cannot state; `None` if the file is
 /// unreadable.
-fn edits_of(text: &str, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) -> Option<()> {
+fn collect_edits(text: &str, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) -> Option<()> {
     let mut reader = Reader::from_str(text);
     let (mut depth, mut joint) = (0usize, None::<Joint>);
     loop {

@@ -463,14 +463,14 @@ pub struct ErrorStatistics {
 
 impl AccuracySet {
     /// Statistics of one quantity, if its errors are counted.
-    pub fn of(&self, quantity: ErrorQuantity) -> Option<&ErrorStatistics> {
+    pub fn error_statistics(&self, quantity: ErrorQuantity) -> Option<&ErrorStatistics> {
         self.errors.iter().find(|e| e.quantity == quantity)
     }
 
     /// Statistics of the leading quantity: position if it was measured, otherwise the first other
     /// length.
     pub fn leading(&self) -> Option<&ErrorStatistics> {
-        self.of(ErrorQuantity::Position).or_else(|| self.errors.iter().find(|e| e.unit == "mm"))
+        self.error_statistics(ErrorQuantity::Position).or_else(|| self.errors.iter().find(|e| e.unit == "mm"))
     }
 }
 

@@ -196,7 +196,7 @@ impl Evidence<'_> {
         let mut all: Vec<Action> = self.load(verdict).into_iter().chain(self.measure_again()).collect();
         let effects = self.judged.accuracy.into_iter().flat_map(|a| &a.effects);
         all.extend(effects.filter(|e| !e.is_identified).map(add_effect));
-        all.extend(verdict.reasons.iter().filter_map(|reason| self.of_reason(reason, verdict)));
+        all.extend(verdict.reasons.iter().filter_map(|reason| self.remedy(reason, verdict)));
         all.extend(self.add_validation());
         all.extend(self.messages.iter().filter_map(|m| resolve(m)));
         let judges = self.judged.accuracy.is_some() || self.judged.tested.poses.is_some();
@@ -229,7 +229,7 @@ impl Evidence<'_> {
         let of = |file: &WrittenFile| {
             let of_format = |c: &&crate::ControllerFiles| c.formats.contains(&file.format);
             let left_out = self.judged.controllers.and_then(|c| c.files.iter().find(of_format));
-            left_out.map_or_else(|| ControllerErrors::of(set, None), |c| c.deciding().cloned())
+            left_out.map_or_else(|| ControllerErrors::new(set, None), |c| c.deciding().cloned())
         };
         let better = |e: &ControllerErrors| !e.is_hardly_better_than_nominal();
         let mut known: Vec<(&WrittenFile, ControllerErrors)> =
@@ -284,7 +284,7 @@ impl Evidence<'_> {
     }
 
     /// Step that removes a reason of the verdict.
-    fn of_reason(&self, reason: &Reason, verdict: &VerdictDocument) -> Option<Action> {
+    fn remedy(&self, reason: &Reason, verdict: &VerdictDocument) -> Option<Action> {
         let limit = |name: &LimitQuantity| verdict.limits.iter().find(|l| l.name == *name);
         match reason {
             Reason::LimitNotMet { limit: name } => self.meet(limit(name)?),
@@ -324,7 +324,7 @@ impl Evidence<'_> {
     /// Search for the cause of errors beyond a limit, which begins at the worst pose.
     fn meet(&self, limit: &LimitVerdict) -> Option<Action> {
         let (value, beyond) = (limit.value?, limit.value? - limit.limit);
-        let worst = limit.name.of_errors().and_then(|(quantity, _)| {
+        let worst = limit.name.limited_error().and_then(|(quantity, _)| {
             let deciding = self.judged.accuracy?.sets.iter().rfind(|s| s.count > 0)?.name;
             let all = self.errors.iter().filter(|e| e.set == deciding && e.quantity == quantity);
             all.max_by(|a, b| norm(a.after_mm).total_cmp(&norm(b.after_mm)))
@@ -351,7 +351,7 @@ impl Evidence<'_> {
         let enough = (limit.limit - value).abs();
         let what = phrase!("action-reduce-uncertainty", limit = limit.name.phrase());
         let (present, required) = (in_unit(u, limit), in_unit(enough, limit));
-        let source = limit.name.of_errors().and_then(|of| largest_source(self.judged.accuracy?, of));
+        let source = limit.name.limited_error().and_then(|of| largest_source(self.judged.accuracy?, of));
         let reason = match source {
             Some((source, share)) => phrase!(
                 "action-reduce-uncertainty-by-source",

@@ -124,7 +124,7 @@ impl From<&Statistics> for PositionErrors {
 
 impl ControllerErrors {
     /// Errors at a set of poses; `written` is `None` if the file holds the identified values.
-    pub fn of(set: &AccuracySet, written: Option<&Statistics>) -> Option<Self> {
+    pub fn new(set: &AccuracySet, written: Option<&Statistics>) -> Option<Self> {
         let ErrorStatistics { before, after, .. } = set.leading()?;
         let written = written.unwrap_or(after).into();
         Some(Self { set: set.name, nominal: before.into(), identified: after.into(), written })

@@ -264,7 +264,7 @@ impl FitDocument {
             // rounding at the farthest point is not a form deviation
             max_mm: depth,
             form_mm: depth,
-            ..Self::of_extremes(element, label, &residuals, method, found.iterations)
+            ..Self::from_extremes(element, label, &residuals, method, found.iterations)
         }
     }
 
@@ -296,7 +296,7 @@ impl FitDocument {
                 .map(|plane| FitFlatness { flatness_mm: plane.form_mm, contacts: FitContacts::new(plane) }),
             messages: found.warnings.iter().cloned().chain((!found.verified).then(unproved)).collect(),
             contacts: Some(contacts),
-            ..Self::of_extremes(
+            ..Self::from_extremes(
                 found.element.name(),
                 label,
                 &found.residuals_mm,
@@ -308,7 +308,13 @@ impl FitDocument {
 
     /// Document of an element that is defined by a few extreme points; their scatter yields no
     /// uncertainty.
-    fn of_extremes(element: &str, label: Option<String>, residuals: &[f64], method: Phrase, iterations: usize) -> Self {
+    fn from_extremes(
+        element: &str,
+        label: Option<String>,
+        residuals: &[f64],
+        method: Phrase,
+        iterations: usize,
+    ) -> Self {
         let (low, high) = residuals.iter().fold((0.0f64, 0.0f64), |(low, high), r| (low.min(*r), high.max(*r)));
         let squares: f64 = residuals.iter().map(|r| r * r).sum();
         Self {

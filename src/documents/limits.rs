@@ -70,7 +70,7 @@ impl Acceptance {
 
 impl Conformity {
     /// Combines the conformities of several values that must all be within a limit.
-    pub fn of_all(values: impl IntoIterator<Item = Self>) -> Self {
+    pub fn combine(values: impl IntoIterator<Item = Self>) -> Self {
         decision::Conformity::combine(values.into_iter().map(Into::into)).into()
     }
 }
@@ -117,7 +117,7 @@ impl LimitQuantity {
     }
 
     /// Limited error with its figure; `None` for characteristics of ISO 9283.
-    pub fn of_errors(self) -> Option<(ErrorQuantity, Figure)> {
+    pub fn limited_error(self) -> Option<(ErrorQuantity, Figure)> {
         match self {
             Self::PositionMaxMm => Some((ErrorQuantity::Position, Figure::Max)),
             Self::PositionMeanMm => Some((ErrorQuantity::Position, Figure::Mean)),
@@ -133,14 +133,14 @@ impl LimitQuantity {
 
     /// Error that the limit holds for one by one; `None` if it limits a statistic of several errors
     /// or a characteristic of ISO 9283.
-    pub fn of_each_error(self) -> Option<ErrorQuantity> {
-        self.of_errors().filter(|(_, figure)| *figure == Figure::Max).map(|(quantity, _)| quantity)
+    pub fn individually_limited_error(self) -> Option<ErrorQuantity> {
+        self.limited_error().filter(|(_, figure)| *figure == Figure::Max).map(|(quantity, _)| quantity)
     }
 }
 
 impl Figure {
     /// The figure among these statistics.
-    pub fn of(self, statistics: &Statistics) -> f64 {
+    pub fn value_in(self, statistics: &Statistics) -> f64 {
         match self {
             Self::Mean => statistics.mean,
             Self::Rms => statistics.rms,
@@ -185,7 +185,7 @@ pub struct LimitVerdict {
 
 impl LimitVerdict {
     /// Judges a value with its expanded uncertainty (k = 2).
-    pub fn of(name: LimitQuantity, limit: f64, value: f64, expanded: Option<f64>, rule: DecisionRule) -> Self {
+    pub fn judge(name: LimitQuantity, limit: f64, value: f64, expanded: Option<f64>, rule: DecisionRule) -> Self {
         let interval = expanded.map(|u| Interval { low_mm: value - u, high_mm: value + u });
         let probability = |u: f64| decision::conformity_probability(value, 0.5 * u, limit);
         let judged = Self {
@@ -244,7 +244,7 @@ mod tests {
     fn a_limit_is_met_where_its_rule_says_conforming() {
         for rule in [DecisionRule::SimpleAcceptance, DecisionRule::Guarded, DecisionRule::SharedRisk] {
             for (value, u) in [(0.30, Some(0.03)), (0.39, Some(0.03)), (0.41, Some(0.03)), (0.30, None)] {
-                let of = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.4, value, u, rule);
+                let of = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.4, value, u, rule);
                 assert_eq!(of.met, of.conformity == Conformity::Conforming, "{rule:?} {value} {u:?}");
                 assert_eq!(of.met, of.acceptance.is_accepted(), "{rule:?} {value} {u:?}");
             }
@@ -254,7 +254,7 @@ mod tests {
     /// The mean error of the sample abb-irb120 beside the figure of an independent fit.
     #[test]
     fn a_value_just_below_its_limit_is_undecided_or_accepted_with_its_risk() {
-        let of = |rule| LimitVerdict::of(LimitQuantity::PositionMeanMm, 0.122, 0.121, Some(0.015), rule);
+        let of = |rule| LimitVerdict::judge(LimitQuantity::PositionMeanMm, 0.122, 0.121, Some(0.015), rule);
         let guarded = of(DecisionRule::default());
         assert_eq!((guarded.conformity, guarded.acceptance), (Conformity::Neither, Acceptance::Undecided));
         let simple = of(DecisionRule::SimpleAcceptance);

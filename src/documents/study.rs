@@ -92,7 +92,7 @@ pub struct Spread {
 
 impl Spread {
     /// Percentiles of `values`; NaN if there are none.
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
+    pub fn new(values: impl IntoIterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.into_iter().collect();
         values.sort_by(f64::total_cmp);
         let last = values.len().saturating_sub(1) as f64;

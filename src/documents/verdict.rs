@@ -161,7 +161,7 @@ impl Reason {
     }
 
     /// Reason by which a limit is not simply passed.
-    fn of_limit(l: &LimitVerdict) -> Option<Self> {
+    fn from_limit(l: &LimitVerdict) -> Option<Self> {
         let limit = l.name;
         match (l.conformity, l.acceptance) {
             (Conformity::NotAssessable, _) => Some(Self::NotAssessable { limit }),
@@ -173,7 +173,7 @@ impl Reason {
     }
 
     /// Preconditions of a test by ISO 9283 that are not fulfilled.
-    fn of_test(document: &Iso9283Document, conditions: Option<&Conditions>) -> Vec<Self> {
+    fn from_test(document: &Iso9283Document, conditions: Option<&Conditions>) -> Vec<Self> {
         let mut all = Vec::new();
         let poses = document.poses.iter();
         let coarse: Vec<PoseName> =
@@ -198,7 +198,7 @@ impl Reason {
     }
 
     /// Conformities of single poses that no limit of the document combines.
-    fn of_poses(document: &Iso9283Document) -> Vec<Self> {
+    fn from_poses(document: &Iso9283Document) -> Vec<Self> {
         let poses = |wanted: Conformity| -> Vec<PoseName> {
             let has = |c: &PoseCharacteristic, p| {
                 (c.conformity)(p) == Some(wanted) && document.limits.iter().all(|l| l.name != c.limit)
@@ -216,13 +216,13 @@ impl Reason {
     }
 
     /// Model that leaves residuals several times the uncertainty of the instrument.
-    fn of_model(parameters: &ParametersDocument) -> Option<Self> {
+    fn from_residuals(parameters: &ParametersDocument) -> Option<Self> {
         let times = parameters.residuals.times_uncertainty().filter(|_| parameters.residuals.chi_square_rejected)?;
         (times > MISFIT).then_some(Self::ModelDoesNotFit { times })
     }
 
     /// Controller files that are hardly better than nominal parameters.
-    fn of_files(accuracy: &AccuracyDocument, controllers: Option<&ControllersDocument>) -> Vec<Self> {
+    fn from_controller_files(accuracy: &AccuracyDocument, controllers: Option<&ControllersDocument>) -> Vec<Self> {
         let of = |formats: &[String], errors: &ControllerErrors| {
             let ControllerErrors { nominal, written, .. } = *errors;
             errors.is_hardly_better_than_nominal().then(|| Self::HardlyBetter {
@@ -231,7 +231,7 @@ impl Reason {
                 written,
             })
         };
-        let whole = accuracy.sets.last().and_then(|set| ControllerErrors::of(set, None));
+        let whole = accuracy.sets.last().and_then(|set| ControllerErrors::new(set, None));
         let whole = whole.and_then(|errors| of(&[], &errors));
         let files = controllers.into_iter().flat_map(|c| &c.files);
         let files = files.filter_map(|f| of(&f.formats, f.deciding()?));
@@ -258,14 +258,14 @@ impl Judged<'_> {
         let given = self.accuracy.and_then(|accuracy| accuracy.given.as_ref());
         reasons.extend(given.is_some_and(|given| given.refused).then_some(Reason::GivenRefused));
         reasons.extend(self.controllers.is_some_and(|c| !c.is_complete()).then_some(Reason::FileRefused));
-        reasons.extend(self.limits().filter_map(Reason::of_limit));
+        reasons.extend(self.limits().filter_map(Reason::from_limit));
         if let Some(document) = &self.tested.poses {
-            reasons.extend(Reason::of_poses(document));
-            reasons.extend(Reason::of_test(document, self.conditions));
+            reasons.extend(Reason::from_poses(document));
+            reasons.extend(Reason::from_test(document, self.conditions));
         }
-        reasons.extend(self.parameters.filter(|p| p.is_plausible()).and_then(Reason::of_model));
+        reasons.extend(self.parameters.filter(|p| p.is_plausible()).and_then(Reason::from_residuals));
         if let (Some(accuracy), Some(_)) = (self.accuracy, self.parameters.filter(|p| p.is_plausible())) {
-            reasons.extend(Reason::of_files(accuracy, self.controllers));
+            reasons.extend(Reason::from_controller_files(accuracy, self.controllers));
         }
         // stable: reasons of one verdict stay in their order
         reasons.sort_by_key(|reason| std::cmp::Reverse(reason.acceptance()));

@@ -102,7 +102,7 @@ pub fn write(
     presentation: &Presentation,
     into: &mut impl Write,
 ) -> anyhow::Result<()> {
-    let words = Words::of(presentation.language);
+    let words = Words::new(presentation.language);
     let rows = rows(document, figures, (folder, &words));
     let (order, checks) = (order(figures), check_names(document));
     let page = html::batch(&contents(document, figures, &rows, &words), presentation, &words)?;
@@ -131,7 +131,7 @@ pub fn write(
             row.badness(),
             checked.into_iter().map(|c| [c.said, c.grade.to_owned()]).collect::<Vec<_>>(),
             entry.valid_until,
-            limits_of(row, &order, figures),
+            limits_by_column(row, &order, figures),
         ]);
         write!(into, "{}{}", if i > 0 { ",\n" } else { "" }, script_safe(&data)?)?;
     }
@@ -173,7 +173,7 @@ fn said(verdict: Acceptance, words: &Words) -> String {
 }
 
 /// Style of a verdict.
-fn grade_of(verdict: Acceptance) -> &'static str {
+fn verdict_grade(verdict: Acceptance) -> &'static str {
     match verdict {
         Acceptance::Pass => "good",
         Acceptance::Conditional => "warning",
@@ -184,7 +184,7 @@ fn grade_of(verdict: Acceptance) -> &'static str {
 
 fn grade(entry: &BatchEntry) -> &'static str {
     match (verdict(entry), entry.ended) {
-        (Some(verdict), _) => grade_of(verdict),
+        (Some(verdict), _) => verdict_grade(verdict),
         (None, BatchEnd::Skipped) => "open",
         (None, _) => "bad",
     }
@@ -217,7 +217,7 @@ fn check_name(name: &str, words: &Words) -> String {
 
 fn checked(entry: &BatchEntry, name: &str, words: &Words) -> Checked {
     let check = entry.checks.iter().find(|c| c.name == name);
-    check.map_or_else(Checked::default, |c| Checked { said: said(c.verdict, words), grade: grade_of(c.verdict) })
+    check.map_or_else(Checked::default, |c| Checked { said: said(c.verdict, words), grade: verdict_grade(c.verdict) })
 }
 
 /// Verdicts on each check, counted over all campaigns.
@@ -237,7 +237,7 @@ fn counted(document: &BatchDocument, checks: &[&str], words: &Words) -> Vec<Coun
 
 /// Limits of a campaign by the column of their quantity: of the validation poses if these have a
 /// value, otherwise of the calibration poses.
-fn limits_of(row: &Row, order: &[usize], figures: &BatchFigures) -> Vec<(usize, f64)> {
+fn limits_by_column(row: &Row, order: &[usize], figures: &BatchFigures) -> Vec<(usize, f64)> {
     let column = |name: &str| {
         let named = |k: &usize| figures.quantities.get_index(order[*k]).is_some_and(|q| q.name == name);
         (0..order.len()).filter(|k| row.figures[order[*k]].is_some()).find(named)
@@ -245,7 +245,7 @@ fn limits_of(row: &Row, order: &[usize], figures: &BatchFigures) -> Vec<(usize, 
     let of = |check: &BatchCheck| {
         let limit = check.limit?;
         let quantity = LimitQuantity::ALL.iter().find(|q| q.to_string() == check.name)?;
-        let place = match (quantity.of_errors(), quantity) {
+        let place = match (quantity.limited_error(), quantity) {
             (Some((errors, figure)), _) => {
                 let statistic = match figure {
                     etalon_documents::Figure::Max => "max",

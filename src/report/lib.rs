@@ -115,7 +115,7 @@ impl<'a> Report<'a> {
         let subtitle = match self.identified {
             Some(i) => match sections::conditions::robot_name(self) {
                 Some(name) => tr!(words, "calibration-report-of-robot", robot = isolated(&one_line(&name))),
-                None => of_model(i.parameters, words),
+                None => model_title(i.parameters, words),
             },
             None if self.tested.is_empty() && self.geometric.is_some() => tr!(words, "geometry-alone-title"),
             None => sections::verdict::title(self.tested, words),
@@ -149,34 +149,37 @@ impl<'a> Report<'a> {
         let mut all = Vec::new();
         if let Some(i) = self.identified {
             let description = tr!(words, "attached-parameters");
-            all.push(Attachment::of("parameters.json", "data", description, i.parameters));
-            all.push(Attachment::of("accuracy.json", "data", tr!(words, "attached-accuracy"), i.accuracy));
+            all.push(Attachment::new("parameters.json", "data", description, i.parameters));
+            all.push(Attachment::new("accuracy.json", "data", tr!(words, "attached-accuracy"), i.accuracy));
         }
         all.extend(
-            self.geometric.map(|d| Attachment::of("geometric.json", "data", tr!(words, "attached-geometric"), d)),
+            self.geometric.map(|d| Attachment::new("geometric.json", "data", tr!(words, "attached-geometric"), d)),
         );
         all.extend(
-            self.controllers.map(|d| Attachment::of("controllers.json", "data", tr!(words, "attached-controllers"), d)),
+            self.controllers
+                .map(|d| Attachment::new("controllers.json", "data", tr!(words, "attached-controllers"), d)),
         );
         let Characteristics { poses, streams, compliance } = self.tested;
         all.extend(
-            poses.as_ref().map(|d| Attachment::of("iso9283.json", "data", tr!(words, "attached-characteristics"), d)),
+            poses.as_ref().map(|d| Attachment::new("iso9283.json", "data", tr!(words, "attached-characteristics"), d)),
         );
         all.extend(
-            streams.as_ref().map(|d| Attachment::of("iso9283-streams.json", "data", tr!(words, "attached-streams"), d)),
+            streams
+                .as_ref()
+                .map(|d| Attachment::new("iso9283-streams.json", "data", tr!(words, "attached-streams"), d)),
         );
         all.extend(
             compliance
                 .as_ref()
-                .map(|d| Attachment::of("iso9283-compliance.json", "data", tr!(words, "attached-compliance"), d)),
+                .map(|d| Attachment::new("iso9283-compliance.json", "data", tr!(words, "attached-compliance"), d)),
         );
-        all.push(Attachment::of("campaign.json", "source", tr!(words, "attached-campaign"), self.campaign));
+        all.push(Attachment::new("campaign.json", "source", tr!(words, "attached-campaign"), self.campaign));
         all.into_iter().collect()
     }
 }
 
 /// Title of the calibration of a robot without a name.
-fn of_model(document: &ParametersDocument, words: &Words) -> String {
+fn model_title(document: &ParametersDocument, words: &Words) -> String {
     tr!(words, "calibration-report-of-model", model = words.model(&document.robot))
 }
 
@@ -204,7 +207,7 @@ impl Head<'_> {
         contents.date = campaign.and_then(|c| c.date.clone());
         contents.synthetic = campaign.and_then(|c| c.synthetic.clone()).into_iter().collect();
         let mut origin = match provenance {
-            Some(provenance) => sections::provenance::of(provenance, &[], words),
+            Some(provenance) => sections::provenance::section_from_provenance(provenance, &[], words),
             None => Section::new("provenance", tr!(words, "provenance")),
         };
         if let Some(c) = campaign {
@@ -237,7 +240,7 @@ struct Attachment {
 }
 
 impl Attachment {
-    fn of<T: Serialize>(
+    fn new<T: Serialize>(
         name: &'static str,
         relationship: &'static str,
         description: String,
@@ -293,14 +296,14 @@ impl Renderer {
     /// Creates the report of a campaign.
     pub fn campaign(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         Ok(Self::new(report.contents(&words), report.attachments(&words)?, presentation, words))
     }
 
     /// Creates the report of a comparison of campaigns.
     pub fn comparison(document: &CompareDocument, presentation: Presentation) -> Result<Self> {
         use sections::changes::{lead, sections, verdict};
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let synthetic = document
             .campaigns
             .iter()
@@ -315,14 +318,14 @@ impl Renderer {
             sections: sections(document, &words),
             ..Contents::default()
         };
-        let attachments = vec![Attachment::of("compare.json", "data", tr!(words, "attached-changes"), document)?];
+        let attachments = vec![Attachment::new("compare.json", "data", tr!(words, "attached-changes"), document)?];
         Ok(Self::new(contents, attachments, presentation, words))
     }
 
     /// Creates the report of a plan.
     pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::plan::{sections, verdict};
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let robot = words.model(&document.robot);
         let contents = Contents {
             title: tr!(words, "poses-to-measure"),
@@ -332,16 +335,16 @@ impl Renderer {
             sections: sections(document, &words),
             ..Contents::default()
         };
-        let attachments = vec![Attachment::of("plan.json", "data", tr!(words, "attached-plan"), document)?];
+        let attachments = vec![Attachment::new("plan.json", "data", tr!(words, "attached-plan"), document)?];
         Ok(Self::new(contents, attachments, presentation, words))
     }
 
     /// Creates the report of a frame of a robot cell, with the lines for a controller.
     pub fn cell(document: &CellDocument, lines: Option<CellLines>, presentation: Presentation) -> Result<Self> {
         use sections::cell::{sections, verdict};
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let mut sections = sections(document, lines, &words);
-        sections.extend(sections::provenance::of(&document.provenance, &[], &words).whole());
+        sections.extend(sections::provenance::section_from_provenance(&document.provenance, &[], &words).whole());
         let contents = Contents {
             title: tr!(words, "cell-title", solve = document.solve),
             subtitle: tr!(words, "cell-subtitle", readings = document.readings),
@@ -349,7 +352,7 @@ impl Renderer {
             sections,
             ..Contents::default()
         };
-        let attached = Attachment::of("cell.json", "data", tr!(words, "attached-cell"), document)?;
+        let attached = Attachment::new("cell.json", "data", tr!(words, "attached-cell"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
@@ -357,21 +360,21 @@ impl Renderer {
     pub fn test(tested: &Characteristics) -> Self {
         let words = Words::default();
         let title = sections::verdict::title(tested, &words);
-        let verdict = sections::verdict::of_test(tested, &words);
+        let verdict = sections::verdict::test_verdict(tested, &words);
         Self::without_campaign(title, verdict, sections::tested(tested, &words), words)
     }
 
     /// Creates the report of given parameters that were judged on the data of a campaign.
     pub fn validation(document: &AccuracyDocument, presentation: Presentation) -> Result<Self> {
-        let words = Words::of(presentation.language);
-        let verdict = sections::verdict::of_validation(document, &words);
+        let words = Words::new(presentation.language);
+        let verdict = sections::verdict::validation_verdict(document, &words);
         let limits: Vec<_> = document.limits.iter().collect();
-        let limits = sections::limits::of(&limits, false, &words);
-        let errors = sections::errors::of(document, &[], &words);
-        let field = document.field.as_ref().and_then(|field| sections::field::of_field(field, &words));
+        let limits = sections::limits::section_from_verdicts(&limits, false, &words);
+        let errors = sections::errors::section_from_errors(document, &[], &words);
+        let field = document.field.as_ref().and_then(|field| sections::field::section_from_summary(field, &words));
         let sections = limits.into_iter().chain([errors]).chain(field).collect();
         let title = tr!(words, "validation-of-given-parameters");
-        let attached = Attachment::of("accuracy.json", "data", tr!(words, "attached-validation"), document)?;
+        let attached = Attachment::new("accuracy.json", "data", tr!(words, "attached-validation"), document)?;
         let subtitle = document.campaign.as_ref().map(|c| isolated(&one_line(&c.name))).unwrap_or_default();
         let contents = Contents { title, subtitle, verdict, sections, ..Contents::default() };
         let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
@@ -382,7 +385,7 @@ impl Renderer {
     /// Creates the report on whether given parameters still apply.
     pub fn verification(document: &VerificationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{still_valid, verification};
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let contents = Contents {
             title: tr!(words, "verification-of-identified-parameters"),
             subtitle: named(&document.robot, &words),
@@ -392,14 +395,14 @@ impl Renderer {
         };
         let head = Head { label: tr!(words, "campaign-of-parameters"), campaign: document.calibration.as_ref() };
         let contents = head.on(contents, Some(&document.provenance), &words);
-        let attached = Attachment::of("verification.json", "data", tr!(words, "attached-verified"), document)?;
+        let attached = Attachment::new("verification.json", "data", tr!(words, "attached-verified"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
     /// Creates the report of poses that verify parameters.
     pub fn verification_plan(document: &VerificationPlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{chosen, poses_to_verify};
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let contents = Contents {
             title: tr!(words, "poses-to-verify-identified-parameters"),
             subtitle: named(&document.robot, &words),
@@ -407,14 +410,15 @@ impl Renderer {
             sections: poses_to_verify(document, &words),
             ..Contents::default()
         };
-        let attached = Attachment::of("verification-plan.json", "data", tr!(words, "attached-verification"), document)?;
+        let attached =
+            Attachment::new("verification-plan.json", "data", tr!(words, "attached-verification"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
     /// Creates the report of recommended parameters.
     pub fn recommendation(document: &RecommendationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{recommendation, recommended};
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let contents = Contents {
             title: tr!(words, "recommendation-title"),
             subtitle: named(&document.robot, &words),
@@ -424,7 +428,7 @@ impl Renderer {
         };
         let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
         let contents = head.on(contents, Some(&document.recommended.provenance), &words);
-        let attached = Attachment::of("recommendation.json", "data", tr!(words, "attached-recommendation"), document)?;
+        let attached = Attachment::new("recommendation.json", "data", tr!(words, "attached-recommendation"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
@@ -437,7 +441,7 @@ impl Renderer {
     /// Creates the certificate of a campaign for the customer: a draft until all fields are stated.
     pub fn certificate(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let contents = sections::certificate::contents(report, report.contents(&words), &words);
         Ok(Self::new(contents, report.attachments(&words)?, presentation, words))
     }
@@ -445,17 +449,20 @@ impl Renderer {
     /// Creates the report of an identification without a campaign.
     pub fn identification(document: &ParametersDocument) -> Self {
         let words = Words::default();
-        let title = of_model(document, &words);
-        let verdict = sections::verdict::of_identification(document, &words);
-        let parameters = sections::parameters::of(document, &words);
-        let sections = vec![parameters.on_terminal(), sections::fit::of(document, Vec::new(), &words).on_terminal()];
+        let title = model_title(document, &words);
+        let verdict = sections::verdict::identification_verdict(document, &words);
+        let parameters = sections::parameters::section_from_document(document, &words);
+        let sections = vec![
+            parameters.on_terminal(),
+            sections::fit::section_from_document(document, Vec::new(), &words).on_terminal(),
+        ];
         Self::without_campaign(title, verdict, sections, words)
     }
 
     /// Creates the report of distributions of a campaign's results.
     pub fn uncertainty(document: &UncertaintyDocument, presentation: Presentation) -> Result<Self> {
         use sections::distributions::{sections, verdict};
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let contents = Contents {
             title: tr!(words, "uncertainties-of-robot", robot = isolated(&one_line(&document.robot))),
             verdict: verdict(document, &words),
@@ -464,14 +471,14 @@ impl Renderer {
         };
         let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
         let contents = head.on(contents, Some(&document.provenance), &words);
-        let attached = Attachment::of("uncertainty.json", "data", tr!(words, "attached-distributions"), document)?;
+        let attached = Attachment::new("uncertainty.json", "data", tr!(words, "attached-distributions"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
     /// Creates the protocol of the validation of an installation.
     pub fn selftest(document: &SelftestDocument, presentation: Presentation) -> Result<Self> {
         use sections::selftest::{sections, verdict};
-        let words = Words::of(presentation.language);
+        let words = Words::new(presentation.language);
         let machine = &document.machine;
         let (version, system) = (&document.program.version, &machine.system);
         let contents = Contents {
@@ -483,7 +490,7 @@ impl Renderer {
             signed: true,
             ..Contents::default()
         };
-        let attached = Attachment::of("selftest.json", "data", tr!(words, "attached-selftest"), document)?;
+        let attached = Attachment::new("selftest.json", "data", tr!(words, "attached-selftest"), document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
 

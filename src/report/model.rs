@@ -154,12 +154,12 @@ pub(crate) enum Grade {
 
 impl Grade {
     /// Good if `met`, otherwise bad.
-    pub fn of(met: bool) -> Self {
+    pub fn from_met(met: bool) -> Self {
         if met { Self::Good } else { Self::Bad }
     }
 
     /// Style of a verdict; open if nothing was judged.
-    pub fn of_verdict(verdict: Option<Acceptance>) -> Self {
+    pub fn from_verdict(verdict: Option<Acceptance>) -> Self {
         match verdict {
             Some(Acceptance::Pass) => Self::Good,
             Some(Acceptance::Conditional) => Self::Conditional,
@@ -283,7 +283,7 @@ enum Mark {
 
 impl Text {
     /// A text; parts between backticks in a sentence are keys or names.
-    fn of(text: String, mark: Mark) -> Self {
+    fn new(text: String, mark: Mark) -> Self {
         let is_sentence = matches!(mark, Mark::Own | Mark::English);
         if !is_sentence || !text.contains('`') || !text.matches('`').count().is_multiple_of(2) {
             return Self(vec![Run { text, mark, tip: None }]);
@@ -298,12 +298,12 @@ impl Text {
 
     /// A name, isolated from its surroundings.
     pub fn name(text: &str) -> Self {
-        Self::of(one_line(text), Mark::Name)
+        Self::new(one_line(text), Mark::Name)
     }
 
     /// A text of a document, in English in every language.
     pub fn english(text: &str) -> Self {
-        Self::of(text.to_owned(), Mark::English)
+        Self::new(text.to_owned(), Mark::English)
     }
 
     /// A text of a document in the language of the report; English without a catalogue entry.
@@ -313,14 +313,14 @@ impl Text {
 
     /// A line of a file, or a checksum.
     pub fn code(text: &str) -> Self {
-        Self::of(one_line(text), Mark::Code)
+        Self::new(one_line(text), Mark::Code)
     }
 
     /// Explanation of a message, in English in every language.
     fn explanation(entry: &Entry, words: &Words) -> Self {
         let of = |text: &str| Self::from(" ").and(Self::english(text));
         let label = |label: String| Self::from(" ").and(label);
-        let id = Self::of(entry.id.to_owned(), Mark::Explained);
+        let id = Self::new(entry.id.to_owned(), Mark::Explained);
         id.and(": ")
             .and(Self::english(&entry.meaning))
             .and(of(&entry.reason))
@@ -352,7 +352,7 @@ impl Text {
 
 impl From<String> for Text {
     fn from(text: String) -> Self {
-        Self::of(text, Mark::Own)
+        Self::new(text, Mark::Own)
     }
 }
 
@@ -497,7 +497,7 @@ impl From<Text> for Cell {
 
 impl From<&str> for Cell {
     fn from(name: &str) -> Self {
-        Text::of(name.to_owned(), Mark::Name).into()
+        Text::new(name.to_owned(), Mark::Name).into()
     }
 }
 
@@ -681,7 +681,7 @@ impl<'a, T> Columns<'a, T> {
     }
 
     /// Adds the columns of another table with these titles to the page.
-    pub fn page_of(mut self, table: Self, titles: &[&str]) -> Self {
+    pub fn page_columns(mut self, table: Self, titles: &[&str]) -> Self {
         let english = Words::default();
         let shown = table.0.into_iter().filter(|c| titles.contains(&c.title.shown(&english).as_str()));
         self.0.extend(shown.map(|c| Column { on: On::Page, ..c }));
@@ -747,7 +747,7 @@ struct Titled {
 
 impl Table {
     /// Creates a table with one row per record.
-    pub fn of<'a, T: 'a>(
+    pub fn new<'a, T: 'a>(
         words: &Words,
         records: impl IntoIterator<Item = &'a T>,
         Columns(columns): Columns<'a, T>,

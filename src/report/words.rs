@@ -33,7 +33,7 @@ pub(crate) struct Words {
 
 impl Words {
     /// Texts of a language.
-    pub fn of(language: Language) -> Self {
+    pub fn new(language: Language) -> Self {
         Self { language }
     }
 
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn numbers_have_the_decimal_mark_of_the_language_and_names_keep_their_point() {
-        let german = Words::of(Language::De);
+        let german = Words::new(Language::De);
         for (text, shown) in [
             ("0.39 ± 0.03", "0,39 ± 0,03"),
             ("-1.5e-12 mm", "-1,5e-12 mm"),

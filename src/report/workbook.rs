@@ -111,7 +111,7 @@ fn summary(contents: &Contents, words: &Words) -> Table {
         .sheet(phrase!("head-what"), "", |f| f.what.as_str())
         .sheet(phrase!("value"), "", |f| f.said.clone())
         .sheet(phrase!("unit"), "", |f| f.unit);
-    Table::of(words, stated, columns).on(phrase!("sheet-summary"))
+    Table::new(words, stated, columns).on(phrase!("sheet-summary"))
 }
 
 fn sheet<'a>(name: &'a Phrase, table: &'a Table) -> Sheet<'a> {

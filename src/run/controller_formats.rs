@@ -87,7 +87,7 @@ fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(OwnFormat, S
     let path = campaign.resolve(name)?;
     let (text, bytes) = etalon_formats::read_text(&path, None, &campaign.place(name))?;
     let format = own_format(name.get_ref(), text, campaign.place(name))?;
-    let (stamp, holds) = (Stamp::of(&bytes), phrase!("controller-template"));
+    let (stamp, holds) = (Stamp::new(&bytes), phrase!("controller-template"));
     let source = Source {
         file: name.get_ref().clone(),
         sha256: stamp.sha256,

@@ -136,7 +136,7 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, not_exported: &NotEx
     let of_pose = campaign.file.identify.as_ref().is_some_and(|identify| identify.residuals == ResidualKind::Pose);
     if of_pose && robot.platform().is_none() {
         let message = error!("pose-residuals-not-planar", model = robot.model());
-        let place = campaign.place_of(&["identify", "residuals"]);
+        let place = campaign.key_place(&["identify", "residuals"]);
         problems.0.push(message.hint(phrase!("remedy", remedy = "compare-targets")).at(place));
     }
     let foreign: Vec<_> =
@@ -153,12 +153,12 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, not_exported: &NotEx
     {
         let named = |name: &&String| targets.iter().any(|t| t.get_ref() == *name);
         for target in robot.targets().iter().filter(|t| !named(t)) {
-            problems.0.push(error!("targets-incomplete", target).at(campaign.place_of(&["join", "targets"])));
+            problems.0.push(error!("targets-incomplete", target).at(campaign.key_place(&["join", "targets"])));
         }
     }
     let drawn = campaign.file.geometric.as_ref().is_some_and(|g| g.workspace.is_some());
     if drawn && robot.rail_table().is_some_and(|table| table.travel_mm().is_none()) {
-        problems.0.push(error!("travel-missing").at(campaign.place_of(&["geometric", "workspace"])));
+        problems.0.push(error!("travel-missing").at(campaign.key_place(&["geometric", "workspace"])));
     }
     for (i, export) in campaign.file.exports.iter().enumerate() {
         if !campaign.export_reads(i) {
@@ -196,7 +196,7 @@ pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Proble
         let named = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         let same = campaign.file.logs.iter().filter(|l| l.name == log.name).count();
         if log.name.is_empty() || !log.name.chars().all(named) || same > 1 {
-            let stated = |path: &[&str]| Some(campaign.place_of(path)).filter(|place| place.line.is_some());
+            let stated = |path: &[&str]| Some(campaign.key_place(path)).filter(|place| place.line.is_some());
             let place = stated(&["log", "name"]).or_else(|| stated(&["log", &i.to_string(), "name"]));
             let place =
                 place.filter(|_| !campaign.unread.affects(&["log"])).unwrap_or_else(|| campaign.place(&log.file));
@@ -249,7 +249,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
         return problems.0.extend(unnamed);
     }
     for target in missing {
-        let message = error!("target-not-exported", target).at(campaign.place_of(&["join"]));
+        let message = error!("target-not-exported", target).at(campaign.key_place(&["join"]));
         problems.0.push(message.hint_names(target, measured.iter().copied()));
     }
 }

@@ -32,7 +32,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         stated.push(("contact", "repeatability_um", contact.repeatability_um));
         stated.push(("contact", "coverage_factor", contact.coverage_factor));
         if file.identify.as_ref().is_some_and(|identify| identify.residuals == ResidualKind::Pose) {
-            problems.0.push(error!("contact-without-targets").at(campaign.place_of(&["contact"])));
+            problems.0.push(error!("contact-without-targets").at(campaign.key_place(&["contact"])));
         }
     }
     if let Some(tool) = &file.tool {
@@ -40,7 +40,7 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
         stated.push(("tool", "coverage_factor", tool.coverage_factor));
     }
     for (section, key, value) in stated {
-        let place = || campaign.place_of(&[section, key]);
+        let place = || campaign.key_place(&[section, key]);
         if value <= 0.0 {
             let message = error!("key-not-positive", key).at(place());
             problems.0.push(message.hint(phrase!("uncertainty-source", section)));
@@ -89,10 +89,10 @@ fn valid_until(campaign: &Campaign, problems: &mut Problems) {
             }
             () => None,
         };
-        problems.0.extend(error.map(|error| error.at(campaign.place_of(&["valid_for_months"]))));
+        problems.0.extend(error.map(|error| error.at(campaign.key_place(&["valid_for_months"]))));
     }
     let Some(stated) = &campaign.file.valid_until else { return };
-    let place = || campaign.place_of(&["valid_until"]);
+    let place = || campaign.key_place(&["valid_until"]);
     let Some(last) = date(stated).filter(|_| stated.len() == 10) else {
         problems.0.push(error!("valid-until-no-date", date = stated).at(place()));
         return;
@@ -108,7 +108,7 @@ fn valid_until(campaign: &Campaign, problems: &mut Problems) {
 fn limits(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     for (quantity, limit) in file.limits.stated() {
-        let place = || campaign.place_of(&["limits", quantity.into()]);
+        let place = || campaign.key_place(&["limits", quantity.into()]);
         if limit <= 0.0 {
             problems.0.push(error!("key-not-positive", key = quantity.to_string()).at(place()));
         }
@@ -132,14 +132,14 @@ fn observations(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     if file.instrument.expanded_rotation_uncertainty_deg.is_some_and(|u| u <= 0.0) {
         let key = "expanded_rotation_uncertainty_deg";
-        problems.0.push(error!("key-not-positive", key).at(campaign.place_of(&["instrument", key])));
+        problems.0.push(error!("key-not-positive", key).at(campaign.key_place(&["instrument", key])));
     }
     if file.observations.is_empty() {
         return;
     }
     let beside = [("export", !file.exports.is_empty()), ("log", !file.logs.is_empty()), ("join", file.join.is_some())];
     for (section, _) in beside.iter().filter(|(_, stated)| *stated) {
-        problems.0.push(error!("section-beside-observations", section).at(campaign.place_of(&[section])));
+        problems.0.push(error!("section-beside-observations", section).at(campaign.key_place(&[section])));
     }
 }
 
@@ -170,7 +170,7 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
         let line = |key: &str| if key == "tolerance_s" { "`tolerance_s = 0.05`" } else { "`clock_offset_s = 0.0`" };
         let lines: Vec<&str> = clocks.iter().filter(|(_, stated)| !stated).map(|(key, _)| line(key)).collect();
         let message = error!("join-clock-missing", keys, lines, standstill = standstill_line(campaign));
-        problems.0.push(message.at(campaign.place_of(&["join", "by"])));
+        problems.0.push(message.at(campaign.key_place(&["join", "by"])));
     }
     let estimated = join.clock_offset_s == Some(ClockOffset::Standstills);
     for log in file.logs.iter().filter(|_| !campaign.unread.affects(&["log"]) && by_time) {
@@ -179,18 +179,18 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
             (_, true, true) => error!("interpolate-with-standstills", log = log.name),
             _ => continue,
         };
-        problems.0.push(message.at(campaign.place_of(&["join", "by"])));
+        problems.0.push(message.at(campaign.key_place(&["join", "by"])));
     }
     if join.clock_rate.is_some() && by_time && !estimated {
-        problems.0.push(error!("clock-rate-without-offset").at(campaign.place_of(&["join", "clock_rate"])));
+        problems.0.push(error!("clock-rate-without-offset").at(campaign.key_place(&["join", "clock_rate"])));
     }
     let rate = ("clock_rate", join.clock_rate.is_some());
     let beside = [clocks[0], clocks[1], rate, ("interpolate", join.interpolate)];
     for (key, _) in beside.iter().filter(|(_, stated)| *stated && !by_time) {
-        problems.0.push(error!("key-of-other-join", key, by = "time").at(campaign.place_of(&["join", key])));
+        problems.0.push(error!("key-of-other-join", key, by = "time").at(campaign.key_place(&["join", key])));
     }
     if join.tolerance_s.is_some_and(|t| t < 0.0) {
-        problems.0.push(error!("key-negative", key = "tolerance_s").at(campaign.place_of(&["join", "tolerance_s"])));
+        problems.0.push(error!("key-negative", key = "tolerance_s").at(campaign.key_place(&["join", "tolerance_s"])));
     }
     for station in file.exports.iter().filter_map(|export| export.station.as_ref()).filter(|_| join.by == JoinBy::Label)
     {
@@ -200,7 +200,7 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
         let column = log.keys().find(|key| key.get_ref() == LABEL);
         match (column, join.by == JoinBy::Label) {
             (None, true) => {
-                problems.0.push(error!("join-label-missing", log = log.name).at(campaign.place_of(&["join", "by"])));
+                problems.0.push(error!("join-label-missing", log = log.name).at(campaign.key_place(&["join", "by"])));
             }
             (Some(key), false) => {
                 problems.0.push(error!("key-of-other-join", key = LABEL, by = "label").at(campaign.place(key)));
@@ -242,7 +242,7 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
         |input: &PathBuf| matches!((place(input), &folder), (Some(input), Some(folder)) if input.starts_with(folder));
     if let Some(input) = inputs.into_iter().find(within) {
         let input = input.display().to_string();
-        problems.0.push(error!("input-in-output-folder", input).at(campaign.place_of(&["output"])));
+        problems.0.push(error!("input-in-output-folder", input).at(campaign.key_place(&["output"])));
     }
 }
 
@@ -259,7 +259,7 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
             if campaign.unread.affects(&["feature", name]) {
                 continue;
             }
-            problems.0.push(error!("feature-element", feature = name).at(campaign.place_of(&["feature", name])));
+            problems.0.push(error!("feature-element", feature = name).at(campaign.key_place(&["feature", name])));
             continue;
         };
         for (i, label) in labels.iter().enumerate() {
@@ -320,16 +320,16 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
         problems.0.push(error!("file-name-empty").at(campaign.place(name)));
     }
     if file.date.as_deref().is_some_and(|text| date(text).is_none()) {
-        problems.0.push(error!("date-invalid").at(campaign.place_of(&["date"])));
+        problems.0.push(error!("date-invalid").at(campaign.key_place(&["date"])));
     }
     if let Some(value) = file.temperature_c.filter(|t| !TEMPERATURES_C.contains(t)) {
         let (least, most) = (*TEMPERATURES_C.start(), *TEMPERATURES_C.end());
         let message = error!("temperature-implausible", value, least, most);
-        problems.0.push(message.at(campaign.place_of(&["temperature_c"])));
+        problems.0.push(message.at(campaign.key_place(&["temperature_c"])));
     }
     let Some(geometric) = &file.geometric else { return };
     if let Some((missing, step)) = geometric.missing().first() {
-        problems.0.push(error!("geometric-step-missing", missing, step).at(campaign.place_of(&["geometric"])));
+        problems.0.push(error!("geometric-step-missing", missing, step).at(campaign.key_place(&["geometric"])));
     }
     if let Some(table) = geometric.table.first().filter(|_| !geometric.is_whole() || !campaign.identifies()) {
         problems.0.push(error!("errors-table-incomplete").at(campaign.place(&table.poses)));
@@ -350,7 +350,7 @@ fn common_errors(campaign: &Campaign, problems: &mut Problems) {
     let mut wrong = |path: &[&str], value: f64, range: std::ops::RangeInclusive<f64>, quantity: &str| {
         if !range.contains(&value) {
             let (key, least, most) = (path[path.len() - 1], *range.start(), *range.end());
-            let message = error!("key-out-of-range", key, value, least, most).at(campaign.place_of(path));
+            let message = error!("key-out-of-range", key, value, least, most).at(campaign.key_place(path));
             problems.0.push(message.hint(phrase!("plausible-value", quantity)));
         }
     };
@@ -391,7 +391,7 @@ fn common_errors(campaign: &Campaign, problems: &mut Problems) {
             };
             if stated.is_none() {
                 let message = error!("homing-incomplete", key, joint = joint.name, unit = joint.quantity.unit());
-                return problems.0.push(message.at(campaign.place_of(&["homing"])));
+                return problems.0.push(message.at(campaign.key_place(&["homing"])));
             }
         }
     }
@@ -401,11 +401,11 @@ fn common_errors(campaign: &Campaign, problems: &mut Problems) {
 fn without_use(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     if file.instrument.polar.is_some() && !file.observations.is_empty() {
-        problems.0.push(error!("polar-with-observations").at(campaign.place_of(&["instrument", "polar"])));
+        problems.0.push(error!("polar-with-observations").at(campaign.key_place(&["instrument", "polar"])));
     }
     for (section, stated) in [("expansion", file.expansion.is_some()), ("homing", file.homing.is_some())] {
         if stated && !campaign.identifies() {
-            problems.0.push(error!("section-without-identify", section).at(campaign.place_of(&[section])));
+            problems.0.push(error!("section-without-identify", section).at(campaign.key_place(&[section])));
         }
     }
 }
@@ -413,7 +413,7 @@ fn without_use(campaign: &Campaign, problems: &mut Problems) {
 /// Checks the numbers of `[conditions]`.
 pub(super) fn conditions(campaign: &Campaign, problems: &mut Problems) {
     let conditions = &campaign.file.conditions;
-    let mut wrong = |key: &str, message: Message| problems.0.push(message.at(campaign.place_of(&["conditions", key])));
+    let mut wrong = |key: &str, message: Message| problems.0.push(message.at(campaign.key_place(&["conditions", key])));
     for (key, value) in conditions.positive() {
         if value <= 0.0 {
             wrong(key, error!("key-not-positive", key));

@@ -433,8 +433,8 @@ fn parameters(robot: &dyn Robot, truth: &[f64], draws: &[Draw]) -> Vec<DesignPar
         unit: p.quantity.unit().to_owned(),
         nominal: p.quantity.outward(p.nominal),
         actual: p.quantity.outward(truth[i]),
-        mean: Spread::of(draws.iter().map(|d| p.quantity.outward(d.mean[i]))),
-        three_standard_deviations: Spread::of(draws.iter().map(|d| 3.0 * p.quantity.outward(d.standard_deviation[i]))),
+        mean: Spread::new(draws.iter().map(|d| p.quantity.outward(d.mean[i]))),
+        three_standard_deviations: Spread::new(draws.iter().map(|d| 3.0 * p.quantity.outward(d.standard_deviation[i]))),
     };
     robot.parameters().iter().enumerate().map(one).collect()
 }
@@ -456,8 +456,8 @@ fn error_spreads(draws: &[Vec<Landing>]) -> Vec<DesignError> {
         DesignError {
             quantity: quantity.to_owned(),
             unit: unit.to_owned(),
-            rms: Spread::of(draws.iter().map(rms)),
-            max: Spread::of(draws.iter().map(largest)),
+            rms: Spread::new(draws.iter().map(rms)),
+            max: Spread::new(draws.iter().map(largest)),
         }
     };
     let all = quantities.map(one);

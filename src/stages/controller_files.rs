@@ -99,7 +99,7 @@ fn errors(robot: &dyn Robot, found: &Identified, values: &[f64]) -> Result<Vec<C
         let leading = set.leading()?.quantity;
         let of_set = written.iter().filter(|e| e.set == set.name && e.quantity == leading);
         let sizes = of_set.filter_map(|e| Some(norm(e.after_mm) / e.own_share()?)).collect();
-        ControllerErrors::of(set, Some(&summarise(sizes)))
+        ControllerErrors::new(set, Some(&summarise(sizes)))
     };
     Ok(found.accuracy.sets.iter().filter_map(of_set).collect())
 }

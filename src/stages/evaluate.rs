@@ -450,7 +450,7 @@ fn body_rotation_per_mm(measured: &[Vector], planar: bool) -> Option<f64> {
 
 /// Definition of the errors by the quantities that were measured.
 fn error_of_targets(sets: &[AccuracySet]) -> Phrase {
-    let measured = |quantity| sets.iter().any(|s| s.of(quantity).is_some());
+    let measured = |quantity| sets.iter().any(|s| s.error_statistics(quantity).is_some());
     match (measured(ErrorQuantity::Position), measured(ErrorQuantity::Orientation)) {
         (true, true) => phrase!("error-of-targets"),
         (true, false) => phrase!("error-of-positions"),
@@ -510,11 +510,11 @@ pub fn evaluate(
 fn verdicts(limits: &Limits, judged: Option<&AccuracySet>, uncertainty: &ErrorUncertainty) -> Vec<LimitVerdict> {
     let rule = limits.decision_rule.unwrap_or_default();
     let verdict = |(name, limit): (LimitQuantity, f64)| {
-        let (quantity, figure) = name.of_errors()?;
-        Some(match judged.and_then(|set| set.of(quantity)) {
+        let (quantity, figure) = name.limited_error()?;
+        Some(match judged.and_then(|set| set.error_statistics(quantity)) {
             Some(errors) => {
                 let expanded = uncertainty.expanded(quantity, figure);
-                LimitVerdict::of(name, limit, figure.of(&errors.after), expanded, rule)
+                LimitVerdict::judge(name, limit, figure.value_in(&errors.after), expanded, rule)
             }
             None => LimitVerdict::not_assessable(name, limit, rule),
         })

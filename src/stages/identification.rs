@@ -196,7 +196,7 @@ fn identify_selected(
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near).map(Into::into));
     let field = if stated.field { field::search(robot, &sets, &settings, (&mut found, &mut accuracy)) } else { None };
     let tool = campaign.file.tool.map(|tool| tool.point());
-    let at_tool = |problems: Problems| problems.at(&campaign.place_of(&["tool"]));
+    let at_tool = |problems: Problems| problems.at(&campaign.key_place(&["tool"]));
     let point = tool.or_else(|| ToolPoint::centre(robot)).unwrap_or(ToolPoint::FIRST_TARGET);
     let held = etalon_identify::held(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
     let prediction = ToolPrediction { robot, point, before: &before, found: &found, held };
@@ -368,7 +368,7 @@ pub fn select(
     let conditions = sets.calibration_conditions.clone();
     let mut settings = Settings { conditions, series, ..observed.settings };
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
-    messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.place_of(&["identify", "residuals"])))?);
+    messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.key_place(&["identify", "residuals"])))?);
     messages.extend(hold_constant(robot, &sets, &mut settings));
     let apart = Apart::take(robot, &mut sets, &mut settings);
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));

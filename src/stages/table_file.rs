@@ -298,7 +298,7 @@ impl CampaignTables<'_> {
     /// A table of observations.
     fn observations(&mut self, stated: &ObservationsDefinition) -> Result<TableFile> {
         if let Some(key) = stated.meaningless_beside_sheet() {
-            let place = self.campaign.place_of(&["observations", key]);
+            let place = self.campaign.key_place(&["observations", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
         let holds = phrase!("table-of-observations");
@@ -368,7 +368,7 @@ impl CampaignTables<'_> {
         let here = self.campaign.place(file);
         let path = self.campaign.resolve(file)?;
         let bytes = files::read(&path).map_err(|more| more.at(&here))?;
-        let stamp = Stamp::of(&bytes);
+        let stamp = Stamp::new(&bytes);
         let table = read(&path, bytes).map_err(|more| more.at(&here))?;
         self.sources.push(Source {
             file: file.get_ref().clone(),

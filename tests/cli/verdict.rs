@@ -100,7 +100,10 @@ fn each_kind_of_observation_has_its_own_error_uncertainty_and_limit() {
         assert_eq!(run.status.code(), Some(0), "{sample}: {}", text_of(&run));
         let accuracy: AccuracyDocument = document(&scratch, "accuracy.json");
         let set = accuracy.sets.last().unwrap();
-        assert!(set.of(ErrorQuantity::Position).is_none() && set.of(quantity).is_some(), "{sample}: {set:?}");
+        assert!(
+            set.error_statistics(ErrorQuantity::Position).is_none() && set.error_statistics(quantity).is_some(),
+            "{sample}: {set:?}"
+        );
         let u = accuracy.limits[0].expanded_uncertainty.unwrap();
         // that of one length as stated, with base, targets and fixtures beside it: not √3 times as much
         assert!((expanded_mm..1.5 * expanded_mm).contains(&u), "{sample}: {u}");

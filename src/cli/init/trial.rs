@@ -81,7 +81,7 @@ fn errors(folder: &Path, text: &str) -> Vec<Message> {
     let asks = text.lines().any(|line| open(line) == Some("unit"));
     for unit in UNITS.into_iter().take(if asks { UNITS.len() } else { 1 }) {
         let Some(text) = answered(text, unit) else { return Vec::new() };
-        let stamp = Stamp::of(text.as_bytes());
+        let stamp = Stamp::new(text.as_bytes());
         let found = match Campaign::recover_text(folder.join("campaign.toml"), text, stamp) {
             Ok((Some(campaign), problems)) => [problems.0, checked(&campaign).problems.0].concat(),
             Ok((None, problems)) | Err(problems) => problems.0,

@@ -144,13 +144,13 @@ struct Answer {
 }
 
 impl Answer {
-    fn of_frame(frame: &CellFrameEntry) -> Self {
+    fn from_frame(frame: &CellFrameEntry) -> Self {
         let pose = Pose { translation_mm: frame.xyz_mm, ..Pose::from_quaternion(frame.quaternion) };
         Self { pose, u_mm: frame.standard_uncertainty_mm, u_deg: Some(frame.standard_uncertainty_deg) }
     }
 
     /// Answer of a document for a part of the data.
-    fn of(document: &CellDocument, part: CellPart) -> Option<Self> {
+    fn from_document(document: &CellDocument, part: CellPart) -> Option<Self> {
         let solve = document.solve.as_str();
         let of_plane = matches!(solve, "object" | "three-points");
         let of_axis = matches!(solve, "linear-axis" | "rotary-axis");
@@ -167,14 +167,14 @@ impl Answer {
             CellPart::Axis if solve == "rotary-axis" => document.frames.first(),
             _ => None,
         };
-        frame.map(Self::of_frame)
+        frame.map(Self::from_frame)
     }
 }
 
 impl CellData {
     /// Part of a document; `None` if the document lacks it.
     fn new(document: &CellDocument, part: CellPart, options: &CellOptions) -> Option<Self> {
-        let answer = Answer::of(document, part)?;
+        let answer = Answer::from_document(document, part)?;
         let mut header = vec![
             format!("Written by etalon {}", document.provenance.version),
             format!("solved: {}, {} readings", document.solve, document.readings),

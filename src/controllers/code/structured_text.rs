@@ -158,7 +158,7 @@ impl Unit {
     }
 
     /// Function block of a formula.
-    fn of(formula: &Formula) -> Self {
+    fn function_block(formula: &Formula) -> Self {
         let (mut body, outputs) = statements(formula, &Iec);
         let (first, rest) = formula.name.split_at(1);
         body.insert_str(0, "valid := TRUE;\n");
@@ -226,7 +226,7 @@ pub(crate) fn units(given: &Given) -> Result<Vec<Unit>> {
         Unit::function("ETALON_WRAP", "Reduces an angle between -2 pi and 2 pi to -pi ... pi.", &["angle"], WRAP),
     ];
     for formula in formulas(given)? {
-        all.push(Unit::of(&formula));
+        all.push(Unit::function_block(&formula));
         match formula.name {
             "correction" => all.push(Unit::inverse(&formula)),
             "step" => all.push(Unit::direct(&formula)),

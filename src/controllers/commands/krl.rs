@@ -3,8 +3,8 @@
 //! instructions).
 
 use super::{
-    CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, at_line, line_of, masked, name_of,
-    number, slots, word_before,
+    CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, assigned_name, at_line, line_number,
+    masked, number, slots, word_before,
 };
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
@@ -114,14 +114,14 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     if frame || statement.contains("FRAME ") || numbers.is_empty() || statement.contains("_REL") {
         return None;
     }
-    let line = line_of(text, open);
+    let line = line_number(text, open);
     if numbers.len() < NAMES.len() {
         let command = format!("{{{}}}", String::from_utf8_lossy(&text[inside]).trim());
         let coordinates = phrase!("pose-of-six");
         return moves.then(|| at_line(line, error!("move-incomplete", command, coordinates)));
     }
     found.targets.push(ProgramTarget {
-        name: name_of(text, open, "="),
+        name: assigned_name(text, open, "="),
         line,
         numbers: numbers.iter().map(|n| n.value).collect(),
         slots: slots(&numbers),

@@ -159,7 +159,7 @@ pub fn language(name: &str) -> Option<(&'static str, &'static dyn CommandLanguag
 }
 
 /// Language of programs with this file extension.
-pub fn language_of(ending: &str) -> Option<(&'static str, &'static dyn CommandLanguage)> {
+pub fn language_by_extension(ending: &str) -> Option<(&'static str, &'static dyn CommandLanguage)> {
     let ending = ending.to_ascii_lowercase();
     let found = LANGUAGES.iter().find(|(.., endings)| endings.contains(&ending.as_str()));
     found.map(|(name, language, _)| (*name, *language))
@@ -317,7 +317,7 @@ fn bracketed(text: &[u8], at: usize) -> Option<(Vec<Number>, usize)> {
 }
 
 /// Line number of a byte.
-fn line_of(text: &[u8], at: usize) -> usize {
+fn line_number(text: &[u8], at: usize) -> usize {
     1 + text[..at].iter().filter(|b| **b == b'\n').count()
 }
 
@@ -330,11 +330,11 @@ fn word_before(text: &[u8], at: usize) -> &str {
 }
 
 /// Name to which the value at a position is assigned by `sign`, or the line.
-fn name_of(text: &[u8], at: usize, sign: &str) -> String {
+fn assigned_name(text: &[u8], at: usize, sign: &str) -> String {
     let before = text[..at].trim_ascii_end();
     let assigned = before.strip_suffix(sign.as_bytes()).map(|before| word_before(before, before.len()));
     let name = assigned.filter(|name| !name.is_empty()).map(str::to_owned);
-    name.unwrap_or_else(|| format!("line {}", line_of(text, at)))
+    name.unwrap_or_else(|| format!("line {}", line_number(text, at)))
 }
 
 /// Slots of existing numbers.

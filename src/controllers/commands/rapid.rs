@@ -3,8 +3,8 @@
 //! `confdata`).
 
 use super::{
-    CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, bracketed, line_of, masked, name_of,
-    skip_blanks, slots,
+    CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, assigned_name, bracketed, line_number,
+    masked, skip_blanks, slots,
 };
 use etalon_base::error;
 use etalon_base::message::Result;
@@ -77,16 +77,16 @@ impl CommandLanguage for Rapid {
             match lists.iter().map(Vec::len).collect::<Vec<_>>()[..] {
                 [3, 4, 4, 6] => {
                     let numbers = lists[..2].concat();
-                    let name = name_of(&text, next, ":=");
+                    let name = assigned_name(&text, next, ":=");
                     let length = numbers[3..].iter().map(|n| n.value * n.value).sum::<f64>().sqrt();
                     if (length - 1.0).abs() > 1e-3 {
                         let message = error!("quaternion-length", target = name, length);
-                        problems.push(super::at_line(line_of(&text, next), message));
+                        problems.push(super::at_line(line_number(&text, next), message));
                     }
                     let cf = |i: usize| lists[2][i].value as i64;
                     found.targets.push(ProgramTarget {
                         name,
-                        line: line_of(&text, next),
+                        line: line_number(&text, next),
                         numbers: numbers.iter().map(|n| n.value).collect(),
                         slots: slots(&numbers),
                         configuration: Some(Configuration::Quadrants([cf(0), cf(1), cf(2)])),

@@ -2,7 +2,8 @@
 //! are lists without `p`.
 
 use super::{
-    CommandLanguage, Freedoms, Program, ProgramTarget, bracketed, line_of, masked, name_of, slots, word_before,
+    CommandLanguage, Freedoms, Program, ProgramTarget, assigned_name, bracketed, line_number, masked, slots,
+    word_before,
 };
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
@@ -56,7 +57,7 @@ impl CommandLanguage for UrScript {
             let is_pose = word_before(&text, open) == "p";
             let start = if is_pose { open - 1 } else { open };
             let called = call(&text, start);
-            let name = name_of(&text, start, "=");
+            let name = assigned_name(&text, start, "=");
             let moved = |name: &str| {
                 let call = |function: &&str| readable.contains(&format!("{function}({name}"));
                 !name.contains(' ') && MOVES.iter().any(call)
@@ -65,7 +66,7 @@ impl CommandLanguage for UrScript {
             match (is_pose, used) {
                 (true, true) => found.targets.push(ProgramTarget {
                     name,
-                    line: line_of(&text, open),
+                    line: line_number(&text, open),
                     numbers: numbers.iter().map(|n| n.value).collect(),
                     slots: slots(&numbers),
                     configuration: None,

@@ -113,7 +113,7 @@ impl Iso9283Document {
     }
 
     /// Keeps the characteristics of single poses only.
-    pub fn of_poses(self) -> Self {
+    pub fn keep_pose_characteristics(self) -> Self {
         Self {
             distances: Vec::new(),
             approaches: Vec::new(),

@@ -4,13 +4,13 @@ use super::*;
 use crate::tests::demo::{Documents, point};
 use crate::tests::page::with_text;
 
-fn typeset_of(documents: &Documents) -> Vec<u8> {
+fn typeset_report(documents: &Documents) -> Vec<u8> {
     let (words, report) = (Words::default(), documents.report());
     pdf(&report.contents(&words), &report.attachments(&words).unwrap(), &documents.campaign.report, &words).unwrap()
 }
 
 /// Text that `pdftotext` reads; `None` if it is not installed.
-fn text_of(pdf: &[u8]) -> Option<String> {
+fn extract_text(pdf: &[u8]) -> Option<String> {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("report.pdf");
     std::fs::write(&file, pdf).unwrap();
@@ -23,8 +23,8 @@ fn text_of(pdf: &[u8]) -> Option<String> {
 #[test]
 fn the_demo_is_typeset_and_its_bytes_are_the_same_twice() {
     let documents = Documents::demo();
-    let pdf = typeset_of(&documents);
-    assert!(pdf.starts_with(b"%PDF-1.7") && pdf == typeset_of(&documents));
+    let pdf = typeset_report(&documents);
+    assert!(pdf.starts_with(b"%PDF-1.7") && pdf == typeset_report(&documents));
     if let Some(folder) = std::env::var_os("ETALON_REPORT_DEMO") {
         let folder = std::path::PathBuf::from(folder);
         let paper =
@@ -40,7 +40,7 @@ fn hostile_names_are_printed_as_they_are() {
     let hostile =
         ["<script>alert(1)</script>", "=HYPERLINK(\"x\")", "#import \"x\"", "$a$ #panic() *b* _c_ @d <e> `f` \\u{0}"];
     for text in hostile {
-        let Some(read) = text_of(&typeset_of(&with_text(text))) else { return };
+        let Some(read) = extract_text(&typeset_report(&with_text(text))) else { return };
         let found = read.matches(text.split(' ').next().unwrap()).count();
         assert!(found > 20, "{text}: {found} times in {read}");
     }
@@ -59,7 +59,7 @@ fn long_right_to_left_and_unknown_letters_do_no_harm() {
         "\u{627}\u{644}\u{64b} a\u{64b} \u{eb3} \u{fffd}\u{5b0}".into(),
     ];
     for text in texts {
-        typeset_of(&with_text(&text));
+        typeset_report(&with_text(&text));
     }
 }
 
@@ -74,7 +74,7 @@ fn a_logo_with_letters_that_no_font_has_does_no_harm() {
         std::fs::write(&file, svg).unwrap();
         let mut documents = Documents::demo();
         documents.campaign.report.logo = Some(crate::branding::logo(&file).unwrap());
-        typeset_of(&documents);
+        typeset_report(&documents);
     }
 }
 
@@ -89,14 +89,14 @@ fn nothing_and_numbers_that_are_none_are_typeset() {
     documents.parameters.parameters.clear();
     documents.features.features.clear();
     documents.frames.world.poses.clear();
-    typeset_of(&documents);
+    typeset_report(&documents);
     for size in [0.0, 1e-12, 1e300, f64::NAN, f64::INFINITY] {
         let mut documents = Documents::demo();
         documents.errors = vec![point(1, [size; 3], [size; 3], [size; 3]); 3];
         documents.parameters.residuals.rms = size;
         documents.parameters.parameters[0].value = size;
         documents.campaign.expanded_uncertainty_um = Some(size);
-        if let Some(read) = text_of(&typeset_of(&documents)) {
+        if let Some(read) = extract_text(&typeset_report(&documents)) {
             assert!(!read.contains("NaN") && !read.contains(" inf"), "{size}: {read}");
         }
     }

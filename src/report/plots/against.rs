@@ -111,7 +111,7 @@ fn picture(data: &Data, along: &Along, (of, p): (&OfQuantity, Option<f64>), word
         None => String::new(),
     };
     let caption = description.clone() + &judged + &points::how_many(drawn.len(), known.len(), words);
-    let id = format!("against-{}", points::key_of(*quantity, &along.id));
+    let id = format!("against-{}", points::quantity_key(*quantity, &along.id));
     Some(Figure { caption, ..chart.figure(&id, title, description) })
 }
 

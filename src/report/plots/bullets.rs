@@ -110,13 +110,13 @@ fn stated(l: &LimitVerdict, words: &Words) -> String {
 }
 
 /// Error before and after calibration with its unit.
-fn numbers_of(h: &Headline) -> String {
+fn before_and_after(h: &Headline) -> String {
     format!("{} → {} {}", h.before, h.after, h.unit)
 }
 
 /// Height of a row; a name that does not fit beside its numbers is above them.
 fn row(h: &Headline) -> f64 {
-    let beside = BOLD * proportional(&h.what) + width(&numbers_of(h)) + 30.0 <= NARROW;
+    let beside = BOLD * proportional(&h.what) + width(&before_and_after(h)) + 30.0 <= NARROW;
     if beside { 40.0 } else { 55.0 }
 }
 
@@ -146,7 +146,7 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         let shown = if axis.shown().unit.is_empty() { unit } else { axis.shown().unit };
         svg.text("mid", (0.5 * NARROW, bottom + 30.0), &tr!(words, "error-in-unit", unit = shown));
         for h in of_unit {
-            let ([before, after], numbers) = (h.in_documents.1, words.number(&numbers_of(h)));
+            let ([before, after], numbers) = (h.in_documents.1, words.number(&before_and_after(h)));
             svg.text("start name-of", (SIDE, top + 14.0), &cut(&h.what, NARROW - 2.0 * SIDE, BOLD));
             top += row(h);
             let y = top - 12.0;
@@ -168,14 +168,14 @@ mod tests {
     use super::*;
     use etalon_documents::{DecisionRule, LimitQuantity};
 
-    fn of(limit: f64, value: f64, u: f64) -> LimitVerdict {
-        LimitVerdict::of(LimitQuantity::PositionMaxMm, limit, value, Some(u), DecisionRule::Guarded)
+    fn guarded_verdict(limit: f64, value: f64, u: f64) -> LimitVerdict {
+        LimitVerdict::judge(LimitQuantity::PositionMaxMm, limit, value, Some(u), DecisionRule::Guarded)
     }
 
     /// Value 0.8 of the limit, U = 0.1: accepted to 0.9 of it on a scale that ends at 1.25.
     #[test]
     fn bar_zones_and_limit_are_on_one_scale() {
-        let l = of(0.1, 0.08, 0.01);
+        let l = guarded_verdict(0.1, 0.08, 0.01);
         let svg = limits(&[&l], &Words::default()).unwrap().svg;
         let room = NARROW - 2.0 * SIDE;
         let widths = numbers(&svg, "rect", "width");
@@ -184,7 +184,7 @@ mod tests {
         }
         assert!(svg.contains("80 ± 10 µm, limit 100 µm, risk &lt; 0.1 %"), "{svg}");
         // twice as much moves the bar and no zone
-        let larger = limits(&[&of(0.1, 0.082, 0.01)], &Words::default()).unwrap().svg;
+        let larger = limits(&[&guarded_verdict(0.1, 0.082, 0.01)], &Words::default()).unwrap().svg;
         assert!(numbers(&larger, "rect", "width")[3] > widths[3]);
     }
 
@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn the_line_of_a_limit_is_shown_whole() {
         let quantity = LimitQuantity::OrientationMaxDeg;
-        let l = LimitVerdict::of(quantity, 0.2525, 0.1376, Some(0.0062), DecisionRule::Guarded);
+        let l = LimitVerdict::judge(quantity, 0.2525, 0.1376, Some(0.0062), DecisionRule::Guarded);
         let svg = limits(&[&l], &Words::default()).unwrap().svg;
         assert!(svg.contains("0.1376 ± 0.0062 deg, limit 0.2525 deg, risk &lt; 0.1 %<"), "{svg}");
         let cut = cut(&"n".repeat(200), 100.0, 1.0);
@@ -201,7 +201,7 @@ mod tests {
 
     #[test]
     fn a_value_far_beyond_its_limit_ends_with_an_arrow_and_an_unmeasured_one_has_no_bar() {
-        let svg = limits(&[&of(0.1, 3.0, 0.01)], &Words::default()).unwrap().svg;
+        let svg = limits(&[&guarded_verdict(0.1, 3.0, 0.01)], &Words::default()).unwrap().svg;
         assert!(svg.contains("arrow-scale"), "{svg}");
         let l = LimitVerdict::not_assessable(LimitQuantity::DistanceMaxMm, 0.1, DecisionRule::Guarded);
         let svg = limits(&[&l], &Words::default()).unwrap().svg;

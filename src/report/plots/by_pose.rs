@@ -165,7 +165,7 @@ mod tests {
     fn a_limit_is_a_line_with_its_name() {
         let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [0.15; 3], [0.1; 3])).collect();
         let limit =
-            LimitVerdict::of(etalon_documents::LimitQuantity::PositionMaxMm, 0.2, 0.17, None, Default::default());
+            LimitVerdict::judge(etalon_documents::LimitQuantity::PositionMaxMm, 0.2, 0.17, None, Default::default());
         let svg = &drawn(&errors, std::slice::from_ref(&limit))[0].svg;
         assert!(svg.contains("class=\"limit\"") && svg.contains(">limit: largest position error 200 µm</text>"));
         // below the axis and its name, where there are no marks

@@ -115,7 +115,7 @@ impl Chart {
     ) -> Self {
         let names = [names[0].as_ref(), names[1].as_ref()];
         let height = if up.is_labelled() { ROW * up.length() } else { HEIGHT };
-        let left = left_of(&up, names[1]);
+        let left = left_margin(&up, names[1]);
         let frame = Frame { across, up, left, right: width - room, top: TOP, bottom: TOP + height };
         let mut svg = Svg::new(words, width, frame.bottom + UNDER);
         frame.draw(&mut svg, names, false);
@@ -166,7 +166,7 @@ impl Chart {
     /// the legend so that it covers no marks.
     pub fn limit(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, (across, words): (bool, &Words)) {
         let axis = if across { &self.frame.across } else { &self.frame.up };
-        let drawn = |l: &&LimitVerdict| l.name.of_each_error() == Some(quantity) && axis.contains(l.limit);
+        let drawn = |l: &&LimitVerdict| l.name.individually_limited_error() == Some(quantity) && axis.contains(l.limit);
         let Some(limit) = limits.iter().find(drawn) else { return };
         let shown = axis.shown();
         match across {
@@ -186,7 +186,7 @@ impl Chart {
 }
 
 /// Margin at the left of a vertical axis for its name and labels; letters are wider than digits.
-pub(super) fn left_of(up: &Axis, name: &str) -> f64 {
+pub(super) fn left_margin(up: &Axis, name: &str) -> f64 {
     let ticks = upright_ticks(up);
     let labels = widest(ticks.iter().map(|(_, label)| label.as_str()));
     let wider = if up.is_labelled() { 1.17 } else { 1.0 };
@@ -205,7 +205,7 @@ mod tests {
 
     /// Limits of a mean, a root mean square and a largest error within an axis to 0.1 mm.
     fn limits(across: bool, names: &[LimitQuantity]) -> String {
-        let limit = |name| LimitVerdict::of(name, 0.04, 0.0, None, Default::default());
+        let limit = |name| LimitVerdict::judge(name, 0.04, 0.0, None, Default::default());
         let limits: Vec<_> = names.iter().copied().map(limit).collect();
         let axis = || Axis::from_zero("mm", 0.1);
         let mut chart = Chart::new(&Words::default(), NARROW, [axis(), axis()], ["a", "b"]);
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn numbers_have_the_decimal_mark_of_the_language_and_names_keep_their_point() {
-        let words = Words::of(etalon_documents::Language::De);
+        let words = Words::new(etalon_documents::Language::De);
         let rows = Axis::rows(1, vec![(0.0, "ball 1.5".to_owned()), (1.0, "1.5".to_owned())], 0.5);
         let mut chart = Chart::new(&words, WIDE, [Axis::from_zero("", 1.0), rows], ["", ""]);
         chart.svg.legend(Look::group(0), "2.5");

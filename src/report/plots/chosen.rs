@@ -42,7 +42,7 @@ pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let counts: BTreeSet<usize> = drawn.iter().map(|p| p.configurations).collect();
     for count in counts.into_iter().take(4) {
         let name = tr!(words, "mode-count", count);
-        map.svg.legend_of(CANDIDATE, radius(count), &name);
+        map.svg.legend_mark(CANDIDATE, radius(count), &name);
     }
     let title = tr!(words, "candidates-and-chosen-positions");
     let description = tr!(words, "chosen-candidates-marks");

@@ -2,7 +2,7 @@
 //! 6, if the poses lie in one.
 
 use super::layer::*;
-use super::visits::of_pose;
+use super::visits::pose_visits;
 use etalon_documents::Iso9283Document;
 
 /// Distance of P2 to P5 from the centre relative to half the diagonal: (10 ± 2) % of a diagonal
@@ -18,7 +18,7 @@ const NAMED: usize = 12;
 /// Commanded position of each pose or, without one, mean of its visits.
 fn places(document: &Iso9283Document) -> Vec<(PoseName, Vector)> {
     let place = |p: &etalon_documents::Iso9283Pose| {
-        let mean = centroid(&of_pose(document, p.pose).map(|v| v.attained_mm).collect::<Vec<_>>())?;
+        let mean = centroid(&pose_visits(document, p.pose).map(|v| v.attained_mm).collect::<Vec<_>>())?;
         let off = [p.ap_x_mm, p.ap_y_mm, p.ap_z_mm].map(Option::unwrap_or_default);
         let at = minus(mean, off);
         at.iter().all(|v| v.is_finite()).then_some((p.pose, at))

@@ -85,7 +85,7 @@ fn map(mapped: &Mapped, seen: Seen, after: bool, words: &Words) -> Figure {
         }
         false => points::how_many(drawn.len(), errors.len(), words),
     };
-    let (key, side) = (points::key_of(*quantity, &seen.name()), points::side(after));
+    let (key, side) = (points::quantity_key(*quantity, &seen.name()), points::side(after));
     Figure {
         pair: format!("map-{key}"),
         side,

@@ -2,7 +2,7 @@
 //! circle of RP (ISO 9283:1998, 7.2).
 
 use super::layer::*;
-use super::visits::of_pose;
+use super::visits::pose_visits;
 use etalon_documents::{Iso9283Document, Iso9283Pose};
 
 /// Maximum number of poses; those with the largest RP are drawn.
@@ -19,9 +19,9 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
     poses.truncate(POSES);
     poses.sort_by_key(|p| p.pose);
     let places = |p: &Iso9283Pose| -> Option<Vec<(i64, Vector)>> {
-        let all: Vec<Vector> = of_pose(document, p.pose).map(|v| v.attained_mm).collect();
+        let all: Vec<Vector> = pose_visits(document, p.pose).map(|v| v.attained_mm).collect();
         let middle = centroid(&all)?;
-        Some(of_pose(document, p.pose).map(|v| (v.cycle, minus(v.attained_mm, middle))).collect())
+        Some(pose_visits(document, p.pose).map(|v| (v.cycle, minus(v.attained_mm, middle))).collect())
     };
     let drawn: Vec<_> = poses.iter().filter_map(|p| Some((*p, places(p)?))).collect();
     let distances = drawn.iter().flat_map(|(_, all)| all.iter().map(|(_, v)| v[0].hypot(v[1])));

@@ -34,7 +34,8 @@ fn picture(
         all.iter().for_each(|v| counts[bin(*v)] += 1);
         counts.map(|n| 100.0 * n as f64 / all.len().max(1) as f64)
     };
-    let both = [(shares(&before), "bar-before", phrase_of(false)), (shares(&after), "bar-after", phrase_of(true))];
+    let both =
+        [(shares(&before), "bar-before", before_or_after(false)), (shares(&after), "bar-after", before_or_after(true))];
     let highest = largest(both.iter().flat_map(|(s, ..)| s.iter().copied()));
     let unit = axis.shown().unit;
     let names = [tr!(words, "error-log", unit), tr!(words, "share-of-points")];
@@ -55,7 +56,7 @@ fn picture(
     Some(chart.figure(&format!("errors-overlaid-{quantity}"), title, description))
 }
 
-fn phrase_of(after: bool) -> Phrase {
+fn before_or_after(after: bool) -> Phrase {
     if after { etalon_base::phrase!("after") } else { etalon_base::phrase!("before") }
 }
 

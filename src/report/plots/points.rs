@@ -98,7 +98,7 @@ pub(crate) fn by_quantity<'a>(points: &[&'a PointError]) -> Vec<(ErrorQuantity, 
 }
 
 /// Identifier of a figure of a quantity, from the identifier of the same figure of positions.
-pub(crate) fn key_of(quantity: ErrorQuantity, key: &str) -> String {
+pub(crate) fn quantity_key(quantity: ErrorQuantity, key: &str) -> String {
     match quantity {
         ErrorQuantity::Position => key.to_owned(),
         _ => format!("{quantity}-{key}"),
@@ -107,10 +107,10 @@ pub(crate) fn key_of(quantity: ErrorQuantity, key: &str) -> String {
 
 /// Style of the mark of a point.
 pub(crate) fn look(p: &PointError) -> Look<'static> {
-    look_of(p.set)
+    pose_set_look(p.set)
 }
 
-fn look_of(set: PoseSet) -> Look<'static> {
+fn pose_set_look(set: PoseSet) -> Look<'static> {
     match set {
         PoseSet::Calibration => CALIBRATION,
         PoseSet::Validation => VALIDATION,
@@ -120,7 +120,7 @@ fn look_of(set: PoseSet) -> Look<'static> {
 /// Style and name of each set that occurs.
 pub(crate) fn sets(points: &[&PointError]) -> Vec<(Look<'static>, Phrase)> {
     let there = PoseSet::ALL.into_iter().filter(|set| points.iter().any(|p| p.set == *set));
-    there.map(|set| (look_of(set), set.phrase())).collect()
+    there.map(|set| (pose_set_look(set), set.phrase())).collect()
 }
 
 /// Adds the sets that occur to the legend.

@@ -238,11 +238,11 @@ impl Svg {
 
     /// Adds a mark with its name to the legend.
     pub fn legend(&mut self, look: Look, name: &str) {
-        self.legend_of(look, 4.5, name);
+        self.legend_mark(look, 4.5, name);
     }
 
     /// Adds a mark of this radius with its name to the legend.
-    pub fn legend_of(&mut self, look: Look, radius: f64, name: &str) {
+    pub fn legend_mark(&mut self, look: Look, radius: f64, name: &str) {
         let (x, y) = self.entry(30.0, name);
         self.mark(look, (x, y), radius, "");
         self.text("start", (x + 10.0, y + 4.0), name);

@@ -18,7 +18,7 @@ pub(crate) struct Approaches<'a> {
 }
 
 impl<'a> Approaches<'a> {
-    pub fn of(document: &'a Iso9283Document, words: &'a Words) -> Self {
+    pub fn new(document: &'a Iso9283Document, words: &'a Words) -> Self {
         Self { phrases: &document.approach_phrases, words }
     }
 
@@ -26,13 +26,13 @@ impl<'a> Approaches<'a> {
         self.words.worded(name, self.phrases.get(name))
     }
 
-    fn of_visit(self, name: Option<&str>) -> String {
+    fn name_or_unknown(self, name: Option<&str>) -> String {
         name.map_or_else(|| tr!(self.words, "approach-not-known"), |name| self.name(name))
     }
 }
 
 /// Visits of a pose.
-pub(crate) fn of_pose(document: &Iso9283Document, pose: PoseName) -> impl Iterator<Item = &Iso9283Visit> {
+pub(crate) fn pose_visits(document: &Iso9283Document, pose: PoseName) -> impl Iterator<Item = &Iso9283Visit> {
     document.visits.iter().filter(move |v| v.pose == pose)
 }
 
@@ -45,11 +45,11 @@ fn commanded_um(pose: &Iso9283Pose) -> Option<Vector> {
 /// One figure for each pose with visits, and for each plane with scatter.
 pub(crate) fn pictures(document: &Iso9283Document, words: &Words) -> Vec<Figure> {
     let of_one = |p: &Iso9283Pose| {
-        let visits: Vec<&Iso9283Visit> = of_pose(document, p.pose).collect();
+        let visits: Vec<&Iso9283Visit> = pose_visits(document, p.pose).collect();
         let planar = visits.iter().all(|v| v.attained_mm[2] == visits[0].attained_mm[2]);
         Seen::planes(planar)
             .iter()
-            .filter_map(|seen| picture(p, &visits, *seen, Approaches::of(document, words)))
+            .filter_map(|seen| picture(p, &visits, *seen, Approaches::new(document, words)))
             .collect::<Vec<_>>()
     };
     document.poses.iter().flat_map(of_one).collect()
@@ -93,10 +93,10 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, approaches: A
     }
     let known: Vec<&str> = groups.keys().flatten().copied().collect();
     let look = |name: Option<&str>| known.iter().position(|n| Some(*n) == name).map_or(UNKNOWN, Look::group);
-    let mut map = Workspace::of(seen, &places, "µm", words);
+    let mut map = Workspace::with_unit(seen, &places, "µm", words);
     let xyz = |place: Vector| place.map(|v| number::fixed(v, 1));
     for (visit, place) in visits.iter().zip(&places) {
-        let (from, [x, y, z]) = (approaches.of_visit(visit.approach.as_deref()), xyz(*place));
+        let (from, [x, y, z]) = (approaches.name_or_unknown(visit.approach.as_deref()), xyz(*place));
         let tip = tr!(words, "visit-tooltip", pose, cycle = visit.cycle, approach = from, x, y, z);
         map.svg.mark(look(visit.approach.as_deref()), map.at(*place), 3.0, &tip);
     }
@@ -107,13 +107,13 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, approaches: A
             let tip = tr!(words, "mean-tooltip", approach = approaches.name(from), x, y, z);
             map.svg.mark(Look { class: "mean", ..look(*name) }, map.at(mean), 6.5, &tip);
         }
-        map.svg.legend(look(*name), &format!("{} ({})", approaches.of_visit(*name), places.len()));
+        map.svg.legend(look(*name), &format!("{} ({})", approaches.name_or_unknown(*name), places.len()));
     }
     if let Some(p) = commanded_um(of) {
         commanded(&mut map, p, words);
     }
     let row = |(visit, place): (&&Iso9283Visit, &Vector)| {
-        let first = [visit.cycle.to_string(), approaches.of_visit(visit.approach.as_deref())];
+        let first = [visit.cycle.to_string(), approaches.name_or_unknown(visit.approach.as_deref())];
         first.into_iter().chain(xyz(*place)).collect()
     };
     let name = seen.name();

@@ -1,7 +1,7 @@
 //! Workspace to scale: a plane with its axes, or space in a box that a script rotates.
 
 use super::axis::{Axis, range};
-use super::chart::{Frame, UNDER, left_of};
+use super::chart::{Frame, UNDER, left_margin};
 use super::svg::{NARROW, Place, Spot, Svg};
 use super::view::{ASLANT, Paper};
 use crate::model::Figure;
@@ -63,11 +63,11 @@ pub(crate) struct Workspace {
 impl Workspace {
     /// Draws the axes or the box around all positions (mm).
     pub fn new(seen: Seen, places_mm: &[Vector], words: &Words) -> Self {
-        Self::of(seen, places_mm, "mm", words)
+        Self::with_unit(seen, places_mm, "mm", words)
     }
 
     /// Draws the axes or the box around positions in a unit.
-    pub fn of(seen: Seen, places: &[Vector], unit: &str, words: &Words) -> Self {
+    pub fn with_unit(seen: Seen, places: &[Vector], unit: &str, words: &Words) -> Self {
         match seen {
             Seen::Plane(axes) => Self::plane(axes, places, unit, words),
             Seen::Space => Self::space(places, words),
@@ -92,7 +92,7 @@ impl Workspace {
         };
         // the labels of the vertical axis determine its position, and conversely
         let (_, first) = fitted(52.0);
-        let (scale, frame) = fitted(left_of(&first.up, AXES[axes[1]]));
+        let (scale, frame) = fitted(left_margin(&first.up, AXES[axes[1]]));
         let mut svg = Svg::new(words, NARROW, frame.bottom + UNDER);
         let [along, upwards] = axes.map(|axis| tr!(words, "quantity-in-unit", quantity = AXES[axis], unit));
         frame.draw(&mut svg, [&along, &upwards], true);

@@ -42,14 +42,14 @@ pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option
 /// Accuracy of position of each pose.
 pub(super) fn positions(poses: &[Named], words: &Words) -> Table {
     let columns = Columns::<Named>::new()
-        .page_of(columns(words), &["pose", "visits", "AP"])
+        .page_columns(columns(words), &["pose", "visits", "AP"])
         .page("95 %", "µm", |n| interval(n.pose.ap_interval, words))
-        .page_of(columns(words), &["AP x", "AP y", "AP z"])
+        .page_columns(columns(words), &["AP x", "AP y", "AP z"])
         .page("U/AP", "", |n| fixed(n.pose.uncertainty_over_ap, 2))
         .page(phrase!("verdict"), "", |n| conformity(n.pose.ap_conformity, words))
         .decisive();
     let commanded = poses.iter().filter(|n| n.pose.ap_mm.is_some());
-    Table::of(words, commanded, columns).without_empty_columns()
+    Table::new(words, commanded, columns).without_empty_columns()
 }
 
 fn orientation(poses: &[Named], words: &Words) -> Table {
@@ -58,7 +58,7 @@ fn orientation(poses: &[Named], words: &Words) -> Table {
     let mut shown = vec!["pose", "AP a", "AP b", "AP c", "RP a", "RP b", "RP c"];
     shown.extend(["AP rx", "AP ry", "AP rz", "RP rx", "RP ry", "RP rz"]);
     let turned = poses.iter().filter(|n| rotations(n.pose) || angles(n.pose).iter().any(Option::is_some));
-    Table::of(words, turned, Columns::new().page_of(columns(words), &shown)).without_empty_columns()
+    Table::new(words, turned, Columns::new().page_columns(columns(words), &shown)).without_empty_columns()
 }
 
 fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
@@ -79,7 +79,7 @@ fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
         .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-rd", axis)), "deg", |d| &d.rd_angles_deg)
         .both("AD r", "deg", |d| fixed(d.ad_rotation_deg, 4))
         .both("RD r", "deg", |d| fixed(d.rd_rotation_deg, 4));
-    let table = Table::of(words, &document.distances, columns).without_empty_columns();
+    let table = Table::new(words, &document.distances, columns).without_empty_columns();
     table.showing(DISTANCES).on(phrase!("sheet-iso9283-distances"))
 }
 
@@ -101,5 +101,5 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
         |d| d.cycles,
     );
     let columns = first.page_angles(&ad, |d| &d.ad_angles_deg).page_angles(&rd, |d| &d.rd_angles_deg);
-    Table::of(words, &document.distances, columns).showing(DISTANCES)
+    Table::new(words, &document.distances, columns).showing(DISTANCES)
 }

@@ -77,7 +77,7 @@ fn table(document: &ParametersDocument, words: &Words) -> Table {
         "",
         |(k, _)| largest(&document.budget, *k).map_or(Cell::Missing, |s| term(words, names::source(s))),
     );
-    Table::of(words, &identified, columns).on(phrase!("uncertainty-budget"))
+    Table::new(words, &identified, columns).on(phrase!("uncertainty-budget"))
 }
 
 /// Contribution, shown `factor` times as large, to the second digit of the whole; empty if smaller.
@@ -124,7 +124,7 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     });
     let whole = |f: &FigureBudget| part(Some(f.standard_uncertainty_mm), Some(f.standard_uncertainty_mm), 1e3);
     let columns = columns.both("u (k = 1)", "mm", whole).shown_in("µm");
-    Table::of(words, document.budget.iter().filter(|f| is_named(f)), columns)
+    Table::new(words, document.budget.iter().filter(|f| is_named(f)), columns)
         .on(phrase!("sheet-budget-of-errors"))
         .without_empty_columns()
 }

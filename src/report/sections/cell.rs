@@ -107,7 +107,7 @@ pub(crate) fn sections(document: &CellDocument, lines: Option<CellLines>, words:
         Some(frames(document, words)),
         lines.map(|lines| controller(lines, words)),
         Some(residuals(document, words)),
-        Some(messages::of(&said, words)),
+        Some(messages::section_from_messages(&said, words)),
     ];
     all.into_iter().flatten().filter_map(Section::whole).collect()
 }
@@ -136,7 +136,7 @@ fn positions(rows: &[Row], words: &Words) -> Table {
     for (k, axis) in ["U(x)", "U(y)", "U(z)"].into_iter().enumerate() {
         columns = columns.both(axis, "mm", move |row| um(u(row, k).map(|u| COVERAGE * u))).shown_in("µm");
     }
-    Table::of(words, rows, columns).on(phrase!("sheet-cell-frames"))
+    Table::new(words, rows, columns).on(phrase!("sheet-cell-frames"))
 }
 
 fn orientations<'a>(rows: Vec<&'a Row>, words: &'a Words) -> Table {
@@ -149,7 +149,7 @@ fn orientations<'a>(rows: Vec<&'a Row>, words: &'a Words) -> Table {
     for (k, axis) in ["U(rx)", "U(ry)", "U(rz)"].into_iter().enumerate() {
         columns = columns.both(axis, "deg", move |row| significant(u(row, k), 2));
     }
-    Table::of(words, rows, columns).on(phrase!("sheet-cell-frames"))
+    Table::new(words, rows, columns).on(phrase!("sheet-cell-frames"))
 }
 
 fn facts(axis: &CellAxisEntry, words: &Words) -> Vec<(String, Cell)> {
@@ -201,7 +201,7 @@ fn residuals(document: &CellDocument, words: &Words) -> Section {
         .both(phrase!("cell-head-length"), "", |r| fixed(r.length, 4))
         .both(phrase!("unit"), "", unit)
         .both("p", "", |r| significant(r.probability, 2));
-    section.push(Block::Table(Table::of(words, &document.residuals, columns).on(phrase!("sheet-cell-residuals"))));
+    section.push(Block::Table(Table::new(words, &document.residuals, columns).on(phrase!("sheet-cell-residuals"))));
     section.push(Block::note(tr!(words, "cell-residuals-note")));
     section
 }

@@ -22,12 +22,12 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
         (false, false, false) => (tr!(words, "test-certificate"), None),
     };
     let mut facts = Section::new("conditions", tr!(words, "item-customer-traceability"));
-    facts.push(Block::facts(conditions::of_certificate(report, words)));
+    facts.push(Block::facts(conditions::certificate_facts(report, words)));
     let sections = [
-        checklist::of(&missing, words),
+        checklist::section_from_missing(&missing, words),
         Some(facts),
-        of_set(report, words),
-        of_test(report, words),
+        errors_section(report, words),
+        characteristics_section(report, words),
         limits::section(report, words),
         Some(warnings(report, words)),
     ];
@@ -52,7 +52,7 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
 }
 
 /// Errors before and after at the deciding poses.
-fn of_set(report: &Report, words: &Words) -> Option<Section> {
+fn errors_section(report: &Report, words: &Words) -> Option<Section> {
     let identified = report.identified?;
     let set = identified.accuracy.sets.iter().rfind(|s| s.count > 0)?;
     let accuracy = AccuracyDocument {
@@ -65,24 +65,24 @@ fn of_set(report: &Report, words: &Words) -> Option<Section> {
         relative: None,
         ..identified.accuracy.clone()
     };
-    let mut section = errors::of(&accuracy, &[], words);
+    let mut section = errors::section_from_errors(&accuracy, &[], words);
     section.title = tr!(words, "results-before-and-after");
     Some(section)
 }
 
 /// AP and RP of each pose, with measurement point, load and velocity.
-fn of_test(report: &Report, words: &Words) -> Option<Section> {
+fn characteristics_section(report: &Report, words: &Words) -> Option<Section> {
     let poses = repeatability::named(report.tested.poses.as_ref()?, words);
     let mut section = Section::new("characteristics", tr!(words, "iso9283-characteristics"));
     section.table(tr!(words, "accuracy-of-position"), "", accuracy::positions(&poses, words));
     section.table(tr!(words, "repeatability-title"), "", repeatability::intervals(&poses, words));
-    section.whole().map(|section| super::of_point(section, report, words))
+    section.whole().map(|section| super::with_measurement_point(section, report, words))
 }
 
 /// Warnings that a reader of the results should know.
 fn warnings(report: &Report, words: &Words) -> Section {
     let known: Vec<&Message> = report.messages().into_iter().filter(|m| m.rank != Rank::Routine).collect();
-    messages::of(&known, words)
+    messages::section_from_messages(&known, words)
 }
 
 #[cfg(test)]
@@ -91,7 +91,7 @@ mod tests {
     use crate::tests::demo::Documents;
     use crate::tests::demo_iso9283;
 
-    fn contents_of(documents: &Documents) -> Contents {
+    fn certificate_contents(documents: &Documents) -> Contents {
         let (words, report) = (Words::default(), documents.report());
         contents(&report, report.contents(&words), &words)
     }
@@ -114,12 +114,12 @@ mod tests {
 
     #[test]
     fn a_certificate_is_a_draft_until_every_field_is_stated() {
-        let whole = contents_of(&complete());
+        let whole = certificate_contents(&complete());
         assert_eq!((whole.title.as_str(), &whole.draft), ("Calibration certificate", &None));
         assert!(whole.sections.iter().all(|s| s.id != "checklist"));
         let mut documents = complete();
         documents.campaign.conditions.traceability = None;
-        let draft = contents_of(&documents);
+        let draft = certificate_contents(&documents);
         assert_eq!(draft.draft.as_deref(), Some("DRAFT"));
         assert!(draft.title.starts_with("Draft"), "{}", draft.title);
         let list = serde_json::to_string(&draft.sections[0]).unwrap();
@@ -127,14 +127,14 @@ mod tests {
         assert!(!list.contains("conditions.laboratory"), "{list}");
         // blanks state nothing
         documents.campaign.conditions.traceability = Some(" ".to_owned());
-        assert!(contents_of(&documents).draft.is_some());
+        assert!(certificate_contents(&documents).draft.is_some());
     }
 
     #[test]
     fn synthetic_data_make_no_certificate() {
         let mut documents = complete();
         documents.campaign.synthetic = Some("made with seed 7".to_owned());
-        let whole = contents_of(&documents);
+        let whole = certificate_contents(&documents);
         assert!(whole.draft.is_some() && !whole.title.to_lowercase().starts_with("calibration certificate"));
         assert!(whole.title.contains("not a certificate"), "{}", whole.title);
     }
@@ -148,7 +148,7 @@ mod tests {
         let mut warning = Message::warning("the beam was broken".to_owned());
         warning.rank = Rank::Decide;
         documents.import.messages = vec![warning];
-        let whole = contents_of(&documents);
+        let whole = certificate_contents(&documents);
         let section = |id: &str| {
             let found = whole.sections.iter().find(|s| s.id == id);
             serde_json::to_string(found.unwrap_or_else(|| panic!("no section {id}"))).unwrap()

@@ -20,7 +20,7 @@ const PICTURES: usize = 60;
 /// Sections on campaigns, rules for judging changes, and all families.
 pub(crate) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section> {
     let mut all = vec![campaigns(compare, words), rules(compare, words)];
-    all.push(super::messages::of(&compare.messages.iter().collect::<Vec<_>>(), words));
+    all.push(super::messages::section_from_messages(&compare.messages.iter().collect::<Vec<_>>(), words));
     let mut drawn = 0;
     let mut trends = compare.trends.iter().enumerate().peekable();
     while let Some((_, first)) = trends.peek().copied() {
@@ -47,7 +47,7 @@ pub(crate) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section>
         section.push(Block::Table(all_values(&trends, words)));
         all.push(section.on_terminal());
     }
-    all.push(super::provenance::of(&compare.provenance, &[], words));
+    all.push(super::provenance::section_from_provenance(&compare.provenance, &[], words));
     all
 }
 
@@ -129,7 +129,7 @@ fn campaigns(compare: &CompareDocument, words: &Words) -> Section {
     let mut section = Section::new("campaigns", tr!(words, "campaigns"));
     section.summarise(tr!(words, "model-of-the-robot"), compare.robot.as_deref(), "");
     section.summarise(tr!(words, "conventions"), compare.conventions.join("; "), "");
-    section.push(Block::Table(Table::of(words, &rows, columns).on(phrase!("campaigns"))));
+    section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("campaigns"))));
     section.on_terminal()
 }
 
@@ -148,7 +148,7 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
     for (i, convention) in compare.conventions.iter().enumerate() {
         section.push(Block::text(Text::worded(convention, phrase(i), words)));
     }
-    section.push(Block::Table(Table::of(words, &compare.together, columns).on(phrase!("sheet-all-together"))));
+    section.push(Block::Table(Table::new(words, &compare.together, columns).on(phrase!("sheet-all-together"))));
     let columns = Columns::<CompareBetween>::new()
         .page(phrase!("campaign"), "", |b| format!("{} – {}", b.from, b.to))
         .sheet(phrase!("campaign"), "", |b| b.to)
@@ -156,7 +156,7 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
         .both(phrase!("parameters"), "", |b| b.parameters)
         .page(phrase!("birge-ratio"), "", |b| significant(Some(b.birge_ratio), 3))
         .sheet(phrase!("birge-ratio"), "", |b| b.birge_ratio);
-    let between = Table::of(words, &compare.between_series, columns).on(phrase!("sheet-between-series"));
+    let between = Table::new(words, &compare.between_series, columns).on(phrase!("sheet-between-series"));
     if !compare.between_series.is_empty() {
         section.table(tr!(words, "what-differs-between-series"), "", between);
     }
@@ -197,7 +197,7 @@ fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
         .sheet(phrase!("changed"), "", |(_, c, _)| c.significant.map(|yes| yes_no(words, yes)))
         .page(phrase!("verdict"), "", move |(_, c, _)| judged(c))
         .decisive();
-    Table::of(words, &rows, columns).on(phrase!("changes"))
+    Table::new(words, &rows, columns).on(phrase!("changes"))
 }
 
 /// One column for each campaign.
@@ -211,7 +211,7 @@ fn values(compare: &CompareDocument, trends: &[&CompareTrend], words: &Words) ->
     let columns = titles.iter().enumerate().fold(first, |columns, (i, title)| {
         columns.page(title.as_str(), "", move |t| numbers(t.values.get(i).map(|v| value(v, words))))
     });
-    Table::of(words, trends, columns).repeating(2)
+    Table::new(words, trends, columns).repeating(2)
 }
 
 fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
@@ -227,7 +227,7 @@ fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
         .sheet("u (k = 1)", "", |(.., v)| v.standard_uncertainty)
         .sheet(phrase!("interval-from"), "", |(.., v)| v.low)
         .sheet(phrase!("interval-to"), "", |(.., v)| v.high);
-    Table::of(words, &rows, columns).on(phrase!("sheet-values"))
+    Table::new(words, &rows, columns).on(phrase!("sheet-values"))
 }
 
 /// First box: style and sentence.

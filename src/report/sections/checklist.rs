@@ -23,17 +23,17 @@ const CONFORMITY: &str = "ISO/IEC 17025:2017, 7.8.6.2";
 const TEST: &str = "ISO 9283:1998, 6";
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    of(&missing(report, words), words)
+    section_from_missing(&missing(report, words), words)
 }
 
 /// Section of missing fields; `None` if all are stated.
-pub(super) fn of(missing: &[Missing], words: &Words) -> Option<Section> {
+pub(super) fn section_from_missing(missing: &[Missing], words: &Words) -> Option<Section> {
     let columns = Columns::<Missing>::new()
         .page(phrase!("checklist-field"), "", |m| Text::from(m.field.clone()))
         .page(phrase!("checklist-key"), "", |m| Text::code(m.key))
         .page(phrase!("checklist-clause"), "", |m| Text::from(m.clause));
     let mut section = Section::new("checklist", tr!(words, "checklist-title"));
-    section.table("", tr!(words, "checklist-note", count = missing.len()), Table::of(words, missing, columns));
+    section.table("", tr!(words, "checklist-note", count = missing.len()), Table::new(words, missing, columns));
     section.whole()
 }
 
@@ -41,7 +41,7 @@ pub(super) fn of(missing: &[Missing], words: &Words) -> Option<Section> {
 pub(super) fn missing(report: &Report, words: &Words) -> Vec<Missing> {
     let mut all = general(report, words);
     if !report.tested.is_empty() {
-        all.extend(of_test(report, words));
+        all.extend(test_fields(report, words));
     }
     let missing = all.into_iter().filter(|(.., stated)| !stated);
     missing.map(|(field, key, clause, _)| Missing { field, key, clause }).collect()
@@ -97,7 +97,7 @@ fn general(report: &Report, words: &Words) -> Vec<Field> {
 }
 
 /// Conditions of a test.
-fn of_test(report: &Report, words: &Words) -> Vec<Field> {
+fn test_fields(report: &Report, words: &Words) -> Vec<Field> {
     let given = &report.campaign.conditions;
     let velocity = given.velocities_percent.is_some() || given.velocities_mm_s.is_some();
     vec![

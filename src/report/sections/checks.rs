@@ -76,7 +76,7 @@ fn poses(found: &ReliabilitySummary, words: &Words) -> Table {
         .both(phrase!("influential"), "", influential)
         .both(phrase!("parameter"), "", |p| p.parameter.as_str())
         .both(phrase!("change-over-u"), "", |p| significant(p.change_over_u, 2));
-    Table::of(words, &found.poses, columns).on(phrase!("sheet-influence-of-poses"))
+    Table::new(words, &found.poses, columns).on(phrase!("sheet-influence-of-poses"))
 }
 
 /// Comparison with the robust fit in sentences.
@@ -122,7 +122,7 @@ fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
         .both(phrase!("unit"), "", |p| p.unit.as_str())
         .both(phrase!("difference-over-u"), "", |p| significant(p.difference_over_u, 2))
         .both(phrase!("differs"), "", beyond);
-    Table::of(words, &most, columns).on(phrase!("robust-fit"))
+    Table::new(words, &most, columns).on(phrase!("robust-fit"))
 }
 
 /// Poses with the smallest weights.
@@ -133,7 +133,7 @@ fn robust_poses(found: &RobustSummary, words: &Words) -> Table {
         .both(phrase!("weight"), "", |p| significant(p.weight, 2))
         .both(phrase!("residual-over"), "", |p| significant(p.residual_over_sigma, 2))
         .both(phrase!("disagrees"), "", beyond);
-    Table::of(words, &found.poses, columns).on(phrase!("sheet-robust-fit-poses"))
+    Table::new(words, &found.poses, columns).on(phrase!("sheet-robust-fit-poses"))
 }
 
 fn trends(all: &[ResidualTrend], words: &Words) -> Table {
@@ -149,5 +149,5 @@ fn trends(all: &[ResidualTrend], words: &Words) -> Table {
         .both("F", "", |t| significant(t.f, 3))
         .both(phrase!("p-value"), "", |t| shown(t.p_value, number::probability))
         .both(phrase!("trend"), "", verdict);
-    Table::of(words, all, columns).on(phrase!("sheet-trends-of-residuals"))
+    Table::new(words, all, columns).on(phrase!("sheet-trends-of-residuals"))
 }

@@ -21,8 +21,9 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         .both(phrase!("readings"), "", |d| d.readings)
         .both(phrase!("cycles"), "", |d| d.cycles);
     let note = tr!(words, "definition-compliance");
-    let table =
-        Table::of(words, &document.directions, columns).on(phrase!("sheet-iso9283-compliance")).without_empty_columns();
+    let table = Table::new(words, &document.directions, columns)
+        .on(phrase!("sheet-iso9283-compliance"))
+        .without_empty_columns();
     let mut section = Section::new("compliance", tr!(words, "static-compliance"));
     section.table("", note, table);
     section.push(Block::note(Text::conventions(&document.conventions, &document.convention_phrases, words)));

@@ -71,7 +71,7 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
 
 /// Statements of a certificate on report, customer, item, place, dates and traceability, including
 /// those that are missing.
-pub(super) fn of_certificate(report: &Report, words: &Words) -> Vec<(String, Cell)> {
+pub(super) fn certificate_facts(report: &Report, words: &Words) -> Vec<(String, Cell)> {
     let conditions = facts(report, words);
     let traced = [
         tr!(words, "instrument"),
@@ -159,7 +159,7 @@ fn uncertainty(report: &Report, words: &Words) -> Option<String> {
     let c = report.campaign;
     let u = c.expanded_uncertainty_um.map(number::stated)?;
     let sets = report.identified.map_or(&[][..], |i| &i.accuracy.sets);
-    let positions = sets.is_empty() || sets.iter().any(|s| s.of(ErrorQuantity::Position).is_some());
+    let positions = sets.is_empty() || sets.iter().any(|s| s.error_statistics(ErrorQuantity::Position).is_some());
     let of_coordinate = match (c.coverage_factor.map(number::stated), positions) {
         (Some(k), true) => tr!(words, "instrument-uncertainty-with-k", uncertainty = u, k),
         (Some(k), false) => tr!(words, "reading-uncertainty-with-k", uncertainty = u, k),
@@ -196,7 +196,7 @@ mod tests {
     use super::*;
     use crate::tests::demo::Documents;
 
-    fn of(facts: &[(String, Cell)], what: &str) -> Option<String> {
+    fn fact(facts: &[(String, Cell)], what: &str) -> Option<String> {
         facts.iter().find(|(name, said)| name == what && !said.is_missing()).map(|(_, said)| said.plain())
     }
 
@@ -210,17 +210,17 @@ mod tests {
         for what in
             ["controller", "mounting", "load", "warm-up before the test", "deviations from the method", "traceability"]
         {
-            assert_eq!(of(&test, what).as_deref(), Some("not stated"), "{what}");
-            assert_eq!(of(&calibration, what).as_deref(), Some("not stated"), "{what}");
+            assert_eq!(fact(&test, what).as_deref(), Some("not stated"), "{what}");
+            assert_eq!(fact(&calibration, what).as_deref(), Some("not stated"), "{what}");
         }
-        assert_eq!(of(&test, "poses and cycles").as_deref(), Some("2 poses, 30 visits each"));
-        assert_eq!(of(&calibration, "operator").as_deref(), Some("N. N."));
+        assert_eq!(fact(&test, "poses and cycles").as_deref(), Some("2 poses, 30 visits each"));
+        assert_eq!(fact(&calibration, "operator").as_deref(), Some("N. N."));
         let documents = Documents::demo();
         let identity = identity(&documents.report(), &Words::default());
         for what in ["report number", "customer", "robot", "serial number", "date of issue", "authorised by"] {
-            assert_eq!(of(&identity, what).as_deref(), Some("not stated"), "{what}");
+            assert_eq!(fact(&identity, what).as_deref(), Some("not stated"), "{what}");
         }
-        assert_eq!(of(&identity, "date of the measurements").as_deref(), Some("2011-05-12"));
+        assert_eq!(fact(&identity, "date of the measurements").as_deref(), Some("2011-05-12"));
     }
 
     #[test]
@@ -231,16 +231,16 @@ mod tests {
         (c.velocities_percent, c.velocities_mm_s) = (Some(vec![100.0, 50.0]), Some(vec![400.0]));
         c.deviations = Some(vec![]);
         let all = facts(&documents.report(), &Words::default());
-        assert_eq!(of(&all, "load").as_deref(), Some("0.5 kg"));
-        assert_eq!(of(&all, "load centre, from the mechanical interface").as_deref(), Some("x 0, y 1.5, z 30 mm"));
-        assert_eq!(of(&all, "velocities").as_deref(), Some("100, 50 % of the rated velocity; 400 mm/s"));
-        assert_eq!(of(&all, "deviations from the method").as_deref(), Some("none"));
-        assert_eq!(of(&all, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per coordinate (k = 2)"));
+        assert_eq!(fact(&all, "load").as_deref(), Some("0.5 kg"));
+        assert_eq!(fact(&all, "load centre, from the mechanical interface").as_deref(), Some("x 0, y 1.5, z 30 mm"));
+        assert_eq!(fact(&all, "velocities").as_deref(), Some("100, 50 % of the rated velocity; 400 mm/s"));
+        assert_eq!(fact(&all, "deviations from the method").as_deref(), Some("none"));
+        assert_eq!(fact(&all, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per coordinate (k = 2)"));
         for set in &mut documents.accuracy.sets {
             set.errors.retain(|e| e.quantity == ErrorQuantity::Position);
             set.errors.iter_mut().for_each(|e| e.quantity = ErrorQuantity::Distance);
         }
         let distances = facts(&documents.report(), &Words::default());
-        assert_eq!(of(&distances, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per reading (k = 2)"));
+        assert_eq!(fact(&distances, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per reading (k = 2)"));
     }
 }

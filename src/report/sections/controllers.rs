@@ -24,7 +24,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both(phrase!("identified-max"), "mm", |(_, e)| significant(e.identified.max_mm, 3))
         .both(phrase!("this-file-rms"), "mm", |(_, e)| significant(e.written.rms_mm, 3))
         .both(phrase!("this-file-max"), "mm", |(_, e)| significant(e.written.max_mm, 3));
-    section.push(Block::Table(Table::of(words, &rows, columns).on(phrase!("controller-files"))));
+    section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("controller-files"))));
     let values: Vec<(&ControllerFiles, &WrittenParameter)> =
         document.files.iter().flat_map(|files| files.values.iter().map(move |value| (files, value))).collect();
     let columns = Columns::<(&ControllerFiles, &WrittenParameter)>::new()
@@ -33,6 +33,6 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .sheet(phrase!("unit"), "", |(_, v)| v.unit.as_str())
         .sheet(phrase!("value"), "", |(_, v)| v.value)
         .sheet("u (k = 1)", "", |(_, v)| v.standard_uncertainty);
-    section.push(Block::Table(Table::of(words, &values, columns).on(phrase!("sheet-controller-values"))));
+    section.push(Block::Table(Table::new(words, &values, columns).on(phrase!("sheet-controller-values"))));
     section.whole()
 }

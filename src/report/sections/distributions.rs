@@ -59,5 +59,5 @@ fn table(entries: &[DistributionEntry], words: &Words) -> Table {
         .both(phrase!("agree"), "", agrees)
         .both(phrase!("u-report"), "", |e| significant(e.standard_uncertainty, 2))
         .both(phrase!("u-bootstrap"), "", |e| significant(e.bootstrap, 2));
-    Table::of(words, entries, columns).without_empty_columns()
+    Table::new(words, entries, columns).without_empty_columns()
 }

@@ -41,7 +41,7 @@ fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
         .page(phrase!("settled-after-set"), "", |d| {
             d.settled_after.map_or_else(|| Cell::from(Text::from("–")), Into::into)
         });
-    Table::of(words, drifts, columns)
+    Table::new(words, drifts, columns)
 }
 
 /// Cycles of a set at a pose.
@@ -61,7 +61,7 @@ fn sets<'a>(document: &'a Iso9283Document, words: &Words) -> Table {
         .sheet("dAP", "mm", |s| s.of.dap_mm)
         .sheet("dRP", "mm", |s| s.of.drp_mm)
         .sheet(phrase!("settled-after-set"), "", |s| s.of.settled_after);
-    Table::of(words, &rows, columns).on(phrase!("sheet-iso9283-drift"))
+    Table::new(words, &rows, columns).on(phrase!("sheet-iso9283-drift"))
 }
 
 /// Curves of a characteristic by set of cycles for each pose, without title and caption.
@@ -81,7 +81,7 @@ fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {
         .both(phrase!("from-cycle-on"), "", |e| e.cycle)
         .micrometres(phrase!("moved"), |e| e.moved_mm)
         .micrometres(phrase!("left-rms"), |e| e.rms_mm);
-    Table::of(words, epochs, columns).on(phrase!("sheet-iso9283-reference-targets"))
+    Table::new(words, epochs, columns).on(phrase!("sheet-iso9283-reference-targets"))
 }
 
 fn moved(epochs: &[Iso9283Epoch], words: &Words) -> Option<Figure> {

@@ -17,7 +17,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .micrometres("U (k = 2)", |p| p.standard_uncertainty_mm.map(|u| 2.0 * u))
         .micrometres(phrase!("tolerance"), |p| p.tolerance_mm)
         .both(phrase!("pose"), "", |p| p.pose);
-    let table = Table::of(words, all, columns).on(phrase!("sheet-parameter-effects")).without_empty_columns();
+    let table = Table::new(words, all, columns).on(phrase!("sheet-parameter-effects")).without_empty_columns();
     section.push(Block::Aside { title: tr!(words, "effects-of-all"), blocks: vec![Block::Table(table)] });
     section.whole()
 }

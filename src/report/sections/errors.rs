@@ -28,7 +28,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 }
 
 /// Section of these errors.
-pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
+pub(crate) fn section_from_errors(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
     with_flagged((accuracy, true), errors, &Flagged::new(), words)
 }
 
@@ -303,7 +303,7 @@ fn statistics(
         .both(phrase!("max"), "", move |e| cell(e, e.after.max))
         .below(4, after)
         .both(phrase!("rms-ratio"), "", ratio);
-    Table::of(words, &set.errors, columns)
+    Table::new(words, &set.errors, columns)
 }
 
 /// Benefit of each effect at left-out poses.
@@ -315,7 +315,7 @@ fn effects(all: &[EffectProof], words: &Words) -> Table {
         .both(phrase!("rms-with-it"), "mm", |e| fixed(e.with_mm, 4))
         .both(phrase!("gain-over-u"), "", |e| fixed(e.gain_over_u, 1))
         .both(phrase!("identified"), "", |e| yes_no(words, e.is_identified));
-    Table::of(words, all, columns).on(phrase!("sheet-proven-effects"))
+    Table::new(words, all, columns).on(phrase!("sheet-proven-effects"))
 }
 
 /// Number of decimals in `unit`: two digits of the smallest uncertainty or, if unknown, three
@@ -386,7 +386,7 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
         .both(phrase!("orientation-before-max"), "deg", move |r| angle(r.largest(|p| p.before_deg)))
         .both(phrase!("orientation-after-max"), "deg", move |r| angle(r.largest(|p| p.after_deg)))
         .both(phrase!("residual-over"), "", move |r| significant(over_sigma(r), 2));
-    Table::of(words, &rows, columns).on(phrase!("errors-of-each-pose")).without_empty_columns()
+    Table::new(words, &rows, columns).on(phrase!("errors-of-each-pose")).without_empty_columns()
 }
 
 fn residuals(errors: &[PointError], words: &Words) -> Table {
@@ -400,7 +400,7 @@ fn residuals(errors: &[PointError], words: &Words) -> Table {
         .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-after", axis)), "mm", |p| &p.after_mm)
         .sheet(phrase!("orientation-before"), "deg", |p| p.before_deg)
         .sheet(phrase!("orientation-after"), "deg", |p| p.after_deg);
-    Table::of(words, errors, columns).on(phrase!("residuals-title"))
+    Table::new(words, errors, columns).on(phrase!("residuals-title"))
 }
 
 /// Map of the expected error for the workbook.
@@ -411,7 +411,7 @@ fn nodes(accuracy: &AccuracyDocument, words: &Words) -> Table {
         .sheet(phrase!("expected-of-parameters"), "mm", |n| n.parameters_mm)
         .sheet(phrase!("expected-standard"), "mm", |n| n.standard_uncertainty_mm)
         .sheet("95 %", "mm", |n| n.p95_mm);
-    Table::of(words, accuracy.map.iter().flat_map(|map| &map.nodes), columns).on(phrase!("sheet-predicted-errors"))
+    Table::new(words, accuracy.map.iter().flat_map(|map| &map.nodes), columns).on(phrase!("sheet-predicted-errors"))
 }
 
 #[cfg(test)]
@@ -462,10 +462,10 @@ mod tests {
             tool: None,
             map: None,
         };
-        page_of(&statistics(&document, &set, "validation", [phrase!("before"), phrase!("after")], &Words::default()))
+        page_rows(&statistics(&document, &set, "validation", [phrase!("before"), phrase!("after")], &Words::default()))
     }
 
-    fn page_of(table: &Table) -> Vec<Vec<String>> {
+    fn page_rows(table: &Table) -> Vec<Vec<String>> {
         let page = serde_json::to_value(table).unwrap();
         let cell = |c: &serde_json::Value| c["text"][0]["text"].as_str().unwrap_or_default().to_owned();
         page["rows"].as_array().unwrap().iter().map(|r| r.as_array().unwrap().iter().map(cell).collect()).collect()
@@ -494,15 +494,15 @@ mod tests {
     fn a_pose_has_the_largest_of_its_errors_and_long_tables_are_cut() {
         let two = [point(1, [0.0; 3], [0.3, 0.0, 0.0], [0.02, 0.0, 0.0]), point(1, [0.0; 3], [0.2; 3], [0.01; 3])];
         assert_eq!(
-            page_of(&poses(&two, &Flagged::new(), &Words::default())),
+            page_rows(&poses(&two, &Flagged::new(), &Words::default())),
             [["1", "calibration", "2", "346", "20.0"]]
         );
         let many: Vec<_> =
             (0..600u32).map(|i| point(i64::from(i), [0.0; 3], [0.1; 3], [1e-5 * f64::from(i); 3])).collect();
         let table = poses(&many, &Flagged::new(), &Words::default());
         let page = serde_json::to_value(&table).unwrap();
-        assert_eq!((table.rows.len(), page_of(&table).len(), page["left_out"].as_u64()), (600, 500, Some(100)));
-        let [first, last] = [0, 499].map(|i: usize| page_of(&table)[i][0].clone());
+        assert_eq!((table.rows.len(), page_rows(&table).len(), page["left_out"].as_u64()), (600, 500, Some(100)));
+        let [first, last] = [0, 499].map(|i: usize| page_rows(&table)[i][0].clone());
         assert_eq!((first.as_str(), last.as_str()), ("599", "100"), "the largest are shown");
         assert!(poses(&[], &Flagged::new(), &Words::default()).is_empty());
     }

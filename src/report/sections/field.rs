@@ -9,11 +9,11 @@ use etalon_base::phrase;
 use etalon_documents::{FieldDependence, FieldHeldOut, FieldRange, FieldSummary};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    of_field(report.identified?.accuracy.field.as_ref()?, words)
+    section_from_summary(report.identified?.accuracy.field.as_ref()?, words)
 }
 
 /// Section of a search for a field, or of a field that was given for a validation.
-pub(crate) fn of_field(field: &FieldSummary, words: &Words) -> Option<Section> {
+pub(crate) fn section_from_summary(field: &FieldSummary, words: &Words) -> Option<Section> {
     let mut section = Section::new("field", tr!(words, "residual-field"));
     if let Some(reason) = &field.reason_phrase {
         section.push(Block::text(tr!(words, "field-refused-because", reason = words.tr(reason))));
@@ -74,5 +74,5 @@ fn components(all: &[FieldDependence], words: &Words) -> Table {
         .both(phrase!("field-inputs"), "", inputs)
         .both(phrase!("field-deviation"), "", |c| significant(c.prior, 2))
         .both(phrase!("unit"), "", unit);
-    Table::of(words, all, columns).on(phrase!("residual-field"))
+    Table::new(words, all, columns).on(phrase!("residual-field"))
 }

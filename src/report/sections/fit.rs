@@ -15,11 +15,11 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let identified = report.identified?;
     let drawable = points::drawable(identified.errors);
     let planar = points::planar(&drawable, report.frames.world.planar);
-    Some(of(identified.parameters, plots::pictures(&drawable, planar, words), words))
+    Some(section_from_document(identified.parameters, plots::pictures(&drawable, planar, words), words))
 }
 
 /// Section of a fit, with figures of its residuals.
-pub(crate) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &Words) -> Section {
+pub(crate) fn section_from_document(document: &ParametersDocument, pictures: Vec<Figure>, words: &Words) -> Section {
     let mut section = Section::new("fit", tr!(words, "fit-and-observability"));
     section.push(Block::heading(tr!(words, "residuals-title")));
     section.push(Block::facts(residuals(&document.residuals, words)));
@@ -66,7 +66,7 @@ fn indices(o: &ObservabilitySummary, words: &Words) -> Table {
         .page("O5", "", |o| digits(o.o5, 4))
         .page(phrase!("condition"), "", |o| digits(o.condition, 4))
         .page(phrase!("rank"), "", |o| o.rank);
-    Table::of(words, [o], columns)
+    Table::new(words, [o], columns)
 }
 
 /// Singular values in descending order, followed by those of held parameters.
@@ -80,7 +80,7 @@ fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
         .sheet(phrase!("singular-value-scaled"), "", |(.., s)| s.value)
         .sheet(phrase!("direction"), "", |(_, direction, _)| *direction)
         .sheet(phrase!("parameters"), "", |(.., s)| s.parameters.join(", "));
-    Table::of(words, &rows, columns).on(phrase!("sheet-singular-values"))
+    Table::new(words, &rows, columns).on(phrase!("sheet-singular-values"))
 }
 
 fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {

@@ -66,7 +66,7 @@ fn elements(features: &[Feature], words: &Words) -> Table {
         .both("u (k = 1)", "mm", |f| shown(f.standard_uncertainty_mm, um))
         .shown_in("µm")
         .sheet(phrase!("head-labels"), "", |f| f.labels.join(", "));
-    Table::of(words, features, columns).on(phrase!("features"))
+    Table::new(words, features, columns).on(phrase!("features"))
 }
 
 /// World frame at each measurement.
@@ -85,7 +85,7 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
     let titles = titles.into_iter().flatten().enumerate();
     let columns = titles
         .fold(first, |columns, (i, title)| columns.sheet(title, "", move |f| f.export_T_world.rotation[i % 3][i / 3]));
-    Table::of(words, &world.poses, columns).on(phrase!("sheet-frames"))
+    Table::new(words, &world.poses, columns).on(phrase!("sheet-frames"))
 }
 
 /// Errors that no reading can detect.
@@ -95,7 +95,7 @@ fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
         .sheet(phrase!("what-no-reading-shows"), "", |u| u.what.as_str())
         .both(phrase!("points"), "", |u| Text::name(&u.points.join(", ")))
         .both(phrase!("controlled-by"), "", |u| Text::name(&u.keys.join(", ")));
-    Table::of(words, all, columns).on(phrase!("sheet-not-controlled"))
+    Table::new(words, all, columns).on(phrase!("sheet-not-controlled"))
 }
 
 fn triple(v: Vector, decimals: usize) -> String {

@@ -39,7 +39,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.table(
         tr!(words, "all-tables"),
         "",
-        Table::of(words, &document.methods, columns).on(phrase!("sheet-geometry-methods")),
+        Table::new(words, &document.methods, columns).on(phrase!("sheet-geometry-methods")),
     );
     section.table(tr!(words, "leads"), "", leads(document, words));
     section.push(Block::Table(linearity(document, words)));
@@ -54,7 +54,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both(phrase!("permissible-over-certificate"), "", |b| significant(b.uncertainty_ratio, 2))
         .page(phrase!("verdict"), "", |b| Text::name(&bar_verdict(b.verdict, words)))
         .sheet(phrase!("verdict"), "", |b| bar_verdict(b.verdict, words));
-    let bars = Table::of(words, &document.scale_bars, columns).on(phrase!("sheet-geometry-scale-bars"));
+    let bars = Table::new(words, &document.scale_bars, columns).on(phrase!("sheet-geometry-scale-bars"));
     section.table(tr!(words, "scale-bars"), "", bars);
     let columns = Columns::<etalon_documents::BallResult>::new()
         .both(phrase!("ball"), "", |b| b.name.as_str())
@@ -62,14 +62,14 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .both(phrase!("mean-distance-from-mean"), "mm", |b| fixed(b.mean_mm, 4))
         .both(phrase!("standard-deviation"), "mm", |b| fixed(b.standard_deviation_mm, 4))
         .both(phrase!("mean-plus-3s"), "mm", |b| fixed(b.repeatability_mm, 4));
-    let balls = Table::of(words, &document.balls, columns).on(phrase!("sheet-geometry-balls"));
+    let balls = Table::new(words, &document.balls, columns).on(phrase!("sheet-geometry-balls"));
     section.table(tr!(words, "single-balls"), "", balls);
     section.table(tr!(words, "fits"), "", fits(document, words));
     let columns = Columns::<etalon_documents::Region>::new()
         .both(phrase!("region-of-c"), "", |r| Text::worded(&r.name, r.name_phrase.as_ref(), words))
         .both(phrase!("area"), "mm²", |r| fixed(r.area_mm2, 0))
         .both(phrase!("corners"), "", |r| r.corners_mm.len());
-    let regions = Table::of(words, &document.workspace, columns).on(phrase!("sheet-geometry-workspace"));
+    let regions = Table::new(words, &document.workspace, columns).on(phrase!("sheet-geometry-workspace"));
     section.table(tr!(words, "workspace"), "", regions);
     section.figures(drawing(document, words));
     section.whole()
@@ -130,7 +130,7 @@ fn quantities(document: &GeometricDocument, words: &Words) -> Table {
         .page(phrase!("identified-minus-geometric"), "", move |q| {
             q.identified.map(|v| with_uncertainty(v - q.value, u(q)))
         });
-    Table::of(words, &document.quantities, columns).on(phrase!("sheet-geometry-quantities"))
+    Table::new(words, &document.quantities, columns).on(phrase!("sheet-geometry-quantities"))
 }
 
 /// Mean errors of the poses in a table, by method.
@@ -163,7 +163,7 @@ fn poses(table: &PoseTable, words: &Words) -> Table {
             .below(4, name)
     });
     let columns = columns.both(phrase!("standard-deviation"), "mm", |r| fixed(r.standard_deviation_mm, 3));
-    Table::of(words, &table.rows, columns).on(phrase!("sheet-geometry-poses"))
+    Table::new(words, &table.rows, columns).on(phrase!("sheet-geometry-poses"))
 }
 
 fn leads(document: &GeometricDocument, words: &Words) -> Table {
@@ -177,7 +177,7 @@ fn leads(document: &GeometricDocument, words: &Words) -> Table {
         .page(phrase!("error"), "µm per mm", |l| significant(1e3 * l.error, 3))
         .page("u (k = 1)", "µm per mm", |l| significant(1e3 * l.standard_uncertainty, 2))
         .page(phrase!("largest-mean-deviation-from-linear"), "µm", move |l| significant(1e3 * off(l), 2));
-    Table::of(words, &document.leads, columns)
+    Table::new(words, &document.leads, columns)
 }
 
 /// Commanded positions of all actuators.
@@ -192,7 +192,7 @@ fn linearity(document: &GeometricDocument, words: &Words) -> Table {
         .sheet(phrase!("u-of-deviation"), "", |(l, _)| l.standard_uncertainty)
         .sheet(phrase!("head-commanded"), "mm", |(_, p)| p.commanded_mm)
         .sheet(phrase!("mean-deviation-from-linear"), "mm", |(_, p)| p.deviation_mm);
-    Table::of(words, &rows, columns).on(phrase!("sheet-geometry-leads"))
+    Table::new(words, &rows, columns).on(phrase!("sheet-geometry-leads"))
 }
 
 /// Quality of each fit.
@@ -206,7 +206,7 @@ fn fits(document: &GeometricDocument, words: &Words) -> Table {
         .both(phrase!("norm"), "mm", |s| fixed(s.norm_mm, 4))
         .both(phrase!("arc"), "deg", |s| fixed(s.coverage_deg, 1))
         .both(phrase!("uncertainties-enlarged-by"), "", |s| significant(s.enlarged_by, 3));
-    Table::of(words, &document.steps, columns).on(phrase!("sheet-geometry-fits"))
+    Table::new(words, &document.steps, columns).on(phrase!("sheet-geometry-fits"))
 }
 
 /// Outlines of the regions, with the last one (every orientation) in a thicker line.

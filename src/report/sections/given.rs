@@ -15,7 +15,7 @@ pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Ver
     let met = document.verdict == VerificationVerdict::Valid && !document.is_refused();
     Verdict {
         met,
-        class: Grade::of(met),
+        class: Grade::from_met(met),
         sentences: vec![Text::worded(&document.meaning, document.meaning_phrase.as_ref(), words).plain()],
         ..Verdict::default()
     }
@@ -63,7 +63,7 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
         .both(phrase!("detected-from"), "", |l| least(l, l.value))
         .both(phrase!("named-from"), "", |l| joint(l).then(|| least(l, l.named)))
         .both(phrase!("unit"), "", |l| if unit(l).unit.is_empty() { l.unit.as_str() } else { unit(l).unit });
-    power.push(Block::Table(Table::of(words, all, columns)));
+    power.push(Block::Table(Table::new(words, all, columns)));
     power.push(Block::note(tr!(words, "naming-probability", percent = percent(naming))));
     power
 }
@@ -88,7 +88,7 @@ pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> V
     let phrases = document.meaning_phrases.iter().map(Some).chain(std::iter::repeat(None));
     let sentences = document.meaning.iter().zip(phrases).map(|(m, phrase)| Text::worded(m, phrase, words).plain());
     let sentences = sentences.collect();
-    Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
+    Verdict { met, class: Grade::from_met(met), sentences, ..Verdict::default() }
 }
 
 /// Sections on effects in the order of trial, and on the evidence for each parameter.
@@ -121,7 +121,7 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
             false => term(words, phrase!("not-accepted")),
         })
         .decisive();
-    effects.push(Block::Table(Table::of(words, &document.steps, columns)));
+    effects.push(Block::Table(Table::new(words, &document.steps, columns)));
     let mut parameters = Section::new("parameters", tr!(words, "parameters-title")).on_terminal();
     let change = |p: &ParameterVerdict| {
         let u = (p.change / p.change_over_u).abs();
@@ -141,6 +141,6 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
             LoadVerdict::Hold => term(words, phrase!("to-hold")),
         })
         .decisive();
-    parameters.push(Block::Table(Table::of(words, &document.parameters, columns)));
+    parameters.push(Block::Table(Table::new(words, &document.parameters, columns)));
     vec![effects, parameters]
 }

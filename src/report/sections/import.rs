@@ -18,7 +18,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
             .both(phrase!("line"), "", |r| r.line)
             .both(phrase!("reason"), "", |r| Text::worded(&r.reason, r.reason_phrase.as_ref(), words))
             .both(phrase!("text"), "", |r| Text::code(&r.text));
-        let table = Table::of(words, &source.refused, columns).on(phrase!("sheet-refused-rows"));
+        let table = Table::new(words, &source.refused, columns).on(phrase!("sheet-refused-rows"));
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
     }
     let columns = Columns::<Unmatched>::new()
@@ -27,7 +27,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .sheet(phrase!("checklist-key"), "", |u| u.key.as_str())
         .sheet(phrase!("reason"), "", |u| u.reason.as_str());
     section
-        .push(Block::Table(Table::of(words, &report.import.unmatched, columns).on(phrase!("sheet-without-partner"))));
+        .push(Block::Table(Table::new(words, &report.import.unmatched, columns).on(phrase!("sheet-without-partner"))));
     section.push(super::messages::routine(&report.import.messages, words));
     section.whole()
 }
@@ -40,5 +40,5 @@ fn sources(sources: &[Source], words: &Words) -> Table {
         .page(phrase!("read-as"), "", |s| Text::worded(&s.dialect, s.dialect_phrase.as_ref(), words))
         .page(phrase!("rows"), "", |s| s.rows_read)
         .page(phrase!("refused"), "", |s| s.refused.len());
-    Table::of(words, sources, columns)
+    Table::new(words, sources, columns)
 }

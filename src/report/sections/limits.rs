@@ -8,11 +8,15 @@ use etalon_base::phrase;
 use etalon_documents::{Acceptance, Characteristics, Conformity, DecisionRule, LimitVerdict};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    of(&limits(report.identified.as_ref(), report.tested), report.campaign.decision_rule.is_none(), words)
+    section_from_verdicts(
+        &limits(report.identified.as_ref(), report.tested),
+        report.campaign.decision_rule.is_none(),
+        words,
+    )
 }
 
 /// Section of these limits; `default` if the decision rule was not chosen.
-pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
+pub(crate) fn section_from_verdicts(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
         .page(phrase!("limit"), "", |l| Text::from(words.tr(&names::limit(l.name))))
         .sheet(phrase!("limit"), "", |l| l.name.to_string())
@@ -28,7 +32,7 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
         .decisive()
         .sheet(phrase!("decision-rule"), "", |l| name(l.decision_rule, &Words::default()));
     let mut section = Section::new("limits", tr!(words, "limits"));
-    section.table("", "", Table::of(words, all, columns).on(phrase!("limits")));
+    section.table("", "", Table::new(words, all, columns).on(phrase!("limits")));
     if let Some(limit) = all.first() {
         section.push(Block::detail(rule(limit.decision_rule, default, words)));
     }
@@ -93,8 +97,8 @@ mod tests {
 
     #[test]
     fn the_verdict_is_beside_the_name_where_a_narrow_screen_shows_it() {
-        let limit = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.04, Some(0.02), DecisionRule::Guarded);
-        let section = of(&[&limit], false, &Words::default()).unwrap();
+        let limit = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.05, 0.04, Some(0.02), DecisionRule::Guarded);
+        let section = section_from_verdicts(&[&limit], false, &Words::default()).unwrap();
         let page = serde_json::to_value(&section).unwrap();
         let heads = page["blocks"][0]["header"].as_array().unwrap();
         assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 8));
@@ -104,7 +108,7 @@ mod tests {
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {
         let of = |value, u| {
-            reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded)).unwrap()
+            reached(&LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded)).unwrap()
         };
         assert_eq!(of(0.050_000_4, None), "0.0500004");
         assert_eq!(of(0.050_04, Some(0.0123)), "0.05004");

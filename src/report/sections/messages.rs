@@ -18,13 +18,13 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
                 .any(|o| o == *m)
     };
     let (_, here): (Vec<&Message>, Vec<&Message>) = report.messages().into_iter().partition(elsewhere);
-    let mut section = of(&here, words);
+    let mut section = section_from_messages(&here, words);
     section.data = vec![table(&report.messages(), words)];
     Some(section)
 }
 
 /// Section of these messages: those that need action first, with similar rows merged.
-pub(crate) fn of(messages: &[&Message], words: &Words) -> Section {
+pub(crate) fn section_from_messages(messages: &[&Message], words: &Words) -> Section {
     let mut section = Section::new("messages", tr!(words, "warnings-and-remarks"));
     if messages.is_empty() {
         section.push(Block::text(tr!(words, "no-messages")));
@@ -61,7 +61,7 @@ fn table(messages: &[&Message], words: &Words) -> Table {
         .sheet(phrase!("text"), "", move |m| place(m).text)
         .sheet(phrase!("expected"), "", |m| m.expected.as_deref())
         .sheet(phrase!("head-hint"), "", |m| m.hint.as_deref());
-    Table::of(words, messages.iter().copied(), columns).on(phrase!("sheet-messages"))
+    Table::new(words, messages.iter().copied(), columns).on(phrase!("sheet-messages"))
 }
 
 fn class(message: &Message) -> &'static str {

@@ -81,7 +81,8 @@ const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
 pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
     let made = |all: &[Make]| all.iter().filter_map(|make| make(report, words)).collect::<Vec<_>>();
     let mut sections = made(&BEFORE);
-    let of_test = tested(report.tested, words).into_iter().map(|section| of_point(section, report, words));
+    let of_test =
+        tested(report.tested, words).into_iter().map(|section| with_measurement_point(section, report, words));
     sections.extend(of_test);
     sections.extend(made(&AFTER));
     // the geometric method is the evidence of a campaign that identifies nothing else
@@ -93,7 +94,7 @@ pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
 }
 
 /// A section of characteristics, with the name of the measured point (ISO 9283:1998, 12).
-fn of_point(mut section: Section, report: &Report, words: &Words) -> Section {
+fn with_measurement_point(mut section: Section, report: &Report, words: &Words) -> Section {
     let stated = &report.campaign.conditions.measurement_point;
     let point = stated.clone().unwrap_or_else(|| tr!(words, "not-stated"));
     let conditions = &report.campaign.conditions;

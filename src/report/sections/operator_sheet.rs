@@ -34,7 +34,7 @@ pub(super) fn section(plan: &PlanDocument, words: &Words) -> Section {
         "",
         |_| BOX,
     );
-    section.table(tr!(words, "operator-sheet-before"), "", Table::of(words, &steps, columns));
+    section.table(tr!(words, "operator-sheet-before"), "", Table::new(words, &steps, columns));
     let rows = rows(plan);
     let first = rows.iter().take(1).flat_map(|row| row.values.keys().map(String::as_str));
     let joints: Vec<&str> = first.filter(|column| !column.ends_with(DIRECTION)).collect();
@@ -56,7 +56,7 @@ pub(super) fn section(plan: &PlanDocument, words: &Words) -> Section {
     section.table(
         tr!(words, "operator-sheet-poses"),
         tr!(words, "operator-sheet-note"),
-        Table::of(words, &rows, columns),
+        Table::new(words, &rows, columns),
     );
     section.annex()
 }

@@ -10,11 +10,11 @@ use etalon_base::phrase;
 use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    Some(of(report.identified?.parameters, words))
+    Some(section_from_document(report.identified?.parameters, words))
 }
 
 /// Section of these parameters.
-pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
+pub(crate) fn section_from_document(document: &ParametersDocument, words: &Words) -> Section {
     let mut section = Section::new("parameters", tr!(words, "parameters-title"));
     let note = tr!(words, "parameters-note");
     section.push(Block::note(note));
@@ -97,7 +97,7 @@ fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
         .page(phrase!("tolerance"), "", |p| significant(p.tolerance, 3))
         .page(phrase!("status"), "", |p| status(p.status, words))
         .page(phrase!("confounded-with"), "", |p| confounded(p, words));
-    Table::of(words, parameters, columns).without_empty_columns()
+    Table::new(words, parameters, columns).without_empty_columns()
 }
 
 /// Maximum number of names in a cell of a page; the workbook contains all.
@@ -131,7 +131,7 @@ fn sheet(parameters: &[ParameterEntry]) -> Table {
         .sheet(phrase!("status"), "", |p| status(p.status, words))
         .sheet(phrase!("confounded-with"), "", |p| Text::name(&p.confounded_with.join(", ")))
         .sheet(phrase!("head-meaning"), "", |p| p.meaning.as_str());
-    Table::of(words, parameters, columns).on(phrase!("parameters-title"))
+    Table::new(words, parameters, columns).on(phrase!("parameters-title"))
 }
 
 /// Meanings of parameters, with equal meanings in one row.
@@ -147,7 +147,7 @@ fn meanings(parameters: &[ParameterEntry], words: &Words) -> Table {
     let columns = Columns::<(String, Vec<&str>)>::new()
         .page(phrase!("parameters"), "", |(_, names)| Text::name(&names.join(", ")))
         .page(phrase!("meaning-and-sign"), "", |(meaning, _)| Text::from(meaning.as_str()));
-    Table::of(words, &rows, columns)
+    Table::new(words, &rows, columns)
 }
 
 /// Origin of a parameter's value in words.
@@ -183,7 +183,7 @@ fn matrix(
     let columns = identified
         .iter()
         .fold(named, |columns, (j, p)| columns.sheet(p.name.as_str(), "", move |(i, _)| entry(covariance, *i, *j)));
-    Table::of(words, &identified, columns).on(name)
+    Table::new(words, &identified, columns).on(name)
 }
 
 #[cfg(test)]

@@ -46,10 +46,13 @@ pub(crate) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Section> {
     let mut parameters = Section::new("parameters", tr!(words, "predicted-uncertainty-title"));
     parameters.push(Block::Table(predicted(plan, words)));
     let parameters = parameters.on_terminal();
-    let mut all = vec![chosen.on_terminal(), super::messages::of(&plan.messages.iter().collect::<Vec<_>>(), words)];
+    let mut all = vec![
+        chosen.on_terminal(),
+        super::messages::section_from_messages(&plan.messages.iter().collect::<Vec<_>>(), words),
+    ];
     all.extend([pictures, poses(plan, words), parameters].into_iter().filter_map(Section::whole));
     all.extend(plan.study.as_ref().map(|s| study(s, words)));
-    all.push(super::provenance::of(&plan.provenance, &[], words));
+    all.push(super::provenance::section_from_provenance(&plan.provenance, &[], words));
     all.push(super::operator_sheet::section(plan, words));
     all
 }
@@ -138,7 +141,7 @@ fn poses(plan: &PlanDocument, words: &Words) -> Section {
     let columns =
         joints.iter().fold(first, |columns, joint| columns.both(*joint, "", move |(_, c)| c.get(*joint).map(cell)));
     let mut section = Section::new("poses", tr!(words, "chosen-poses"));
-    section.push(Block::Table(Table::of(words, &rows, columns).on(phrase!("chosen-poses"))));
+    section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("chosen-poses"))));
     section
 }
 
@@ -153,7 +156,7 @@ fn predicted(plan: &PlanDocument, words: &Words) -> Table {
         .both(phrase!("unit"), "", |p| p.unit.as_str())
         .both(phrase!("predicted-u"), "", u)
         .both(phrase!("correlated-with"), "", |p| p.confounded_with.join(", "));
-    Table::of(words, &plan.parameters, columns).on(phrase!("parameters-title"))
+    Table::new(words, &plan.parameters, columns).on(phrase!("parameters-title"))
 }
 
 fn study(document: &StudyDocument, words: &Words) -> Section {
@@ -174,7 +177,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         .both(phrase!("true"), "", |p| fixed(p.actual, 4))
         .both(phrase!("identified"), "", |p| fixed(p.identified, 4))
         .both(phrase!("identified-minus-true"), "", |p| fixed(p.identified - p.actual, 5));
-    let table = Table::of(words, &document.parameters, columns).on(phrase!("sheet-study-parameters"));
+    let table = Table::new(words, &document.parameters, columns).on(phrase!("sheet-study-parameters"));
     section.table(tr!(words, "parameters-title"), "", table);
     let um = |mm: f64| shown(mm, |mm| number::fixed(1e3 * mm, 2));
     let columns = Columns::<StudyStep>::new()
@@ -186,7 +189,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         .shown_in("µm")
         .both(phrase!("max-after"), "mm", move |s| um(s.max_mm))
         .shown_in("µm");
-    let table = Table::of(words, &document.steps, columns).on(phrase!("sheet-study-positions"));
+    let table = Table::new(words, &document.steps, columns).on(phrase!("sheet-study-positions"));
     section.table(tr!(words, "errors-by-number-of-positions"), "", table);
     let errors: Vec<PointError> = document.places.iter().map(|place| error(place, words)).collect();
     let drawable = points::drawable(&errors);

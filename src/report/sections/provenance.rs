@@ -7,11 +7,11 @@ use etalon_base::phrase;
 use etalon_documents::{Provenance, Source};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    Some(of(&report.provenance(), &report.import.sources, words))
+    Some(section_from_provenance(&report.provenance(), &report.import.sources, words))
 }
 
 /// Section of the provenance; `sources` adds information about inputs that this campaign read.
-pub(crate) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
+pub(crate) fn section_from_provenance(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
     let mut section = Section::new("provenance", tr!(words, "provenance"));
     section.push(Block::facts(vec![
         (tr!(words, "written-by"), format!("etalon {}", provenance.version).into()),
@@ -29,6 +29,6 @@ pub(crate) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> 
         .sheet(phrase!("read-as"), "", |r| r.2.map(|s| s.dialect.as_str()))
         .sheet(phrase!("rows"), "", |r| r.2.map(|s| s.rows_read))
         .sheet(phrase!("head-refused"), "", |r| r.2.map(|s| s.refused.len()));
-    section.push(Block::Table(Table::of(words, &rows, columns).on(phrase!("sheet-inputs"))));
+    section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("sheet-inputs"))));
     section
 }

@@ -45,5 +45,5 @@ fn table(relative: &RelativeAccuracy, words: &Words) -> Table {
         .micrometres(phrase!("max"), |s| s.after.max)
         .micrometres(expanded(phrase!("max")), |s| s.expanded_max_mm)
         .below(6, phrase!("after"));
-    Table::of(words, rows, columns).without_empty_columns().on(phrase!("sheet-relative-accuracy")).detail()
+    Table::new(words, rows, columns).without_empty_columns().on(phrase!("sheet-relative-accuracy")).detail()
 }

@@ -4,7 +4,7 @@
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
 use crate::number;
 use crate::plots::multiples;
-use crate::plots::visits::{self, Approaches, of_pose};
+use crate::plots::visits::{self, Approaches, pose_visits};
 use crate::words::{Words, isolated, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -30,7 +30,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         let note = tr!(words, "definition-quarter-rule");
         section.table("", note, rule);
     }
-    let all = Table::of(words, &poses, columns(words).in_workbook()).on(phrase!("sheet-iso9283-poses"));
+    let all = Table::new(words, &poses, columns(words).in_workbook()).on(phrase!("sheet-iso9283-poses"));
     section.push(Block::Table(all.without_empty_columns()));
     section.push(Block::Aside { title: tr!(words, "by-approach"), blocks: by_approach(document, words) });
     let figures = vec![Block::Figures { figures: visits::pictures(document, words) }];
@@ -45,8 +45,8 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         "µm",
         |p| um(p.distance_mm),
     );
-    section.table(tr!(words, "coplanarity"), "", Table::of(words, &document.coplanarity_of_four, columns));
-    section.push(Block::Table(of_robot(document, words)));
+    section.table(tr!(words, "coplanarity"), "", Table::new(words, &document.coplanarity_of_four, columns));
+    section.push(Block::Table(robot_characteristics(document, words)));
     section.push(Block::Table(attained(document, words)));
     section.on_terminal().whole()
 }
@@ -103,7 +103,7 @@ fn spheres(poses: &[Named], words: &Words) -> Table {
         .page("y", "", |n| um(n.pose.rp_along_y_mm))
         .page("z", "", |n| um(n.pose.rp_along_z_mm))
         .below(5, phrase!("mean-plus-3s-of-distance"));
-    Table::of(words, poses, columns)
+    Table::new(words, poses, columns)
 }
 
 /// RP with its intervals and further assessments.
@@ -113,14 +113,14 @@ pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
         numbers(n.pose.ellipsoid.map(|e| e.semi_axes_mm.map(um).join(" × ")))
     };
     let columns = Columns::<Named>::new()
-        .page_of(columns(words), &["pose", "RP"])
+        .page_columns(columns(words), &["pose", "RP"])
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
-        .page_of(columns(words), &[&phrase!("rp-without-noise").to_string()])
+        .page_columns(columns(words), &[&phrase!("rp-without-noise").to_string()])
         .page(phrase!("ellipsoid-semi-axes"), "µm", axes)
         .page(phrase!("verdict"), "", |n| conformity(n.pose.rp_conformity, words))
         .decisive();
     let known = poses.iter().filter(|n| n.pose.rp_interval.is_some());
-    Table::of(words, known, columns).without_empty_columns()
+    Table::new(words, known, columns).without_empty_columns()
 }
 
 /// Table of the 25 % rule by pose.
@@ -134,7 +134,7 @@ fn quarter_rule(poses: &[Named], words: &Words) -> Table {
             n.pose.quarter_rule_met.map(|met| term(words, if met { phrase!("met") } else { phrase!("not-met") }))
         });
     let judged = poses.iter().filter(|n| n.pose.quarter_rule_met.is_some());
-    Table::of(words, judged, columns).without_empty_columns()
+    Table::new(words, judged, columns).without_empty_columns()
 }
 
 /// Sentence on the 25 % rule.
@@ -226,7 +226,7 @@ fn by_approach(document: &Iso9283Document, words: &Words) -> Vec<Block> {
     let mut section = Section::new("", "");
     section.push(Block::note(tr!(words, "definition-vap")));
     for v in &document.approaches {
-        let [a, b] = v.between.each_ref().map(|name| isolated(&Approaches::of(document, words).name(name)));
+        let [a, b] = v.between.each_ref().map(|name| isolated(&Approaches::new(document, words).name(name)));
         let um = number::fixed(1e3 * v.vap_mm, 1);
         section.push(Block::text(tr!(words, "vap-farthest", pose = v.pose, first = a, second = b, distance = um)));
     }
@@ -239,7 +239,7 @@ fn by_approach(document: &Iso9283Document, words: &Words) -> Vec<Block> {
         .sheet(phrase!("head-and"), "", |v| v.between[1].as_str())
         .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-vap", axis)), "deg", |v| &v.vap_angles_deg)
         .sheet("vAP r", "deg", |v| v.vap_rotation_deg);
-    let variation = Table::of(words, &document.approaches, columns).on(phrase!("sheet-iso9283-variation"));
+    let variation = Table::new(words, &document.approaches, columns).on(phrase!("sheet-iso9283-variation"));
     section.push(Block::Table(variation.without_empty_columns()));
     section.blocks.extend(section.data.into_iter().map(Block::Table));
     section.blocks
@@ -248,12 +248,12 @@ fn by_approach(document: &Iso9283Document, words: &Words) -> Vec<Block> {
 fn approaches(document: &Iso9283Document, words: &Words) -> Table {
     let mut rows = Vec::new();
     for v in &document.approaches {
-        let all: Vec<Vector> = of_pose(document, v.pose).map(|v| v.attained_mm).collect();
+        let all: Vec<Vector> = pose_visits(document, v.pose).map(|v| v.attained_mm).collect();
         let middle = v.mean_mm.or_else(|| centroid(&all));
         let spatial = document.poses.iter().any(|p| p.pose == v.pose && p.rp_z_mm.is_some());
         rows.extend(v.approaches.iter().map(|approach| OfApproach { pose: v.pose, approach, middle, spatial }));
     }
-    let named = Approaches::of(document, words);
+    let named = Approaches::new(document, words);
     let off = |r: &OfApproach, axis: usize| r.middle.map(|middle| um(minus(r.approach.mean_mm, middle)[axis]));
     let columns = Columns::<OfApproach>::new()
         .both(phrase!("pose"), "", |r| r.pose)
@@ -267,7 +267,7 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
         .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-mean", axis)), "mm", |r| &r.approach.mean_mm)
         .micrometres("RP", |r| r.approach.rp_mm)
         .micrometres(phrase!("enclosing-sphere-radius"), |r| r.approach.enclosing_radius_mm);
-    Table::of(words, &rows, columns).on(phrase!("sheet-iso9283-approaches"))
+    Table::new(words, &rows, columns).on(phrase!("sheet-iso9283-approaches"))
 }
 
 /// Table of vAP of the angles, if measured.
@@ -278,7 +278,7 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
     }
     let columns = Columns::<Iso9283Variation>::new().page(phrase!("pose"), "", |v| v.pose);
     let columns = columns.page_angles(&titles, |v| &v.vap_angles_deg);
-    Table::of(words, &document.approaches, columns)
+    Table::new(words, &document.approaches, columns)
 }
 
 /// A characteristic of the whole robot.
@@ -288,7 +288,7 @@ struct Whole {
     mm: f64,
 }
 
-fn of_robot(document: &Iso9283Document, words: &Words) -> Table {
+fn robot_characteristics(document: &Iso9283Document, words: &Words) -> Table {
     let one = |what, pose, mm| Whole { what, pose, mm };
     let mut rows = Vec::new();
     rows.extend(document.exchangeability_mm.map(|v| one(phrase!("head-exchangeability"), None, v)));
@@ -299,7 +299,7 @@ fn of_robot(document: &Iso9283Document, words: &Words) -> Table {
         .sheet(phrase!("head-characteristic"), "", |r| term(words, r.what.clone()))
         .sheet(phrase!("pose"), "", |r| r.pose)
         .sheet(phrase!("value"), "mm", |r| r.mm);
-    Table::of(words, &rows, columns).on(phrase!("sheet-iso9283-robot"))
+    Table::new(words, &rows, columns).on(phrase!("sheet-iso9283-robot"))
 }
 
 fn attained(document: &Iso9283Document, words: &Words) -> Table {
@@ -308,5 +308,5 @@ fn attained(document: &Iso9283Document, words: &Words) -> Table {
         .sheet(phrase!("cycle"), "", |v| v.cycle)
         .sheet(phrase!("approached"), "", |v| v.approach.as_deref())
         .sheet_xyz(["x", "y", "z"], "mm", |v| &v.attained_mm);
-    Table::of(words, &document.visits, columns).on(phrase!("sheet-iso9283-visits"))
+    Table::new(words, &document.visits, columns).on(phrase!("sheet-iso9283-visits"))
 }

@@ -42,7 +42,7 @@ pub(crate) fn verdict(document: &SelftestDocument, words: &Words) -> Verdict {
             moved => tr!(words, "selftest-values-moved", campaign, moved),
         });
     }
-    Verdict { class: Grade::of(document.pass), met: document.pass, sentences, ..Verdict::default() }
+    Verdict { class: Grade::from_met(document.pass), met: document.pass, sentences, ..Verdict::default() }
 }
 
 /// First page, then the annexes.
@@ -82,7 +82,7 @@ fn overview(document: &SelftestDocument, words: &Words) -> Section {
         .both(phrase!("selftest-tests"), "", |r| r.checks.len())
         .both(phrase!("selftest-tests-failed"), "", failed)
         .both(phrase!("selftest-result"), "", |r| result(r.pass, words));
-    section.push(Block::Table(Table::of(words, &document.requirements, columns).on(phrase!("sheet-requirements"))));
+    section.push(Block::Table(Table::new(words, &document.requirements, columns).on(phrase!("sheet-requirements"))));
     section.on_terminal()
 }
 
@@ -119,7 +119,7 @@ fn tests<'a>(checks: impl IntoIterator<Item = &'a SelftestCheck>, words: &'a Wor
         .both(phrase!("selftest-deviation"), "", |c| significant(c.deviation, 2))
         .both(phrase!("selftest-permissible"), "", |c| significant(c.permissible, 2))
         .both(phrase!("selftest-result"), "", |c| result(c.pass, words));
-    Table::of(words, checks, columns)
+    Table::new(words, checks, columns)
 }
 
 /// Program and reference data (IQ).
@@ -129,13 +129,13 @@ fn installation(document: &SelftestDocument, words: &Words) -> Section {
         .both(phrase!("file"), "", |f| f.name.as_str())
         .both("SHA-256", "", |f| Text::code(&f.sha256))
         .both(phrase!("selftest-result"), "", |f| result(f.pass, words));
-    let files = Table::of(words, &document.reference, columns).on(phrase!("sheet-reference-data"));
+    let files = Table::new(words, &document.reference, columns).on(phrase!("sheet-reference-data"));
     section.table(tr!(words, "selftest-reference-data"), "", files);
     let columns = Columns::<LockedPackage>::new()
         .both(phrase!("selftest-package"), "", |p| p.name.as_str())
         .both(phrase!("selftest-version"), "", |p| p.version.as_str())
         .sheet("SHA-256", "", |p| p.sha256.as_deref().map(Text::code));
-    let packages = Table::of(words, &document.packages, columns).on(phrase!("sheet-packages"));
+    let packages = Table::new(words, &document.packages, columns).on(phrase!("sheet-packages"));
     section.table(tr!(words, "selftest-packages"), tr!(words, "selftest-packages-note"), packages);
     section
 }
@@ -168,7 +168,7 @@ fn slip_table<'a>(all: impl IntoIterator<Item = &'a SelftestMustFail>, words: &'
         .both(phrase!("selftest-tests"), "", |m| m.checks)
         .both(phrase!("selftest-tests-failed"), "", |m| m.failed)
         .both(phrase!("selftest-result"), "", verdict);
-    Table::of(words, all, columns)
+    Table::new(words, all, columns)
 }
 
 /// Values of the laboratory's own campaign (PQ).
@@ -183,7 +183,7 @@ fn performance(document: &SelftestPerformance, words: &Words) -> Section {
         .both(phrase!("before"), "", |m| significant(m.before, 15))
         .both(phrase!("after"), "", |m| significant(m.after, 15))
         .both(phrase!("selftest-over-u"), "", |m| fixed(m.over_uncertainty, 6));
-    section.push(Block::Table(Table::of(words, &document.moved, columns).on(phrase!("sheet-moved-values"))));
+    section.push(Block::Table(Table::new(words, &document.moved, columns).on(phrase!("sheet-moved-values"))));
     for (text, phrase) in document.causes.iter().zip(&document.cause_phrases) {
         let cause = Text::worded(text, Some(phrase), words).plain();
         section.push(Block::text(tr!(words, "selftest-cause", cause)));

@@ -60,7 +60,7 @@ pub(super) fn weaving(tested: &Characteristics, words: &Words) -> Option<Section
     for named in &tested.streams.as_ref()?.streams {
         if let Some(weave) = &named.stream.weaving {
             section.push(Block::heading(&named.name));
-            section.push(Block::facts(of_weave(weave, words).into()));
+            section.push(Block::facts(weaving_facts(weave, words).into()));
         }
     }
     section.on_terminal().whole()
@@ -92,11 +92,11 @@ fn facts(named: &Iso9283NamedStream, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "recorded"), recorded.into()),
         (tr!(words, "standstills"), stream.standstills.len().into()),
     ];
-    facts.extend(stream.path.iter().flat_map(|path| of_path(path, words)));
+    facts.extend(stream.path.iter().flat_map(|path| path_facts(path, words)));
     facts
 }
 
-fn of_path(path: &Iso9283Path, words: &Words) -> Vec<(String, Cell)> {
+fn path_facts(path: &Iso9283Path, words: &Words) -> Vec<(String, Cell)> {
     let passes = match path.incomplete {
         0 => tr!(words, "path-passes", length = number::fixed(path.length_mm, 1), passes = path.passes),
         left => {
@@ -138,7 +138,7 @@ fn of_path(path: &Iso9283Path, words: &Words) -> Vec<(String, Cell)> {
     facts
 }
 
-fn of_weave(w: &Iso9283Weaving, words: &Words) -> [(String, Cell); 3] {
+fn weaving_facts(w: &Iso9283Weaving, words: &Words) -> [(String, Cell); 3] {
     let of = |attained: f64, commanded: f64| [attained, commanded].map(|v| number::significant(v, 4));
     let ([stroke, wanted], ws) = (of(w.stroke_mm, w.commanded_stroke_mm), number::fixed(w.ws_percent, 2));
     let ([frequency, asked], wf) = (of(w.frequency_hz, w.commanded_frequency_hz), number::fixed(w.wf_percent, 2));
@@ -272,7 +272,7 @@ fn characteristics(document: &Iso9283StreamsDocument, words: &Words) -> Table {
         .sheet(phrase!("commanded-frequency"), "Hz", |s| s.stream.weaving.as_ref().map(|w| w.commanded_frequency_hz))
         .sheet(phrase!("head-frequency"), "Hz", |s| s.stream.weaving.as_ref().map(|w| w.frequency_hz))
         .sheet("WF", "%", |s| s.stream.weaving.as_ref().map(|w| w.wf_percent));
-    Table::of(words, &document.streams, columns).on(phrase!("sheet-streams"))
+    Table::new(words, &document.streams, columns).on(phrase!("sheet-streams"))
 }
 
 fn standstills(named: &Iso9283NamedStream, words: &Words) -> Table {
@@ -289,7 +289,7 @@ fn standstills(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both(phrase!("stabilisation-time"), "s", |s| fixed(s.stabilisation_s, 3))
         .micrometres(phrase!("overshoot"), |s| s.overshoot_mm)
         .both(phrase!("posing-time"), "s", |s| fixed(s.posing_s, 3));
-    Table::of(words, &named.stream.standstills, columns).on(phrase!("sheet-standstills")).not_on_page()
+    Table::new(words, &named.stream.standstills, columns).on(phrase!("sheet-standstills")).not_on_page()
 }
 
 fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
@@ -299,7 +299,7 @@ fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both(phrase!("arrivals"), "", |s| s.arrivals)
         .both(phrase!("stabilisation-time"), "s", |s| fixed(s.stabilisation_s, 3))
         .micrometres(phrase!("overshoot"), |s| s.overshoot_mm);
-    Table::of(words, &named.stream.settling, columns).on(phrase!("sheet-stabilisation"))
+    Table::new(words, &named.stream.settling, columns).on(phrase!("sheet-stabilisation"))
 }
 
 fn posing_times(named: &Iso9283NamedStream, words: &Words) -> Table {
@@ -310,7 +310,7 @@ fn posing_times(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both(phrase!("moves"), "", |p| p.moves)
         .both(phrase!("distance"), "mm", |p| fixed(p.distance_mm, 3))
         .both(phrase!("posing-time"), "s", |p| fixed(p.posing_s, 3));
-    Table::of(words, &named.stream.posing, columns).on(phrase!("sheet-posing"))
+    Table::new(words, &named.stream.posing, columns).on(phrase!("sheet-posing"))
 }
 
 fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
@@ -328,7 +328,7 @@ fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
         true => columns.both(phrase!("stabilisation-path-length"), "mm", length),
         false => columns.sheet(phrase!("stabilisation-path-length"), "mm", length),
     };
-    Table::of(words, of_all(), columns).on(phrase!("sheet-corners"))
+    Table::new(words, of_all(), columns).on(phrase!("sheet-corners"))
 }
 
 fn points(named: &Iso9283NamedStream, words: &Words) -> Table {
@@ -339,5 +339,5 @@ fn points(named: &Iso9283NamedStream, words: &Words) -> Table {
         .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-mean", axis)), "mm", |p| &p.mean_mm)
         .sheet(phrase!("deviation"), "mm", |p| p.deviation_mm)
         .sheet(phrase!("mean-radius-three-s"), "mm", |p| p.rt_mm);
-    Table::of(words, named.stream.path.iter().flat_map(|p| &p.points), columns).on(phrase!("sheet-path"))
+    Table::new(words, named.stream.path.iter().flat_map(|p| &p.points), columns).on(phrase!("sheet-path"))
 }

@@ -39,5 +39,5 @@ fn places(document: &Iso9283Document, words: &Words) -> Table {
         .page("x", "mm", |(.., mean)| fixed(mean[0], 3))
         .page("y", "mm", |(.., mean)| fixed(mean[1], 3))
         .page("z", "mm", |(.., mean)| fixed(mean[2], 3));
-    Table::of(words, &rows, columns)
+    Table::new(words, &rows, columns)
 }

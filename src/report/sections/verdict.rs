@@ -52,7 +52,7 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| at_tool(tool, words));
     let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| before_after(i.accuracy, set, words));
     let verdict = Verdict {
-        class: Grade::of_verdict(judgement.verdict),
+        class: Grade::from_verdict(judgement.verdict),
         met: judgement.passes(),
         sentences,
         about: about.unwrap_or_default(),
@@ -159,9 +159,9 @@ fn errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<
 
 /// A limited error with its uncertainty, its value before calibration, its limit and verdict.
 fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String> {
-    let (of, figure) = l.name.of_errors()?;
-    let (e, after) = (set.of(of)?, l.value?);
-    let before = figure.of(&e.before);
+    let (of, figure) = l.name.limited_error()?;
+    let (e, after) = (set.error_statistics(of)?, l.value?);
+    let before = figure.value_in(&e.before);
     let Shown { unit, factor } = number::shown(&e.unit, before);
     let u = l.expanded_uncertainty.map(|u| u * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after * factor, 3)).unwrap_or(1);
@@ -247,12 +247,12 @@ fn series(scatter: SeriesScatter, words: &Words) -> String {
 /// Root mean square of the position residuals of the calibration, if all residuals are positions.
 fn position_rms(accuracy: &AccuracyDocument) -> Option<f64> {
     let set = accuracy.sets.iter().find(|s| s.name == PoseSet::Calibration)?;
-    let others = ErrorQuantity::OTHERS.iter().any(|q| set.of(*q).is_some());
-    Some(set.of(ErrorQuantity::Position)?.after.rms).filter(|_| !others)
+    let others = ErrorQuantity::OTHERS.iter().any(|q| set.error_statistics(*q).is_some());
+    Some(set.error_statistics(ErrorQuantity::Position)?.after.rms).filter(|_| !others)
 }
 
 /// Verdict on given parameters, judged on the data of a campaign.
-pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
+pub(crate) fn validation_verdict(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
     let tested = Characteristics::default();
     let judged =
         Judged { parameters: None, accuracy: Some(accuracy), tested: &tested, controllers: None, conditions: None };
@@ -263,7 +263,7 @@ pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdi
     let sentences = sentences.chain(reservations(&judgement, words));
     let verdict = Verdict {
         met: judgement.passes(),
-        class: Grade::of_verdict(judgement.verdict),
+        class: Grade::from_verdict(judgement.verdict),
         sentences: sentences.collect(),
         ..Verdict::default()
     };
@@ -271,13 +271,13 @@ pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdi
 }
 
 /// Verdict of a test without a campaign.
-pub(crate) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
+pub(crate) fn test_verdict(tested: &Characteristics, words: &Words) -> Verdict {
     let judged = Judged { parameters: None, accuracy: None, tested, controllers: None, conditions: None };
     let judgement = judged.verdict();
     let sentences = named(&judgement, words).into_iter().chain(characteristics(tested, words));
     let verdict = Verdict {
         met: judgement.passes(),
-        class: Grade::of_verdict(judgement.verdict),
+        class: Grade::from_verdict(judgement.verdict),
         sentences: sentences.chain(reservations(&judgement, words)).collect(),
         ..Verdict::default()
     };
@@ -285,7 +285,7 @@ pub(crate) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
 }
 
 /// Verdict of an identification without a campaign.
-pub(crate) fn of_identification(document: &ParametersDocument, words: &Words) -> Verdict {
+pub(crate) fn identification_verdict(document: &ParametersDocument, words: &Words) -> Verdict {
     let sentences = alarm(document, words).into_iter().collect();
     Verdict { met: document.is_plausible(), sentences, ..Verdict::default() }
 }
@@ -318,7 +318,7 @@ struct BeforeAfter {
 /// Limited errors; without limits, maximum and RMS of the leading error and of orientations.
 fn before_after(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<BeforeAfter> {
     let of = |quantity: ErrorQuantity, figure: Figure| {
-        let errors = set.of(quantity)?;
+        let errors = set.error_statistics(quantity)?;
         let what = match (quantity, figure) {
             (ErrorQuantity::Position, _) | (_, Figure::Max) => words.tr(&names::error(quantity, figure)),
             (_, Figure::Mean) => tr!(words, "mean-of", quantity = words.tr(&quantity.phrase())),
@@ -327,12 +327,12 @@ fn before_after(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -
         Some(BeforeAfter {
             what,
             unit: if errors.unit == "deg" { "deg" } else { "mm" },
-            values: [figure.of(&errors.before), figure.of(&errors.after)],
+            values: [figure.value_in(&errors.before), figure.value_in(&errors.after)],
             expanded_uncertainty: errors.expanded_uncertainty,
         })
     };
     let limited: Vec<_> =
-        accuracy.limits.iter().filter_map(|l| l.name.of_errors()).filter_map(|(q, figure)| of(q, figure)).collect();
+        accuracy.limits.iter().filter_map(|l| l.name.limited_error()).filter_map(|(q, figure)| of(q, figure)).collect();
     if !limited.is_empty() {
         return limited;
     }
@@ -453,7 +453,7 @@ mod tests {
     use etalon_documents::LimitQuantity;
     use etalon_documents::Termination;
 
-    fn of(documents: &Documents) -> Verdict {
+    fn report_verdict(documents: &Documents) -> Verdict {
         let report = documents.report();
         verdict(&report, &Words::default())
     }
@@ -461,7 +461,7 @@ mod tests {
     #[test]
     fn limits_are_judged_as_stated() {
         let mut documents = Documents::demo();
-        let good = of(&documents);
+        let good = report_verdict(&documents);
         let expected = [
             "Verdict: pass.",
             "largest position error at 51 validation poses: 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
@@ -471,9 +471,9 @@ mod tests {
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
         assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
-        let limit = |u| LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.0442, u, DecisionRule::Guarded);
+        let limit = |u| LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.05, 0.0442, u, DecisionRule::Guarded);
         documents.accuracy.limits[0] = limit(Some(0.038));
-        let open = of(&documents);
+        let open = report_verdict(&documents);
         assert!(
             open.class == Grade::Open && !open.met && open.sentences[1].ends_with("limit 0.05 mm: undecided."),
             "{open:?}"
@@ -483,25 +483,30 @@ mod tests {
             open.sentences[4].starts_with("Undecided (limit within the uncertainty): largest position error"),
             "{open:?}"
         );
-        let simple =
-            LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.0442, Some(0.038), DecisionRule::SimpleAcceptance);
+        let simple = LimitVerdict::judge(
+            LimitQuantity::PositionMaxMm,
+            0.05,
+            0.0442,
+            Some(0.038),
+            DecisionRule::SimpleAcceptance,
+        );
         documents.accuracy.limits[0] = simple;
-        let conditional = of(&documents);
+        let conditional = report_verdict(&documents);
         assert_eq!((conditional.class, conditional.met), (Grade::Conditional, true));
         // Φ(0.0058/0.019) = 0.62
         let ends = "conditional, margin 0.0058 mm, risk of false acceptance 38 %.";
         assert!(conditional.sentences[1].ends_with(ends), "{conditional:?}");
         documents.accuracy.limits[0] =
             LimitVerdict::not_assessable(LimitQuantity::DistanceMaxMm, 0.05, DecisionRule::Guarded);
-        let open = of(&documents);
+        let open = report_verdict(&documents);
         assert_eq!((open.class, open.met), (Grade::Open, false));
         assert!(open.sentences.iter().any(|s| s.starts_with("Not assessable (quantity not measured): ")), "{open:?}");
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
-        let bad = of(&documents);
+        let bad = report_verdict(&documents);
         assert_eq!(bad.class, Grade::Bad);
         assert!(bad.sentences[4].starts_with("1 of 2 limits of the campaign is not met. Decision rule"), "{bad:?}");
         documents.accuracy.limits.clear();
-        let without = of(&documents);
+        let without = report_verdict(&documents);
         assert!(without.class == Grade::Open && without.met, "{without:?}");
     }
 
@@ -509,7 +514,7 @@ mod tests {
     fn every_verdict_counts_beside_an_identification() {
         let mut documents = Documents::demo();
         documents.tested = whole();
-        let open = of(&documents);
+        let open = report_verdict(&documents);
         let expected = [
             "Largest pose accuracy AP: 51.20 µm, at pose 2. Within the limit of 52.00 µm. By guarded acceptance (ISO \
              14253-1): poses 1, 2 are undecided.",
@@ -529,7 +534,7 @@ mod tests {
         poses.limits[0] = poses.limits[0].clone().with(Conformity::Conforming);
         poses.limits[1] = LimitVerdict { limit: 0.02, ..poses.limits[1].clone() }.with(Conformity::NotConforming);
         poses.poses[1].rp_conformity = Some(Conformity::NotConforming);
-        let bad = of(&documents);
+        let bad = report_verdict(&documents);
         assert_eq!((bad.class, bad.met), (Grade::Bad, false));
         assert!(bad.sentences[8].starts_with("1 of 4 limits of the campaign is not met."), "{bad:?}");
         assert!(bad.sentences[4].ends_with("1 of 2 poses conforms; pose 2 is undecided."), "{bad:?}");
@@ -540,7 +545,7 @@ mod tests {
     fn a_solver_that_failed_is_never_good() {
         let mut documents = Documents::demo();
         documents.parameters.solver.termination = Termination::IterationLimit;
-        let verdict = of(&documents);
+        let verdict = report_verdict(&documents);
         assert!(verdict.class == Grade::Bad && verdict.sentences[0].contains("not converged"), "{verdict:?}");
     }
 
@@ -560,10 +565,10 @@ mod tests {
     #[test]
     fn headlines_are_from_validation_where_there_is_any() {
         let mut documents = Documents::demo();
-        assert!(of(&documents).about.contains("validation poses"));
+        assert!(report_verdict(&documents).about.contains("validation poses"));
         documents.accuracy.sets.iter_mut().for_each(|s| s.count *= usize::from(s.name == PoseSet::Calibration));
-        assert!(of(&documents).about.contains("calibration poses"));
+        assert!(report_verdict(&documents).about.contains("calibration poses"));
         documents.accuracy.sets.clear();
-        assert!(of(&documents).headlines.is_empty());
+        assert!(report_verdict(&documents).headlines.is_empty());
     }
 }

@@ -55,7 +55,7 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     documents.campaign.synthetic = Some("simulated".to_owned());
     let synthetic = &actions(&documents)[0];
     assert!(synthetic.what.contains("not into a robot"), "{synthetic:?}");
-    let failed = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.01, 0.0442, Some(0.001), DecisionRule::Guarded);
+    let failed = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.01, 0.0442, Some(0.001), DecisionRule::Guarded);
     documents.accuracy.limits[0] = failed;
     let all = actions(&documents);
     assert!(kinds(&all).contains(&ActionKind::MeetLimit) && !kinds(&all).contains(&ActionKind::Load), "{all:?}");
@@ -90,7 +90,7 @@ fn a_file_that_is_no_better_than_nominal_is_not_to_be_loaded() {
 fn an_undecided_limit_states_the_uncertainty_that_would_decide() {
     let mut documents = measured();
     // 0.045 ± 0.010 against 0.05: 5 µm would decide
-    let open = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.045, Some(0.01), DecisionRule::Guarded);
+    let open = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.05, 0.045, Some(0.01), DecisionRule::Guarded);
     documents.accuracy.limits[0] = open;
     let all = actions(&documents);
     let reduce = all.iter().find(|a| a.action == ActionKind::ReduceUncertainty).unwrap();

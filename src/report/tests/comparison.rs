@@ -2,7 +2,7 @@
 
 use super::page::with_text;
 use super::workbook::only_texts_and_numbers;
-use super::{demo::Documents, demo_iso9283, demo_streams, texts_of};
+use super::{demo::Documents, demo_iso9283, demo_streams, report_texts};
 use crate::*;
 use etalon_compare::{Compared, compare};
 use etalon_documents::{Iso9283StreamsDocument, Language};
@@ -64,7 +64,7 @@ fn it_speaks_one_language() {
         let page = in_language(language);
         assert!(page.contains(quantity) && page.contains(&format!("<html lang=\"{}\">", language.code())));
         let own = |text: &String| text.len() > 5 && english.contains(&format!(">{text}<"));
-        let differing = texts_of(language).filter(|(english, other)| english != other).map(|(english, _)| english);
+        let differing = report_texts(language).filter(|(english, other)| english != other).map(|(english, _)| english);
         for text in differing.filter(own) {
             assert!(!page.contains(&format!(">{text}<")), "{language:?}: {text}");
         }

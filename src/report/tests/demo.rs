@@ -84,7 +84,7 @@ impl Documents {
             ],
         };
         let limit =
-            |name, limit: f64, value: f64| LimitVerdict::of(name, limit, value, Some(0.0038), DecisionRule::Guarded);
+            |name, limit: f64, value: f64| LimitVerdict::judge(name, limit, value, Some(0.0038), DecisionRule::Guarded);
         Self {
             tested: Characteristics::default(),
             campaign: CampaignSummary {

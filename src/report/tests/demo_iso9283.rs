@@ -49,7 +49,7 @@ pub(crate) fn whole() -> Characteristics {
     let epoch = |cycle, moved_mm| Iso9283Epoch { cycle, moved_mm, rms_mm: 0.1 * moved_mm };
     poses.reference = vec![epoch(1, 0.0), epoch(11, 0.012), epoch(21, 0.019)];
     let limit = |name, limit, value, conformity| {
-        LimitVerdict::of(name, limit, value, Some(0.0053), DecisionRule::Guarded).with(conformity)
+        LimitVerdict::judge(name, limit, value, Some(0.0053), DecisionRule::Guarded).with(conformity)
     };
     poses.limits = vec![
         limit(LimitQuantity::AccuracyMaxMm, 0.052, 0.0512, Conformity::Neither),

@@ -13,7 +13,7 @@ mod workbook;
 use etalon_base::catalogue::Phrase;
 
 /// English texts of the report, and in another language.
-fn texts_of(language: etalon_documents::Language) -> impl Iterator<Item = (String, String)> {
+fn report_texts(language: etalon_documents::Language) -> impl Iterator<Item = (String, String)> {
     let texts = etalon_base::catalogue::entries().into_iter().filter(|entry| entry.file == "report");
     texts.map(|entry| Phrase::new(entry.id)).map(move |phrase| (phrase.text("en"), phrase.text(language.code())))
 }

@@ -1,7 +1,7 @@
 //! Whole page: required contents, unusual input, forbidden contents.
 
 use super::demo::{Documents, point};
-use super::{demo_iso9283, demo_streams, texts_of};
+use super::{demo_iso9283, demo_streams, report_texts};
 use crate::*;
 use etalon_base::message::Place;
 use etalon_base::warning;
@@ -13,7 +13,7 @@ fn html(report: &Report) -> Result<String> {
 
 /// Page alone.
 fn page(documents: &Documents) -> String {
-    let words = &Words::of(documents.campaign.report.language);
+    let words = &Words::new(documents.campaign.report.language);
     super::super::html::html(&documents.report().contents(words), &documents.campaign.report, words).unwrap()
 }
 
@@ -305,7 +305,7 @@ fn recorded_motions_are_in_the_language_of_the_report() {
     let english = in_language(Language::En);
     let is_word = |text: &str| text.split(|c: char| !c.is_alphabetic()).any(|word| word.len() > 3);
     for language in [Language::Fr, Language::De] {
-        let (known, pages) = (texts_of(language).collect::<Vec<_>>(), in_language(language));
+        let (known, pages) = (report_texts(language).collect::<Vec<_>>(), in_language(language));
         let mut compared = 0;
         for (english, other) in texts(&english[1], "streams").zip(texts(&pages[1], "streams")) {
             if ["square", "seam", "motion.csv"].contains(&english) || !is_word(english) {
@@ -336,7 +336,8 @@ fn a_page_speaks_one_language_and_marks_what_is_english() {
             let tags = |page: &str| page.matches('<').count() - 2 * page.matches("<bdi lang=\"en\">").count();
             assert_eq!(tags(page), tags(english) + 2);
             let own = |text: &String| text.len() > 9 && english.contains(&format!(">{text}<"));
-            let differing = texts_of(language).filter(|(english, other)| english != other).map(|(english, _)| english);
+            let differing =
+                report_texts(language).filter(|(english, other)| english != other).map(|(english, _)| english);
             for text in differing.filter(own) {
                 assert!(!page.contains(&format!(">{text}<")), "{language:?}: {text}");
             }

@@ -77,7 +77,7 @@ fn sheets_of_one_name_with_other_columns_are_written() {
     let (words, names) = (Words::default(), ["a".to_owned(), "b".to_owned()]);
     let table = |title| {
         let columns = Columns::<String>::new().both("name", "", |n| n.as_str()).both(title, "", |n| n.len());
-        Block::Table(Table::of(&words, &names, columns).on(phrase!("parameters-title")))
+        Block::Table(Table::new(&words, &names, columns).on(phrase!("parameters-title")))
     };
     let mut section = Section::new("parameters", "Parameters");
     ["predicted u", "identified", "predicted u"].into_iter().for_each(|title| section.push(table(title)));
@@ -92,7 +92,7 @@ fn sheets_of_one_name_with_other_columns_are_written() {
 #[test]
 fn a_workbook_has_the_language_of_its_report() {
     let sheets = |language: Language| {
-        let words = Words::of(language);
+        let words = Words::new(language);
         let bytes = super::super::workbook::workbook(&Documents::demo().report().contents(&words), &words).unwrap();
         let mut book = only_texts_and_numbers(bytes);
         let head = book.worksheet_range(&book.sheet_names()[1]).unwrap();

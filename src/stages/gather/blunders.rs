@@ -107,10 +107,10 @@ fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Resu
             .at(place(campaign, rigid)));
     }
     if !(rigid.tolerance_mm > 0.0 && rigid.tolerance_mm.is_finite()) {
-        let place = campaign.place_of(&["rigid", &index.to_string(), "tolerance_mm"]);
+        let place = campaign.key_place(&["rigid", &index.to_string(), "tolerance_mm"]);
         return Err(error!("limit-not-positive", key = "tolerance_mm").at(place));
     }
-    let at = |key: &str| campaign.place_of(&["rigid", &index.to_string(), key]);
+    let at = |key: &str| campaign.key_place(&["rigid", &index.to_string(), key]);
     let uncertainty =
         [("expanded_uncertainty_um", rigid.expanded_uncertainty_um), ("coverage_factor", rigid.coverage_factor)];
     if rigid.places_mm.is_empty() {

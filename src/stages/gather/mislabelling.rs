@@ -181,7 +181,7 @@ fn middle(all: &[Vector]) -> Option<Vector> {
 /// Errors in the statements about fixed targets.
 pub(super) fn check(campaign: &Campaign) -> Problems {
     let wrong = |(i, fixed): (usize, &Fixed)| {
-        let place = || campaign.place_of(&["fixed", &i.to_string(), "drift_mm"]);
+        let place = || campaign.key_place(&["fixed", &i.to_string(), "drift_mm"]);
         let is_limit = fixed.drift_mm > 0.0 && fixed.drift_mm.is_finite();
         (!is_limit).then(|| error!("limit-not-positive", key = "drift_mm").at(place()))
     };

@@ -85,7 +85,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             if later {
                 opened.insert(file, bytes.clone());
             }
-            let stamp = Stamp::of(&bytes);
+            let stamp = Stamp::new(&bytes);
             let text = etalon_formats::into_text(&path, bytes, export.encoding, &export.format)?;
             Ok((SharedText::from(text), stamp))
         });
@@ -170,7 +170,7 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
             if campaign.unread.affects(&["log"]) {
                 return Ok(None);
             }
-            let mut source = statement(SourceKind::Log, stated.file.get_ref(), &Stamp::of(&bytes));
+            let mut source = statement(SourceKind::Log, stated.file.get_ref(), &Stamp::new(&bytes));
             let table = etalon_formats::log(campaign.stated(), stated, &text, &mut source)?;
             Ok(Some((source, table)))
         }) {

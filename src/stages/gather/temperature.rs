@@ -25,12 +25,12 @@ pub(super) fn contradicted(campaign: &Campaign, points: &[Point]) -> Vec<Message
     if let Some(stated_c) = campaign.file.temperature_c {
         let off_c = (lowest_c - stated_c).max(stated_c - highest_c);
         if off_c > expanded_c.unwrap_or(CLOSE_C) {
-            let place = campaign.place_of(&["temperature_c"]);
+            let place = campaign.key_place(&["temperature_c"]);
             messages.push(warning!("temperature-elsewhere", stated_c, lowest_c, highest_c).at(place));
         }
     }
     if let Some(expanded_c) = expanded_c.filter(|expanded_c| highest_c - lowest_c > 2.0 * expanded_c) {
-        let place = campaign.place_of(&["expansion", "expanded_temperature_uncertainty_c"]);
+        let place = campaign.key_place(&["expansion", "expanded_temperature_uncertainty_c"]);
         messages.push(warning!("temperature-varies", lowest_c, highest_c, expanded_c).at(place));
     }
     messages

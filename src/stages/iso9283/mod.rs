@@ -170,7 +170,7 @@ fn settings(campaign: &Campaign) -> PoseTestSettings {
 
 /// The limits of the campaign, judged.
 fn judged(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
-    limits(&campaign.file.limits, poses).map_err(|problems| problems.at(&campaign.place_of(&["limits"])))
+    limits(&campaign.file.limits, poses).map_err(|problems| problems.at(&campaign.key_place(&["limits"])))
 }
 
 /// Limits of the largest values: the decision of the rule on every pose.
@@ -179,7 +179,7 @@ pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
     let mut all = Vec::new();
     for of in PoseCharacteristic::ALL {
         let name = of.limit;
-        let Some(limit) = limits.of(name) else { continue };
+        let Some(limit) = limits.limit(name) else { continue };
         if let Some(without) = poses.iter().find(|p| (of.value)(p).is_none()) {
             return Err(error!("limit-without-value", limit = name.to_string(), pose = without.pose).into());
         }
@@ -187,8 +187,8 @@ pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
         let Some(worst) = poses.iter().max_by(|a, b| largest(a).total_cmp(&largest(b))) else { continue };
         let value = largest(&worst);
         let expanded = (of.interval)(worst).map(|i| i.high_mm - value);
-        let conformity = Conformity::of_all(poses.iter().filter_map(of.conformity));
-        all.push(LimitVerdict::of(name, limit, value, expanded, rule).with(conformity));
+        let conformity = Conformity::combine(poses.iter().filter_map(of.conformity));
+        all.push(LimitVerdict::judge(name, limit, value, expanded, rule).with(conformity));
     }
     Ok(all)
 }

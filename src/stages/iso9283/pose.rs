@@ -46,7 +46,7 @@ impl PoseTables {
     /// Tables of a campaign; all unreadable tables are reported.
     pub fn from_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
         if let Some(key) = definition.meaningless_beside_sheet() {
-            let place = files.campaign.place_of(&["poses", key]);
+            let place = files.campaign.key_place(&["poses", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
         let mut problems = Problems::default();

@@ -165,7 +165,7 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
                 };
                 observations.push((log.name.clone(), observed));
             }
-            Err(more) => problems.0.extend(more.at(&campaign.place_of(&["join", "by"])).0),
+            Err(more) => problems.0.extend(more.at(&campaign.key_place(&["join", "by"])).0),
         }
     }
     problems.check()?;
@@ -211,8 +211,8 @@ fn with_log(
             // between two rows that are farther apart than the tolerance no offset of the clocks
             // helps
             return Err(match join.interpolate && join.tolerance_s.is_some_and(|tolerance_s| apart_s <= tolerance_s) {
-                true => message.hint(phrase!("both-rows-near")).at(campaign.place_of(&["join", "tolerance_s"])),
-                false => message.at(campaign.place_of(&["join", "clock_offset_s"])),
+                true => message.hint(phrase!("both-rows-near")).at(campaign.key_place(&["join", "tolerance_s"])),
+                false => message.at(campaign.key_place(&["join", "clock_offset_s"])),
             }
             .into());
         }
@@ -230,7 +230,7 @@ fn clock(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, r
         return Ok(Clock::with_offset(join.stated_offset_s().unwrap_or(0.0)));
     }
     let standstills: Vec<(f64, f64)> = log.rows.iter().filter_map(|row| row.standing_s.map(|[a, b]| (a, b))).collect();
-    let place = || campaign.place_of(&["join", "clock_offset_s"]);
+    let place = || campaign.key_place(&["join", "clock_offset_s"]);
     let times: Vec<f64> = targets.iter().filter_map(|t| t.point.time_s).collect();
     if join.clock_rate == Some(ClockRate::Standstills) {
         let found = clock::offset_and_rate(&times, &standstills).map_err(|m| m.at(place()))?;
@@ -250,7 +250,7 @@ fn clock(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, r
                 reference_s = clock.reference_s
             ),
         };
-        remarks.messages.push(message.at(campaign.place_of(&["join", "clock_rate"])));
+        remarks.messages.push(message.at(campaign.key_place(&["join", "clock_rate"])));
         if clock.rate != 0.0 {
             return Ok(clock);
         }

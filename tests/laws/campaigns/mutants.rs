@@ -155,7 +155,7 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
     }
     for set in found.identified.iter().flat_map(|found| &found.accuracy.sets) {
         // of errors in the plane or in space (GUM E.4.3)
-        if let Some(errors) = set.of(ErrorQuantity::Position) {
+        if let Some(errors) = set.error_statistics(ErrorQuantity::Position) {
             let value = errors.after.rms;
             let u = value / (2.0 * set.poses as f64).sqrt();
             results.insert(format!("root mean square error of {}", set.name), Figure { value, u, turns: false });
