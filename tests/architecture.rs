@@ -236,3 +236,23 @@ fn paths_are_found_in_braces_and_not_in_comments() {
     expected.extend([(5, "x::y::m::N"), (6, "x::o"), (6, "x::p::Q")]);
     assert_eq!(paths, expected.into_iter().map(|(line, path)| (line, path.to_owned())).collect::<Vec<_>>());
 }
+
+/// A function is a verb or the noun that it returns: `of`, `of_points` and `point_of` say neither. Tests are sentences.
+#[test]
+fn functions_are_named_by_what_they_do_or_return() {
+    let mut wrong = String::new();
+    for path in crates().iter().flat_map(|root| modules(root).into_values()) {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let lines: Vec<&str> = text.lines().map(str::trim).collect();
+        for (i, line) in lines.iter().enumerate().filter(|(i, _)| *i == 0 || lines[i - 1] != "#[test]") {
+            let Some((_, rest)) = line.split_once("fn ").filter(|(before, _)| !before.contains(['/', '"'])) else {
+                continue;
+            };
+            let name = rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
+            if name == "of" || name.starts_with("of_") || name.ends_with("_of") {
+                wrong += &format!("{}:{}: `{name}`\n", path.display(), i + 1);
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}

@@ -969,12 +969,7 @@ impl Block {
             Self::Facts { rows } => rows.iter_mut().for_each(|fact| fact.said.numbers(words)),
             Self::Table(table) => table.rows.iter_mut().flatten().for_each(|cell| cell.numbers(words)),
             Self::Aside { blocks, .. } => blocks.iter_mut().for_each(|block| block.numbers(words)),
-            Self::Figures { figures } => {
-                for figure in figures {
-                    figure.rows.iter_mut().flatten().for_each(|value| *value = words.value(std::mem::take(value)));
-                }
-            }
-            Self::Heading { .. } | Self::Text { .. } | Self::Notice { .. } => {}
+            Self::Figures { .. } | Self::Heading { .. } | Self::Text { .. } | Self::Notice { .. } => {}
         }
     }
 

@@ -285,7 +285,7 @@ impl Walk {
         // reported already
         let without = poses.is_empty() && self.problems.0.iter().any(|m| m.severity == Severity::Error);
         if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) && !without {
-            self.problems.keep(check_selections(campaign, &poses));
+            self.problems.keep(check_selections(campaign, &poses, &poses));
         }
     }
 }

@@ -5,7 +5,7 @@ use super::{Scene, Turn};
 use crate::stages::identification::Input;
 use crate::stages::join::Observations;
 use crate::stages::kinds::{self, Measurement};
-use crate::stages::orientations::{AngleOrder, ROTATION_VECTOR};
+use crate::stages::orientations::{AngleOrder, ROTATION_VECTOR, state_order};
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus, norm};
@@ -279,7 +279,10 @@ impl Scene<'_> {
 fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Result<()> {
     let (campaign, file) = (scene.campaign, stated.file.get_ref());
     let here = || campaign.place(&stated.file);
-    let table = etalon_formats::observations_with(file, text, &stated.layout()).map_err(|more| more.at(&here()))?;
+    let mut table = etalon_formats::observations_with(file, text, &stated.layout()).map_err(|more| more.at(&here()))?;
+    if let Some(order) = &stated.orientation {
+        state_order(&mut table, order.get_ref())?;
+    }
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     let mut robot = campaign.build_robot_with(&kinds::targets(&table, &campaign.robot.branches())?)?;
     let table = Observations::Table(table);

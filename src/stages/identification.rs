@@ -357,14 +357,18 @@ pub fn select(
     frames: &FramesDocument,
 ) -> Result<Selected> {
     let mut messages = Vec::new();
-    let observed = Input::new(campaign, stated, &joined.observations[0].1)?.observed(robot, &mut messages)?;
+    let input = Input::new(campaign, stated, &joined.observations[0].1)?;
+    let mut observed = input.read(robot, &mut messages)?;
+    let measured = observed.poses();
+    messages.extend(exclude(&input.exclusions, robot, &mut observed)?);
     let robot: &dyn Robot = robot;
     messages.extend(stale(robot, &observed.observations));
     let poses = observed.poses();
-    check_selections(campaign, &poses)?;
+    check_selections(campaign, &poses, &measured)?;
     let selections = campaign.selections(stated)?;
     let mut sets = evaluate::split(&observed, &poses, &selections);
     let series = selections.calibration_series(&poses);
+    messages.extend(uncalibrated_series(stated, &series));
     let conditions = sets.calibration_conditions.clone();
     let mut settings = Settings { conditions, series, ..observed.settings };
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
@@ -537,8 +541,9 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
     })
 }
 
-/// Errors of selections and tables without a measured pose, and of overlapping sets.
-pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Result<()> {
+/// Errors of selections and tables without a measured pose, and of overlapping sets; `all` are
+/// the poses before exclusion, which series may name.
+pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>, all: &BTreeSet<PoseName>) -> Result<()> {
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     // what does not read is reported with the statements
     let Ok(selections) = campaign.selections(identify) else { return Ok(()) };
@@ -572,7 +577,7 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
             problems.0.push(error!("sets-overlap", poses = shown(shared, 20)).at(campaign.place(text)));
         }
     }
-    problems.0.extend(series_problems(campaign, identify, &selections, poses));
+    problems.0.extend(series_problems(campaign, identify, &selections, all));
     let in_use = |&(i, pose): &(usize, PoseName)| selections.calibrates(pose, i) || selections.validates(pose, i);
     let used: Vec<PoseName> = numbered().filter(in_use).map(|(_, pose)| pose).collect();
     for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
@@ -584,6 +589,13 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
         problems.0.push(found.at(campaign.place(&table.poses)));
     }
     problems.check().map(|_| ())
+}
+
+/// Warning about series without a calibration pose.
+fn uncalibrated_series(stated: &Identify, series: &[Vec<PoseName>]) -> Option<Message> {
+    let named = stated.series.iter().zip(series).filter(|(_, poses)| poses.is_empty());
+    let series: Vec<String> = named.map(|(text, _)| format!("`{}`", text.get_ref())).collect();
+    (!series.is_empty()).then(|| warning!("series-without-calibration", series))
 }
 
 /// Errors of series without a measured pose, of poses in several series or in none, and of a single

@@ -8,7 +8,7 @@ use etalon_base::{error, phrase};
 use etalon_formats::table::{self, ANGLE_ORDER, MATRIX, QUATERNION};
 use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfit_rad};
 use etalon_robots::Robot;
-use polars::prelude::DataFrame;
+use polars::prelude::{Column, DataFrame};
 
 /// Columns of a rotation vector.
 pub const ROTATION_VECTOR: [&str; 3] = ["rx_deg", "ry_deg", "rz_deg"];
@@ -61,10 +61,20 @@ pub fn are_in(observations: &DataFrame) -> bool {
     columns().any(|name| observations.column(name).is_ok())
 }
 
-/// `true` if a table has a column of the three angles of an orientation.
-pub fn has_angles(observations: &DataFrame) -> bool {
+/// States the order of the angles of orientations for rows of a table without their own, if it has
+/// such angles.
+pub fn state_order(observations: &mut DataFrame, order: &str) -> Result<()> {
     let mut angles = TRIPLES.iter().filter(|(_, _, are_angles)| *are_angles).flat_map(|(names, ..)| names);
-    angles.any(|name| observations.column(name).is_ok())
+    if !angles.any(|name| observations.column(name).is_ok()) {
+        return Ok(());
+    }
+    let own = match observations.column(ANGLE_ORDER) {
+        Ok(_) => table::texts(observations, ANGLE_ORDER)?,
+        Err(_) => vec![String::new(); observations.height()],
+    };
+    let all: Vec<String> = own.into_iter().map(|own| if own.is_empty() { order.to_owned() } else { own }).collect();
+    observations.with_column(Column::new(ANGLE_ORDER.into(), all)).map_err(table::failed)?;
+    Ok(())
 }
 
 /// An orientation by column: angles in an order, a rotation vector, or a quaternion.

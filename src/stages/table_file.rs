@@ -4,12 +4,12 @@ use super::{kinds, orientations, shown};
 use crate::stages::orientations::AngleOrder;
 use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition, TableKeys};
-use etalon_documents::{Source, SourceKind};
+use etalon_documents::{Refused, Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding, Missing};
-use etalon_formats::table::{self, ANGLE_ORDER, FILE_LINES};
+use etalon_formats::table::{self, FILE_LINES};
 use etalon_formats::tables::coordinates::NamedTable;
 use etalon_formats::tables::joints::stated_columns;
 use etalon_formats::{Format, TableLayout};
@@ -107,15 +107,19 @@ impl TableFile {
         Ok(())
     }
 
-    /// States the order of the angles of an orientation for rows without their own.
-    fn state_order(&mut self, order: &str) -> Result<()> {
-        let own = match self.table.column(ANGLE_ORDER) {
-            Ok(_) => table::texts(&self.table, ANGLE_ORDER)?,
-            Err(_) => vec![String::new(); self.table.height()],
+    /// Leaves out the rows in which nothing was measured, and lists them.
+    fn leave_out_unmeasured(&mut self, robot: &dyn Robot) -> Result<Vec<Refused>> {
+        let rows = kinds::unmeasured_rows(robot, &self.table)?;
+        let line = table::lines(&self.table)?;
+        let mut left_out = vec![false; self.table.height()];
+        let refused = |(row, reason): (usize, Phrase)| {
+            left_out[row] = true;
+            let line = line(row).unwrap_or(0);
+            Refused::new(line, self.text.lines().nth(line.saturating_sub(1)).unwrap_or_default(), reason)
         };
-        let all: Vec<String> = own.into_iter().map(|own| if own.is_empty() { order.to_owned() } else { own }).collect();
-        self.table.with_column(Column::new(ANGLE_ORDER.into(), all)).map_err(table::failed)?;
-        Ok(())
+        let refused = rows.into_iter().map(refused).collect();
+        self.leave_out(&left_out)?;
+        Ok(refused)
     }
 
     /// The names in the column `target`, each once, in their order.
@@ -206,6 +210,12 @@ impl TableForm {
     }
 }
 
+/// The robot of a campaign with the targets of a table.
+fn robot_with(campaign: &Campaign, table: &TableFile) -> Option<Box<dyn Robot>> {
+    let targets = table.targets().unwrap_or_default();
+    campaign.build_robot_with(&targets).or_else(|_| campaign.build_robot()).ok()
+}
+
 /// Reads the tables that a campaign names, and lists them as its inputs.
 #[derive(Debug)]
 pub(crate) struct CampaignTables<'a> {
@@ -250,9 +260,14 @@ impl CampaignTables<'_> {
 
     /// The tables of observations, one after the other.
     pub fn all_observations(&mut self, stated: &[ObservationsDefinition]) -> Result<Option<TableFile>> {
-        let tables = stated.iter().map(|definition| self.observations(definition)).collect::<Result<Vec<_>>>()?;
-        for (table, definition) in tables.iter().zip(stated).filter(|_| tables.len() > 1) {
+        let first = self.sources.len();
+        let mut tables = stated.iter().map(|definition| self.observations(definition)).collect::<Result<Vec<_>>>()?;
+        for (table, definition) in tables.iter().zip(stated) {
             self.whole(table, &tables).map_err(|more| more.at(&self.campaign.place(&definition.file)))?;
+        }
+        for (table, source) in tables.iter_mut().zip(&mut self.sources[first..]) {
+            let Some(robot) = robot_with(self.campaign, table) else { continue };
+            source.refused = table.leave_out_unmeasured(robot.as_ref())?;
         }
         let mut all: Option<TableFile> = None;
         for table in tables {
@@ -264,10 +279,10 @@ impl CampaignTables<'_> {
         Ok(all)
     }
 
-    /// Checks that a table has the columns of joints that other tables have, and no heading like
-    /// that of a coordinate in its place.
+    /// Checks that a table has the columns of joints, loads, torques and temperature that other
+    /// tables have, and no heading like that of a coordinate in its place.
     fn whole(&self, table: &TableFile, tables: &[TableFile]) -> Result<()> {
-        let Some(robot) = self.robot(table) else { return Ok(()) };
+        let Some(robot) = robot_with(self.campaign, table) else { return Ok(()) };
         let names = |table: &TableFile| -> Vec<String> {
             table.table.get_column_names().into_iter().map(|name| name.to_string()).collect()
         };
@@ -277,22 +292,15 @@ impl CampaignTables<'_> {
         let joint = joints.filter_map(|joint| others().find(|name| joint.factor(name).is_some())).next();
         let has = |name: &&str| own.iter().any(|own| own == name);
         let unread = self.not_read(table);
-        let meant = |name: &&str| {
-            let message = error!("column-unknown", column = name);
-            message.hint_names(name, unread.iter().map(String::as_str)).hint.is_some()
-        };
-        let axes = table::XYZ[..robot.dimension()].iter().copied();
-        let axis = axes.filter(|name| !has(name) && others().any(|other| other == *name)).find(meant);
-        let Some(column) = joint.filter(|_| has(&"pose")).or(axis.map(str::to_owned)) else { return Ok(()) };
+        let meant = |name: &&str| nearest(name, unread.iter().map(String::as_str)).is_some();
+        let axis = table::XYZ[..robot.dimension()].iter().copied().filter(|name| !has(name)).find(meant);
+        let stated = || stated_columns(robot.as_ref()).into_iter();
+        let stated = stated().find(|name| !has(&name.as_str()) && others().any(|other| other == *name));
+        let by_pose = joint.or(stated).filter(|_| has(&"pose"));
+        let Some(column) = by_pose.or(axis.map(str::to_owned)) else { return Ok(()) };
         let message = error!("column-unknown", column);
         let place = Place { line: Some(1), ..Place::file(&table.name) };
         Err(message.hint_names(&column, unread.iter().map(String::as_str)).at(place).into())
-    }
-
-    /// The robot of the campaign with the targets of a table.
-    fn robot(&self, table: &TableFile) -> Option<Box<dyn Robot>> {
-        let targets = table.targets().unwrap_or_default();
-        self.campaign.build_robot_with(&targets).or_else(|_| self.campaign.build_robot()).ok()
     }
 
     /// A table of observations.
@@ -308,9 +316,7 @@ impl CampaignTables<'_> {
         if let Some(order) = &stated.orientation {
             let of_campaign = |m: Message| m.at(self.campaign.place(order));
             order.get_ref().parse::<AngleOrder>().map_err(of_campaign)?;
-            if orientations::has_angles(&table.table) {
-                table.state_order(order.get_ref())?;
-            }
+            orientations::state_order(&mut table.table, order.get_ref())?;
         }
         let unread = self.not_read(&table);
         if let Some(source) = self.sources.last_mut().filter(|_| !unread.is_empty()) {
@@ -322,7 +328,7 @@ impl CampaignTables<'_> {
 
     /// Columns of a table of observations that no kind of observation reads.
     fn not_read(&self, table: &TableFile) -> Vec<String> {
-        let robot = self.robot(table);
+        let robot = robot_with(self.campaign, table);
         let of_joint = |name: &str| {
             robot.as_ref().is_none_or(|robot| {
                 let of = |joint: &Joint| joint.factor(name).is_some() || joint.direction_column() == name;

@@ -85,15 +85,17 @@ pub fn verify(
         Comparison { robot, observations: &observations, settings: &settings, given: &parameters, misfit: &misfit };
     let found = comparison.verify(noise.variance).map_err(remedied)?;
     let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();
+    let mut deviating = None;
     if found.is_changed() && found.cause().is_none() {
         if let Some(exchanged) = exchanged_targets(robot, &parameters.values, &observations, &found) {
             return Err(exchanged.into());
         }
-        messages.extend(wrong_pose(&poses, |kept| {
-            let kept: Vec<Observation> = observations.iter().filter(|o| kept(o.pose)).cloned().collect();
-            let kept = Comparison { observations: &kept, ..comparison };
+        let valid = |kept: &[Observation]| {
+            let kept = Comparison { observations: kept, ..comparison };
             kept.p_value(noise.variance).is_ok_and(|p| p >= SIGNIFICANCE)
-        }));
+        };
+        deviating = wrong_pose(&poses, &observations, valid);
+        messages.extend(deviating.map(|pose| wrong_reading(robot, pose, &observations, valid)));
     }
     let whole = found.of_changes.sum + found.of_rest.sum;
     let movement = |e: &Explanation| movement(robot, e, whole);
@@ -112,7 +114,10 @@ pub fn verify(
         let (errors, readings) = by_pose(robot, &observations, [&nominal, &parameters.values]);
         messages.extend(worse_than_nominal(&errors, readings));
     }
-    let meaning = meaning(verdict, moved.as_ref(), dominant.as_ref());
+    let meaning = match deviating {
+        Some(pose) => phrase!("one-pose-deviates", pose),
+        None => meaning(verdict, moved.as_ref(), dominant.as_ref()),
+    };
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
         robot: robot.model().to_owned(),
@@ -263,54 +268,104 @@ fn undetected(
 /// Assumed size (mm or rad) of a change that the chosen poses do not detect.
 const UNSEEN: f64 = 1e3;
 
-/// Returns an error if two targets fit the parameters with exchanged names.
+/// Maximum number of targets whose names are permuted; of more, two are exchanged.
+const PERMUTED: usize = 5;
+
+/// Returns an error if the targets fit the parameters with other names.
 fn exchanged_targets(
     robot: &dyn Robot,
     values: &[f64],
     observations: &[Observation],
     found: &Verification,
 ) -> Option<Message> {
-    let rms = |order: &dyn Fn(usize) -> usize| {
+    let rms = |order: &[usize]| {
         let miss = |o: &Observation| {
-            let seen = o.targets.iter().enumerate().filter_map(|(k, at)| Some((order(k), (*at)?)));
+            let seen = o.targets.iter().enumerate().filter_map(|(k, at)| Some((order[k], (*at)?)));
             seen.map(|(k, at)| norm(minus(at, robot.position(values, &o.joints, k))).powi(2)).collect::<Vec<_>>()
         };
         let all: Vec<f64> = observations.iter().flat_map(miss).collect();
         (all.iter().sum::<f64>() / (robot.dimension() * all.len()) as f64).sqrt()
     };
-    let count = robot.targets().len();
-    let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
-    let of_pair = pairs.map(|(a, b)| {
-        let order = move |k: usize| {
-            if k == a {
-                b
-            } else if k == b {
-                a
-            } else {
-                k
-            }
-        };
-        (rms(&order), a, b)
-    });
-    let (left_mm, a, b) = of_pair.min_by(|x, y| x.0.total_cmp(&y.0))?;
-    let names = robot.targets();
-    let (first, second) = (&names[a], &names[b]);
+    let best = orders(robot.targets().len()).into_iter().map(|order| (rms(&order), order));
+    let (left_mm, order) = best.min_by(|x, y| x.0.total_cmp(&y.0))?;
     let [before_mm, left_mm] = [found.rms_mm, left_mm].map(|mm| (robot.dimension() as f64).sqrt() * mm);
-    (left_mm < 0.1 * before_mm).then(|| error!("target-names-exchanged", first, second, before_mm, left_mm))
+    if left_mm >= 0.1 * before_mm {
+        return None;
+    }
+    let names = robot.targets();
+    let changed: Vec<usize> = (0..order.len()).filter(|k| order[*k] != *k).collect();
+    Some(match changed[..] {
+        [a, b] => error!("target-names-exchanged", first = names[a], second = names[b], before_mm, left_mm),
+        _ => {
+            let names: Vec<String> = changed.iter().map(|k| format!("{} → {}", names[*k], names[order[*k]])).collect();
+            error!("target-names-permuted", names, before_mm, left_mm)
+        }
+    })
+}
+
+/// Other orders of some targets: all of a few, otherwise those with two exchanged.
+fn orders(count: usize) -> Vec<Vec<usize>> {
+    let usual: Vec<usize> = (0..count).collect();
+    if count > PERMUTED {
+        let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
+        let exchanged = |(a, b)| {
+            let mut order = usual.clone();
+            order.swap(a, b);
+            order
+        };
+        return pairs.map(exchanged).collect();
+    }
+    let mut all: Vec<Vec<usize>> = vec![Vec::new()];
+    for _ in 0..count {
+        let longer = |order: Vec<usize>| {
+            let next = (0..count).filter(|k| !order.contains(k)).collect::<Vec<_>>();
+            next.into_iter().map(move |k| [&order[..], &[k]].concat()).collect::<Vec<_>>()
+        };
+        all = all.into_iter().flat_map(longer).collect();
+    }
+    all.retain(|order| *order != usual);
+    all
 }
 
 /// Maximum number of poses that are left out in turn.
 const MOST_POSES: usize = 100;
 
-/// Returns a warning if the parameters are valid without one of the poses.
-fn wrong_pose(poses: &BTreeSet<PoseName>, valid: impl Fn(&dyn Fn(PoseName) -> bool) -> bool) -> Option<Message> {
+/// The only pose without which the parameters are valid.
+fn wrong_pose(
+    poses: &BTreeSet<PoseName>,
+    observations: &[Observation],
+    valid: impl Fn(&[Observation]) -> bool,
+) -> Option<PoseName> {
     if !(3..=MOST_POSES).contains(&poses.len()) {
         return None;
     }
-    let without = poses.iter().filter(|wrong| valid(&|pose| pose != **wrong));
-    let names: Vec<&PoseName> = without.collect();
-    let [pose] = names[..] else { return None };
-    Some(warning!("one-pose-contradicts", pose))
+    let without = |wrong: &&PoseName| {
+        valid(&observations.iter().filter(|o| o.pose != **wrong).cloned().collect::<Vec<Observation>>())
+    };
+    let all: Vec<&PoseName> = poses.iter().filter(without).collect();
+    if let [pose] = all[..] { Some(*pose) } else { None }
+}
+
+/// Warning about the only reading of a pose without which the parameters are valid, or about the
+/// pose.
+fn wrong_reading(
+    robot: &dyn Robot,
+    pose: PoseName,
+    observations: &[Observation],
+    valid: impl Fn(&[Observation]) -> bool,
+) -> Message {
+    let seen = |target: usize| observations.iter().any(|o| o.pose == pose && o.targets[target].is_some());
+    let targets: Vec<usize> = (0..robot.targets().len()).filter(|target| seen(*target)).collect();
+    let without = |target: &&usize| {
+        let mut kept = observations.to_vec();
+        kept.iter_mut().filter(|o| o.pose == pose).for_each(|o| o.targets[**target] = None);
+        valid(&kept)
+    };
+    let wrong: Vec<&usize> = targets.iter().filter(without).collect();
+    match wrong[..] {
+        [target] if targets.len() > 1 => warning!("one-reading-contradicts", target = robot.targets()[*target], pose),
+        _ => warning!("one-pose-contradicts", pose),
+    }
 }
 
 fn sum_of_squares(test: &etalon_identify::Test) -> SumOfSquares {

@@ -500,6 +500,19 @@ fn columns_of_every_table_are_read_or_named() {
         let own = in_two_tables(|head| head.replace(column, wrong));
         ends(&own, "check", 2, &["error[column-unknown]", &format!("`{column}`"), wrong, "two.csv:1"]);
     }
+    // also the last coordinate of a single table, and a torque of the second of two
+    let own = copy_sample("torque-arm");
+    own.replace("observations.csv", "z_mm", "z_mmm");
+    ends(&own, "check", 2, &["error[column-unknown]", "`z_mm`", "z_mmm", "observations.csv:1"]);
+    let own = copy_sample("torque-arm");
+    std::fs::copy(own.path().join("observations.csv"), own.path().join("two.csv")).unwrap();
+    own.replace("two.csv", "tau3_nm", "tau3");
+    own.replace(
+        "campaign.toml",
+        "[observations]\nfile = \"observations.csv\"\n",
+        "[[observations]]\nfile = \"observations.csv\"\n[[observations]]\nfile = \"two.csv\"\n",
+    );
+    ends(&own, "check", 2, &["error[column-unknown]", "`tau3_nm`", "two.csv:1"]);
     // names that begin like columns are no columns
     let own = copy_sample("probe-poses");
     let text = std::fs::read_to_string(own.path().join("observations.csv")).unwrap();
@@ -509,6 +522,22 @@ fn columns_of_every_table_are_read_or_named() {
         .unwrap();
     let said = ends(&own, "check", 0, &["[columns-not-read] count=3"]);
     assert!(["`u_percent`", "`urot`", "`x_dev`"].iter().all(|name| said.contains(name)), "{said}");
+}
+
+/// Rows without a joint value or any coordinate are listed with the reason, as those of exports and logs.
+#[test]
+fn rows_in_which_nothing_was_measured_are_listed() {
+    let own = copy_sample("torque-arm");
+    own.replace("observations.csv", ",2203.652999,-1037.171434,-120.957270", ",,,");
+    own.replace("observations.csv", "2,SMR,14.751476,", "2,SMR,,");
+    ends(&own, "run", 0, &[]);
+    let text = std::fs::read_to_string(own.path().join("out/import.json")).unwrap();
+    let import: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let sources = import["sources"].as_array().unwrap().iter();
+    let refused = sources.flat_map(|source| source["refused"].as_array().unwrap());
+    let listed: Vec<_> =
+        refused.map(|row| (row["line"].as_u64().unwrap(), row["reason_phrase"]["id"].as_str().unwrap())).collect();
+    assert_eq!(listed, [(2, "row-without-coordinates"), (3, "row-cell-empty")]);
 }
 
 /// A distance with an own `ux_mm`, where a column `u_mm` is empty in its row.

@@ -40,6 +40,12 @@ const SERIES: &[Case] = &[
     ("series-incomplete", CMM, &[(C, EIGHT, "calibration = \"1-8\"\nseries = [\"1-4\", \"6-59\"]")], CHECK),
     ("series-single", CMM, &[(C, EIGHT, "calibration = \"1-8\"\nseries = [\"all\"]")], CHECK),
     (
+        "series-without-calibration",
+        CMM,
+        &[(C, EIGHT, "calibration = \"1-8\"\nseries = [\"1-4\", \"5-8\", \"rest\"]")],
+        RUN,
+    ),
+    (
         "series-not-estimated",
         CMM,
         &[(C, EIGHT, "calibration = \"1-6\"\nseries = [\"1-3\", \"rest\"]"), (C, "_um = 2.7", "_um = 0.5")],

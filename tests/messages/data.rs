@@ -39,7 +39,7 @@ const GATHERED: &[Case] = &[
         "rows-not-measured by=line",
         "torque-arm",
         &[("observations.csv", ",2203.652999,-1037.171434,-120.957270", ",,,")],
-        RUN,
+        "identify --robot @/robot.toml --observations @/observations.csv --standard-uncertainty-um 20",
     ),
     (
         "positions-repeat",

@@ -95,13 +95,15 @@ impl Regional {
         let beyond = (1.0 - within / (of_mean * steps.norm_squared()).max(f64::MIN_POSITIVE)).max(0.0);
         let more = steps * steps.transpose() * (of_mean * beyond);
         let [regions, between] = [&self.middle, &more].map(|middle| carried(root, middle));
+        let mut shares = Vec::new();
         for (k, degrees) in self.degrees.iter_mut().enumerate() {
             let (a, b) = (regions[(k, k)], between[(k, k)]);
+            shares.push(b / (a + b).max(f64::MIN_POSITIVE));
             if b > 0.0 {
                 *degrees = (a + b).powi(2) / (a.powi(2) / *degrees + b.powi(2) / (series - 1) as f64);
             }
         }
-        let share = more.trace() / (within + more.trace()).max(f64::MIN_POSITIVE);
+        let share = shares.iter().sum::<f64>() / shares.len().max(1) as f64;
         self.middle += more;
         self.between = Some(BetweenSeries { series, share });
         self

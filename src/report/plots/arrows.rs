@@ -144,8 +144,9 @@ fn table(drawn: &[&PointError], words: &Words) -> (String, Vec<String>, Vec<Vec<
     header.extend(["x", "y", "z"].map(column));
     let row = |p: &&PointError| {
         let mut row = vec![words.tr(&p.set.phrase()), p.pose.to_string(), p.cycle.to_string(), p.target.clone()];
-        row.extend(p.at_mm.map(|v| number::fixed(v, 3)));
-        row.extend(p.after_mm.map(|v| number::fixed(v * shown.factor, if shown.factor > 1.0 { 2 } else { 4 })));
+        let decimals = if shown.factor > 1.0 { 2 } else { 4 };
+        row.extend(p.at_mm.map(|v| words.number(&number::fixed(v, 3))));
+        row.extend(p.after_mm.map(|v| words.number(&number::fixed(v * shown.factor, decimals))));
         row
     };
     (tr!(words, "numbers-of-arrows", count = drawn.len()), header, drawn.iter().map(row).collect())

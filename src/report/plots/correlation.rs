@@ -67,8 +67,8 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
     };
     let title = tr!(words, "correlation-title");
     let description = tr!(words, "correlation-description");
-    let row =
-        |i: usize| std::iter::once(names[i].to_owned()).chain((0..n).map(|j| number::fixed(r(i, j), 3))).collect();
+    let number = |i: usize, j: usize| words.number(&number::fixed(r(i, j), 3));
+    let row = |i: usize| std::iter::once(names[i].to_owned()).chain((0..n).map(|j| number(i, j))).collect();
     Some(Figure {
         caption: format!("{description} {caption}"),
         table_title: tr!(words, "numbers-of-this-picture"),

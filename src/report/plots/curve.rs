@@ -62,8 +62,8 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
         vec![
             p.positions.to_string(),
             p.configurations.to_string(),
-            significant(p.value, 5),
-            significant(p.condition, 4),
+            words.number(&significant(p.value, 5)),
+            words.number(&significant(p.condition, 4)),
         ]
     };
     Some(Figure {

@@ -67,7 +67,8 @@ impl Curves {
             chart.svg.text("over", (at.0 + 8.0, at.1 - 6.0), &mark.name);
         }
         let rows = self.curves.iter().flat_map(|c| {
-            let row = |p: &(f64, f64)| vec![c.name.clone(), place(p.0, 5), number::significant(p.1, 4)];
+            let numbers = |p: &(f64, f64)| [place(p.0, 5), number::significant(p.1, 4)].map(|v| words.number(&v));
+            let row = |p: &(f64, f64)| std::iter::once(c.name.clone()).chain(numbers(p)).collect::<Vec<_>>();
             c.points.iter().map(row).collect::<Vec<_>>()
         });
         Some(Figure {

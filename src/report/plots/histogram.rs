@@ -80,7 +80,10 @@ fn histogram(
     let mut header = vec![tr!(words, "from-in-unit", unit = shown.unit), tr!(words, "to")];
     header.extend(sets.iter().map(|set| tr!(words, "points-of", set = set.name)));
     let row = |bin: usize| {
-        [edge(bin), edge(bin + 1)].into_iter().chain(sets.iter().map(move |set| set.bins[bin].to_string()))
+        [edge(bin), edge(bin + 1)]
+            .map(|v| words.number(&v))
+            .into_iter()
+            .chain(sets.iter().map(move |set| set.bins[bin].to_string()))
     };
     let totals: Vec<_> = sets.iter().map(|set| tr!(words, "count-of-set", count = set.total, set = set.name)).collect();
     let side = points::side(after);

@@ -41,7 +41,7 @@ pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure>
     }
     let row = |(i, (s, held)): (usize, &(&SingularValueEntry, bool))| {
         let direction = if *held { tr!(words, "held") } else { tr!(words, "identified") };
-        vec![(i + 1).to_string(), significant(s.value, 4), direction, s.parameters.join(", ")]
+        vec![(i + 1).to_string(), words.number(&significant(s.value, 4)), direction, s.parameters.join(", ")]
     };
     let title = tr!(words, "singular-values-title");
     let description = tr!(words, "singular-values-description");

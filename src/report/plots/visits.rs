@@ -114,7 +114,7 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, approaches: A
     }
     let row = |(visit, place): (&&Iso9283Visit, &Vector)| {
         let first = [visit.cycle.to_string(), approaches.name_or_unknown(visit.approach.as_deref())];
-        first.into_iter().chain(xyz(*place)).collect()
+        first.into_iter().chain(xyz(*place).map(|v| words.number(&v))).collect()
     };
     let name = seen.name();
     let title = tr!(words, "visits-of-pose-title", pose, plane = name);

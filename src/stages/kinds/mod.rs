@@ -18,6 +18,7 @@ mod surface;
 
 pub use cells::{ByColumn, Cell, Cells, names, stated_schema, text};
 pub use kind::{Facts, Measurement, RowKind, Simulated, no_known};
+pub use measured::unmeasured_rows;
 pub use row::{Row, columns, numbers, target_index};
 
 use crate::stages::conventions;

@@ -109,6 +109,19 @@ fn ten_poses_verify_the_parameters() {
     };
     let exchanged = changed(&|_, o| o.targets.swap(0, 1)).unwrap_err();
     assert!(exchanged.0[0].is("target-names-exchanged", &[("first", &"SMR_1"), ("second", &"SMR_2")]), "{exchanged}");
+    let permuted = changed(&|_, o| o.targets.rotate_left(1)).unwrap_err();
+    assert!(permuted.0[0].is("target-names-permuted", &[]), "{permuted}");
+    let reading = changed(&|i, o| {
+        if i == 4
+            && let Some(at) = &mut o.targets[1]
+        {
+            at[2] += 2.0;
+        }
+    });
+    let reading = reading.unwrap();
+    let parts: [(&str, &dyn etalon::base::catalogue::IntoArgument); 2] =
+        [("pose", &group[4].pose), ("target", &"SMR_2")];
+    assert!(reading.messages.iter().any(|m| m.is("one-reading-contradicts", &parts)), "{:?}", reading.messages);
     let wrong = changed(&|i, o| o.joints[2] += if i == 4 { 0.05 } else { 0.0 }).unwrap();
     let named = wrong.messages.iter().any(|m| m.is("one-pose-contradicts", &[("pose", &group[4].pose)]));
     assert!(wrong.verdict == VerificationVerdict::Other && named, "{:?}", wrong.messages);

@@ -48,7 +48,7 @@ thousands-mark-ambiguous = das Tausenderzeichen `{ $mark }` ist auch das { $othe
         [decimal] Dezimalzeichen
        *[delimiter] Trennzeichen
     }
-    .hint = die Datei mit anderen Zeichen exportieren
+    .hint = `thousands` entfernen oder berichtigen
 
 column-role-twice = `columns` nennt `{ $role }` zweimal
     .hint = eine Angabe berichtigen; eine Spalte, die nicht gelesen wird, ist `-`

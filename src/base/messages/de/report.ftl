@@ -540,7 +540,7 @@ from-residuals-by-pose = aus den Residuen, nach Posen gruppiert
 from-residuals-by-region = der effektiven Parameter, aus der Streuung zwischen Bereichen des Arbeitsraums{ $series ->
         [0] ; Unterschiede zwischen Aufbauten sind nicht enthalten
        *[other] { " " }und zwischen { $series } Serien; { $percent ->
-            [0] diese unterscheiden sich nicht darüber hinaus
+            [0] kein Unterschied darüber hinaus ist nachweisbar
            *[other] diese tragen { $percent } % der Varianzen bei
         }
     }
@@ -870,6 +870,7 @@ parameter-named = Parameter { $name }
 parameters = Parameter
 parameters-implausible = Diese Parameter sind für den Roboter unplausibel: nicht laden.
 parameters-left-out = weggelassene Parameter
+one-pose-deviates = eine Pose widerspricht den Parametern (`{ $pose }`); ohne sie sind sie gültig
 parameters-no-longer-valid = die Parameter gelten nicht mehr; keine Bewegung der Basis, eines einzelnen Gelenks oder einer einzelnen Zielmarke erklärt die Abweichung
 parameters-note = u: Standardunsicherheit (k = 1); U = 2u: erweiterte Messunsicherheit. Die Werte sind auf die zweite Stelle von u gerundet. „Vorher“: Nur Basis und Zielmarken sind angepasst. Änderung: identifiziert minus nominal.
 parameters-of-robot = Parameter des Roboters
@@ -1082,7 +1083,7 @@ rms-and-largest = RMS { $rms } µm, größter Wert { $largest } µm
 rms-and-max = RMS und max.
 rms-and-max-values = { $rms } und { $max }
 rms-before = RMS vorher
-rms-expected = { $value } { $unit }, erwartet { $expected } { $unit }
+rms-expected = { $value } { $unit }, aus Messgerät, Parametern und Modellfehler erwartet { $expected } { $unit }
 rms-of = { $quantity }, RMS
 rms-ratio = RMS-Verhältnis
 rms-with-it = RMS mit dem Effekt
@@ -1130,8 +1131,8 @@ scale-bars = Kalibrierstäbe
 scaling-label = Skalierung:
 seed = Startwert
 serial-number = Seriennummer
-series-agree = Die Residuen zeigen keinen Unterschied zwischen den { $series } Serien.
-series-differ = Unterschiede zwischen den { $series } Serien tragen { $percent } % zu den Varianzen der Parameter bei.
+series-agree = Mit diesen Posen ist kein Unterschied zwischen den { $series } Serien nachweisbar.
+series-differ = Unterschiede zwischen den { $series } Serien tragen im Mittel { $percent } % zu den Varianzen der Parameter bei.
 set = Gruppe
 set-of-cycles = Satz von Zyklen
 set-summary = { $set }: { $poses ->

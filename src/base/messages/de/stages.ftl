@@ -799,7 +799,9 @@ sets-overlap = diese Posen gehören zur Kalibrierung und zur Validierung: { $pos
     .hint = `validation = "rest"` nimmt alle Posen, die nicht zur Kalibrierung gehören
 
 series-overlap = diese Posen gehören zu mehreren Serien: { $poses }
-    .hint = `"rest"` nimmt alle Posen, die zu keiner früheren Serie gehören
+    .hint = jede Pose nur einer Serie zuordnen
+
+series-without-calibration = Serien ohne Pose der Kalibrierung, die nicht zählen: { $series }
 
 series-incomplete = diese Posen der Kalibrierung gehören zu keiner Serie: { $poses }
     .hint = `"rest"` nimmt alle Posen, die zu keiner früheren Serie gehören
@@ -958,6 +960,12 @@ target-names-exchanged = werden die Namen der Zielmarken `{ $first }` und `{ $se
 
 one-pose-contradicts = ohne Pose `{ $pose }` widersprechen die Beobachtungen den Parametern nicht
     .hint = diese Pose neu messen und ihre Gelenkwerte neu aufzeichnen
+
+one-reading-contradicts = ohne Zielmarke `{ $target }` an Pose `{ $pose }` widersprechen die Beobachtungen den Parametern nicht
+    .hint = diese Zielmarke an dieser Pose neu messen
+
+target-names-permuted = mit den Namen der Zielmarken { $names } sinken die Residuen von { FIXED($before_mm, 3) } auf { FIXED($left_mm, 3) } mm
+    .hint = die Namen im Export berichtigen
 
 motions-alike = { $count ->
         [one] 1 andere Bewegung erklärt

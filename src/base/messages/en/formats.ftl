@@ -84,13 +84,13 @@ comma-ambiguous = a comma cannot both separate columns and mark decimals: `1,25`
 
 # Means: The mark between groups of three digits is also the decimal mark or the delimiter.
 # Matters: `1.234` would be 1234 or 1.234.
-# Do: Export the file with other marks.
+# Do: Remove `thousands`, or state the mark of the file.
 # Example: `thousands = "."` with `decimal = "."`
 thousands-mark-ambiguous = the thousands mark `{ $mark }` is also the { $other ->
         [decimal] decimal mark
        *[delimiter] delimiter
     }
-    .hint = export the file with other marks
+    .hint = remove or correct `thousands`
 
 # Means: `columns` gives the same role to two columns.
 # Matters: One of the columns would be ignored.

@@ -513,7 +513,7 @@ from-residuals-by-pose = from the residuals, grouped by pose
 from-residuals-by-region = of effective parameters, from the scatter between regions of the workspace{ $series ->
         [0] ; differences between set-ups are not contained
        *[other] { " " }and between { $series } series; { $percent ->
-            [0] these do not differ beyond it
+            [0] no difference beyond it can be shown
            *[other] these contribute { $percent } % of the variances
         }
     }
@@ -834,6 +834,7 @@ parameter-named = Parameter { $name }
 parameters = parameters
 parameters-implausible = These parameters are implausible for the robot: do not load them.
 parameters-left-out = parameters left out
+one-pose-deviates = one pose contradicts the parameters (`{ $pose }`); without it they are valid
 parameters-no-longer-valid = the parameters are no longer valid; no motion of the base, of a single joint or of a single target explains the deviation
 parameters-note = u: standard uncertainty (k = 1); U = 2u: expanded uncertainty. Values are rounded to the second digit of u. “Before”: only base and targets are fitted. Change: identified minus nominal.
 parameters-of-robot = Parameters of the robot
@@ -1031,7 +1032,7 @@ rms-and-largest = RMS { $rms } µm, largest { $largest } µm
 rms-and-max = RMS and max
 rms-and-max-values = { $rms } and { $max }
 rms-before = RMS before
-rms-expected = { $value } { $unit }, expected { $expected } { $unit }
+rms-expected = { $value } { $unit }, expected from instrument, parameters and model error { $expected } { $unit }
 rms-of = { $quantity } RMS
 rms-ratio = RMS ratio
 rms-with-it = RMS with the effect
@@ -1076,8 +1077,8 @@ scale-bars = Scale bars
 scaling-label = Scaling:
 seed = seed
 serial-number = serial number
-series-agree = The residuals show no difference between the { $series } series.
-series-differ = Differences between the { $series } series contribute { $percent } % of the variances of the parameters.
+series-agree = With these poses no difference between the { $series } series can be shown.
+series-differ = Differences between the { $series } series contribute { $percent } % of the variances of the parameters, in the mean.
 set = set
 set-of-cycles = set of cycles
 set-summary = { $set }: { $poses } poses, { $errors } errors

@@ -1624,7 +1624,13 @@ sets-overlap = poses in both calibration and validation: { $poses }
 # Do: Put each pose into one series.
 # Example: `series = ["1-40", "30-50"]`
 series-overlap = poses in several series: { $poses }
-    .hint = `"rest"` selects all poses of no earlier series
+    .hint = put each pose into one series
+
+# Means: A series holds no calibration pose: its poses are for validation, or excluded.
+# Matters: The scatter between series compares calibration poses, so this series does not count.
+# Do: Nothing, or let the calibration use poses of it.
+# Example: `calibration = "1-40"`, `series = ["1-20", "21-40", "41-60"]`
+series-without-calibration = series without a calibration pose, which do not count: { $series }
 
 # Means: `series` is stated, and no series contains these calibration poses.
 # Matters: The scatter between series compares all calibration poses.
@@ -1909,6 +1915,20 @@ target-names-exchanged = with the names of targets `{ $first }` and `{ $second }
 # Example: a verification pose with the joints of another pose
 one-pose-contradicts = without pose `{ $pose }` the observations do not contradict the parameters
     .hint = measure this pose again, and log its joints again
+
+# Means: The observations contradict the parameters, but without one reading they agree.
+# Matters: This reading is probably wrong. The other targets of the pose agree with its joints.
+# Do: Measure this target at this pose again.
+# Example: a reflector that was not seated at one pose
+one-reading-contradicts = without target `{ $target }` at pose `{ $pose }` the observations do not contradict the parameters
+    .hint = measure this target at this pose again
+
+# Means: With other names of the targets the residuals fall to less than a tenth.
+# Matters: Each target was measured under the name of another one.
+# Do: Correct the names in the export.
+# Example: SMR_1, SMR_2 and SMR_3 measured as SMR_2, SMR_3 and SMR_1
+target-names-permuted = with the names of the targets as { $names }, the residuals fall from { FIXED($before_mm, 3) } to { FIXED($left_mm, 3) } mm
+    .hint = correct the names in the export
 
 # Means: Several motions (of the base, of the zero of a joint, of a target) explain the residuals of
 # a verification.

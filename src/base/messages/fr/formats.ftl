@@ -48,7 +48,7 @@ thousands-mark-ambiguous = le séparateur de milliers `{ $mark }` est aussi le {
         [decimal] séparateur décimal
        *[delimiter] séparateur de colonnes
     }
-    .hint = exporter le fichier avec d’autres séparateurs
+    .hint = supprimer ou corriger `thousands`
 
 column-role-twice = `columns` mentionne `{ $role }` deux fois
     .hint = corriger l’une des deux ; une colonne qui n’est pas lue est `-`

@@ -543,7 +543,7 @@ from-residuals-by-pose = d’après les résidus, regroupés par pose
 from-residuals-by-region = des paramètres effectifs, d’après la dispersion entre régions de l’espace de travail{ $series ->
         [0] { " " }; les différences entre installations n’y sont pas
        *[other] { " " }et entre { $series } séries ; { $percent ->
-            [0] celles-ci ne diffèrent pas au-delà
+            [0] aucune différence au-delà ne peut être montrée
            *[other] celles-ci apportent { $percent } % des variances
         }
     }
@@ -873,6 +873,7 @@ parameter-named = Paramètre { $name }
 parameters = paramètres
 parameters-implausible = Ces paramètres ne sont pas plausibles pour le robot : ne pas les charger.
 parameters-left-out = paramètres omis
+one-pose-deviates = une pose contredit les paramètres (`{ $pose }`) ; sans elle ils sont valables
 parameters-no-longer-valid = les paramètres ne sont plus valables ; aucun mouvement de la base, d’une seule articulation ou d’une seule cible n’explique l’écart
 parameters-note = u : incertitude-type (k = 1) ; U = 2u : incertitude élargie. Les valeurs sont arrondies au deuxième chiffre de u. « Avant » : seules la base et les cibles sont ajustées. Écart : valeur identifiée moins valeur nominale.
 parameters-of-robot = Paramètres du robot
@@ -1088,7 +1089,7 @@ rms-and-largest = RMS { $rms } µm, maximum { $largest } µm
 rms-and-max = RMS et max.
 rms-and-max-values = { $rms } et { $max }
 rms-before = RMS avant
-rms-expected = { $value } { $unit }, attendu { $expected } { $unit }
+rms-expected = { $value } { $unit }, attendu d’après l’instrument, les paramètres et l’erreur du modèle { $expected } { $unit }
 rms-of = { $quantity }, RMS
 rms-ratio = rapport des RMS
 rms-with-it = RMS avec l’effet
@@ -1136,8 +1137,8 @@ scale-bars = Barres étalons
 scaling-label = Mise à l’échelle :
 seed = graine
 serial-number = numéro de série
-series-agree = Les résidus ne montrent aucune différence entre les { $series } séries.
-series-differ = Les différences entre les { $series } séries apportent { $percent } % des variances des paramètres.
+series-agree = Avec ces poses, aucune différence entre les { $series } séries ne peut être montrée.
+series-differ = Les différences entre les { $series } séries apportent en moyenne { $percent } % des variances des paramètres.
 set = ensemble
 set-of-cycles = série de cycles
 set-summary = { $set } : { $poses ->

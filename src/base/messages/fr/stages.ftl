@@ -799,7 +799,9 @@ sets-overlap = ces poses servent à la fois à l’étalonnage et à la validati
     .hint = `validation = "rest"` prend toutes les poses qui ne servent pas à l’étalonnage
 
 series-overlap = ces poses appartiennent à plusieurs séries : { $poses }
-    .hint = `"rest"` prend toutes les poses qui n’appartiennent à aucune série précédente
+    .hint = mettre chaque pose dans une seule série
+
+series-without-calibration = séries sans pose d’étalonnage, qui ne comptent pas : { $series }
 
 series-incomplete = ces poses d’étalonnage n’appartiennent à aucune série : { $poses }
     .hint = `"rest"` prend toutes les poses qui n’appartiennent à aucune série précédente
@@ -958,6 +960,12 @@ target-names-exchanged = si l’on intervertit les noms des cibles `{ $first }` 
 
 one-pose-contradicts = sans la pose `{ $pose }`, les observations ne contredisent pas les paramètres
     .hint = mesurer cette pose de nouveau, et enregistrer de nouveau ses valeurs articulaires
+
+one-reading-contradicts = sans la cible `{ $target }` à la pose `{ $pose }`, les observations ne contredisent pas les paramètres
+    .hint = mesurer cette cible de nouveau à cette pose
+
+target-names-permuted = avec les noms de cibles { $names }, les résidus passent de { FIXED($before_mm, 3) } à { FIXED($left_mm, 3) } mm
+    .hint = corriger les noms dans l’export
 
 motions-alike = { $count ->
         [one] { $count } autre mouvement explique
