@@ -236,7 +236,7 @@ mod tests {
         let mut chart = Chart::new(&words, WIDE, [Axis::from_zero("", 1.0), rows], ["", ""]);
         chart.svg.legend(Look::group(0), "2.5");
         let svg = chart.figure("p", String::new(), String::new()).svg;
-        for shown in [">ball 1.5<", ">1.5<", ">2.5<", ">0,5<"] {
+        for shown in [">ball 1.5<", ">1.5<", ">2.5<", ">0,2<"] {
             assert!(svg.contains(shown), "{shown}: {svg}");
         }
     }

@@ -281,7 +281,7 @@ impl Twin {
             let joints = self.joints(None, noise);
             let at = self.position(&joints, 0);
             let predicted = self.robot.position(&found.values, &joints, 0);
-            let mut jacobian = vec![0.0; 3 * all];
+            let mut jacobian = vec![0.0; 3 * all * self.robot.targets().len()];
             self.robot.jacobian(&found.values, &joints, &mut jacobian);
             for k in 0..3 {
                 let row: Vec<f64> = found.free.iter().map(|&i| jacobian[k * all + i]).collect();
