@@ -127,7 +127,7 @@ fn figure_2_7(visits: &[Visit]) -> Entry {
 const TRAVEL_MM: [f64; 3] = [170.0, 300.0, 300.0];
 
 fn figure_2_4(_: u64) -> Vec<Entry> {
-    let robot = Prexyt::default().with_travel(TRAVEL_MM);
+    let robot = Prexyt::default().with_travel(Some(TRAVEL_MM));
     let mut nominal = robot.nominal();
     nominal[5] = 115.0;
     let workspace = Workspace::new(&robot, &nominal).expect("travel");

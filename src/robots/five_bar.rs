@@ -211,12 +211,7 @@ impl FiveBar {
         [angle(a1_b1, delta1), angle(a2_b2, delta2)]
     }
 
-    /// Transforms a point from the base frame to the world (thesis, eq. 4.21).
-    pub fn to_world<T: Scalar>(&self, p: &[T], point: [T; 2]) -> [T; 2] {
-        plus([p[9], p[10]], turn(point, p[11], T::from(1.0)))
-    }
-
-    /// Transforms a point from the world to the base frame.
+    /// Transforms a point from the world to the base frame (inverse of thesis, eq. 4.21).
     pub fn to_base<T: Scalar>(&self, p: &[T], point: [T; 2]) -> [T; 2] {
         turn(minus(point, [p[9], p[10]]), -p[11], T::from(1.0))
     }

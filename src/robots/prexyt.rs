@@ -62,7 +62,7 @@ impl<const FULL: bool> Description for Table<FULL> {
     }
 
     fn build(&self, _targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
-        Ok(Box::new(Prexyt { travel_mm: self.0, ..Prexyt::new(FULL) }))
+        Ok(Box::new(Prexyt::new(FULL).with_travel(self.0)))
     }
 }
 
@@ -125,9 +125,9 @@ impl Prexyt {
     }
 
     /// Sets the travel of the actuators from zero.
-    pub fn with_travel(mut self, travel_mm: [f64; 3]) -> Self {
-        self.travel_mm = Some(travel_mm);
-        self
+    #[must_use]
+    pub fn with_travel(self, travel_mm: Option<[f64; 3]>) -> Self {
+        Self { travel_mm, ..self }
     }
 
     /// Values of delta and d of the reduced model (thesis, section 3.4, below eq. 3.10).

@@ -453,7 +453,9 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     messages.extend(set_up.err().unwrap_or_default().0);
     // selections that do not read are reported with the statements
     let Ok(selections) = campaign.selections(stated) else { return Ok(Preview { messages, ..Preview::default() }) };
-    let sets = evaluate::split(&observed, &observed.poses(), &selections);
+    let poses = observed.poses();
+    messages.extend(uncalibrated_series(stated, &selections.calibration_series(&poses)));
+    let sets = evaluate::split(&observed, &poses, &selections);
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
     messages.extend(hold_constant(robot, &sets, &mut settings));
     if messages.iter().all(|message| message.severity != Severity::Error) {

@@ -43,7 +43,7 @@ const SERIES: &[Case] = &[
         "series-without-calibration",
         CMM,
         &[(C, EIGHT, "calibration = \"1-8\"\nseries = [\"1-4\", \"5-8\", \"rest\"]")],
-        RUN,
+        CHECK,
     ),
     (
         "series-not-estimated",

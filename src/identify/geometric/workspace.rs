@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn at_zero_degrees_it_is_the_rectangle_of_the_travels() {
-        let robot = Prexyt::default().with_travel(TRAVEL_MM);
+        let robot = Prexyt::default().with_travel(Some(TRAVEL_MM));
         let nominal = robot.nominal();
         let workspace = Workspace::new(&robot, &nominal).unwrap();
         let polygon = workspace.at(0.0);
@@ -104,7 +104,7 @@ mod tests {
     /// d1 = 115 mm as in section 2.6.4: the largest disk is 169.93 mm.
     #[test]
     fn a_disk_of_170_mm_is_reached_with_every_orientation_up_to_17_degrees_as_the_thesis_says() {
-        let robot = Prexyt::default().with_travel(TRAVEL_MM);
+        let robot = Prexyt::default().with_travel(Some(TRAVEL_MM));
         let mut nominal = robot.nominal();
         nominal[5] = 115.0;
         let workspace = Workspace::new(&robot, &nominal).unwrap();
@@ -123,7 +123,7 @@ mod tests {
     /// errors.
     #[test]
     fn polygons_hold_what_the_actuators_reach_and_nothing_else() {
-        let robot = Prexyt::default().with_travel(TRAVEL_MM);
+        let robot = Prexyt::default().with_travel(Some(TRAVEL_MM));
         let mut p = robot.nominal();
         (p[0], p[1], p[3], p[4], p[5]) = (-0.02, 0.03, 393.9, 0.7, 116.1);
         let workspace = Workspace::new(&robot, &p).unwrap();
@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_reached_is_empty() {
-        let robot = Prexyt::default().with_travel(TRAVEL_MM);
+        let robot = Prexyt::default().with_travel(Some(TRAVEL_MM));
         let nominal = robot.nominal();
         let workspace = Workspace::new(&robot, &nominal).unwrap();
         assert!(workspace.at(60f64.to_radians()).is_empty());

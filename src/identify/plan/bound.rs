@@ -68,12 +68,6 @@ impl Ord for Node {
     }
 }
 
-/// Proves a choice by at most `nodes` nodes; `None` if no bound is known. `progress` is called with
-/// the number of nodes.
-pub fn branch_and_bound(pool: &Pool, first: Choice, nodes: usize, progress: impl Fn(usize)) -> Option<Proven> {
-    Root::new(pool, first.chosen.len()).map(|root| root.prove(pool, first, nodes, progress))
-}
-
 /// The relaxation of all choices of a number of candidates.
 pub struct Root {
     count: usize,

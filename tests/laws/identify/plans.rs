@@ -3,7 +3,7 @@
 use crate::support::five_bar::{SEVEN, holes, measure, robot, settings, truth};
 use etalon::base::noise::Noise;
 use etalon::base::pose_name::PoseName;
-use etalon::identify::plan::bound::branch_and_bound;
+use etalon::identify::plan::bound::Root;
 use etalon::identify::plan::candidates::Candidates;
 use etalon::identify::plan::search::{exchange_from_many, greedy};
 use etalon::identify::plan::{Choice, Criterion, Plan, Pool, Request, candidate_pool, plan};
@@ -138,11 +138,12 @@ fn the_proven_optimum_of_five_of_fifteen_is_that_of_enumeration() {
         let reached = index_by_svd(&pool, criterion, &found.chosen);
         assert!((reached / found.value.sqrt() - 1.0).abs() < 1e-6, "{criterion:?} {reached} {}", found.value.sqrt());
         assert!(reached <= best * (1.0 + 1e-9));
-        let Some(proven) = branch_and_bound(&pool, thesis.clone(), 5000, |_| {}) else {
+        let Some(root) = Root::new(&pool, thesis.chosen.len()) else {
             assert_eq!(criterion, Criterion::O4, "no bound is known of this one alone");
             println!("{criterion:?}: no bound, exchange {reached:.6} of {best:.6}");
             continue;
         };
+        let proven = root.prove(&pool, thesis.clone(), 5000, |_| {});
         let bound = proven.relaxation.sqrt();
         println!(
             "{criterion:?}: best {best:.6}, exchange {reached:.6}, greedy {:.6}, relaxation {:.3} % above, {} nodes",
@@ -242,7 +243,7 @@ fn the_proven_optimum_of_four_of_sixty_five_is_that_of_enumeration() {
         }
     }
     let thesis = greedy(&pool, &[], 4);
-    let proven = branch_and_bound(&pool, thesis, 20_000, |_| {}).expect("bound");
+    let proven = Root::new(&pool, thesis.chosen.len()).expect("bound").prove(&pool, thesis, 20_000, |_| {});
     let mut chosen = proven.best.chosen.clone();
     chosen.sort_unstable();
     println!("{chosen:?} {:?}, {} nodes", best, proven.nodes);

@@ -28,7 +28,8 @@ fn direct_undoes_inverse_in_all_working_modes_of_disturbed_robots() {
                 assert!(lengths.iter().all(|(b, l)| ((back.c[0] - b[0]).hypot(back.c[1] - b[1]) - l).abs() < 1e-9));
                 assert!(((back.e[0] - back.b2[0]).hypot(back.e[1] - back.b2[1]) - p[5]).abs() < 1e-9);
                 reached[usize::from(assembly < 0.0)] += 1;
-                let world = robot.to_world(&p, e);
+                let (sin, cos) = p[11].sin_cos(); // eq. 4.21
+                let world = [p[9] + cos * e[0] - sin * e[1], p[10] + sin * e[0] + cos * e[1]];
                 let base = robot.to_base(&p, world);
                 assert!((base[0] - e[0]).abs() < 1e-10 && (base[1] - e[1]).abs() < 1e-10);
             }
