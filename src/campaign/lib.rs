@@ -290,8 +290,8 @@ impl Campaign {
         self.try_robot_with(more).map_err(|unbuilt| unbuilt.problems)
     }
 
-    /// Builds the robot like [`Self::build_robot_with`], and tells which errors are a lack of
-    /// targets.
+    /// Builds the robot like [`Self::build_robot_with`]; the error states whether targets are
+    /// missing.
     pub fn try_robot_with(&self, more: &[String]) -> std::result::Result<Box<dyn Robot>, Unbuilt> {
         // an arm whose targets could not be read has some, and a test needs none
         let unread = self.unread.affects(&["join", "targets"]) || !self.identifies();

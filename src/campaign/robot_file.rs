@@ -428,7 +428,7 @@ impl RobotFile {
         self.try_build(targets).map_err(|unbuilt| unbuilt.problems)
     }
 
-    /// Builds the robot like [`Self::build`], and tells which errors are a lack of targets.
+    /// Builds the robot like [`Self::build`]; the error states whether targets are missing.
     pub(super) fn try_build(&self, targets: &[String]) -> std::result::Result<Box<dyn Robot>, Unbuilt> {
         // unreadable entries are already reported
         let readable = self.description.as_ref().filter(|(model, _)| {

@@ -56,5 +56,5 @@ fn explained(message: &Explanation) -> String {
         let _ = writeln!(out, "  {label}: {text}");
     }
     let Explanation { meaning, reason, action, example, .. } = message;
-    out + &format!("\n{meaning}\n{reason}\n\nOccurs with, for example: {example}\nWhat to do: {action}\n")
+    out + &format!("\n{meaning}\n{reason}\n\nTypical case: {example}\nWhat to do: {action}\n")
 }

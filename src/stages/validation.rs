@@ -155,15 +155,21 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
         free: kept.iter().map(|&k| all.free[k]).collect(),
         values: all.values,
     };
-    let noise = ExpectedDeviation::from_document(
-        robot,
-        document,
-        Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0),
-    )?;
+    let noise = expected_deviation(robot, document, settings)?;
     let (misfit, settings) = (noise.misfit(&[]), noise.applied(Settings::default()));
     let observations = &sets.calibration;
     let calibration = Comparison { robot, observations, settings: &settings, given: &frames, misfit: &misfit };
     calibration.most_probable().map_err(remedied)
+}
+
+/// Expected deviation of coordinates whose uncertainty the settings state, or else the calibration.
+fn expected_deviation(
+    robot: &dyn Robot,
+    document: &ParametersDocument,
+    settings: &Settings,
+) -> Result<ExpectedDeviation> {
+    let stated_mm = Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0);
+    ExpectedDeviation::from_document(robot, document, stated_mm)
 }
 
 /// The nominal parameters, if base and targets are among them.
@@ -182,11 +188,7 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
         |o: &etalon_identify::Observation| sets.calibration.iter().any(|c| (c.pose, c.cycle) == (o.pose, o.cycle));
     observations.extend(sets.validation.iter().filter(|o| !calibrated(o)).cloned());
     let parameters = given(robot, document)?;
-    let noise = ExpectedDeviation::from_document(
-        robot,
-        document,
-        Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0),
-    )?;
+    let noise = expected_deviation(robot, document, settings)?;
     let (misfit, settings) = (noise.misfit(&[]), noise.applied(Settings::default()));
     let all =
         Comparison { robot, observations: &observations, settings: &settings, given: &parameters, misfit: &misfit };

@@ -39,7 +39,7 @@ fn the_page_of_messages_is_current() {
         page += &format!("\n## {id}\n\n> {text}\n");
         page.extend(expected.map(|text| format!(">\n> expected: {text}\n")));
         page.extend(hint.map(|text| format!(">\n> hint: {text}\n")));
-        page += &format!("\n{meaning} {reason}\n\n- Occurs with, for example: {example}\n- What to do: {action}\n");
+        page += &format!("\n{meaning} {reason}\n\n- Typical case: {example}\n- What to do: {action}\n");
     }
     compare("docs/messages.md", &escaped(&page));
 }

@@ -230,9 +230,10 @@ impl Missing {
 
     /// Reason for leaving out a row, if its cell in this column means "not measured".
     pub(crate) fn reason(&self, column: &str, cell: &str) -> Option<Phrase> {
-        let reason =
-            if cell.is_empty() { phrase!("row-cell-empty", column) } else { phrase!("row-not-measured", column, cell) };
-        self.says(cell).then_some(reason)
+        self.says(cell).then(|| match cell {
+            "" => phrase!("row-cell-empty", column),
+            _ => phrase!("row-not-measured", column, cell),
+        })
     }
 
     /// `true` if coordinates that are all zero mean "not measured".
