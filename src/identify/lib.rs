@@ -33,11 +33,11 @@ pub use judgement::reliability::{
 };
 pub use judgement::robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
 pub use judgement::significance::{Variance, exceeds_zero, holm};
-pub use judgement::stability::{Stability, halves, stability};
+pub use judgement::stability::{Stability, StabilityTest, halves, stability};
 pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, ToolPrediction, held};
 pub use judgement::uncertainty::UncertaintyFrom;
 pub use judgement::verification::{
-    Comparison, Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test,
+    Comparison, Detectable, EXPLAINED, Explanation, IdentifiedParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test,
     Verification,
 };
 pub use model::effects::{Effects, effects};
@@ -45,8 +45,8 @@ pub use model::fixture::Fixture;
 pub use model::frame_error::FrameError;
 use model::kinds::tied_to_world;
 pub use model::kinds::{
-    Apart, Between, Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, On, Orientation, Seen, Surface,
-    mounted_misfit_rad, mounted_misfits_rad,
+    Between, Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, On, Orientation, Seen, Separation,
+    Surface, mounted_misfit_rad, mounted_misfits_rad,
 };
 pub use model::observation::{
     AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions,
@@ -55,11 +55,11 @@ pub use model::prior::Prior;
 pub use model::residuals::{OF_MEDIAN, ResidualKind};
 pub use model::rigid_part::{Contradicted, RigidPart, TargetPair};
 pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
-pub use solution::apart::{Placement, place_apart};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
+pub use solution::locate::{Placement, locate_points};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
 pub use solution::related::condition_slip;
-pub use solution::scatter::shown_noise_mm;
+pub use solution::scatter::observed_noise_mm;
 pub use solution::set_up::{
     allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem, tolerance_effect_mm,
 };
@@ -72,6 +72,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_math::{Factor, Linearised, Options, Problem, Quadratic, Termination, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
+use solution::estimation::Estimation;
 use solution::solver::solve_identifiable;
 
 /// Result of this crate.
@@ -389,8 +390,8 @@ pub fn identify_with(
 ) -> Result<Identification> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
-    let mut found =
-        judgement::uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
+    let estimation = Estimation { robot, observations, settings, wanted: &wanted };
+    let mut found = judgement::uncertainty::with_uncertainty(estimation, systematic, found)?;
     let without = model::kinds::without_length(robot, observations, settings, &found.status);
     found.warnings.extend(without.map(Into::into));
     Ok(found)

@@ -11,7 +11,7 @@ use etalon_base::pattern::matches_pattern;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{self as documents, ParameterStatus, ParametersDocument, PointError};
 use etalon_identify::{
-    Condition, Identification, Kind, Known, Observation, Placement, RigidPart, Settings, place_apart,
+    Condition, Identification, Kind, Known, Observation, Placement, RigidPart, Settings, locate_points,
 };
 use etalon_robots::{FreeBase, Quantity, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
@@ -90,7 +90,7 @@ impl Apart {
         let Some(arm) = robot.free_base().filter(|_| !self.groups.is_empty()) else { return Ok(Placed::default()) };
         let places = self.groups.concat();
         let place = |values: &mut [f64]| -> Result<Placement> {
-            let placed = place_apart(robot, &self.observations, &self.settings, values, &places).map_err(remedied)?;
+            let placed = locate_points(robot, &self.observations, &self.settings, values, &places).map_err(remedied)?;
             values.copy_from_slice(&placed.values);
             Ok(placed)
         };

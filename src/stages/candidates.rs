@@ -8,7 +8,7 @@ use etalon_base::{error, phrase};
 use etalon_formats::table;
 use etalon_formats::tables::joints::{joint_values, stated_modes};
 use etalon_identify::Observation;
-use etalon_identify::plan::candidates::{Candidates, within_reach};
+use etalon_identify::plan::candidates::{Candidates, within_limits};
 use etalon_robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
@@ -19,7 +19,7 @@ pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates
     let stated = |j: &Joint| table.get_column_names().iter().any(|name| j.factor(name).is_some());
     let by_joints = robot.joints().iter().any(stated) || table.column("x_mm").is_err();
     let all = if by_joints { from_joints(robot, table, &poses)? } else { from_positions(robot, table, &poses)? };
-    within_reach(robot, all).map_err(remedied)
+    within_limits(robot, all).map_err(remedied)
 }
 
 /// One configuration a row; rows that differ only in the target are one configuration of several

@@ -396,7 +396,7 @@ pub fn relative(
         conditions: &[],
         position_mm: campaign.file.instrument.position_uncertainty_mm(),
     };
-    let found = errors.distances(before, settings, systematic).map_err(remedied)?;
+    let found = errors.distances(before.0, before.1, settings, systematic).map_err(remedied)?;
     Ok(found.map(|found| RelativeAccuracy {
         set,
         available: found.available,

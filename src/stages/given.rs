@@ -8,7 +8,7 @@ use etalon_documents::{
     ErrorQuantity, ParameterEntry, ParameterStatus, ParametersDocument, QuantityResiduals, ResidualSummary,
     VerifiedQuantity, quantity_residuals,
 };
-use etalon_identify::{Condition, ConditionResiduals, GivenParameters, Kind, Misfit, Settings, Variance};
+use etalon_identify::{Condition, ConditionResiduals, IdentifiedParameters, Kind, Misfit, Settings, Variance};
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 ///
 /// # Errors
 /// Fails if the document is of another robot, or lacks a parameter of this robot.
-pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenParameters> {
+pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<IdentifiedParameters> {
     check_described(robot, document)?;
     check_geometry(robot, document)?;
     let mut values = robot.nominal();
@@ -51,7 +51,7 @@ pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenPa
         };
         outward * inward(i) * inward(j)
     });
-    Ok(GivenParameters { values, covariance: covariance.collect(), free })
+    Ok(IdentifiedParameters { values, covariance: covariance.collect(), free })
 }
 
 fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d ParameterEntry> {

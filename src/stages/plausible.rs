@@ -15,7 +15,7 @@ use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
     Identification, LoadSlip, NOISE_DISTANCE, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
-    chi_square_exceeds, condition_slip, far_from_nominal, load_slips, moved_between, set_up_error, shown_noise_mm,
+    chi_square_exceeds, condition_slip, far_from_nominal, load_slips, moved_between, observed_noise_mm, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -310,7 +310,7 @@ fn far_before(
     let calibration = || errors.iter().filter(|e| e.set == PoseSet::Calibration);
     let left: Vec<f64> = calibration().map(|e| norm(e.before_mm)).collect();
     let rms_mm = rms(left.iter().copied());
-    let noise_mm = shown_noise_mm(robot, observations, settings.coordinate_uncertainty_mm());
+    let noise_mm = observed_noise_mm(robot, observations, settings.coordinate_uncertainty_mm());
     let allowed_mm = allowed_mm(robot, observations, before, noise_mm)?;
     let explained_mm = (EXPLAINED * allowed_mm).max(NOISE_DISTANCE * noise_mm);
     let explained = rms(calibration().map(|e| norm(e.after_mm))) < explained_mm

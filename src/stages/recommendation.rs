@@ -13,7 +13,7 @@ use etalon_base::message::{Message, Result};
 use etalon_base::{phrase, warning};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
-use etalon_identify::{Identification, Settings, Stability, Status, Variance};
+use etalon_identify::{Identification, Settings, Stability, StabilityTest, Status, Variance};
 use etalon_math::statistics::variance;
 use etalon_robots::{Effect, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -149,7 +149,8 @@ impl Recommendation<'_> {
         let of_robot: Vec<usize> = found.free.iter().copied().filter(|&i| study.effects[i].is_some()).collect();
         let mut left_out = study.first_cut().to_vec();
         left_out.extend(etalon_identify::halves(calibration, &model.conditions));
-        etalon_identify::stability(study.robot, calibration, model, found, (&of_robot, &left_out)).map_err(remedied)
+        let test = StabilityTest { parameters: &of_robot, left_out: &left_out };
+        etalon_identify::stability(study.robot, calibration, model, found, test).map_err(remedied)
     }
 
     /// Parameters to load: stable, and proven if the choice asks for it.

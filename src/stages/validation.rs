@@ -13,7 +13,7 @@ use etalon_campaign::Campaign;
 use etalon_documents::{
     AccuracyDocument, FieldDocument, FieldSummary, GivenFrames, GivenSummary, ParametersDocument, PointError,
 };
-use etalon_identify::{Comparison, Corrected, GivenParameters, JointField, Settings};
+use etalon_identify::{Comparison, Corrected, IdentifiedParameters, JointField, Settings};
 use etalon_robots::{Correction, Robot, Role};
 
 /// Errors of given parameters, and remarks for the reader.
@@ -150,7 +150,7 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
     let kept: Vec<usize> = (0..n).filter(|&k| robot.parameters()[all.free[k]].role != Role::Robot).collect();
     let covariance =
         kept.iter().flat_map(|&i| kept.iter().map(move |&j| (i, j))).map(|(i, j)| all.covariance[i * n + j]);
-    let frames = GivenParameters {
+    let frames = IdentifiedParameters {
         covariance: covariance.collect(),
         free: kept.iter().map(|&k| all.free[k]).collect(),
         values: all.values,

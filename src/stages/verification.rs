@@ -12,7 +12,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use etalon_identify::{
-    Comparison, Detectable, Explanation, Extent, GivenParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE,
+    Comparison, Detectable, Explanation, Extent, IdentifiedParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE,
     Settings, UncertaintyBound, Verification, set_up_problem,
 };
 use etalon_robots::{Parameter, Quantity, Robot, Role};
@@ -23,7 +23,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// uncertainty of predicted coordinates.
 pub struct EarlierCalibration<'r> {
     robot: &'r dyn Robot,
-    parameters: GivenParameters,
+    parameters: IdentifiedParameters,
     noise: ExpectedDeviation,
     /// Nominal parameters, with the base and targets that were fitted to them.
     nominal: Vec<f64>,

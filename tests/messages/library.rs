@@ -5,7 +5,7 @@ use etalon::base::message::{Message, Problems};
 use etalon::documents::{FieldDocument, Iso9283Places, ParametersDocument};
 use etalon::fit::{Element, FitSettings, Probe, Side, Source, element, rigid};
 use etalon::identify::geometric::{self, BaseMeasurements, LeadMeasurements, Measurements, ShaftMeasurements};
-use etalon::identify::{Comparison, GivenParameters, Misfit, Observation, Settings, ToolFrame, ToolPoint};
+use etalon::identify::{Comparison, IdentifiedParameters, Misfit, Observation, Settings, ToolFrame, ToolPoint};
 use etalon::robots::{Prexyt, Robot};
 use etalon::standards::iso9283::load::{Loaded, compliance};
 use etalon::standards::iso9283::motion::standstill::{Stillness, standstills};
@@ -57,7 +57,7 @@ fn of_files_names_and_missing_data() {
     let large = tempfile::NamedTempFile::new().unwrap();
     large.as_file().set_len(17 << 20).unwrap();
     let robot = etalon::robots::Prexyt::default();
-    let unreached = etalon::identify::plan::candidates::within_reach(&robot, Vec::new());
+    let unreached = etalon::identify::plan::candidates::within_limits(&robot, Vec::new());
     let unreached = unreached.err().map(|error| error.messages()).unwrap_or_default();
     let nothing = etalon::identify::identify(&robot, &[], &etalon::identify::Settings::default()).unwrap_err();
     hold(vec![
@@ -228,8 +228,9 @@ fn of_given_parameters_and_tools() {
     let (near, nowhere) = ([observed([10.0, 150.0, 150.0])], [observed([10.0, f64::NAN, 0.0])]);
     let plain = Settings::default();
     let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
-    let given = GivenParameters { values: robot.nominal(), free: vec![0, 1], covariance: vec![1.0, 2.0, 2.0, 1.0] };
-    let sound = GivenParameters { covariance: vec![1.0, 0.0, 0.0, 1.0], ..given.clone() };
+    let given =
+        IdentifiedParameters { values: robot.nominal(), free: vec![0, 1], covariance: vec![1.0, 2.0, 2.0, 1.0] };
+    let sound = IdentifiedParameters { covariance: vec![1.0, 0.0, 0.0, 1.0], ..given.clone() };
     let compare = |observations, settings, given| {
         let misfit = &Misfit::default();
         refused(Comparison { robot: &robot, observations, settings, given, misfit }.most_probable())

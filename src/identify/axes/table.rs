@@ -36,7 +36,7 @@ impl AxesModel {
         let listed: Vec<usize> =
             (0..robot.parameters().len()).filter(|&i| is_of_axes(&robot.parameters()[i])).collect();
         let values: Vec<f64> = listed.iter().map(|&i| robot.parameters()[i].nominal).collect();
-        let mut all = self.covariance_of_table(modified, &table, (&listed, &values));
+        let mut all = self.covariance_of_table(modified, &table, &listed, &values);
         for tilt in &table.tilts {
             // the link of a row is before its axis in modified convention, otherwise behind it
             let ends = if modified { [tilt.row.wrapping_sub(1), tilt.row] } else { [tilt.row, tilt.row + 1] };
@@ -64,12 +64,7 @@ impl AxesModel {
     }
 
     /// Covariance of the parameters `listed` about their values.
-    fn covariance_of_table(
-        &self,
-        modified: bool,
-        table: &AxisTable,
-        (listed, values): (&[usize], &[f64]),
-    ) -> DMatrix<f64> {
+    fn covariance_of_table(&self, modified: bool, table: &AxisTable, listed: &[usize], values: &[f64]) -> DMatrix<f64> {
         self.covariance_of_axes(&|axes, flange| {
             let mut changed = if modified { modified_table(axes, flange) } else { standard_table(axes, flange) };
             // a change does not decide what is near-parallel

@@ -5,6 +5,15 @@ use etalon_robots::{AxisLine, Effect, Robot, Serial};
 
 const NOISE_MM: f64 = 0.02;
 
+/// Readings of a joint over its travel.
+#[derive(Clone, Copy)]
+struct Travel {
+    /// Travel (mm, rad).
+    span: f64,
+    /// Number of readings, evenly spaced.
+    count: usize,
+}
+
 /// A drawn arm in the world: axes at joint values zero, targets there.
 struct Arm {
     axes: Vec<AxisLine>,
@@ -37,7 +46,8 @@ impl Arm {
     }
 
     /// Readings of one joint from rest values.
-    fn sweep(&self, noise: &mut Noise, rest: &[f64], joint: usize, (span, count): (f64, usize)) -> Sweep {
+    fn sweep(&self, noise: &mut Noise, rest: &[f64], joint: usize, travel: Travel) -> Sweep {
+        let Travel { span, count } = travel;
         let mut readings = Vec::new();
         let start = if self.axes[joint].prismatic { 0.0 } else { noise.uniform(1.0) };
         for i in 0..count {
@@ -87,7 +97,7 @@ fn axes_of_drawn_arms_are_found_within_their_uncertainty() {
         for joint in 0..6 {
             let degrees = 165.0 + noise.uniform(135.0);
             let span = if arm.axes[joint].prismatic { 500.0 } else { degrees.to_radians() };
-            let sweep = arm.sweep(&mut noise, &rest, joint, (span, 40));
+            let sweep = arm.sweep(&mut noise, &rest, joint, Travel { span, count: 40 });
             let axis = joint_axis(&sweep, &settings(&arm)).unwrap();
             for z in normalised(&axis, &arm.axis(&rest, joint)) {
                 counts += 1;
@@ -110,7 +120,7 @@ fn draw_sweeps(arm: &Arm, noise: &mut Noise) -> Vec<Sweep> {
     let sweep = |noise: &mut Noise, joint: usize| {
         let rest: Vec<f64> = arm.axes.iter().map(|_| noise.uniform(0.8)).collect();
         let span = if arm.axes[joint].prismatic { 500.0 } else { (165.0 + noise.uniform(135.0)).to_radians() };
-        arm.sweep(noise, &rest, joint, (span, 40))
+        arm.sweep(noise, &rest, joint, Travel { span, count: 40 })
     };
     (0..arm.axes.len()).map(|joint| sweep(noise, joint)).collect()
 }
@@ -152,8 +162,12 @@ fn without_joint_values_home_is_the_start_of_every_sweep() {
         let home = vec![0.0; 6];
         let mut sweeps = Vec::new();
         for joint in 0..6 {
-            let mut sweep =
-                arm.sweep(&mut noise, &home, joint, (if arm.axes[joint].prismatic { 400.0 } else { 2.0 }, 40));
+            let mut sweep = arm.sweep(
+                &mut noise,
+                &home,
+                joint,
+                Travel { span: if arm.axes[joint].prismatic { 400.0 } else { 2.0 }, count: 40 },
+            );
             let first = sweep.readings[0].joints[joint];
             for r in &mut sweep.readings {
                 let mut joints = home.clone();
@@ -198,7 +212,7 @@ fn foreign_points_are_set_aside_and_sound_ones_are_not() {
     for trial in 0..100 {
         let mut noise = Noise::new(48, trial);
         let arm = Arm::drawn(&mut noise, 3, 2, false);
-        let mut sweep = arm.sweep(&mut noise, &[0.0; 3], 1, (1.5, 30));
+        let mut sweep = arm.sweep(&mut noise, &[0.0; 3], 1, Travel { span: 1.5, count: 30 });
         lost += joint_axis(&sweep, &settings(&arm)).unwrap().fit.used.iter().filter(|u| !**u).count();
         for i in [7, 23, 41] {
             sweep.readings[i].position_mm[i % 3] += 0.4 + 20.0 * (i % 2) as f64;
@@ -226,7 +240,7 @@ fn a_target_near_the_axis_has_its_uncertainty() {
     let mut noise = Noise::new(49, 0);
     let axes = vec![AxisLine { direction: [0.0, 0.0, 1.0], point_mm: [10.0, 20.0, 0.0], prismatic: false }];
     let arm = Arm { axes, targets: vec![[12.0, 20.0, 300.0]] };
-    let sweep = arm.sweep(&mut noise, &[0.0], 0, (5.5, 40));
+    let sweep = arm.sweep(&mut noise, &[0.0], 0, Travel { span: 5.5, count: 40 });
     let axis = joint_axis(&sweep, &AxesSettings { prismatic: vec![Some(false)], ..AxesSettings::default() }).unwrap();
     let (of_direction, of_point) = axis.standard_uncertainties();
     // by hand: a plane through points at 2 mm: u = σ / (r √(n/2))
@@ -242,11 +256,11 @@ fn slips_are_named_and_sound_sweeps_are_not() {
         let mut noise = Noise::new(50, trial);
         let arm = Arm::drawn(&mut noise, 4, 2, false);
         let rest = [0.2, -0.3, 0.1, 0.4];
-        let sound = arm.sweep(&mut noise, &rest, 1, (1.4, 40));
+        let sound = arm.sweep(&mut noise, &rest, 1, Travel { span: 1.4, count: 40 });
         let axis = joint_axis(&sound, &settings(&arm)).unwrap();
         assert_eq!((joint_slip(&sound), axis_slip(&sound, &axis), axis.smooth), (None, None, None));
         // the sweep of joint 3 under the name of joint 2
-        let other = Sweep { joint: 1, ..arm.sweep(&mut noise, &rest, 2, (1.0, 20)) };
+        let other = Sweep { joint: 1, ..arm.sweep(&mut noise, &rest, 2, Travel { span: 1.0, count: 20 }) };
         assert_eq!(joint_slip(&other), Some(Slip::OtherJoint { moved: 2 }));
         // another joint creeps
         let mut two = sound.clone();
@@ -302,7 +316,7 @@ fn turning_and_sliding_are_told_by_the_path() {
         let mut noise = Noise::new(52, trial);
         let arm = Arm::drawn(&mut noise, 4, 1 + trial as usize % 2, true);
         for (joint, span) in [(2, 0.52), (3, 300.0), (1, 6.2)] {
-            let sweep = arm.sweep(&mut noise, &[0.0; 4], joint, (span, 20));
+            let sweep = arm.sweep(&mut noise, &[0.0; 4], joint, Travel { span, count: 20 });
             let axis = joint_axis(&sweep, &AxesSettings::default()).unwrap();
             assert_eq!(axis.fit.prismatic, joint == 3, "{trial} {joint}");
             assert!(dot(axis.fit.axis().direction, arm.axis(&[0.0; 4], joint).direction) > 0.99);
@@ -321,8 +335,9 @@ fn errors_of_screw_axes_have_their_covariance() {
         let rest: Vec<f64> = (0..6).map(|_| noise.uniform(0.8)).collect();
         let mut measured = || {
             let span = |joint: usize| if arm.axes[joint].prismatic { 500.0 } else { 2.0 };
-            let sweeps: Vec<Sweep> =
-                (0..6).map(|joint| arm.sweep(&mut noise, &rest, joint, (span(joint), 30))).collect();
+            let sweeps: Vec<Sweep> = (0..6)
+                .map(|joint| arm.sweep(&mut noise, &rest, joint, Travel { span: span(joint), count: 30 }))
+                .collect();
             derived_model(&arm, &sweeps)
         };
         let [first, second] = [measured(), measured()];
@@ -417,10 +432,11 @@ fn ranges_of_noise_are_those_of_control_charts() {
 fn with_run_out(
     noise: &mut Noise,
     radii: &[f64],
-    arc: f64,
-    (count, noise_mm): (usize, f64),
+    travel: Travel,
+    noise_mm: f64,
     run_out: &dyn Fn(f64) -> [f64; 2],
 ) -> Sweep {
+    let Travel { span: arc, count } = travel;
     let place = Pose::from_xyz_rpy([300.0, -200.0, 700.0], [0.4, -0.3, 1.0]);
     let mut readings = Vec::new();
     for i in 0..count {
@@ -465,7 +481,7 @@ fn axes_with_run_out_are_within_their_uncertainty() {
             };
             [sum(1), sum(3)]
         };
-        let sweep = with_run_out(&mut noise, &[400.0], arc, (60, 0.0005), &run_out);
+        let sweep = with_run_out(&mut noise, &[400.0], Travel { span: arc, count: 60 }, 0.0005, &run_out);
         let axis = joint_axis(&sweep, &AxesSettings::default()).unwrap();
         assert_eq!(axis_slip(&sweep, &axis), None, "{trial}");
         reported += usize::from(axis.smooth.is_some());
@@ -483,7 +499,7 @@ fn a_step_is_no_run_out() {
     for trial in 0..4 {
         let mut noise = Noise::new(461, trial);
         let run_out = |angle: f64| [0.003 * (4.0 * angle).sin(), 0.0];
-        let mut sweep = with_run_out(&mut noise, &[400.0], 1.9, (60, 0.001), &run_out);
+        let mut sweep = with_run_out(&mut noise, &[400.0], Travel { span: 1.9, count: 60 }, 0.001, &run_out);
         sweep.readings[33..].iter_mut().for_each(|r| r.position_mm[2] += 0.1);
         let axis = joint_axis(&sweep, &AxesSettings::default()).unwrap();
         let slip = axis_slip(&sweep, &axis);
@@ -497,7 +513,7 @@ fn a_step_is_no_run_out() {
 fn a_target_on_the_axis_does_not_spoil_the_ratio() {
     for trial in 0..6 {
         let mut noise = Noise::new(462, trial);
-        let mut sweep = with_run_out(&mut noise, &[0.0, 60.0], 2.4, (25, 0.01), &|_| [0.0; 2]);
+        let mut sweep = with_run_out(&mut noise, &[0.0, 60.0], Travel { span: 2.4, count: 25 }, 0.01, &|_| [0.0; 2]);
         let axis =
             joint_axis(&sweep, &AxesSettings { prismatic: vec![Some(false)], ..AxesSettings::default() }).unwrap();
         let ratio = axis.travel.unwrap().ratio;
@@ -517,7 +533,7 @@ fn a_ratio_counts_with_its_uncertainty() {
     let mut differs = 0;
     for trial in 0..30 {
         let mut noise = Noise::new(463, trial);
-        let sweep = with_run_out(&mut noise, &[300.0], 0.05, (20, 0.01), &|_| [0.0; 2]);
+        let sweep = with_run_out(&mut noise, &[300.0], Travel { span: 0.05, count: 20 }, 0.01, &|_| [0.0; 2]);
         let axis =
             joint_axis(&sweep, &AxesSettings { prismatic: vec![Some(false)], ..AxesSettings::default() }).unwrap();
         let ratio = axis.travel.unwrap().ratio;
@@ -532,7 +548,7 @@ fn a_ratio_counts_with_its_uncertainty() {
 #[test]
 fn wrapped_joint_values_are_unwound() {
     let mut noise = Noise::new(464, 0);
-    let mut sweep = with_run_out(&mut noise, &[200.0], 4.0, (30, 0.01), &|_| [0.0; 2]);
+    let mut sweep = with_run_out(&mut noise, &[200.0], Travel { span: 4.0, count: 30 }, 0.01, &|_| [0.0; 2]);
     let turn = |v: f64| v - std::f64::consts::TAU * (v / std::f64::consts::TAU).round();
     for (i, r) in sweep.readings.iter_mut().enumerate() {
         let rest = std::f64::consts::PI + 1e-5 * (i % 3) as f64 - 1e-5;
@@ -550,7 +566,7 @@ fn wrapped_joint_values_are_unwound() {
 #[test]
 fn one_axis_has_a_robot_without_free_parameters() {
     let mut noise = Noise::new(465, 0);
-    let sweep = with_run_out(&mut noise, &[200.0], 4.0, (30, 0.01), &|_| [0.0; 2]);
+    let sweep = with_run_out(&mut noise, &[200.0], Travel { span: 4.0, count: 30 }, 0.01, &|_| [0.0; 2]);
     let model = AxesModel::new(vec![joint_axis(&sweep, &AxesSettings::default()).unwrap()], 1).unwrap();
     let parameters = model.screw_parameters();
     assert!(parameters.names.is_empty() && parameters.independent_uncertainties().is_empty());

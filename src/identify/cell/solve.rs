@@ -262,13 +262,14 @@ fn quality(at: &Whitened, covariance: &DMatrix<f64>, estimated: [bool; 2], state
         });
     }
     let judged = |(i, equation): (usize, &Equation)| {
+        let (rows, residual) = at.block(i);
         let k = measure_index(equation.measure);
         let free = estimated[k].then_some(sums[k][1]);
         CellResidual {
             reading: equation.reading,
             measure: equation.measure,
             value: equation.residual,
-            probability: probability(at.block(i), covariance, free),
+            probability: probability(&rows, residual, covariance, free),
         }
     };
     Quality { components, residuals: at.equations.iter().enumerate().map(judged).collect() }
@@ -278,11 +279,12 @@ fn quality(at: &Whitened, covariance: &DMatrix<f64>, estimated: [bool; 2], state
 /// variance of all others (externally studentized: Cook & Weisberg 1982, 2.2.2), or χ² with the
 /// stated variance. `None` without redundancy.
 fn probability(
-    (rows, residual): (DMatrix<f64>, Vector3<f64>),
+    rows: &DMatrix<f64>,
+    residual: Vector3<f64>,
     covariance: &DMatrix<f64>,
     redundancy: Option<f64>,
 ) -> Option<f64> {
-    let left = Matrix3::identity() - (&rows * covariance * rows.transpose()).fixed_view::<3, 3>(0, 0).into_owned();
+    let left = Matrix3::identity() - (rows * covariance * rows.transpose()).fixed_view::<3, 3>(0, 0).into_owned();
     let (values, _) = symmetric_eigen::<3>(std::array::from_fn(|i| std::array::from_fn(|j| left[(i, j)])));
     if values[0] < CONTROLLED {
         return None;

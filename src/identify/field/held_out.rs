@@ -132,7 +132,7 @@ fn judged(rows: &Rows, fit: &Fit, chosen: Option<&Chosen>, index: usize) -> Pose
             let of = |i: usize| [white * (x.row(i) * &fit.inverse * x.row(i).transpose())[(0, 0)], white];
             (change.as_slice().to_vec(), (0..own.len()).map(of).collect())
         }
-        Some(chosen) => predicted(rows, (chosen, &change), &own, &x),
+        Some(chosen) => predicted(rows, chosen, &change, &own, &x),
     };
     let coordinate = |i: usize| [before[i], rows.residuals[own[i]] - means[i], variances[i][0], variances[i][1]];
     let readings = own.len() as f64 / rows.dimension as f64;
@@ -142,7 +142,8 @@ fn judged(rows: &Rows, fit: &Fit, chosen: Option<&Chosen>, index: usize) -> Pose
 /// Predicted residuals and their variances with the field at rows that it has not seen.
 fn predicted(
     rows: &Rows,
-    (chosen, change): (&Chosen, &DVector<f64>),
+    chosen: &Chosen,
+    change: &DVector<f64>,
     own: &[usize],
     x: &DMatrix<f64>,
 ) -> (Vec<f64>, Vec<[f64; 2]>) {

@@ -122,7 +122,7 @@ mod tests {
     /// Inside a polygon by its edges, against membership by the actuators, with all thirteen
     /// errors.
     #[test]
-    fn polygons_hold_what_the_actuators_reach_and_nothing_else() {
+    fn polygons_are_the_workspace_of_the_actuators() {
         let robot = Prexyt::default().with_travel(Some(TRAVEL_MM));
         let mut p = robot.nominal();
         (p[0], p[1], p[3], p[4], p[5]) = (-0.02, 0.03, 393.9, 0.7, 116.1);

@@ -7,11 +7,12 @@ use crate::judgement::significance::Variance;
 use crate::model::frame_error::{FrameError, carry, response};
 use crate::model::residuals::Residuals;
 use crate::model::rigid_part::Shape;
+use crate::model::solved::Solved;
 use crate::{Observation, Settings};
 use UncertaintySource as Source;
 use etalon_base::pose_name::PoseName;
+use etalon_math::Problem;
 use etalon_math::statistics::mean;
-use etalon_math::{Problem, Solution};
 use etalon_robots::Robot;
 use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
 use std::collections::{BTreeMap, BTreeSet};
@@ -174,17 +175,17 @@ impl Budget {
     /// Budget of readings with the covariance `readings`; `instrument` is the covariance from the
     /// stated uncertainty. `None` if nothing is stated.
     pub(crate) fn new(
-        (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+        solved: Solved,
         instrument: Option<&[f64]>,
         readings: &[f64],
         settings: &Settings,
         replicates: Option<&Replicates>,
     ) -> Self {
         // of points that are many the covariance is too large to keep it source by source
-        if problem.layout.is_some() {
+        if solved.problem.layout.is_some() {
             return Self::default();
         }
-        let stated = instrument.map(|all| by_rows((problem, solution, jacobian), all)).unwrap_or_default();
+        let stated = instrument.map(|all| by_rows(solved, all)).unwrap_or_default();
         let beyond = |r: &Replicates| settings.standard_uncertainty_mm.map(|u| (r.repeats_mm / u).powi(2) - 1.0);
         Self {
             stated,
@@ -196,35 +197,24 @@ impl Budget {
 
     /// Adds the contribution of frames to `covariance`; of single poses, if the residuals do not
     /// contain them (`unseen`).
-    pub(crate) fn carry_frames(
-        &mut self,
-        frames: &[FrameError],
-        all: (&Residuals, &Solution, &[f64]),
-        unseen: bool,
-        covariance: &mut [f64],
-    ) {
+    pub(crate) fn carry_frames(&mut self, frames: &[FrameError], solved: Solved, unseen: bool, covariance: &mut [f64]) {
         let (common, of_poses): (Vec<_>, Vec<_>) = frames.iter().partition(|f| f.pose.is_none());
-        carry(common.into_iter(), all, covariance);
+        carry(common.into_iter(), solved, covariance);
         if unseen && !of_poses.is_empty() {
             self.of_poses = vec![0.0; covariance.len()];
-            carry(of_poses.into_iter(), all, &mut self.of_poses);
+            carry(of_poses.into_iter(), solved, &mut self.of_poses);
             covariance.iter_mut().zip(&self.of_poses).for_each(|(total, more)| *total += more);
         }
     }
 
     /// Adds the errors common to all readings, each by the change of the residuals, and their
     /// contribution to `covariance`, which already contains that of the frames.
-    pub(crate) fn carry(
-        &mut self,
-        errors: Vec<(Source, Vec<f64>)>,
-        (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
-        covariance: &mut [f64],
-    ) {
-        let n = solution.x.len();
-        let Some(inverse) = solution.covariance() else { return };
+    pub(crate) fn carry(&mut self, errors: Vec<(Source, Vec<f64>)>, solved: Solved, covariance: &mut [f64]) {
+        let n = solved.solution.x.len();
+        let Some(inverse) = solved.solution.covariance() else { return };
         for (source, change) in errors {
             // S = -(JᵀJ)⁻¹ Jᵀ D
-            let answers = response::<1>(&inverse, problem.jacobian_rows(jacobian), &change);
+            let answers = response::<1>(&inverse, solved.rows(), &change);
             let answers: Vec<f64> = answers.iter().map(|[s]| -s).collect();
             let rows = covariance.chunks_exact_mut(n).zip(&answers).filter(|_| source != Source::Frame);
             rows.for_each(|(row, a)| row.iter_mut().zip(&answers).for_each(|(c, b)| *c += a * b));
@@ -300,7 +290,8 @@ impl Budget {
 }
 
 /// The stated covariance, split into the contributions of the rows of each source.
-fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: &[f64]) -> Vec<(Source, Vec<f64>)> {
+fn by_rows(solved: Solved, all: &[f64]) -> Vec<(Source, Vec<f64>)> {
+    let Solved { problem, solution, jacobian } = solved;
     let whole = || vec![(Source::Instrument, all.to_vec())];
     let nominal = problem.nominal_rows();
     let priors = problem.shapes().next().is_some() || problem.known().next().is_some() || !nominal.is_empty();

@@ -1,7 +1,7 @@
 //! Excitation: parameters that need motion of the joints.
 
 use crate::model::residuals::Residuals;
-use crate::solution::scatter::shown_noise_mm;
+use crate::solution::scatter::observed_noise_mm;
 use crate::solution::set_up::tolerance_effect_mm;
 use crate::{Observation, Prior, Result, Settings, wanted_parameters};
 use etalon_base::noise::Noise;
@@ -79,7 +79,7 @@ pub fn unmoved(
     }
     let scatter_mm = target_scatter_mm(robot, observations, &|o, k| o.targets.get(k).copied().flatten());
     let is_hidden = |values: &[f64]| {
-        let noise_mm = shown_noise_mm(robot, observations, settings.coordinate_uncertainty_mm());
+        let noise_mm = observed_noise_mm(robot, observations, settings.coordinate_uncertainty_mm());
         let noise_mm = noise_mm * (robot.dimension() as f64).sqrt();
         let predicted_mm = target_scatter_mm(robot, observations, &|o, k| {
             o.targets.get(k).copied().flatten().map(|_| robot.position(values, &o.joints, k))

@@ -5,7 +5,7 @@
 //! belong to the measurement: they were fitted to calibration readings, with the errors of these.
 
 use super::budget::{Contributions, Figure, Observed, Systematic, UncertaintySource as Source};
-use crate::{Apart, Between, Condition, Covariance, Kind, Observation, Prior, ResidualKind, Result, Settings};
+use crate::{Between, Condition, Covariance, Kind, Observation, Prior, ResidualKind, Result, Separation, Settings};
 use etalon_base::pose_name::PoseName;
 use etalon_math::Problem;
 use etalon_math::statistics::rms;
@@ -37,7 +37,7 @@ impl Kind {
             Self::Seen(_) => Some(ErrorKind::Position),
             Self::Distance(_) => Some(ErrorKind::Distance),
             Self::On(_) => Some(ErrorKind::Surface),
-            Self::Contact(_) | Self::Between(Between { apart: Apart::Touching, .. }) => Some(ErrorKind::Contact),
+            Self::Contact(_) | Self::Between(Between { apart: Separation::Touching, .. }) => Some(ErrorKind::Contact),
             Self::Between(_) => Some(ErrorKind::Distance),
             Self::Coordinate(_) => Some(ErrorKind::Coordinate),
             Self::Orientation(_) | Self::Joint(_) => None,
@@ -423,7 +423,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn residuals_of_a_frame_are_summed_wherever_they_stand() {
+    fn residuals_of_a_frame_are_summed_in_any_order() {
         let [a, b, c] = [1, 2, 3].map(|pose: i64| (PoseName::from(pose), 1));
         let frames: BTreeMap<Key, Matrix6<f64>> =
             [(a, Matrix6::identity()), (b, Matrix6::identity() * 2.0)].into_iter().collect();

@@ -99,7 +99,7 @@ pub fn load_slips(
     stated.residuals(&x, &mut before);
     let mut explaining: Vec<(LoadSlip, Judged)> = Vec::new();
     for slip in LoadSlip::all() {
-        let after = fit.changed((slip, mass), &x)?;
+        let after = fit.changed(slip, mass, &x)?;
         explaining.extend(after.and_then(|after| fit.judged(&before, &after)).map(|judged| (slip, judged)));
     }
     explaining.sort_by(|a, b| a.1.left.total_cmp(&b.1.left));
@@ -140,7 +140,7 @@ impl Fit<'_> {
 
     /// Residuals of the changed loads after all parameters are fitted again from `x`; `None` if the
     /// change leaves all rows as they are, or the fit fails.
-    fn changed(&self, (slip, mass): (LoadSlip, usize), x: &[f64]) -> Result<Option<Vec<f64>>> {
+    fn changed(&self, slip: LoadSlip, mass: usize, x: &[f64]) -> Result<Option<Vec<f64>>> {
         let mut observations = self.observations.to_vec();
         observations.iter_mut().for_each(|o| o.joints = slip.changed(&o.joints, mass));
         let mut settings = self.settings.clone();

@@ -12,6 +12,7 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::{SizeStatistics, SizeSums, UpperTail};
 use etalon_robots::Robot;
+use std::ops::Range;
 
 /// Maximum number of pairs; of more pairs, an even selection counts.
 const MOST_PAIRS: usize = 100_000;
@@ -48,8 +49,8 @@ pub struct DistanceErrors {
 /// One reading of a target.
 struct Reading {
     pose: PoseName,
-    /// First of its residuals, and their number.
-    rows: (usize, usize),
+    /// Its residuals.
+    rows: Range<usize>,
     /// Each coordinate (mm) of the [`POSITIONS`].
     at: [[f64; POSITIONS]; 3],
 }
@@ -61,7 +62,7 @@ const POSITIONS: usize = 4;
 const MEASURED: usize = 1;
 
 impl Reading {
-    fn new(pose: PoseName, rows: (usize, usize), measured: [Vector; 2], predicted: [Vector; 2]) -> Self {
+    fn new(pose: PoseName, rows: Range<usize>, measured: [Vector; 2], predicted: [Vector; 2]) -> Self {
         let at = [0, 1, 2].map(|axis| [measured[0], measured[1], predicted[0], predicted[1]].map(|at| at[axis]));
         Self { pose, rows, at }
     }
@@ -78,18 +79,19 @@ struct Pair {
 
 impl JudgedErrors<'_> {
     /// Errors of the distances between the judged positions with the robot and parameters
-    /// `before`, and with the judged ones; `None` without two poses of one target. Conditions do
+    /// before, and with the judged ones; `None` without two poses of one target. Conditions do
     /// not count.
     ///
     /// # Errors
     /// Fails if residuals cannot be evaluated.
     pub fn distances(
         &self,
-        before: (&dyn Robot, &[f64]),
+        robot_before: &dyn Robot,
+        values_before: &[f64],
         settings: &Settings,
         systematic: &Systematic,
     ) -> Result<Option<RelativeErrors>> {
-        let groups = self.readings_of_targets(before);
+        let groups = self.readings_of_targets(robot_before, values_before);
         let readings: Vec<&Reading> = groups.iter().flatten().collect();
         let (pairs, available) = pairs(&groups, &readings);
         let finite = |p: &Pair| [p.distance_mm, p.error_mm[0], p.error_mm[1]].iter().all(|v| v.is_finite());
@@ -115,8 +117,8 @@ impl JudgedErrors<'_> {
 
     /// Readings of each target, or of the centre of a platform, in the order of the residuals of
     /// the judged positions.
-    fn readings_of_targets(&self, before: (&dyn Robot, &[f64])) -> Vec<Vec<Reading>> {
-        let (robot, sides) = (self.robot, [before, (self.robot, self.values)]);
+    fn readings_of_targets(&self, robot_before: &dyn Robot, values_before: &[f64]) -> Vec<Vec<Reading>> {
+        let (robot, sides) = (self.robot, [(robot_before, values_before), (self.robot, self.values)]);
         let mut groups: Vec<Vec<Reading>> = Vec::new();
         groups.resize_with(robot.targets().len().max(1), Vec::new);
         let mut row = 0;
@@ -132,13 +134,13 @@ impl JudgedErrors<'_> {
                     let error = platform.pose_error(sides[i].1, &o.joints, pair);
                     [measured[i][0] + error[0], measured[i][1] + error[1], 0.0]
                 });
-                groups[0].push(Reading::new(o.pose, (row, 2), measured, predicted));
+                groups[0].push(Reading::new(o.pose, row..row + 2, measured, predicted));
                 row += 3;
                 continue;
             }
             for (k, at) in measured_targets(o) {
                 let predicted = sides.map(|(robot, values)| robot.position(values, &o.joints, k));
-                let rows = (row, robot.dimension());
+                let rows = row..row + robot.dimension();
                 groups[k].push(Reading::new(o.pose, rows, [at; 2], predicted));
                 row += robot.dimension();
             }
@@ -170,10 +172,9 @@ impl Pair {
         if self.distance_mm > 0.0 {
             let per_mm = weight / self.distance_mm;
             let across = [0, 1, 2].map(|axis| per_mm * (b.at[axis][MEASURED] - a.at[axis][MEASURED]));
-            let [(to_a, rows), (to_b, _)] = [a.rows, b.rows];
-            for i in 0..rows {
-                by[to_a + i] -= across[i];
-                by[to_b + i] += across[i];
+            for ((i, j), across) in a.rows.clone().zip(b.rows.clone()).zip(across) {
+                by[i] -= across;
+                by[j] += across;
             }
         }
     }

@@ -38,6 +38,15 @@ impl Stability {
     }
 }
 
+/// Test of the stability of parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct StabilityTest<'a> {
+    /// Indices of the parameters.
+    pub parameters: &'a [usize],
+    /// Sets of poses, of which one is left out at a time.
+    pub left_out: &'a [BTreeSet<PoseName>],
+}
+
 /// The poses of the first and of the second half of the observations, in their order: a drift shows
 /// as a difference between these.
 pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTreeSet<PoseName>> {
@@ -48,8 +57,8 @@ pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTr
     [first, second].into_iter().filter(|half| !half.is_empty()).map(|half| half.iter().copied().collect()).collect()
 }
 
-/// Stability of the parameters `among` those that were identified, each time without one set of
-/// poses of `left_out`; parameters that no part determines are missing.
+/// Stability of the identified parameters among those of the test, each time without one set of
+/// poses; parameters that no part determines are missing.
 ///
 /// By all poses they are efficient, so that the variance of the difference is u_part² − u_all².
 /// Their ratio is that of the design, (J_partᵀ J_part)⁻¹ over (JᵀJ)⁻¹, because few poses have no
@@ -62,8 +71,9 @@ pub fn stability(
     observations: &[Observation],
     settings: &Settings,
     found: &Identification,
-    (among, left_out): (&[usize], &[BTreeSet<PoseName>]),
+    test: StabilityTest,
 ) -> Result<Vec<Stability>> {
+    let StabilityTest { parameters, left_out } = test;
     let Some(whole) = Linear::new(robot, observations, settings, found)? else { return Ok(Vec::new()) };
     let of_part = |out: &BTreeSet<PoseName>| -> Result<Vec<(usize, f64)>> {
         let part: Vec<Observation> = observations.iter().filter(|o| !out.contains(&o.pose)).cloned().collect();
@@ -77,7 +87,7 @@ pub fn stability(
             let over_sd = ((less.step[k] - whole.step[k]) / sd).abs();
             ((LEAST_RATIO..LARGEST_RATIO).contains(&ratio) && over_sd.is_finite()).then_some((i, over_sd))
         };
-        Ok(among.iter().filter_map(change).collect())
+        Ok(parameters.iter().filter_map(change).collect())
     };
     let parts = left_out.par_iter().map(of_part).collect::<Result<Vec<_>>>()?;
     let mut largest: BTreeMap<usize, f64> = BTreeMap::new();

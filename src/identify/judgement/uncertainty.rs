@@ -12,9 +12,11 @@ use crate::model::frame_error::FrameError;
 use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
 use crate::model::rigid_part::{Contradicted, Shape};
+use crate::model::solved::Solved;
+use crate::solution::estimation::Estimation;
 use crate::solution::observability::{Observability, WeakGroup, held_singular_values, observe, weak_message};
 use crate::solution::solver::Identifiable;
-use crate::{Group, Identification, Observation, ResidualKind, Settings, Status, Subject, Warning};
+use crate::{Group, Identification, ResidualKind, Settings, Status, Subject, Warning};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{phrase, warning};
@@ -47,34 +49,32 @@ const NAMED: usize = 40;
 
 /// Creates the identification of a solution, with its uncertainty.
 pub(crate) fn with_uncertainty(
-    robot: &dyn Robot,
-    (observations, systematic): (&[Observation], &Systematic),
-    settings: &Settings,
-    wanted: &[usize],
+    estimation: Estimation,
+    systematic: &Systematic,
     found: Identifiable,
 ) -> Result<Identification> {
+    let Estimation { robot, observations, settings, wanted } = estimation;
     let settings = &Settings { prior: found.prior, ..settings.with_weight(found.weight) };
     let problem = &Residuals::new(robot, observations, settings, &found.free, &found.values)?;
     let Identifiable { values, groups, by_nominal, solution, iterations, weight, .. } = found;
     let solution = &solution;
     let n = problem.free.len();
     let dof = problem.degrees_of_freedom(solution).round() as usize;
-    let jacobian = &solution.jacobian[..];
+    let solved = Solved { problem, solution, jacobian: &solution.jacobian };
 
     let frames = &systematic.frames;
     let placed: BTreeMap<(PoseName, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
-    let stated = from_instrument((problem, solution, jacobian), settings, &placed);
+    let stated = from_instrument(solved, settings, &placed);
     let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
     let instrument = stated.map(|s| s.0);
     let rejected = chi_square.filter(|&chi| exceeds(chi, dof));
     let apart = settings.kind == ResidualKind::Targets && placed.is_empty() && !problem.is_whitened();
-    let all = (problem, solution, jacobian);
     let found = match &instrument {
         Some(instrument) if rejected.is_none() => {
-            let clusters = (apart && dof > 0).then(|| shared(all, &settings.series)).flatten();
+            let clusters = (apart && dof > 0).then(|| shared(solved, &settings.series)).flatten();
             clusters.unwrap_or_else(|| Found::new(UncertaintyFrom::Instrument, Some(instrument.clone())))
         }
-        _ => from_residuals(all, &settings.series, instrument.as_deref(), chi_square),
+        _ => from_residuals(solved, &settings.series, instrument.as_deref(), chi_square),
     };
     let (between_series, unseen) = found.between_series(&settings.series);
     let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning, .. } = found;
@@ -84,13 +84,13 @@ pub(crate) fn with_uncertainty(
         .flatten();
     let mut budget = Budget::default();
     if let Some(total) = &mut covariance {
-        budget = Budget::new(all, instrument.as_deref(), total, settings, replicates.as_ref());
+        budget = Budget::new(solved, instrument.as_deref(), total, settings, replicates.as_ref());
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise
         // above
         let unseen = problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument;
         let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
-        budget.carry_frames(frames, all, unseen, total);
-        budget.carry(systematic.errors(&observed)?, all, total);
+        budget.carry_frames(frames, solved, unseen, total);
+        budget.carry(systematic.errors(&observed)?, solved, total);
     }
     let plain = instrument.or_else(|| independent(problem, solution));
     let inflation_factor = inflation(plain.as_deref(), covariance.as_deref(), n);
@@ -99,8 +99,8 @@ pub(crate) fn with_uncertainty(
 
     let lengths = lengths(problem, solution);
     let own = solution.factor.as_ref().map(|f| f.own()).unwrap_or_default();
-    let shown = Shown::new(problem, solution, &by_nominal, covariance.as_deref());
-    let (observability, weak) = observability(problem, solution, (settings, wanted), &shown)?;
+    let separable = Separable::new(problem, solution, &by_nominal, covariance.as_deref());
+    let (observability, weak) = observability(problem, solution, settings, wanted, &separable)?;
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
     warnings.extend(held_messages(robot, &groups));
     warnings.extend(weak_message(robot, &weak).map(Into::into));
@@ -139,15 +139,15 @@ pub(crate) fn with_uncertainty(
     })
 }
 
-/// Free parameters that the data show separately: all but those that only nominal values separate
-/// from others.
-struct Shown {
+/// Free parameters that the data determine separately: all but those that only nominal values
+/// separate from others.
+struct Separable {
     free: Vec<usize>,
     x: Vec<f64>,
     covariance: Option<Vec<f64>>,
 }
 
-impl Shown {
+impl Separable {
     fn new(problem: &Residuals, solution: &Solution, by_nominal: &[usize], covariance: Option<&[f64]>) -> Self {
         let n = problem.free.len();
         let kept: Vec<usize> = (0..n).filter(|&k| !by_nominal.contains(&problem.free[k])).collect();
@@ -166,29 +166,30 @@ impl Shown {
 fn observability(
     problem: &Residuals,
     solution: &Solution,
-    (settings, wanted): (&Settings, &[usize]),
-    shown: &Shown,
+    settings: &Settings,
+    wanted: &[usize],
+    separable: &Separable,
 ) -> Result<(Option<Observability>, Vec<WeakGroup>)> {
     let values = problem.all(&solution.x);
     let plain = settings.without_prior();
     let observed = match (settings.prior, &solution.factor) {
         (Prior::None, factor) => {
-            let covariance = shown.covariance.as_deref();
+            let covariance = separable.covariance.as_deref();
             factor.as_ref().and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance))
         }
         // nominal values are not observed
-        (Prior::Tolerances { .. }, _) if shown.free.is_empty() => None,
+        (Prior::Tolerances { .. }, _) if separable.free.is_empty() => None,
         (Prior::Tolerances { .. }, _) => {
-            let data = problem.with_free_parameters(&plain, &shown.free, &values)?;
+            let data = problem.with_free_parameters(&plain, &separable.free, &values)?;
             let whole = solution.measured.as_ref().filter(|_| data.prior_count() == 0 && data.free == problem.free);
             let (factor, scale) = match whole {
                 Some(factor) => {
                     let (factor, norms) = factor.clone().normalised();
                     (factor, norms.iter().zip(&solution.scale).map(|(norm, scale)| norm * scale).collect())
                 }
-                None => factor_at(&data, &shown.x),
+                None => factor_at(&data, &separable.x),
             };
-            observe(&data, &shown.x, &factor, &scale, shown.covariance.as_deref())
+            observe(&data, &separable.x, &factor, &scale, separable.covariance.as_deref())
         }
     };
     let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
@@ -281,10 +282,11 @@ impl Found {
 /// Covariance and chi-square from the stated uncertainty of the instrument, and of the frames of
 /// single poses.
 fn from_instrument(
-    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    solved: Solved,
     settings: &Settings,
     placed: &BTreeMap<(PoseName, i64), &FrameError>,
 ) -> Option<(Vec<f64>, f64)> {
+    let Solved { problem, solution, .. } = solved;
     let u = settings.standard_uncertainty_mm?;
     if settings.kind == ResidualKind::Targets && (placed.is_empty() || problem.is_whitened()) {
         // rows of stated shapes count with their own uncertainty
@@ -294,17 +296,18 @@ fn from_instrument(
         };
         return Some((solution.covariance()?, problem.squares(solution) - problem.shapes().map(more).sum::<f64>()));
     }
-    noise_covariance(solution, &problem.jacobian_rows(jacobian).dense(), &noise(problem, solution, u, placed)?)
+    noise_covariance(solution, &solved.rows().dense(), &noise(problem, solution, u, placed)?)
 }
 
 /// Covariance from residuals that the instrument's uncertainty does not explain, or without a
 /// stated uncertainty.
 fn from_residuals(
-    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    solved: Solved,
     series: &[Vec<PoseName>],
     instrument: Option<&[f64]>,
     chi_square: Option<f64>,
 ) -> Found {
+    let Solved { problem, solution, .. } = solved;
     let n = solution.x.len();
     let dof = problem.degrees_of_freedom(solution).round() as usize;
     if dof == 0 {
@@ -313,8 +316,8 @@ fn from_residuals(
             ..Found::new(UncertaintyFrom::Nothing, None)
         };
     }
-    let found = by_region((problem, solution, jacobian), series);
-    if let Some(found) = found.or_else(|| Some(by_cluster(problem, solution, jacobian)?.0)) {
+    let found = by_region(solved, series);
+    if let Some(found) = found.or_else(|| Some(by_cluster(solved)?.0)) {
         return found;
     }
     let scaled = match (instrument, chi_square) {
@@ -333,22 +336,20 @@ fn independent(problem: &Residuals, solution: &Solution) -> Option<Vec<f64>> {
 
 /// Covariance from the scatter of poses whose readings share errors. Shared errors may be too small
 /// for chi-square and still affect every reading.
-fn shared((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), series: &[Vec<PoseName>]) -> Option<Found> {
-    let (found, clusters) = by_cluster(problem, solution, jacobian).filter(|found| found.1.exceeds())?;
+fn shared(solved: Solved, series: &[Vec<PoseName>]) -> Option<Found> {
+    let (found, clusters) = by_cluster(solved).filter(|found| found.1.exceeds())?;
     let warning = warning!("pose-residuals-correlated", ratio = clusters.ratio.sqrt());
-    let found = by_region((problem, solution, jacobian), series).unwrap_or(found);
+    let found = by_region(solved, series).unwrap_or(found);
     Some(Found { warning: Some(warning), ..found })
 }
 
 /// Covariance from the scatter between regions of joint space; `None` with few poses.
-fn by_region(
-    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
-    series: &[Vec<PoseName>],
-) -> Option<Found> {
-    let remaining = Remaining::new(&problem.poses(), solution, problem.jacobian_rows(jacobian))?;
+fn by_region(solved: Solved, series: &[Vec<PoseName>]) -> Option<Found> {
+    let Solved { problem, solution, .. } = solved;
+    let remaining = Remaining::new(&problem.poses(), solution, solved.rows())?;
     let regional = Regional::new(problem, &remaining, series)?;
     let (covariance, degrees) = regional.covariance(&remaining.root);
-    let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
+    let (covariance, degrees) = completed(problem, solution, &remaining, covariance, degrees)?;
     Some(Found {
         degrees,
         between_series: regional.between,
@@ -361,20 +362,22 @@ fn by_region(
 ///
 /// Of points that are eliminated the readings have the variance of all residuals, and the other
 /// parameters' covariance comes on top.
-pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
+pub(crate) fn by_cluster(solved: Solved) -> Option<(Found, ByCluster)> {
+    let Solved { problem, solution, .. } = solved;
     let numbers = problem.clusters();
-    let remaining = Remaining::new(&numbers, solution, problem.jacobian_rows(jacobian))?;
+    let remaining = Remaining::new(&numbers, solution, solved.rows())?;
     let Remaining { jacobian, residuals, root } = &remaining;
     let clusters = ByCluster::new(&numbers, root, residuals, jacobian).filter(ByCluster::is_usable)?;
     let (covariance, degrees) = (clusters.covariance.clone(), clusters.degrees_of_freedom.clone());
-    let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
+    let (covariance, degrees) = completed(problem, solution, &remaining, covariance, degrees)?;
     Some((Found { degrees, ..Found::new(UncertaintyFrom::ResidualsByPose, Some(covariance)) }, clusters))
 }
 
 /// Covariance and degrees of freedom of all parameters, from those of the parameters that remain
 /// after elimination.
 fn completed(
-    (problem, solution): (&Residuals, &Solution),
+    problem: &Residuals,
+    solution: &Solution,
     Remaining { jacobian, root, .. }: &Remaining,
     mut covariance: Vec<f64>,
     mut degrees: Vec<f64>,

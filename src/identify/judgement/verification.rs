@@ -39,7 +39,7 @@ const RANK: f64 = 1e-10;
 
 /// Parameters as they were identified.
 #[derive(Clone, Debug, PartialEq)]
-pub struct GivenParameters {
+pub struct IdentifiedParameters {
     /// All parameters of the robot in its order (mm, rad, 1).
     pub values: Vec<f64>,
     /// Indices of the parameters with an uncertainty, in the order of `covariance`.
@@ -159,7 +159,7 @@ pub struct Comparison<'a> {
     /// Settings, which must state the standard uncertainty of a coordinate.
     pub settings: &'a Settings,
     /// The parameters.
-    pub given: &'a GivenParameters,
+    pub given: &'a IdentifiedParameters,
     /// Errors of the model beyond those of the parameters.
     pub misfit: &'a Misfit,
 }

@@ -220,6 +220,7 @@ mod tests {
     use super::*;
     use crate::judgement::uncertainty::by_cluster;
     use crate::model::residuals::Residuals;
+    use crate::model::solved::Solved;
     use crate::solution::identifiability::Analysis;
     use crate::{fit_frames, identify};
     use etalon_base::noise::Noise;
@@ -299,7 +300,10 @@ mod tests {
         // clusters: the blocks' part of each pose's residuals is taken apart from that of the
         // common parameters, another unbiased estimate
         let (ja, jb) = (blocks.jacobian_at(&a.x), dense.jacobian_at(&b.x));
-        let (ca, cb) = (by_cluster(&blocks, &a, &ja).unwrap().0, by_cluster(&dense, &b, &jb).unwrap().0);
+        let (ca, cb) = (
+            by_cluster(Solved { problem: &blocks, solution: &a, jacobian: &ja }).unwrap().0,
+            by_cluster(Solved { problem: &dense, solution: &b, jacobian: &jb }).unwrap().0,
+        );
         let ratio = |i: usize| (ca.variance(i) / cb.variance(i)).sqrt();
         let mean = |all: &[usize]| all.iter().map(|&j| ratio(j)).sum::<f64>() / all.len() as f64;
         let blocks = &blocks.layout.as_ref().expect("blocks").blocks;

@@ -1,8 +1,8 @@
 //! The uncertainty of frames: an error of a frame is common to all observations in it.
 
-use crate::model::residuals::Residuals;
+use crate::model::solved::Solved;
 use etalon_base::pose_name::PoseName;
-use etalon_math::{Rows, Solution};
+use etalon_math::Rows;
 
 /// The uncertainty of the frame in which observations are stated.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,13 +17,10 @@ pub struct FrameError {
 /// Adds the contribution of the uncertainty of `frames` to a covariance: S C Sᵀ for each, where S
 /// is the derivative of the parameters with respect to shift and rotation of the frame (law of
 /// propagation of uncertainty, GUM 5.2.2).
-pub(crate) fn carry<'a>(
-    frames: impl Iterator<Item = &'a FrameError>,
-    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
-    total: &mut [f64],
-) {
+pub(crate) fn carry<'a>(frames: impl Iterator<Item = &'a FrameError>, solved: Solved, total: &mut [f64]) {
+    let Solved { problem, solution, .. } = solved;
     let n = solution.x.len();
-    let jacobian = problem.jacobian_rows(jacobian);
+    let jacobian = solved.rows();
     let Some(inverse) = solution.covariance() else { return };
     for frame in frames {
         let by_frame = problem.frame_jacobian(&solution.x, frame.pose);

@@ -10,4 +10,5 @@ pub(crate) mod prior;
 pub(crate) mod residuals;
 pub(crate) mod rigid_part;
 pub(crate) mod size;
+pub(crate) mod solved;
 pub(crate) mod weights;

@@ -97,7 +97,7 @@ impl Moved {
 
 #[cfg(test)]
 mod tests {
-    use crate::model::kinds::{Apart, Between, Condition, Contact, Kind};
+    use crate::model::kinds::{Between, Condition, Contact, Kind, Separation};
     use crate::model::residuals::Residuals;
     use crate::{Fixture, Settings};
     use etalon_base::noise::Noise;
@@ -125,7 +125,7 @@ mod tests {
         // the robot stands in its own world
         values[..6].fill(0.0);
         let kind = match between {
-            true => Kind::Between(Between { other: 1, apart: Apart::Touching }),
+            true => Kind::Between(Between { other: 1, apart: Separation::Touching }),
             false => Kind::Contact(Contact { socket }),
         };
         let condition = |k: i64| {

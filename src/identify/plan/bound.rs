@@ -378,11 +378,11 @@ fn denominators(pool: &Pool, tangent: &Tangent, count: usize) -> Vec<f64> {
 
 /// Order of the free candidates by above − λ below, best first.
 fn ranked(above: &[f64], below: &[f64], fixed: &[Fixed], lambda: f64) -> Vec<(f64, usize)> {
-    foremost(above, below, fixed, (lambda, usize::MAX))
+    foremost(above, below, fixed, lambda, usize::MAX)
 }
 
 /// The first `most` of [`ranked`].
-fn foremost(above: &[f64], below: &[f64], fixed: &[Fixed], (lambda, most): (f64, usize)) -> Vec<(f64, usize)> {
+fn foremost(above: &[f64], below: &[f64], fixed: &[Fixed], lambda: f64, most: usize) -> Vec<(f64, usize)> {
     let free = (0..fixed.len()).filter(|&i| fixed[i] == Fixed::Free);
     let mut gains: Vec<(f64, usize)> = free.map(|i| (above[i] - lambda * below[i], i)).collect();
     let by = |a: &(f64, usize), b: &(f64, usize)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
@@ -400,7 +400,7 @@ fn largest_quotient(above: &[f64], below: &[f64], fixed: &[Fixed], count: usize,
     let mut lambda = start;
     for _ in 0..50 {
         let rest = count.saturating_sub(taken.len());
-        let best = foremost(above, below, fixed, (lambda, rest)).into_iter().map(|(_, i)| i);
+        let best = foremost(above, below, fixed, lambda, rest).into_iter().map(|(_, i)| i);
         let (a, b) = taken.iter().copied().chain(best).fold((0.0, 0.0), |(a, b), i| (a + above[i], b + below[i]));
         let quotient = a / b;
         // up to rounding the quotient never falls

@@ -20,7 +20,7 @@ pub struct Candidates {
 }
 
 /// The configurations within reach of the nominal robot, with those of one pose numbered.
-pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidates> {
+pub fn within_limits(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidates> {
     let nominal = robot.nominal();
     let mut violations = Vec::new();
     let mut by_pose: BTreeMap<PoseName, Vec<Observation>> = BTreeMap::new();
@@ -36,10 +36,10 @@ pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidat
     }
     let number = |(k, o): (usize, Observation)| Observation { cycle: k as i64 + 1, ..o };
     let observations = by_pose.into_values().flat_map(|of_pose| of_pose.into_iter().enumerate().map(number)).collect();
-    Ok(Candidates { observations, limit_violations: out_of_reach(&violations) })
+    Ok(Candidates { observations, limit_violations: violation_message(&violations) })
 }
 
-fn out_of_reach(violations: &[(PoseName, Phrase)]) -> Option<Message> {
+fn violation_message(violations: &[(PoseName, Phrase)]) -> Option<Message> {
     const SHOWN: usize = 5;
     let shown = violations.iter().take(SHOWN);
     let mut candidates: Vec<Argument> =

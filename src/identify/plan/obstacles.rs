@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn a_box_blocks_in_its_own_directions() {
+    fn a_box_blocks_in_its_directions() {
         // 20 x 10 x 2 at the origin, turned by 45 degrees about z
         let centre = Pose::identity().turn_z(std::f64::consts::FRAC_PI_4);
         let block = Shape::Box { centre, half: [10.0, 5.0, 1.0] };

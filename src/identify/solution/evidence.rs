@@ -94,7 +94,8 @@ impl Linearised {
 /// standard deviations down to `least` are tried, because nominal values may keep the residuals
 /// large.
 pub(crate) fn most_probable(
-    (data, start): (&Residuals, &[f64]),
+    data: &Residuals,
+    start: &[f64],
     solution: &Solution,
     [least, shown]: [f64; 2],
     by_nominal: bool,

@@ -1,7 +1,10 @@
 //! Starting values of sockets, fixed points, planes and orientations of bodies, each in closed form
 //! at the current base and joints.
 
-use crate::model::kinds::{Condition, Contact, Kind, lay, meet, mount, onto, places, point, reach, span, stand};
+use crate::model::kinds::{
+    Condition, Contact, Kind, fit_surfaces, locate_contacts, locate_stations, mount, onto, places, point, span,
+    trilaterate_points,
+};
 use crate::{Observation, Settings};
 use etalon_base::pose::Vector;
 use etalon_robots::FreeBase;
@@ -48,16 +51,16 @@ pub(crate) fn place_seen(
     let sockets: BTreeSet<usize> = contacts.iter().filter_map(socket).collect();
     let to_find = sockets.iter().filter(|socket| free_base || !known.contains_key(socket));
     let unknown: BTreeSet<usize> = targets.iter().chain(to_find).filter(unseen).copied().collect();
-    meet(arm, &contacts, &unknown.into_iter().collect::<Vec<_>>(), values);
+    locate_contacts(arm, &contacts, &unknown.into_iter().collect::<Vec<_>>(), values);
     if free_base {
         move_base(&known, values);
     }
-    stand(arm, settings, seen, wanted, values);
+    locate_stations(arm, settings, seen, wanted, values);
     mount(arm, &settings.conditions, wanted, values);
     let is_unknown = |first| wanted.contains(&first) && !known.contains_key(&first) && !sockets.contains(&first);
-    reach(arm, &settings.conditions, is_unknown, values);
+    trilaterate_points(arm, &settings.conditions, is_unknown, values);
     span(arm, &settings.conditions, |length| wanted.contains(&length), values);
-    lay(arm, settings, wanted, values);
+    fit_surfaces(arm, settings, wanted, values);
 }
 
 /// The base, initially at the world's origin, for which the sockets are at their known positions.

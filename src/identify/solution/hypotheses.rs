@@ -8,7 +8,7 @@
 use crate::Observation;
 use crate::model::prior::DIFFUSE;
 use crate::model::residuals::Residuals;
-use crate::solution::placing::{PLAIN, shown_parameters, spread_mm};
+use crate::solution::placing::{PLAIN, measured_parameters, spread_mm};
 use etalon_base::angle::Turn;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_math::statistics::rms;
@@ -68,7 +68,7 @@ impl Hypothesis<'_> {
     /// is out of reach.
     pub fn fit(&self, sigma_mm: f64) -> Option<Fitted> {
         let parameters = self.robot.parameters();
-        let free = shown_parameters(self.robot, self.observations);
+        let free = measured_parameters(self.robot, self.observations);
         let problem = Residuals::new(self.robot, self.observations, &PLAIN, &free, &self.placed).ok()?;
         let prior = |(parameter, &i): (usize, &usize)| {
             let p = &parameters[i];

@@ -180,7 +180,7 @@ fn redundant(problem: &Residuals, values: &[f64], noise: f64, choice: Choice) ->
     let mut kept = factor.own();
     kept.extend(found.basis.iter().map(|b| common[b.0]));
     if noise > 0.0 {
-        let useless = useless(problem, (&factor, &columns), &norms, kept, noise);
+        let useless = useless(problem, Selected { factor: &factor, columns: &columns }, &norms, kept, noise);
         all.extend(useless.into_iter().map(|group| Redundant { group, direction: Vec::new() }));
     }
     all
@@ -241,15 +241,17 @@ fn norm(column: &[f64]) -> f64 {
     column.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
+/// Factor of some columns of a Jacobian.
+struct Selected<'a> {
+    factor: &'a Factor,
+    /// Column of the Jacobian of each column of the factor.
+    columns: &'a [usize],
+}
+
 /// Removes from the columns `kept` of a factor those whose parameters would be less accurate than
 /// before, the worst first.
-fn useless(
-    problem: &Residuals,
-    (factor, columns): (&Factor, &[usize]),
-    norms: &[f64],
-    mut kept: Vec<usize>,
-    noise: f64,
-) -> Vec<Group> {
+fn useless(problem: &Residuals, selected: Selected, norms: &[f64], mut kept: Vec<usize>, noise: f64) -> Vec<Group> {
+    let Selected { factor, columns } = selected;
     let mut groups = Vec::new();
     let parameter = |column: usize| problem.free[columns[column]];
     loop {

@@ -64,7 +64,7 @@ pub(crate) fn place(
     let few = with_few_targets(robot, observations);
     let shown = few.as_ref().map_or(observations, |few| &few.0);
     // a target without a reading has no place to find
-    let parameters: BTreeSet<usize> = shown_parameters(robot, shown).into_iter().collect();
+    let parameters: BTreeSet<usize> = measured_parameters(robot, shown).into_iter().collect();
     let places: Vec<usize> = places.iter().copied().filter(|i| parameters.contains(i)).collect();
     let mut placed = place_all(robot, arm, shown, nominal, &places)?;
     if let (Some(placed), Some((_, others))) = (&mut placed, &few) {
@@ -93,7 +93,7 @@ pub(crate) fn with_few_targets(
 }
 
 /// Indices of all parameters without the places of targets that have no reading.
-pub(crate) fn shown_parameters(robot: &dyn Robot, observations: &[Observation]) -> Vec<usize> {
+pub(crate) fn measured_parameters(robot: &dyn Robot, observations: &[Observation]) -> Vec<usize> {
     let mut hidden: BTreeSet<usize> = BTreeSet::new();
     if let Some(arm) = robot.free_base() {
         hidden.extend((0..robot.targets().len()).flat_map(|k| target_parameters(arm, k)));

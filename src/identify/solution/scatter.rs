@@ -39,7 +39,7 @@ impl Squares {
 }
 
 /// Standard uncertainty (mm) of a coordinate: `stated_mm`, or more if the observations show more.
-pub fn shown_noise_mm(robot: &dyn Robot, observations: &[Observation], stated_mm: f64) -> f64 {
+pub fn observed_noise_mm(robot: &dyn Robot, observations: &[Observation], stated_mm: f64) -> f64 {
     let Some(noise_mm) = noise_mm(robot, observations) else { return stated_mm };
     stated_mm.max(noise_mm)
 }

@@ -6,8 +6,10 @@
 use crate::Observation;
 use crate::model::residuals::Residuals;
 use crate::solution::hypotheses::{Fitted, Hypothesis, LEAST_MM};
-use crate::solution::placing::{PLAIN, UNEXPLAINED, place, shown_parameters, spread_mm, spread_over, with_few_targets};
-use crate::solution::scatter::shown_noise_mm;
+use crate::solution::placing::{
+    PLAIN, UNEXPLAINED, measured_parameters, place, spread_mm, spread_over, with_few_targets,
+};
+use crate::solution::scatter::observed_noise_mm;
 use crate::solution::slips::{Change, changes, shifted};
 use crate::warning::{Origin, SetUpError, Subject, Warning};
 use etalon_base::catalogue::Phrase;
@@ -60,7 +62,7 @@ pub(crate) fn explained(message: Message, robot: &dyn Robot, observations: &[Obs
 /// Jacobian allows anything.
 pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64], noise_mm: f64) -> Option<f64> {
     let effect_mm = tolerance_effect_mm(robot, observations, values)?;
-    let noise_mm = shown_noise_mm(robot, observations, noise_mm);
+    let noise_mm = observed_noise_mm(robot, observations, noise_mm);
     let noise = robot.dimension() as f64 * (NOISE_COORDINATE * noise_mm).powi(2);
     let most = (UNEXPLAINED * spread_mm(observations)).max(noise.sqrt());
     Some((effect_mm.powi(2) + noise).sqrt().min(most)).filter(|v| v.is_finite())
@@ -72,7 +74,7 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
 pub fn tolerance_effect_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
     let few = with_few_targets(robot, observations);
     let observations = few.as_ref().map_or(observations, |few| &few.0);
-    let shown = shown_parameters(robot, observations);
+    let shown = measured_parameters(robot, observations);
     let (own, places): (Vec<usize>, _) = shown.iter().partition(|&&i| robot.parameters()[i].role == Role::Robot);
     let free = [places.as_slice(), &own].concat();
     let problem = Residuals::new(robot, observations, &PLAIN, &free, values).ok()?;
@@ -98,7 +100,7 @@ pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm:
     let stated = misfit(robot, &subset, &nominal, false);
     let [stated_mm, median_mm] = stated.map_or([f64::INFINITY; 2], |m| [m.rms_mm, m.median_mm]);
     // all observations show the noise; a few of them have no repeats
-    let allowed_mm = allowed_mm(robot, &subset, &nominal, shown_noise_mm(robot, observations, noise_mm))?;
+    let allowed_mm = allowed_mm(robot, &subset, &nominal, observed_noise_mm(robot, observations, noise_mm))?;
     (median_mm > allowed_mm).then(|| far_from_nominal(robot, observations, [stated_mm, allowed_mm], noise_mm))
 }
 
@@ -129,7 +131,7 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
     let few = with_few_targets(robot, observations);
     let observations = few.as_ref().map_or(observations, |few| &few.0);
     let subset = spread_over(observations, SUBSET);
-    let least_mm = shown_noise_mm(robot, observations, noise_mm).max(LEAST_MM);
+    let least_mm = observed_noise_mm(robot, observations, noise_mm).max(LEAST_MM);
     let stated = Case::placed(robot, &subset, false);
     let stated_mm = stated.as_ref().map_or(f64::INFINITY, |case| case.left_mm);
     let as_stated = stated.as_ref().and_then(|case| case.fit(robot, least_mm, None));

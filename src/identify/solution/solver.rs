@@ -225,7 +225,7 @@ impl Estimation<'_> {
             let data = plain.with_weight(shown);
             let data = Residuals::new(robot, observations, &data, &free, &values)?;
             let by_nominal = problem.undetermined(&solution) > BY_NOMINAL * free.len() as f64;
-            let probable = most_probable((&data, start), &solution, [least, shown], by_nominal);
+            let probable = most_probable(&data, start, &solution, [least, shown], by_nominal);
             let (noise, probable) = (probable.noise, probable.scale);
             let settled = (noise / weight - 1.0).abs() < SETTLED && probable == scale;
             if settled || round == most {

@@ -7,7 +7,7 @@ use crate::solution::fixtures::place_fixtures;
 use crate::solution::placing::{
     MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, readings, spread_mm, spread_over,
 };
-use crate::solution::scatter::shown_noise_mm;
+use crate::solution::scatter::observed_noise_mm;
 use crate::solution::set_up::{explained, far_from_nominal};
 use crate::{Observation, Settings};
 use etalon_base::error;
@@ -32,7 +32,7 @@ pub(crate) fn start(
     let Some(arm) = robot.free_base() else { return Ok(nominal) };
     let has_points = observations.iter().any(|o| o.targets.iter().any(Option::is_some));
     let mut values = if has_points {
-        by_points(robot, arm, observations, (wanted, settings.coordinate_uncertainty_mm()))?
+        by_points(robot, arm, observations, wanted, settings.coordinate_uncertainty_mm())?
     } else {
         nominal
     };
@@ -47,7 +47,8 @@ fn by_points(
     robot: &dyn Robot,
     arm: &dyn FreeBase,
     observations: &[Observation],
-    (wanted, noise_mm): (&[usize], f64),
+    wanted: &[usize],
+    noise_mm: f64,
 ) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
     let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
@@ -71,7 +72,7 @@ fn by_points(
     }
     let spread = spread_mm(&subset);
     // where poses are near each other, noise is a large share of their spread
-    if rms_mm > (UNEXPLAINED * spread).max(NOISE_DISTANCE * shown_noise_mm(robot, observations, noise_mm)) {
+    if rms_mm > (UNEXPLAINED * spread).max(NOISE_DISTANCE * observed_noise_mm(robot, observations, noise_mm)) {
         let message = error!("placement-unexplained", left_mm = rms_mm, spread_mm = spread);
         return Err(explained(message, robot, observations, noise_mm).into());
     }

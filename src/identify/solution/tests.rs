@@ -120,8 +120,7 @@ fn drawn(rows: &[Row], seed: u64) -> Vec<[f64; 5]> {
 }
 
 /// Readings of targets on an arm with errors in all directions.
-fn readings(arm: (&[Row], &[[f64; 5]]), seed: u64, poses: i64, targets: &[[f64; 3]]) -> Vec<Observation> {
-    let (rows, errors) = arm;
+fn readings(rows: &[Row], errors: &[[f64; 5]], seed: u64, poses: i64, targets: &[[f64; 3]]) -> Vec<Observation> {
     let mut noise = Noise::new(53, seed);
     let base = Pose::from_xyz_rpy([2500.0, -800.0, -300.0], [0.0209, 0.0, 0.6458]);
     let one = |i: i64| {
@@ -160,7 +159,7 @@ fn arms_have_the_same_residuals_in_each_convention() {
     let places = [[80.0, 10.0, 25.0], [-60.0, 50.0, 40.0], [20.0, -70.0, -30.0]];
     let names = ["a", "b", "c"].map(str::to_owned);
     for (seed, (name, rows)) in (0..).zip(ARMS) {
-        let observations = readings((rows, &drawn(rows, seed)), seed, 60, &places);
+        let observations = readings(rows, &drawn(rows, seed), seed, 60, &places);
         let nominal = table(rows, |_| false, &names);
         let (axes, home) = nominal.joint_chain(&nominal.nominal()).unwrap().axes();
         let robots = [
@@ -188,7 +187,7 @@ fn arms_have_the_same_residuals_in_each_convention() {
 #[test]
 fn covariances_of_hardly_determined_parameters_are_sound() {
     for poses in [40, 200] {
-        let observations = readings((SCARA, &BUILT), 7, poses, &[[80.0, 0.0, 25.0]]);
+        let observations = readings(SCARA, &BUILT, 7, poses, &[[80.0, 0.0, 25.0]]);
         // the tilt of the quill is missing
         let robot = table(SCARA, |k| k == 1 || k == 3, &["SMR".to_owned()]);
         let found = identify(&robot, &observations, &settings(&[])).unwrap();
@@ -209,7 +208,7 @@ fn covariances_of_hardly_determined_parameters_are_sound() {
 #[test]
 fn a_held_length_between_parallel_axes_costs_no_residuals() {
     for seed in 0..4 {
-        let observations = readings((SCARA, &BUILT), seed, 40, &[[80.0, 0.0, 25.0]]);
+        let observations = readings(SCARA, &BUILT, seed, 40, &[[80.0, 0.0, 25.0]]);
         let robot = table(SCARA, |k| k > 0, &["SMR".to_owned()]);
         let free = identify(&robot, &observations, &settings(&[])).unwrap();
         let held = identify(&robot, &observations, &settings(&["a_2"])).unwrap();

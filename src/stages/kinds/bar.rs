@@ -4,7 +4,7 @@ use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
-use etalon_identify::{Apart, Between, Fixture, Kind, Known};
+use etalon_identify::{Between, Fixture, Kind, Known, Separation};
 use etalon_robots::Robot;
 
 pub(super) struct Bar;
@@ -29,7 +29,7 @@ impl RowKind for Bar {
         if row.cells.number("distance_mm").is_some_and(|distance| !distance.is_nan()) {
             return Err(error!("bar-length-at-pose").into());
         }
-        Ok(vec![(Kind::Between(Between { other, apart: Apart::Bar(length) }), f64::NAN)])
+        Ok(vec![(Kind::Between(Between { other, apart: Separation::Bar(length) }), f64::NAN)])
     }
 
     fn known(&self, row: &Row, standard_uncertainty_mm: f64, robot: &mut dyn Robot) -> Result<Known> {
@@ -39,7 +39,7 @@ impl RowKind for Bar {
 
     fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated> {
         let (other, length) = Self::other_target_and_length(cells, robot)?;
-        let touches = Some(Kind::Between(Between { other, apart: Apart::Bar(length) }));
+        let touches = Some(Kind::Between(Between { other, apart: Separation::Bar(length) }));
         Ok(Simulated { touches, ..Simulated::anywhere(|_| Ok(Vec::new())) })
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::message::Result;
-use etalon_identify::{Apart, Between, Kind};
+use etalon_identify::{Between, Kind, Separation};
 use etalon_robots::Robot;
 
 pub(super) struct Contact;
@@ -10,7 +10,7 @@ pub(super) struct Contact;
 impl Contact {
     fn contact_kind(cells: &Cells, robot: &mut dyn Robot) -> Result<Kind> {
         if let Some(other) = cells.other_target("socket", robot)? {
-            return Ok(Kind::Between(Between { other, apart: Apart::Touching }));
+            return Ok(Kind::Between(Between { other, apart: Separation::Touching }));
         }
         Ok(Kind::Contact(etalon_identify::Contact { socket: cells.point("socket", robot)? }))
     }

@@ -5,7 +5,7 @@ use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
-use etalon_identify::{Apart, Between, Fixture, Kind, Known};
+use etalon_identify::{Between, Fixture, Kind, Known, Separation};
 use etalon_robots::Robot;
 
 pub(super) struct Distance;
@@ -17,7 +17,7 @@ impl RowKind for Distance {
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {
         if let Some(other) = row.cells.other_target("other", robot)? {
-            let apart = Apart::Distance(row.cells.distance()?);
+            let apart = Separation::Distance(row.cells.distance()?);
             return Ok(vec![(Kind::Between(Between { other, apart }), f64::NAN)]);
         }
         let to = row.cells.point("other", robot)?;

@@ -73,7 +73,7 @@ impl Case {
             conditions: &[],
             position_mm: None,
         };
-        errors.distances((robot, before), &settings(), &Systematic::default()).unwrap()
+        errors.distances(robot, before, &settings(), &Systematic::default()).unwrap()
     }
 
     /// Positions of all readings: of a platform its centre in the base.

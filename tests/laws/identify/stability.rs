@@ -3,7 +3,7 @@
 use crate::identify::prediction::{U_MM, drawn, sample};
 use etalon::base::noise::Noise;
 use etalon::base::pose_name::PoseName;
-use etalon::identify::{Observation, Settings, Stability, effects, halves, identify_from, stability};
+use etalon::identify::{Observation, Settings, Stability, StabilityTest, effects, halves, identify_from, stability};
 use etalon::robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -24,7 +24,8 @@ fn of_parts(robot: &dyn Robot, observations: &[Observation], stated: Option<f64>
     let effects = effects(robot, observations.iter().map(|o| o.joints.as_slice()));
     let of_robot: Vec<usize> = found.free.iter().copied().filter(|&i| effects[i].is_some()).collect();
     let parts = parts(observations, start.len() as u64);
-    stability(robot, observations, &settings, &found, (&of_robot, &parts)).unwrap()
+    let test = StabilityTest { parameters: &of_robot, left_out: &parts };
+    stability(robot, observations, &settings, &found, test).unwrap()
 }
 
 /// At a probability of 1 % two of 200 draws are expected, and more than six once in 200 times.

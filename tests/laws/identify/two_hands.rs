@@ -7,8 +7,8 @@ use etalon::base::noise::Noise;
 use etalon::base::pose::{Vector, minus, norm};
 use etalon::campaign::read_robot;
 use etalon::identify::{
-    Apart, Between, Condition, Effects, Fixture, Identification, Kind, Prior, Settings, Status, Systematic, fit_frames,
-    identify_from,
+    Between, Condition, Effects, Fixture, Identification, Kind, Prior, Separation, Settings, Status, Systematic,
+    fit_frames, identify_from,
 };
 use etalon::robots::{Effect, Parameter, Robot, Role};
 use etalon::stages::evaluate::Sets;
@@ -146,15 +146,15 @@ impl Campaign {
             Held::Distance => {
                 let joints = self.joints();
                 let distance_mm = norm(self.apart(&self.truth, &joints, pair)) + self.noise.gaussian(U_MM);
-                (joints, Apart::Distance(distance_mm))
+                (joints, Separation::Distance(distance_mm))
             }
             Held::Contact => {
                 let off = [0; 3].map(|_| self.noise.gaussian(U_MM));
-                (self.joints_where(pair, &|v| minus(v, off).to_vec()), Apart::Touching)
+                (self.joints_where(pair, &|v| minus(v, off).to_vec()), Separation::Touching)
             }
             Held::Bar => {
                 let length = LENGTHS[k % 2] + self.noise.gaussian(U_MM);
-                (self.joints_where(pair, &|v| vec![norm(v) - length]), Apart::Bar(bars[k % 2]))
+                (self.joints_where(pair, &|v| vec![norm(v) - length]), Separation::Bar(bars[k % 2]))
             }
         };
         let kind = Kind::Between(Between { other: pair[1], apart });
@@ -271,7 +271,7 @@ const SLIPS: [Slip; 4] = [
         |c| {
             for condition in &mut c.settings.conditions {
                 if let Kind::Between(between) = &mut condition.kind
-                    && let Apart::Distance(distance_mm) = &mut between.apart
+                    && let Separation::Distance(distance_mm) = &mut between.apart
                 {
                     *distance_mm /= 25.4;
                 }

@@ -5,7 +5,7 @@ use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::identify::{
-    Comparison, GivenParameters, Misfit, Moved, Observation, Settings, Variance, Verification, identify_from,
+    Comparison, IdentifiedParameters, Misfit, Moved, Observation, Settings, Variance, Verification, identify_from,
 };
 use etalon::robots::{FiveBar, Prexyt, Quantity, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -90,12 +90,12 @@ impl Case {
         let z = DVector::from_fn(self.free.len(), |_, _| noise.gaussian(1.0));
         let mut values = self.truth.clone();
         self.free.iter().zip((&self.root * z).iter()).for_each(|(&i, error)| values[i] += error);
-        let given = GivenParameters { values, free: self.free.clone(), covariance: self.covariance.clone() };
+        let given = IdentifiedParameters { values, free: self.free.clone(), covariance: self.covariance.clone() };
         let observed = observe(self.robot.as_ref(), &self.truth, &self.joints, moved, Some(&mut noise));
         self.verify(&observed, &given)
     }
 
-    fn verify(&self, observations: &[Observation], given: &GivenParameters) -> Verification {
+    fn verify(&self, observations: &[Observation], given: &IdentifiedParameters) -> Verification {
         let settings = &Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
         let misfit = &Misfit::default();
         let comparison = Comparison { robot: self.robot.as_ref(), observations, settings, given, misfit };
@@ -209,8 +209,11 @@ fn a_target_that_moved_is_named() {
     let case = &cases()[0];
     let mut moved = case.truth.clone();
     moved[case.robot.index("b_x").unwrap()] += 0.2;
-    let given =
-        GivenParameters { values: case.truth.clone(), free: case.free.clone(), covariance: case.covariance.clone() };
+    let given = IdentifiedParameters {
+        values: case.truth.clone(),
+        free: case.free.clone(),
+        covariance: case.covariance.clone(),
+    };
     for trial in 0..trials().min(20) {
         let mut noise = Noise::new(21, trial);
         let observed = observe(case.robot.as_ref(), &moved, &case.joints, &Change::Nothing, Some(&mut noise));
@@ -223,7 +226,7 @@ fn a_target_that_moved_is_named() {
 #[test]
 fn verification_measures_the_change() {
     for case in cases() {
-        let given = GivenParameters {
+        let given = IdentifiedParameters {
             values: case.truth.clone(),
             free: case.free.clone(),
             covariance: case.covariance.clone(),

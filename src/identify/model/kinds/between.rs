@@ -14,12 +14,12 @@ pub struct Between {
     /// Index of the other target.
     pub other: usize,
     /// Observed quantity.
-    pub apart: Apart,
+    pub apart: Separation,
 }
 
 /// Observed quantity of two targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Apart {
+pub enum Separation {
     /// Their distance (mm).
     Distance(f64),
     /// Their distance is the length of a bar, which is a parameter.
@@ -50,48 +50,48 @@ impl Between {
 
 impl Equation for Between {
     fn rows(&self) -> usize {
-        if self.apart == Apart::Touching { 3 } else { 1 }
+        if self.apart == Separation::Touching { 3 } else { 1 }
     }
 
     fn unknowns(&self) -> Vec<usize> {
-        if let Apart::Bar(length) = self.apart { vec![length] } else { Vec::new() }
+        if let Separation::Bar(length) = self.apart { vec![length] } else { Vec::new() }
     }
 
     fn residuals(&self, at: &At, out: &mut [f64]) {
         let apart = self.offset(at);
         match self.apart {
-            Apart::Distance(distance_mm) => out[0] = norm(apart) - distance_mm,
-            Apart::Bar(length) => out[0] = norm(apart) - at.values[length],
-            Apart::Touching => out.copy_from_slice(&apart),
+            Separation::Distance(distance_mm) => out[0] = norm(apart) - distance_mm,
+            Separation::Bar(length) => out[0] = norm(apart) - at.values[length],
+            Separation::Touching => out.copy_from_slice(&apart),
         }
     }
 
     fn jacobian(&self, at: &At, moved: &[f64], out: &mut [f64]) {
         let (n, moved) = (at.values.len(), self.moved(at, moved));
-        if self.apart == Apart::Touching {
+        if self.apart == Separation::Touching {
             return out.copy_from_slice(&moved);
         }
         let along = unit(self.offset(at)).unwrap_or_default();
         (0..n).for_each(|j| out[j] = (0..3).map(|i| along[i] * moved[i * n + j]).sum());
-        if let Apart::Bar(length) = self.apart {
+        if let Separation::Bar(length) = self.apart {
             out[length] -= 1.0;
         }
     }
 
     fn in_world(&self, at: &At, residuals: Vector) -> Vector {
         match self.apart {
-            Apart::Touching => residuals,
+            Separation::Touching => residuals,
             _ => unit(self.offset(at)).unwrap_or_default().map(|v| v * residuals[0]),
         }
     }
 
     fn by_scale(&self, _: &[f64]) -> Vector {
-        let Apart::Distance(distance_mm) = self.apart else { return [0.0; 3] };
+        let Separation::Distance(distance_mm) = self.apart else { return [0.0; 3] };
         [-distance_mm, 0.0, 0.0]
     }
 
     fn has_length(&self) -> bool {
-        matches!(self.apart, Apart::Distance(_))
+        matches!(self.apart, Separation::Distance(_))
     }
 
     fn other_target(&self) -> Option<usize> {
@@ -102,9 +102,9 @@ impl Equation for Between {
     fn gaps(&self, values: &[f64], p: Vector, left: Vector) -> Vec<(Vector, f64)> {
         let axis = |k: usize| [0, 1, 2].map(|i| if i == k { 1.0 } else { 0.0 });
         match self.apart {
-            Apart::Distance(_) => Vec::new(),
-            Apart::Bar(length) => vec![(unit(p).unwrap_or(axis(0)), norm(p) - values[length] - left[0])],
-            Apart::Touching => (0..3).map(|k| (axis(k), p[k] - left[k])).collect(),
+            Separation::Distance(_) => Vec::new(),
+            Separation::Bar(length) => vec![(unit(p).unwrap_or(axis(0)), norm(p) - values[length] - left[0])],
+            Separation::Touching => (0..3).map(|k| (axis(k), p[k] - left[k])).collect(),
         }
     }
 }
@@ -118,7 +118,7 @@ pub(crate) fn span(
 ) {
     let mut bars: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for c in conditions {
-        if let Kind::Between(Between { other, apart: Apart::Bar(length) }) = c.kind {
+        if let Kind::Between(Between { other, apart: Separation::Bar(length) }) = c.kind {
             let there = Condition { target: other, ..c.clone() };
             let distance = norm(minus(place(arm, c, values), place(arm, &there, values)));
             bars.entry(length).or_default().push(distance);

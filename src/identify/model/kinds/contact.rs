@@ -39,7 +39,7 @@ impl Equation for Contact {
 
 /// Targets and sockets, by their first parameters, for which contacts close: linear in both at
 /// given joints.
-pub(crate) fn meet(arm: &dyn FreeBase, contacts: &[&Condition], unknown: &[usize], values: &mut [f64]) {
+pub(crate) fn locate_contacts(arm: &dyn FreeBase, contacts: &[&Condition], unknown: &[usize], values: &mut [f64]) {
     if unknown.is_empty() {
         return;
     }

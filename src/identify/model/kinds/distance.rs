@@ -52,7 +52,7 @@ impl Equation for Distance {
 }
 
 /// Points from their distances to targets: differences of squares are linear in the point.
-pub(crate) fn reach(
+pub(crate) fn trilaterate_points(
     arm: &dyn FreeBase,
     conditions: &[Condition],
     is_unknown: impl Fn(usize) -> bool,

@@ -16,7 +16,7 @@ mod orientation;
 mod seen;
 mod surface;
 
-pub use between::{Apart, Between};
+pub use between::{Between, Separation};
 pub use contact::Contact;
 pub use coordinate::Coordinate;
 pub use distance::Distance;
@@ -27,12 +27,12 @@ pub use seen::Seen;
 pub use surface::{On, Surface};
 
 pub(crate) use between::span;
-pub(crate) use contact::meet;
-pub(crate) use distance::reach;
+pub(crate) use contact::locate_contacts;
+pub(crate) use distance::trilaterate_points;
 pub(crate) use known::places;
 pub(crate) use orientation::mount;
-pub(crate) use seen::{less_station, stand, station_pose};
-pub(crate) use surface::lay;
+pub(crate) use seen::{less_station, locate_stations, station_pose};
+pub(crate) use surface::fit_surfaces;
 
 use crate::{Error, Result};
 use crate::{Observation, ResidualKind, Settings, Status};
@@ -362,9 +362,9 @@ mod tests {
             Kind::On(On { surface: Surface::Sphere, unknowns: from(socket, radius), offset_mm: 3.0 }),
             Kind::Joint(JointValue { joint: 2, value: 0.7, is_angle: true }),
             Kind::Joint(JointValue { joint: 3, value: -0.2, is_angle: true }),
-            Kind::Between(Between { other: 1, apart: Apart::Distance(300.0) }),
-            Kind::Between(Between { other: 1, apart: Apart::Bar(length) }),
-            Kind::Between(Between { other: 1, apart: Apart::Touching }),
+            Kind::Between(Between { other: 1, apart: Separation::Distance(300.0) }),
+            Kind::Between(Between { other: 1, apart: Separation::Bar(length) }),
+            Kind::Between(Between { other: 1, apart: Separation::Touching }),
         ];
         let n = robot.parameters().len();
         let random =

@@ -62,7 +62,7 @@ pub(crate) fn less_station(values: &[f64], station: usize, at_mm: Vector, rows: 
 
 /// Poses of stations at which their measurements of targets and points agree with the world; then
 /// targets and points that only these stations measured.
-pub(crate) fn stand(
+pub(crate) fn locate_stations(
     arm: &dyn FreeBase,
     settings: &Settings,
     seen: &BTreeSet<usize>,

@@ -161,7 +161,7 @@ impl Equation for On {
 
 /// Planes, lines and spheres through the targets that touch them, and through the known points on
 /// them.
-pub(crate) fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [f64]) {
+pub(crate) fn fit_surfaces(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [f64]) {
     type Touches = Vec<(Vector, f64)>;
     let mut touched: Vec<(Surface, [usize; 4], Touches)> = Vec::new();
     let touching = |c: &Condition| match c.kind {

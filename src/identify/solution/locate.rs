@@ -85,7 +85,7 @@ fn three(first: usize) -> std::ops::Range<usize> {
 /// # Errors
 /// Fails for a robot without a free base, which has no such parameters, and if residuals cannot be
 /// set up.
-pub fn place_apart(
+pub fn locate_points(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
