@@ -1,6 +1,6 @@
 //! ISO 9283 pose characteristics over campaigns.
 
-use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
+use super::significance::{Estimate, Recovered, Scale, degrees_of_scale, ratio_of_scales, recovered};
 use super::trend::{TrendName, changed, pairs, trend_from_estimates};
 use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::Message;
@@ -44,7 +44,7 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
 fn accuracy(place: &Phrase, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
     let known = |p: &&Iso9283Pose| Some((p.ap_mm?, p.ap_interval?.low_mm, p.ap_interval?.high_mm));
     let values = all.iter().map(known).collect::<Option<Vec<Recovered>>>()?;
-    let change = |(from, to)| changed((from, to), &recovered(values[from], values[to]), None);
+    let change = |[from, to]: [usize; 2]| changed([from, to], &recovered(values[from], values[to]), None);
     let value =
         |v: &Recovered| CompareValue { value: Some(v.0), standard_uncertainty: None, low: Some(v.1), high: Some(v.2) };
     let changes = pairs(all.len()).into_iter().map(change).collect();
@@ -82,8 +82,9 @@ fn positions(place: &Phrase, documents: &[&Iso9283Document], all: &[&Iso9283Pose
                 })
                 .collect(),
         };
-        let of = (CompareFamily::MeanPosition, TrendName::at(phrase!("mean-of-axis", axis = letter), place), "mm");
-        trends.extend(estimates.map(|estimates| trend_from_estimates(of, &estimates)));
+        let name = TrendName::at(phrase!("mean-of-axis", axis = letter), place);
+        let family = CompareFamily::MeanPosition;
+        trends.extend(estimates.map(|estimates| trend_from_estimates(family, name, "mm", &estimates)));
     }
     trends
 }
@@ -96,13 +97,13 @@ fn mean(value: f64, deviation: f64, visits: usize) -> Estimate {
 fn repeatability(place: &Phrase, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
     let known = |p: &&Iso9283Pose| Some((p.rp_mm?, p.rp_interval_analytic?, p.cycles as f64));
     let values = all.iter().map(known).collect::<Option<Vec<_>>>()?;
-    let change = |(from, to): (usize, usize)| {
+    let change = |[from, to]: [usize; 2]| {
         let scale = |(rp, i, n): (f64, Iso9283Interval, f64)| {
             // radii about the sample mean are too small by the factor √(1 − 1/n)
-            Some((rp * (n / (n - 1.0)).sqrt(), degrees_of_scale(i.low_mm, i.high_mm)?))
+            Some(Scale { value: rp * (n / (n - 1.0)).sqrt(), degrees: degrees_of_scale(i.low_mm, i.high_mm)? })
         };
         let found = ratio_of_scales(scale(values[from])?, scale(values[to])?)?;
-        Some(changed((from, to), &found, Some(values[to].0 - values[from].0)))
+        Some(changed([from, to], &found, Some(values[to].0 - values[from].0)))
     };
     let value = |v: &(f64, Iso9283Interval, f64)| CompareValue {
         value: Some(v.0),

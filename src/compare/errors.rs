@@ -25,7 +25,7 @@ pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<Com
                 if estimates.iter().all(Option::is_some) {
                     let (quantity, set) = (error.quantity.phrase(), set.name.phrase());
                     let name = TrendName::Words(phrase!("mean-error-of-set", quantity, set, when));
-                    trends.push(trend_from_estimates((CompareFamily::MeanError, name, &error.unit), &estimates));
+                    trends.push(trend_from_estimates(CompareFamily::MeanError, name, &error.unit, &estimates));
                 }
             }
         }

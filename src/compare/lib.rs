@@ -168,7 +168,7 @@ fn campaign(c: &Compared) -> ComparedCampaign {
         coverage_factor: summary.coverage_factor,
         synthetic: summary.synthetic.clone(),
         uncertainties_from: c.identified.as_ref().map(|i| i.0.residuals.uncertainties_from),
-        degrees_of_freedom: c.identified.as_ref().map(parameters::degrees).filter(|d| d.is_finite()),
+        degrees_of_freedom: c.identified.as_ref().map(|i| parameters::degrees(&i.0)).filter(|d| d.is_finite()),
     }
 }
 
@@ -182,7 +182,7 @@ fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<
     if between {
         said.push(phrase!("convention-birge"));
     }
-    if all.iter().filter_map(|c| c.identified.as_ref()).any(|i| parameters::degrees(i).is_finite()) {
+    if all.iter().filter_map(|c| c.identified.as_ref()).any(|i| parameters::degrees(&i.0).is_finite()) {
         said.push(phrase!("convention-f-test"));
     }
     if there(CompareFamily::MeanError) {

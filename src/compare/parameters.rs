@@ -21,7 +21,7 @@ fn parameter_degrees_of_freedom(entry: &ParameterEntry, residuals: &ResidualSumm
 }
 
 /// Degrees of freedom of the covariance: the smallest of all parameters.
-pub(super) fn degrees((parameters, _): Identified) -> f64 {
+pub(super) fn degrees(parameters: &ParametersDocument) -> f64 {
     let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
     identified.map(|p| parameter_degrees_of_freedom(p, &parameters.residuals)).fold(f64::INFINITY, f64::min)
 }
@@ -56,7 +56,7 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         // only base and targets are fitted before the calibration
         let set_up = entries.iter().flatten().any(|e| e.before != e.nominal);
         let family = if set_up { CompareFamily::SetUp } else { CompareFamily::Robot };
-        trends.push(trend_from_estimates((family, TrendName::Parameter(p.name.clone()), &p.unit), &estimates));
+        trends.push(trend_from_estimates(family, TrendName::Parameter(p.name.clone()), &p.unit, &estimates));
     }
     if !held.is_empty() {
         messages.push(warning!("parameters-not-in-all", parameters = held));
@@ -71,7 +71,7 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
 
 /// `true` if residuals exceed the instrument's uncertainty. Parameters then absorb unmodelled
 /// errors at the measured poses.
-fn misfits((parameters, _): &Identified) -> bool {
+fn misfits(parameters: &ParametersDocument) -> bool {
     parameters.misfits()
 }
 
@@ -85,11 +85,11 @@ pub(super) fn without_evidence(
     trends: &mut [CompareTrend],
     names: &[&str],
 ) -> (Vec<CompareBetween>, Option<Message>) {
-    let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i])).collect();
+    let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i].0)).collect();
     if wrong.is_empty() {
         return (Vec::new(), None);
     }
-    let touched = |&(from, to): &(usize, usize)| wrong.contains(&from) || wrong.contains(&to);
+    let touched = |&[from, to]: &[usize; 2]| wrong.contains(&from) || wrong.contains(&to);
     let between: Vec<CompareBetween> =
         pairs(all.len()).into_iter().filter(touched).map(|pair| between(all, trends, pair)).collect();
     for trend in trends.iter_mut() {
@@ -113,10 +113,10 @@ pub(super) fn without_evidence(
 /// Birge ratio of all changes of the robot's parameters to their uncertainties, at least 1 (Birge
 /// 1932, Phys. Rev. 40, 207; for correlated values √(Δᵀ (C₁ + C₂)⁻¹ Δ / m)); 1 if covariances are
 /// unknown.
-fn between(all: &[Identified], trends: &[CompareTrend], (from, to): (usize, usize)) -> CompareBetween {
+fn between(all: &[Identified], trends: &[CompareTrend], [from, to]: [usize; 2]) -> CompareBetween {
     let robot = trends.iter().filter(|t| t.family == CompareFamily::Robot);
     let names: Vec<&str> = robot.map(|t| t.name.as_str()).collect();
-    let change = change(all, &names, (from, to));
+    let change = change(all, &names, [from, to]);
     let squares =
         |c: &Change| Some(c.sizes.dot(&Cholesky::new(c.correlation())?.solve(&c.sizes)) / c.sizes.len() as f64);
     let ratio = change.as_ref().and_then(squares).filter(|f| f.is_finite()).map_or(1.0, |f| f.max(1.0).sqrt());
@@ -128,7 +128,7 @@ fn between(all: &[Identified], trends: &[CompareTrend], (from, to): (usize, usiz
 pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<CompareTogether> {
     let robot = |t: &&CompareTrend| t.family == CompareFamily::Robot;
     let names: Vec<&str> = trends.iter().filter(robot).map(|t| t.name.as_str()).collect();
-    let fits = |&(from, to): &(usize, usize)| !misfits(&all[from]) && !misfits(&all[to]);
+    let fits = |&[from, to]: &[usize; 2]| !misfits(&all[from].0) && !misfits(&all[to].0);
     pairs(all.len()).into_iter().filter(fits).filter_map(|pair| pair_together(all, &names, pair)).collect()
 }
 
@@ -149,7 +149,7 @@ impl Change {
 
 /// Changes of the parameters in `names` that both campaigns identified; `None` if a covariance is
 /// missing.
-pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<Change> {
+pub(super) fn change(all: &[Identified], names: &[&str], [from, to]: [usize; 2]) -> Option<Change> {
     let identified = |c: Identified| c.0.identified().map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>();
     let (a, b) = (identified(all[from]), identified(all[to]));
     let place = |all: &[(String, f64)], name: &str| all.iter().position(|p| p.0 == name);
@@ -174,15 +174,15 @@ pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usi
     Some(Change { sizes, earlier: scaled(&first), later: scaled(&second) })
 }
 
-fn pair_together(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<CompareTogether> {
-    let change = change(all, names, (from, to))?;
+fn pair_together(all: &[Identified], names: &[&str], [from, to]: [usize; 2]) -> Option<CompareTogether> {
+    let change = change(all, names, [from, to])?;
     let m = change.sizes.len();
     let inverse = Cholesky::new(change.correlation())?.inverse();
     let f = change.sizes.dot(&(&inverse * &change.sizes)) / m as f64;
     // shares of the two campaigns in the sum, as weights of their degrees of freedom (Welch and
     // Satterthwaite)
     let share = (&inverse * &change.earlier).trace() / m as f64;
-    let degrees = 1.0 / (share.powi(2) / degrees(all[from]) + (1.0 - share).powi(2) / degrees(all[to]));
+    let degrees = 1.0 / (share.powi(2) / degrees(&all[from].0) + (1.0 - share).powi(2) / degrees(&all[to].0));
     let degrees = Some(degrees).filter(|d| d.is_finite());
     let p = match degrees {
         Some(degrees) => FisherSnedecor::new(m as f64, degrees).ok()?.sf(f),

@@ -62,9 +62,9 @@ fn is_same(a: &Iso9283Path, b: &Iso9283Path) -> bool {
 fn accuracy(name: &str, all: &[Iso9283Path]) -> CompareTrend {
     let value = |p: &Iso9283Path| with_interval(p.at_mm, p.at_interval);
     let known = |p: &Iso9283Path| p.at_interval.map(|i| (p.at_mm, i.low_mm, i.high_mm));
-    let change = |(from, to): (usize, usize)| {
+    let change = |[from, to]: [usize; 2]| {
         let found = known(&all[from]).zip(known(&all[to])).map(|(a, b)| recovered(a, b));
-        changed((from, to), &found.unwrap_or(unknown(all[to].at_mm - all[from].at_mm)), None)
+        changed([from, to], &found.unwrap_or(unknown(all[to].at_mm - all[from].at_mm)), None)
     };
     let changes = pairs(all.len()).into_iter().map(change).collect();
     let values = all.iter().map(value).collect();
@@ -82,14 +82,14 @@ fn repeatability(name: &str, all: &[Iso9283Path]) -> Option<CompareTrend> {
         let (low, high) = (p.rt_interval?.low_mm.ln(), p.rt_interval?.high_mm.ln());
         (low.is_finite() && high.is_finite()).then_some((0.5 * (low + high), low, high))
     };
-    let change = |(from, to): (usize, usize)| {
+    let change = |[from, to]: [usize; 2]| {
         let difference = values[to] - values[from];
         let Some((a, b)) = known(&all[from]).zip(known(&all[to])) else {
-            return changed((from, to), &unknown(difference), None);
+            return changed([from, to], &unknown(difference), None);
         };
         let d = recovered(a, b);
         let ratio = Difference { change: d.change.exp(), low: d.low.exp(), high: d.high.exp(), p: d.p };
-        changed((from, to), &ratio, Some(difference))
+        changed([from, to], &ratio, Some(difference))
     };
     let changes = pairs(all.len()).into_iter().map(change).collect();
     let values = values.iter().zip(all).map(value).collect();

@@ -108,10 +108,19 @@ pub fn degrees_of_scale(low: f64, high: f64) -> Option<f64> {
     Some((few * many).sqrt())
 }
 
+/// Standard deviation, or a quantity proportional to one.
+#[derive(Clone, Copy, Debug)]
+pub struct Scale {
+    /// Value.
+    pub value: f64,
+    /// Degrees of freedom.
+    pub degrees: f64,
+}
+
 /// Ratio of two scales (standard deviations, RP) by the F test of their squares.
-pub fn ratio_of_scales((earlier, degrees): (f64, f64), (later, more): (f64, f64)) -> Option<Difference> {
-    let f = FisherSnedecor::new(more, degrees).ok()?;
-    let change = later / earlier;
+pub fn ratio_of_scales(earlier: Scale, later: Scale) -> Option<Difference> {
+    let f = FisherSnedecor::new(later.degrees, earlier.degrees).ok()?;
+    let change = later.value / earlier.value;
     let squared = Some(change * change).filter(|s| s.is_finite())?;
     let end = |share: f64| change / f.inverse_cdf(share).sqrt();
     let p = (2.0 * f.cdf(squared).min(f.sf(squared))).min(1.0);
@@ -201,10 +210,11 @@ mod tests {
         let same = known(2.0, 0.0).change_to(&known(2.0, 0.0));
         assert!(same.p == 1.0 && same.low == 0.0 && same.high == 0.0);
         assert!(known(2.0, 0.0).change_to(&known(2.1, 0.0)).p == 0.0);
-        let r = ratio_of_scales((1.0, 10.0), (3.717f64.sqrt(), 10.0)).unwrap();
+        let scale = |value| Scale { value, degrees: 10.0 };
+        let r = ratio_of_scales(scale(1.0), scale(3.717f64.sqrt())).unwrap();
         close(r.p, 0.05, 1e-4);
         close(r.low, 1.0, 1e-3);
-        assert!(ratio_of_scales((0.0, 10.0), (1.0, 10.0)).is_none());
+        assert!(ratio_of_scales(scale(0.0), scale(1.0)).is_none());
     }
 
     #[test]
