@@ -3,16 +3,33 @@
 use crate::error;
 use crate::message::Result;
 
-/// Year, month and day of the Gregorian date `YYYY-MM-DD` at the start of a text.
-pub fn date(text: &str) -> Option<(i32, u8, u8)> {
+/// Day of the Gregorian calendar. Earlier days are smaller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Date {
+    /// Year.
+    pub year: i32,
+    /// Month, from 1.
+    pub month: u8,
+    /// Day of the month, from 1.
+    pub day: u8,
+}
+
+impl Date {
+    /// Date of these numbers, which are not checked.
+    pub fn new(year: i32, month: u8, day: u8) -> Self {
+        Self { year, month, day }
+    }
+}
+
+/// Gregorian date `YYYY-MM-DD` at the start of a text.
+pub fn date(text: &str) -> Option<Date> {
     let (date, rest) = text.split_at_checked(10)?;
     let marks = |(i, c): (usize, char)| if i == 4 || i == 7 { c == '-' } else { c.is_ascii_digit() };
     if rest.starts_with(|c: char| c.is_ascii_digit()) || !date.chars().enumerate().all(marks) {
         return None;
     }
-    let (year, month, day): (i32, u8, u8) =
-        (date[..4].parse().ok()?, date[5..7].parse().ok()?, date[8..].parse().ok()?);
-    (1..=days(year, month)).contains(&day).then_some((year, month, day))
+    let date = Date::new(date[..4].parse().ok()?, date[5..7].parse().ok()?, date[8..].parse().ok()?);
+    (1..=days(date.year, date.month)).contains(&date.day).then_some(date)
 }
 
 /// Number of days of a month; zero if the month does not exist.
@@ -31,19 +48,21 @@ fn days(year: i32, month: u8) -> u8 {
 /// # Examples
 ///
 /// ```
-/// use etalon_base::date::months_after;
+/// use etalon_base::date::{Date, months_after};
 ///
-/// assert_eq!(months_after((2026, 3, 2), 12), (2027, 3, 2));
-/// assert_eq!(months_after((2025, 11, 30), 3), (2026, 2, 28));
+/// assert_eq!(months_after(Date::new(2026, 3, 2), 12), Date::new(2027, 3, 2));
+/// assert_eq!(months_after(Date::new(2025, 11, 30), 3), Date::new(2026, 2, 28));
 /// ```
-pub fn months_after((year, month, day): (i32, u8, u8), months: u32) -> (i32, u8, u8) {
+pub fn months_after(date: Date, months: u32) -> Date {
+    let Date { year, month, day } = date;
     let all = i64::from(year) * 12 + i64::from(month) - 1 + i64::from(months);
     let (year, month) = (i32::try_from(all.div_euclid(12)).unwrap_or(i32::MAX), all.rem_euclid(12) as u8 + 1);
-    (year, month, day.min(days(year, month)))
+    Date::new(year, month, day.min(days(year, month)))
 }
 
 /// A date as text: year-month-day.
-pub fn date_text((year, month, day): (i32, u8, u8)) -> String {
+pub fn date_text(date: Date) -> String {
+    let Date { year, month, day } = date;
     format!("{year:04}-{month:02}-{day:02}")
 }
 
@@ -51,7 +70,7 @@ pub fn date_text((year, month, day): (i32, u8, u8)) -> String {
 ///
 /// # Errors
 /// Fails if the value is not the seconds since 1970, as reproducible-builds.org specifies it.
-pub fn source_date_epoch() -> Result<Option<(i32, u8, u8)>> {
+pub fn source_date_epoch() -> Result<Option<Date>> {
     let Some(value) = std::env::var_os("SOURCE_DATE_EPOCH").filter(|value| !value.is_empty()) else {
         return Ok(None);
     };
@@ -62,10 +81,10 @@ pub fn source_date_epoch() -> Result<Option<(i32, u8, u8)>> {
     }
 }
 
-/// Year, month and day of a time in seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` states it;
+/// Day of a time in seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` states it;
 /// `None` outside the years 1 to 9999. H. Hinnant, chrono-compatible low-level date algorithms,
 /// 2021.
-pub fn day_of_epoch(seconds: i64) -> Option<(i32, u8, u8)> {
+pub fn day_of_epoch(seconds: i64) -> Option<Date> {
     let days = seconds.div_euclid(86_400) + 719_468;
     let (era, of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
     let year = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;
@@ -74,8 +93,8 @@ pub fn day_of_epoch(seconds: i64) -> Option<(i32, u8, u8)> {
     let day = of_year - (153 * month + 2) / 5 + 1;
     let month = if month < 10 { month + 3 } else { month - 9 };
     let year = year + 400 * era + i64::from(month <= 2);
-    let found = (i32::try_from(year).ok()?, u8::try_from(month).ok()?, u8::try_from(day).ok()?);
-    (1..=9999).contains(&found.0).then_some(found)
+    let found = Date::new(i32::try_from(year).ok()?, u8::try_from(month).ok()?, u8::try_from(day).ok()?);
+    (1..=9999).contains(&found.year).then_some(found)
 }
 
 #[cfg(test)]
@@ -84,8 +103,8 @@ mod tests {
 
     #[test]
     fn dates_of_the_calendar() {
-        assert_eq!(date("2024-02-29"), Some((2024, 2, 29)));
-        assert_eq!(date("2026-03-02 to 2026-03-04"), Some((2026, 3, 2)));
+        assert_eq!(date("2024-02-29"), Some(Date::new(2024, 2, 29)));
+        assert_eq!(date("2026-03-02 to 2026-03-04"), Some(Date::new(2026, 3, 2)));
         for wrong in [
             "",
             "2026-02-29",
@@ -100,7 +119,7 @@ mod tests {
         ] {
             assert_eq!(date(wrong), None, "{wrong}");
         }
-        assert_eq!(date("2000-02-29"), Some((2000, 2, 29)));
+        assert_eq!(date("2000-02-29"), Some(Date::new(2000, 2, 29)));
     }
 
     #[test]
@@ -121,15 +140,16 @@ mod tests {
     /// Outside values: `date -u -d @SECONDS`.
     #[test]
     fn days_of_seconds_since_1970() {
-        for (seconds, day) in [
-            (0, (1970, 1, 1)),
-            (86_399, (1970, 1, 1)),
-            (951_782_400, (2000, 2, 29)),
-            (1_772_409_600, (2026, 3, 2)),
-            (-1, (1969, 12, 31)),
-            (4_107_542_400, (2100, 3, 1)),
+        for (seconds, [year, month, day]) in [
+            (0, [1970, 1, 1]),
+            (86_399, [1970, 1, 1]),
+            (951_782_400, [2000, 2, 29]),
+            (1_772_409_600, [2026, 3, 2]),
+            (-1, [1969, 12, 31]),
+            (4_107_542_400, [2100, 3, 1]),
         ] {
-            assert_eq!(day_of_epoch(seconds), Some(day), "{seconds}");
+            let expected = Date::new(year, month as u8, day as u8);
+            assert_eq!(day_of_epoch(seconds), Some(expected), "{seconds}");
         }
         assert_eq!((day_of_epoch(i64::MAX), day_of_epoch(i64::MIN)), (None, None));
     }

@@ -1,7 +1,7 @@
 //! Last day of validity of given parameters, compared with today: a warning on stderr. Documents
 //! and files have no date of their own.
 
-use etalon_base::date::{date, date_text, day_of_epoch, source_date_epoch};
+use etalon_base::date::{Date, date, date_text, day_of_epoch, source_date_epoch};
 use etalon_base::message::Message;
 use etalon_base::warning;
 use etalon_documents::{CampaignSummary, ParametersDocument};
@@ -13,13 +13,13 @@ pub(super) fn expired(parameters: &ParametersDocument, campaign: Option<&Campaig
     passed(parameters.valid_until.as_deref().or_else(of_campaign)?, today()?)
 }
 
-fn passed(valid_until: &str, today: (i32, u8, u8)) -> Option<Message> {
+fn passed(valid_until: &str, today: Date) -> Option<Message> {
     let last = date(valid_until).filter(|last| *last < today)?;
     Some(warning!("parameters-expired", last = date_text(last), today = date_text(today)).to_decide())
 }
 
 /// Today (UTC), or the day that `SOURCE_DATE_EPOCH` states.
-fn today() -> Option<(i32, u8, u8)> {
+fn today() -> Option<Date> {
     let clock = || i64::try_from(SystemTime::now().duration_since(UNIX_EPOCH).ok()?.as_secs()).ok();
     source_date_epoch().unwrap_or_default().or_else(|| day_of_epoch(clock()?))
 }
@@ -30,9 +30,10 @@ mod tests {
 
     #[test]
     fn the_last_day_is_valid_and_the_next_is_not() {
-        assert!(passed("2027-03-02", (2027, 3, 2)).is_none() && passed("2027-03-02", (2026, 12, 31)).is_none());
-        let late = passed("2027-03-02", (2027, 3, 3)).expect("a warning");
+        assert!(passed("2027-03-02", Date::new(2027, 3, 2)).is_none());
+        assert!(passed("2027-03-02", Date::new(2026, 12, 31)).is_none());
+        let late = passed("2027-03-02", Date::new(2027, 3, 3)).expect("a warning");
         assert!(late.is("parameters-expired", &[("last", &"2027-03-02"), ("today", &"2027-03-03")]));
-        assert!(passed("soon", (2027, 3, 3)).is_none());
+        assert!(passed("soon", Date::new(2027, 3, 3)).is_none());
     }
 }

@@ -6,6 +6,7 @@
 use super::number;
 use super::words::{Words, tr};
 use etalon_base::catalogue::{Entry, Phrase, entries};
+use etalon_base::date::Date;
 use etalon_base::message::one_line;
 use etalon_base::phrase;
 use etalon_base::pose_name::PoseName;
@@ -33,7 +34,7 @@ pub(crate) struct Contents {
     /// Date of files without a stated date, from `SOURCE_DATE_EPOCH`.
     #[cfg_attr(not(feature = "pdf"), expect(dead_code, reason = "pages and workbooks print stated dates alone"))]
     #[serde(skip)]
-    pub built: Option<(i32, u8, u8)>,
+    pub built: Option<Date>,
     /// Mark across every page of a document that must not be used as a certificate.
     pub draft: Option<String>,
     /// Number of the report, shown on every page.

@@ -13,7 +13,7 @@ use super::branding::logo_file;
 use super::model::Contents;
 use super::words::{Words, tr};
 use super::{Attachment, TYPESET};
-use etalon_base::date::date;
+use etalon_base::date::{Date, date};
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use etalon_base::template::{check_brackets, supervised};
@@ -25,7 +25,7 @@ use world::Desk;
 
 /// Date in the metadata of a PDF if neither the campaign nor `SOURCE_DATE_EPOCH` states one: PDF/A
 /// requires a date, and each page says that none is stated. The earliest date of a ZIP file.
-const UNDATED: (i32, u8, u8) = (1980, 1, 1);
+const UNDATED: Date = Date { year: 1980, month: 1, day: 1 };
 /// Maximum number of warnings before the results; further warnings are in an annex.
 const NOTICES: usize = 6;
 
@@ -126,7 +126,7 @@ fn labels(presentation: &Presentation, words: &Words) -> Value {
     })
 }
 
-/// Year, month and day at the start of a text in ISO 8601, which starts in 1583.
-fn day(text: &str) -> Option<(i32, u8, u8)> {
-    date(text).filter(|(year, ..)| *year >= 1583)
+/// Date at the start of a text in ISO 8601, which starts in 1583.
+fn day(text: &str) -> Option<Date> {
+    date(text).filter(|date| date.year >= 1583)
 }

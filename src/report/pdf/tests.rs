@@ -105,8 +105,8 @@ fn nothing_and_numbers_that_are_none_are_typeset() {
 #[test]
 fn a_date_is_read_where_there_is_one() {
     let cases = [
-        ("2011-05-12", Some((2011, 5, 12))),
-        ("2011-05-12T10:00:00", Some((2011, 5, 12))),
+        ("2011-05-12", Some(Date::new(2011, 5, 12))),
+        ("2011-05-12T10:00:00", Some(Date::new(2011, 5, 12))),
         ("2011-02-30", None),
         ("May 2011", None),
         ("0000-01-01", None),

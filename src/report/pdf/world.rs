@@ -1,6 +1,7 @@
 //! Environment of a typst template: given files and fonts of the program, without disk, network or
 //! clock.
 
+use etalon_base::date::Date;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::{error, phrase};
 use std::collections::BTreeMap;
@@ -32,12 +33,10 @@ pub(super) struct Desk {
 }
 
 impl Desk {
-    /// Creates the environment. `files` by name: `report.typ` and the files that it reads; `date`:
-    /// year, month, day.
-    pub fn new(mut files: BTreeMap<String, Bytes>, date: (i32, u8, u8)) -> Result<Self> {
+    /// Creates the environment. `files` by name: `report.typ` and the files that it reads.
+    pub fn new(mut files: BTreeMap<String, Bytes>, date: Date) -> Result<Self> {
         files.insert(MAIN.to_owned(), Bytes::from_string(START));
-        let (year, month, day) = date;
-        let date = Datetime::from_ymd(year, month, day).ok_or_else(|| error!("date-invalid"))?;
+        let date = Datetime::from_ymd(date.year, date.month, date.day).ok_or_else(|| error!("date-invalid"))?;
         Ok(Self { library: LazyHash::new(Library::default()), main: id(MAIN)?, files, date })
     }
 
