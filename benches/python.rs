@@ -6,7 +6,7 @@
 #![allow(clippy::print_stdout)] // a benchmark prints
 
 use etalon::campaign::{Campaign, read_robot};
-use etalon::cli::in_memory::{self, Given, Table};
+use etalon::cli::in_memory::{self, Inputs, Table};
 use etalon::fit::{Element, FitSettings, element};
 use etalon::formats::table;
 use etalon::run::walk::{Observed, observed};
@@ -68,7 +68,7 @@ fn identification(python: &mut Child, sample: &Path, folder: &Path) {
     let robot = read_robot(&sample.join("robot.toml")).expect("robot");
     let toml = std::fs::read_to_string(sample.join("robot.toml")).expect("robot");
     std::fs::write(folder.join("robot.toml"), &toml).expect("robot");
-    let given = Given {
+    let given = Inputs {
         robot: &robot,
         stated: Table { name: "robot", text: &toml },
         table: Table { name: "observations", text: &csv },

@@ -5,7 +5,9 @@ use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_documents::FitDocument;
 use etalon_fit::{CircleMethod, Element, Fit, FitSettings, Probe, Side, Source};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 
 /// Options of a fit, a dictionary in Python.

@@ -1,7 +1,7 @@
 //! Robots: from robot.toml, a URDF, or the table of known ones.
 
 use crate::errors::{failed, refused};
-use etalon::cli::in_memory::{Given, Prediction, Table, known_names, known_text, urdf_text};
+use etalon::cli::in_memory::{Inputs, Prediction, Table, known_names, known_text, urdf_text};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, parse_robot, read_urdf};
@@ -40,8 +40,8 @@ impl Robot {
     }
 
     /// The robot and a table that a command is given.
-    pub fn given<'a>(&'a self, table: Table<'a>) -> Given<'a> {
-        Given { robot: &self.file, stated: Table { name: &self.name, text: &self.text }, table }
+    pub fn given<'a>(&'a self, table: Table<'a>) -> Inputs<'a> {
+        Inputs { robot: &self.file, stated: Table { name: &self.name, text: &self.text }, table }
     }
 }
 

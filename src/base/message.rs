@@ -645,7 +645,7 @@ mod tests {
     }
 
     #[test]
-    fn a_span_is_shown_with_its_line_and_a_hint() {
+    fn a_span_is_printed_with_its_line_and_a_hint() {
         let source = "name = \"x\"\nrobto = 1\n";
         let message = Message::error("unknown key `robto`")
             .at(Place::span("campaign.toml", source, 11..16))
@@ -663,7 +663,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_is_shown_whole_where_no_column_is_known() {
+    fn a_line_is_printed_whole_where_no_column_is_known() {
         let message = crate::error!("locked", process = "17", file = "a.csv").at(Place::line("a.csv", 7, "3;10,5"));
         let lines = [
             "error[locked]: process 17 is writing `a.csv`",

@@ -119,7 +119,7 @@ pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Optio
             }
         };
         if let Some(other) = by_spelling.insert(spelling, name) {
-            return Some((error!("pose-name-two-spellings", first = shown(other), second = shown(name)), i));
+            return Some((error!("pose-name-two-spellings", first = escaped(other), second = escaped(name)), i));
         }
     }
     None
@@ -146,7 +146,7 @@ fn visible(name: &str) -> String {
 }
 
 /// Name with the codes of its invisible characters.
-fn shown(name: PoseName) -> String {
+fn escaped(name: PoseName) -> String {
     let mut shown = String::new();
     for c in name.to_string().chars() {
         match is_invisible(c) {

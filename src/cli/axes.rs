@@ -1,7 +1,7 @@
 //! Command `etalon axes`.
 
 use super::bound::BoundOption;
-use super::given::Table;
+use super::inputs::Table;
 use super::text_format::TableFormat;
 use super::{Verdict, check_positive, print, print_text, remark};
 use crate::stages::sweeps::{self, SweepsStated, TableConvention};

@@ -222,7 +222,7 @@ impl AxisTable {
         let calibrated;
         let source = match &read {
             Read::Parameters(exported) => {
-                let given = exported.given(false);
+                let given = exported.input(false);
                 let arm = given.robot.map_or_else(|| Err(error!("robot-option-missing").into()), whole_pose)?;
                 let identified = identified(arm, given.parameters, &self.source)?;
                 calibrated = Calibrated { arm, nominal: arm.nominal(), identified, field: None };
@@ -293,7 +293,7 @@ impl AxisTable {
             return Ok((Read::Leads(Box::new(geometric)), header));
         }
         let exported = Exported::read(&self.source, self.robot.as_deref(), false)?;
-        let given = exported.given(false);
+        let given = exported.input(false);
         given.check()?;
         let header = given.header(units)?;
         Ok((Read::Parameters(Box::new(exported)), header))

@@ -1,7 +1,7 @@
 //! Command `etalon cell`.
 
 use super::bound::BoundOption;
-use super::given::Table;
+use super::inputs::Table;
 use super::report::Reports;
 use super::text_format::TableFormat;
 use super::{Verdict, check_positive, print, print_text, remark};

@@ -14,7 +14,7 @@ use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Rank, Result, Severity};
 use etalon_base::pose::{Pose, minus, norm};
 use etalon_base::{error, phrase, warning};
-use etalon_controllers::Given;
+use etalon_controllers::ExportInput;
 use etalon_controllers::commands::{
     self, Command, CommandLanguage, Configuration, DECIMALS, Freedoms, Galil, Program, ProgramTarget,
 };
@@ -167,7 +167,7 @@ struct Compensator<'a> {
 impl Compensate {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let exported = Exported::read(&self.parameters, Some(&self.robot), false)?;
-        let given = exported.given(false);
+        let given = exported.input(false);
         given.check()?;
         let arm = given.robot.map_or_else(|| Err(Problems::default()), whole_pose)?;
         let identified = identified(arm, given.parameters, &self.parameters)?;
@@ -501,7 +501,7 @@ impl Compensator<'_> {
     /// Program with new targets, or list of commands.
     fn program(
         &self,
-        given: &Given,
+        given: &ExportInput,
         commands: &[Command],
         answer: &CompensationDocument,
         source: Option<&ProgramSource>,
@@ -540,7 +540,7 @@ fn unreachable(target: &UnreachableTarget) -> Message {
 }
 
 /// Program that states in a comment, which begins with `mark`, if the parameters are synthetic.
-fn stating(given: &Given, mark: char, program: Vec<u8>) -> Vec<u8> {
+fn stating(given: &ExportInput, mark: char, program: Vec<u8>) -> Vec<u8> {
     match given.synthetic() {
         Some(why) => commands::with_comment(&program, mark, &why),
         None => program,

@@ -9,7 +9,7 @@ use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
-use etalon_controllers::{Description, Exporter, Given, OwnFormat, Statement};
+use etalon_controllers::{Description, ExportInput, Exporter, Statement, TemplateFormat};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, PointError, WrittenController,
     WrittenDocument, to_json,
@@ -83,7 +83,7 @@ impl ExportCommand {
             let formats = etalon_controllers::with_controller_hash();
             return Err(Problems::from(error!("hash-of-other-format", formats)).into());
         }
-        let given = Given { controller_hash: hash, ..exported.given(self.force) };
+        let given = ExportInput { controller_hash: hash, ..exported.input(self.force) };
         given.check()?;
         let of_format = |e: &&dyn Exporter| {
             let statement = given.statement(*e)?;
@@ -111,7 +111,7 @@ impl ExportCommand {
 }
 
 /// The named formats and the user's own; without any, the usual formats.
-fn exporters<'a>(names: &[String], own: &'a [OwnFormat]) -> Result<Vec<&'a dyn Exporter>, Problems> {
+fn exporters<'a>(names: &[String], own: &'a [TemplateFormat]) -> Result<Vec<&'a dyn Exporter>, Problems> {
     let usual: Vec<String> = etalon_controllers::usual().map(str::to_owned).collect();
     let names = if names.is_empty() && own.is_empty() { &usual } else { names };
     let exporter = |name: &String| -> Result<&'a dyn Exporter, Problems> {
@@ -123,7 +123,7 @@ fn exporters<'a>(names: &[String], own: &'a [OwnFormat]) -> Result<Vec<&'a dyn E
 }
 
 /// Reads a template whose file replaces no document of a run, and no file beside a run.
-fn template(path: &Path, run: Option<&Documents>, to: &Path) -> Result<OwnFormat, Problems> {
+fn template(path: &Path, run: Option<&Documents>, to: &Path) -> Result<TemplateFormat, Problems> {
     let named = path.display().to_string();
     let (text, _) = etalon_formats::read_text(path, None, &Place::file(&*named))?;
     let format = own_format(&named, text, Place::file(&*named))?;
@@ -228,9 +228,9 @@ impl Exported {
         Ok(Self { parameters, file, robot, summary, accuracy: None, errors: None, controllers: None })
     }
 
-    pub fn given(&self, force: bool) -> Given<'_> {
+    pub fn input(&self, force: bool) -> ExportInput<'_> {
         let description = self.file.as_ref().and_then(|robot| robot.description());
-        Given {
+        ExportInput {
             summary: self.summary.as_ref(),
             name: self.file.as_ref().and_then(|robot| robot.name.as_deref()),
             robot: self.robot.as_deref(),
@@ -239,7 +239,7 @@ impl Exported {
             errors: self.errors.as_deref(),
             controllers: self.controllers.as_ref(),
             force,
-            ..Given::parameters(&self.parameters)
+            ..ExportInput::parameters(&self.parameters)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Command `etalon identify`.
 
 use super::bound::BoundOption;
-use super::given::Given;
+use super::inputs::Inputs;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
@@ -103,7 +103,7 @@ impl IdentifyCommand {
     }
 
     /// The answer from a table in memory.
-    pub(super) fn in_memory(&self, given: &Given) -> anyhow::Result<ParametersDocument> {
+    pub(super) fn in_memory(&self, given: &Inputs) -> anyhow::Result<ParametersDocument> {
         self.check()?;
         let observed = self.format.parse(given.table.name, given.table.text)?;
         self.identified(given.robot, observed, &given.inputs())

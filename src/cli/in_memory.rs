@@ -18,8 +18,8 @@ use etalon_robots::{Kinematics, Robot};
 use std::path::Path;
 
 pub use super::capture::{Answer, answer, has_json};
-pub use super::given::{Given, Table};
 pub use super::init::{known_names, known_text, urdf_text};
+pub use super::inputs::{Inputs, Table};
 pub use crate::stages::predicted::{PredictedPosition, Prediction};
 
 /// Stands for a file in options that a table in memory replaces.
@@ -49,7 +49,7 @@ pub fn set_parameters(robot: &mut dyn Robot, json: Option<&str>) -> std::result:
 ///
 /// # Errors
 /// Fails like the command.
-pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument> {
+pub fn identify(given: &Inputs, options: &[String]) -> Result<ParametersDocument> {
     let files = ["--robot", PLACEHOLDER, "--observations", PLACEHOLDER];
     parse_options::<super::identify::IdentifyCommand>(&files, options)?.in_memory(given)
 }
@@ -58,7 +58,7 @@ pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument>
 ///
 /// # Errors
 /// Fails like the command.
-pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
+pub fn plan(given: &Inputs, options: &[String]) -> Result<PlanDocument> {
     let files = ["--robot", PLACEHOLDER, "--candidates", PLACEHOLDER];
     parse_options::<super::plan::PlanCommand>(&files, options)?.in_memory(given)
 }
@@ -67,7 +67,7 @@ pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
 ///
 /// # Errors
 /// Fails like the command.
-pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]) -> Result<VerificationDocument> {
+pub fn verify(given: &Inputs, parameters: &ParametersDocument, options: &[String]) -> Result<VerificationDocument> {
     let files = ["--robot", PLACEHOLDER, "--parameters", PLACEHOLDER, PLACEHOLDER];
     parse_options::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
 }

@@ -2,7 +2,7 @@
 
 mod branches;
 mod from;
-mod own;
+mod robot_toml;
 mod tool_link;
 mod trial;
 
@@ -141,8 +141,8 @@ impl Init {
         let Some(name) = &self.robot else {
             return Err(Problems::from(error!("from-needs-robot")).into());
         };
-        if let Some(path) = own::path(name) {
-            return own::robot_files(&path);
+        if let Some(path) = robot_toml::path(name) {
+            return robot_toml::robot_files(&path);
         }
         let robot = known_robot(name)?;
         let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
@@ -171,7 +171,7 @@ impl Init {
     }
 
     /// A campaign for a robot of the user's robot.toml.
-    fn own(&self, robot: from::RobotFiles) -> anyhow::Result<Verdict> {
+    fn with_robot_file(&self, robot: from::RobotFiles) -> anyhow::Result<Verdict> {
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
             format!("{} = {}\n", toml::Value::from(key.as_str()), toml::Value::from(joint))
@@ -186,8 +186,8 @@ impl Init {
 
     /// Creates a campaign for a robot of the built-in table.
     fn known(&self, name: &str) -> anyhow::Result<Verdict> {
-        if let Some(path) = own::path(name) {
-            return self.own(own::robot_files(&path)?);
+        if let Some(path) = robot_toml::path(name) {
+            return self.with_robot_file(robot_toml::robot_files(&path)?);
         }
         let robot = known_robot(name)?;
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));

@@ -23,7 +23,7 @@ impl Table<'_> {
 
 /// A robot and a table.
 #[derive(Clone, Copy, Debug)]
-pub struct Given<'a> {
+pub struct Inputs<'a> {
     /// The robot.
     pub robot: &'a RobotFile,
     /// Name and text of its robot.toml.
@@ -32,7 +32,7 @@ pub struct Given<'a> {
     pub table: Table<'a>,
 }
 
-impl Given<'_> {
+impl Inputs<'_> {
     /// SHA-256 of the inputs by name.
     pub(super) fn inputs(&self) -> BTreeMap<String, String> {
         let described = self.robot.description().map(|(name, text)| Table { name, text });

@@ -3,7 +3,7 @@
 mod plan;
 mod stream;
 
-use super::given::Table;
+use super::inputs::Table;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, check_positive, remark};
@@ -171,7 +171,7 @@ impl Iso9283 {
         match self.test {
             Some(Test::Pose { poses, commanded, options, format, seed, json }) => {
                 let read = |path: &Path| format.read_poses(path);
-                options.run((&poses, commanded.as_deref()), &read, seed, json)
+                options.run(PoseFiles { poses: &poses, commanded: commanded.as_deref() }, &read, seed, json)
             }
             Some(Test::Path { stream, commanded, options, seed, json }) => {
                 options.run(&stream, commanded.as_deref(), seed, json)
@@ -193,21 +193,30 @@ impl ByOptions {
             (.., poses) => {
                 let poses = poses.as_deref().unwrap_or(Path::new("")); // clap requires one of these
                 let read = |path: &Path| self.motion.form().read(path);
-                self.pose.run((poses, commanded), &read, self.seed, self.json)
+                self.pose.run(PoseFiles { poses, commanded }, &read, self.seed, self.json)
             }
         }
     }
+}
+
+/// Tables of a test of poses.
+struct PoseFiles<'a> {
+    /// Attained poses.
+    poses: &'a Path,
+    /// Commanded poses.
+    commanded: Option<&'a Path>,
 }
 
 impl PoseOptions {
     /// Characteristics of poses.
     fn run(
         &self,
-        (poses, commanded): (&Path, Option<&Path>),
+        files: PoseFiles,
         read: &dyn Fn(&Path) -> Result<TableFile, Problems>,
         seed: u64,
         json: bool,
     ) -> anyhow::Result<Verdict> {
+        let PoseFiles { poses, commanded } = files;
         self.check()?;
         let tables = PoseTables::read([Some(poses), commanded, self.reference.as_deref()], read)?;
         let document = self.evaluate(&tables, commanded.is_some(), seed)?;

@@ -3,7 +3,7 @@
 mod generation;
 mod program;
 
-use super::given::Given;
+use super::inputs::Inputs;
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
@@ -187,7 +187,7 @@ impl PlanCommand {
     }
 
     /// The answer from candidates in memory. Nothing is written.
-    pub(super) fn in_memory(&self, given: &Given) -> anyhow::Result<PlanDocument> {
+    pub(super) fn in_memory(&self, given: &Inputs) -> anyhow::Result<PlanDocument> {
         check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
         let file = self.format.parse_poses(given.table.name, given.table.text)?;
         let (robot, candidates) = read_candidates(given.robot, &file)?;
@@ -216,7 +216,8 @@ impl PlanCommand {
             .map_err(|error| Problems(limit_violations.iter().cloned().chain(remedied(error).0).collect()))?;
         let everywhere = everywhere.as_ref().unwrap_or(&observations);
         let study = self.study(robot, [&observations, everywhere], &planned)?;
-        let mut document = self.document(robot, &observations, &planned, (study, inputs))?;
+        let mut document = self.document(robot, &observations, &planned, inputs)?;
+        document.study = study;
         document.messages.splice(0..0, limit_violations);
         Ok(document)
     }
@@ -269,7 +270,7 @@ impl PlanCommand {
         robot: &dyn Robot,
         observations: &[Observation],
         planned: &Plan,
-        (study, inputs): (Option<StudyDocument>, BTreeMap<String, String>),
+        inputs: BTreeMap<String, String>,
     ) -> Result<PlanDocument> {
         let pose = |c: usize| observations[planned.members[c][0]].pose;
         let configuration = |k: &usize| joint_values(robot, &observations[*k]);
@@ -326,7 +327,7 @@ impl PlanCommand {
                 .standard_uncertainty_um
                 .map(|_| WorkspaceUncertainty { rms_mm: planned.workspace.0, max_mm: planned.workspace.1 }),
             places: places(robot, observations, planned),
-            study,
+            study: None,
             messages,
             provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: Some(self.seed) },
         })

@@ -1,8 +1,8 @@
 //! Command `etalon verify`.
 
 use super::bound::BoundOption;
-use super::given::Given;
 use super::identify::{check_uncertainty, unread};
+use super::inputs::Inputs;
 use super::plan::read_candidates;
 use super::report::Reports;
 use super::text_format::TableFormat;
@@ -86,6 +86,13 @@ pub struct Verify {
     json: bool,
 }
 
+/// Observations to verify.
+struct ObservedTable {
+    file: TableFile,
+    /// Order of the angles of orientations.
+    order: Option<AngleOrder>,
+}
+
 impl Verify {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
@@ -114,11 +121,12 @@ impl Verify {
     /// The answer from observations in memory. Nothing is written.
     pub(super) fn in_memory(
         &self,
-        given: &Given,
+        given: &Inputs,
         document: &ParametersDocument,
     ) -> anyhow::Result<VerificationDocument> {
         check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        let observed = (self.format.parse(given.table.name, given.table.text)?, self.order()?);
+        let file = self.format.parse(given.table.name, given.table.text)?;
+        let observed = ObservedTable { file, order: self.order()? };
         Ok(self.verified(given.robot, document, &observed, given.inputs())?)
     }
 
@@ -126,9 +134,10 @@ impl Verify {
         &self,
         robot_file: &RobotFile,
         document: &ParametersDocument,
-        (observed, order): &(TableFile, Option<AngleOrder>),
+        observed: &ObservedTable,
         inputs: BTreeMap<String, String>,
     ) -> Result<VerificationDocument, Problems> {
+        let ObservedTable { file: observed, order } = observed;
         let here = |problems: Problems| observed.place(problems);
         let targets = kinds::targets(&observed.table, &robot_file.branches()).map_err(here)?;
         let mut robot = robot_file.build(&targets).map_err(here)?;
@@ -161,8 +170,10 @@ fn order(text: &str, place: Place) -> Result<AngleOrder, Problems> {
 impl Verify {
     /// The table of a file, and the order of the angles of its orientations, as options or the
     /// campaign of `--like` state them.
-    fn table(&self, path: &Path) -> Result<(TableFile, Option<AngleOrder>), Problems> {
-        let Some(folder) = &self.like else { return Ok((self.format.read(path)?, self.order()?)) };
+    fn table(&self, path: &Path) -> Result<ObservedTable, Problems> {
+        let Some(folder) = &self.like else {
+            return Ok(ObservedTable { file: self.format.read(path)?, order: self.order()? });
+        };
         let campaign = Campaign::read(folder)?;
         let name = || folder.display().to_string();
         let stated = match &campaign.file.observations[..] {
@@ -176,7 +187,8 @@ impl Verify {
         let of_campaign = |text: &toml::Spanned<String>| order(text.get_ref(), campaign.place(text));
         let order = stated.orientation.as_ref().map(of_campaign).transpose()?;
         let form = TableForm::observations(stated);
-        Ok((TableFile::observations(path, &etalon_formats::read_bytes(path)?, &form)?, order))
+        let file = TableFile::observations(path, &etalon_formats::read_bytes(path)?, &form)?;
+        Ok(ObservedTable { file, order })
     }
 
     /// Order of the angles of an orientation, from the option.

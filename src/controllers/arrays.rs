@@ -6,7 +6,7 @@
 //! and `covariance` of the parameters in `covariance_of`. Indices start at 0 in NumPy and at 1 in
 //! MATLAB.
 
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::Result;
 use std::io::{Cursor, Write};
@@ -34,7 +34,7 @@ enum Content {
     Matrix(Vec<Vec<f64>>),
 }
 
-fn arrays(given: &Given) -> Result<Vec<Array>> {
+fn arrays(given: &ExportInput) -> Result<Vec<Array>> {
     let document = given.parameters;
     let all = &document.parameters;
     let places =
@@ -76,7 +76,7 @@ impl Exporter for Npz {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
         // without a time, so that equal parameters give equal bytes
         let options = SimpleFileOptions::default()
@@ -149,7 +149,7 @@ impl Exporter for Mat {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let version = super::comment(&given.parameters.provenance.version);
         let mut out: Vec<u8> = format!("MATLAB 5.0 MAT-file, written by etalon {version}").into_bytes();
         out.resize(124, b' ');

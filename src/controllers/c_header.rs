@@ -1,7 +1,7 @@
 //! Parameters as a C header (C99 and C++), for compiled controllers.
 
 use super::template::{identifier, render};
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -22,7 +22,7 @@ impl Exporter for CHeader {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let document = given.parameters;
         let robot = identifier(&document.robot);
         given.names("C", |p| {

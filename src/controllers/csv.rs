@@ -1,7 +1,7 @@
 //! Parameters as a CSV table for spreadsheets and small scripts. Readers of tables allow no
 //! comments, so that the header lines of other formats are additional columns.
 
-use super::{Exporter, Given, status_word};
+use super::{ExportInput, Exporter, status_word};
 use etalon_base::cell::without_formula as text;
 use etalon_base::error;
 use etalon_base::message::Result;
@@ -35,7 +35,7 @@ impl Exporter for Csv {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let document = given.parameters;
         let mut writer = csv::Writer::from_writer(Vec::new());
         let fail = |e: &dyn std::fmt::Display| error!("cannot-encode", format = "CSV", reason = e.to_string());

@@ -5,7 +5,7 @@
 //! the schema requires and the campaign does not state are marked as not stated.
 
 use super::xml::{Element, element, leaf};
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::country::Country;
 use etalon_base::date::date;
 use etalon_base::error;
@@ -38,7 +38,7 @@ impl Exporter for Dcc {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let stated = Stated::new(given)?;
         let root = element("dcc:digitalCalibrationCertificate", [stated.administration(), results(given, &stated)])
             .with("xmlns:dcc", "https://ptb.de/dcc")
@@ -51,7 +51,7 @@ impl Exporter for Dcc {
 
 /// Statements of the campaign, with substitutes for missing ones.
 struct Stated<'a> {
-    given: &'a Given<'a>,
+    given: &'a ExportInput<'a>,
     conditions: Conditions,
     identifier: String,
     begin: String,
@@ -63,7 +63,7 @@ const NOT_STATED: &str = "not stated";
 const NO_COUNTRY: &str = "ZZ";
 
 impl<'a> Stated<'a> {
-    fn new(given: &'a Given<'a>) -> Result<Self> {
+    fn new(given: &'a ExportInput<'a>) -> Result<Self> {
         let summary = given.summary;
         let dates: Vec<String> = summary
             .and_then(|summary| summary.date.as_deref())
@@ -205,7 +205,7 @@ fn contact(name: &'static str, who: &str) -> Element {
     element(name, [text("dcc:name", who), element("dcc:location", [text("dcc:further", NOT_STATED)])])
 }
 
-fn results(given: &Given, stated: &Stated) -> Element {
+fn results(given: &ExportInput, stated: &Stated) -> Element {
     let method = element(
         "dcc:usedMethod",
         [

@@ -7,7 +7,7 @@
 
 use super::decimals::all_fixed;
 use super::template::render;
-use super::{Exporter, Given, value};
+use super::{ExportInput, Exporter, value};
 use etalon_base::angle::Turn;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
@@ -48,7 +48,7 @@ struct Towers {
 }
 
 impl Towers {
-    fn new(given: &Given, format: &str) -> Result<Self> {
+    fn new(given: &ExportInput, format: &str) -> Result<Self> {
         let (robot, values) = given.robot()?;
         let arm = robot
             .kinematics()
@@ -91,7 +91,7 @@ impl Towers {
     }
 
     /// Header lines of a file.
-    fn header(&self, given: &Given) -> Result<Vec<String>> {
+    fn header(&self, given: &ExportInput) -> Result<Vec<String>> {
         let [x, y, turned] = all_fixed([self.centre_mm[0], self.centre_mm[1], self.turned_deg], 6);
         let mut lines = given.header("mm, deg")?;
         lines.push(format!("frame of this file in the base: x {x} mm, y {y} mm, turned by {turned} deg about z"));
@@ -108,7 +108,7 @@ fn has_towers(robot: &dyn Robot) -> bool {
 }
 
 /// Rejection of a robot without towers.
-fn without_towers(format: &str, given: &Given) -> Option<Message> {
+fn without_towers(format: &str, given: &ExportInput) -> Option<Message> {
     let robot = given.robot.filter(|robot| !has_towers(*robot))?;
     Some(super::other_robot(format, robot, phrase!("kind-delta-towers")))
 }
@@ -149,20 +149,20 @@ impl Exporter for Klipper {
         "klipper_delta.cfg"
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         without_towers(self.name(), given)
     }
 
     /// Towers are vertical: the only angles of a leg are the tilts of its tower.
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         !is_tilt(parameter)
     }
 
-    fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    fn written(&self, _given: &ExportInput, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         upright(robot, values)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let towers = Towers::new(given, self.name())?;
         let values = context! { header => towers.header(given)?, towers => Serde(&towers) };
         render(include_str!("templates/klipper_delta.cfg.j2"), values).map(String::into_bytes)
@@ -182,20 +182,20 @@ impl Exporter for RepRapDelta {
         "reprap_delta.g"
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         without_towers(self.name(), given)
     }
 
     /// Towers are vertical: the only angles of a leg are the tilts of its tower.
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         !is_tilt(parameter)
     }
 
-    fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    fn written(&self, _given: &ExportInput, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         upright(robot, values)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let towers = Towers::new(given, self.name())?;
         let mean = towers.heights_mm.iter().sum::<f64>() / 3.0;
         let end_stops = Serde(towers.heights_mm.map(|v| v - mean));
@@ -217,17 +217,17 @@ impl Exporter for DeltaHal {
         "deltakins.hal"
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         let robot = given.robot.filter(|robot| pins(robot.model()).is_empty())?;
         Some(super::other_robot(self.name(), robot, phrase!("kind-delta")))
     }
 
     /// Only parameters of three equal legs are held.
-    fn holds(&self, parameter: &Parameter, given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, given: &ExportInput) -> bool {
         given.robot.is_some_and(|robot| has_pin(pins(robot.model()), stem(&parameter.name)))
     }
 
-    fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    fn written(&self, _given: &ExportInput, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let pins = pins(robot.model());
         let own = |(p, &value): (&Parameter, &f64)| match stem(&p.name) {
             _ if p.role != Role::Robot => value,
@@ -237,7 +237,7 @@ impl Exporter for DeltaHal {
         robot.parameters().iter().zip(values).map(own).collect()
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let pins = pins(robot.model());
         // arrangement of the legs in rotarydeltakins-common.h and lineardeltakins-common.h

@@ -7,7 +7,7 @@
 //! of 3 µm at a lever of 400 mm.
 
 use super::decimals::fixed;
-use super::{Exporter, Given, value};
+use super::{ExportInput, Exporter, value};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::ParameterEntry;
@@ -34,7 +34,7 @@ impl Exporter for Galil {
         "etalon_parameters.dmc"
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let header = given.header("um, 1E-6 deg, 1E-6; a variable is a multiple of 1/65536")?;
         let mut out: String = header.iter().map(|line| format!("REM {line}\n")).collect();
         out += "#CALPAR\n";
@@ -98,7 +98,7 @@ const MOST_TILT: f64 = 1e5;
 const MOST_RATIO: f64 = 5e5;
 const MOST_LENGTH: f64 = 2e6;
 
-fn prexyt(given: &Given) -> Result<String> {
+fn prexyt(given: &ExportInput) -> Result<String> {
     let (robot, values) = given.robot()?;
     let of = |name: &str| value(robot, &values, name);
     let (beta, d3) = (of("beta")?, of("d3")?);

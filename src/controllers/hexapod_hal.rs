@@ -2,7 +2,7 @@
 //! are offsets of the joints.
 
 use super::template::render;
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::message::{Message, Result};
 use etalon_base::phrase;
 use minijinja::context;
@@ -25,12 +25,12 @@ impl Exporter for HexapodHal {
         "genhexkins.hal"
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         let robot = given.robot.filter(|robot| robot.model() != "hexapod")?;
         Some(super::other_robot(self.name(), robot, phrase!("kind-hexapod")))
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let values: BTreeMap<&str, f64> = robot.parameters().iter().map(|p| p.name.as_str()).zip(values).collect();
         let values = context! { header => given.header("mm")?, values => Serde(values) };

@@ -1,6 +1,6 @@
 //! `etalon/controller/1`: parameters by name, for programs that read JSON.
 
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::ParameterStatus;
@@ -51,7 +51,7 @@ impl Exporter for Json {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let document = given.parameters;
         let parameters = document.parameters.iter().map(|p| {
             let standard_uncertainty = p.standard_uncertainty;

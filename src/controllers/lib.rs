@@ -1,4 +1,4 @@
-//! Files for controllers: one format per file, each a pure function of [`Given`].
+//! Files for controllers: one format per file, each a pure function of [`ExportInput`].
 //!
 //! All formats write numbers that read back bit for bit, and reject data that must not reach a
 //! machine: non-finite values, duplicate parameters, and parameters of a solver that did not
@@ -23,7 +23,6 @@ mod linuxcnc;
 mod linuxcnc_component;
 mod matlab;
 pub mod measuring;
-mod own;
 mod plc;
 mod python;
 mod qif;
@@ -32,15 +31,16 @@ mod reprap_five_bar;
 mod statement;
 mod targets;
 mod template;
+mod template_format;
 #[cfg(test)]
 mod tests;
 mod universal_robots;
 mod urdf;
 mod xml;
 
-pub use own::OwnFormat;
 pub use statement::Statement;
 pub use targets::{places, targets};
+pub use template_format::TemplateFormat;
 
 pub use dcc::FILE as CERTIFICATE;
 pub use field::{field_code, field_files};
@@ -66,10 +66,10 @@ pub trait Exporter {
     fn file_name(&self) -> &str;
 
     /// Bytes of the file for parameters that may be written.
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>>;
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>>;
 
     /// `true` if the file states the hash of the calibration in the controller
-    /// ([`Given::controller_hash`]).
+    /// ([`ExportInput::controller_hash`]).
     fn states_controller_hash(&self) -> bool {
         false
     }
@@ -79,25 +79,25 @@ pub trait Exporter {
         true
     }
 
-    /// `true` if the file shows the errors of the measured points ([`Given::errors`]).
+    /// `true` if the file shows the errors of the measured points ([`ExportInput::errors`]).
     fn shows_errors(&self) -> bool {
         false
     }
 
     /// Rejection of a robot that the format does not describe; `None` if the robot is unknown.
-    fn unsuited(&self, _given: &Given) -> Option<Message> {
+    fn unsuited(&self, _given: &ExportInput) -> Option<Message> {
         None
     }
 
     /// Warning about a file that is written for a robot unlike those of the format; `None` if the
     /// robot is like them or unknown.
-    fn concern(&self, _given: &Given) -> Option<Message> {
+    fn concern(&self, _given: &ExportInput) -> Option<Message> {
         None
     }
 
     /// Warnings about a file that is written, with their consequence: a robot unlike those of the
     /// format, and values that the format holds only with help of its reader.
-    fn cautions(&self, given: &Given) -> Vec<Message> {
+    fn cautions(&self, given: &ExportInput) -> Vec<Message> {
         self.concern(given).into_iter().collect()
     }
 
@@ -107,13 +107,13 @@ pub trait Exporter {
     }
 
     /// `true` if the format holds this parameter of the robot.
-    fn holds(&self, _parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, _parameter: &Parameter, _given: &ExportInput) -> bool {
         true
     }
 
     /// Values (mm, rad or 1) of the robot that the file describes. Effects that the format does not
     /// hold are zero; some formats tie parameters to each other.
-    fn written(&self, given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    fn written(&self, given: &ExportInput, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let own =
             |(p, &value): (&Parameter, &f64)| if p.effect.is_rigid() || self.holds(p, given) { value } else { 0.0 };
         robot.parameters().iter().zip(values).map(own).collect()
@@ -124,26 +124,26 @@ pub trait Exporter {
     ///
     /// # Errors
     ///
-    /// Fails if parameters must not reach a controller ([`Given::check`]), or if the format cannot
+    /// Fails if parameters must not reach a controller ([`ExportInput::check`]), or if the format cannot
     /// hold them. Unless forced, fails for a file with which the robot is less accurate than with
     /// nominal parameters.
-    fn write(&self, given: &Given) -> Result<Vec<u8>> {
+    fn write(&self, given: &ExportInput) -> Result<Vec<u8>> {
         given.check()?;
         self.write_stated(given, &given.statement(self)?)
     }
 
-    /// Bytes of the file with this statement, for parameters that [`Given::check`] accepts.
+    /// Bytes of the file with this statement, for parameters that [`ExportInput::check`] accepts.
     ///
     /// # Errors
     ///
     /// Fails if the format cannot hold the parameters and, unless forced, for a file that is worse
     /// than nominal.
-    fn write_stated(&self, given: &Given, statement: &Statement) -> Result<Vec<u8>> {
+    fn write_stated(&self, given: &ExportInput, statement: &Statement) -> Result<Vec<u8>> {
         match statement.refusal(self.name()) {
             Some(refusal) if !given.force => Err(refusal.into()),
             _ => {
                 let parameters = statement.parameters.as_ref().unwrap_or(given.parameters);
-                self.bytes(&Given { parameters, file: Some((statement, given.parameters)), ..*given })
+                self.bytes(&ExportInput { parameters, file: Some((statement, given.parameters)), ..*given })
             }
         }
     }
@@ -154,7 +154,7 @@ pub trait Exporter {
 /// # Examples
 ///
 /// ```
-/// use etalon_controllers::{Given, by_name};
+/// use etalon_controllers::{ExportInput, by_name};
 /// use etalon_documents::ParametersDocument;
 ///
 /// # let json = r#"{
@@ -177,7 +177,7 @@ pub trait Exporter {
 /// // text of a parameters.json: the distance `d` of two motors is 274.8051 mm, u = 1 µm
 /// let document: ParametersDocument = serde_json::from_str(json)?;
 /// let csv = by_name("csv").expect("a format");
-/// let csv = csv.write(&Given::parameters(&document)).map_err(problems)?;
+/// let csv = csv.write(&ExportInput::parameters(&document)).map_err(problems)?;
 ///
 /// let csv = String::from_utf8(csv)?;
 /// let row = csv.lines().nth(1).expect("one parameter a row");
@@ -185,7 +185,7 @@ pub trait Exporter {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy)]
-pub struct Given<'a> {
+pub struct ExportInput<'a> {
     /// Identified parameters.
     pub parameters: &'a ParametersDocument,
     /// Statements of the campaign about itself.
@@ -226,7 +226,7 @@ pub(crate) fn synthetic_notice(why: &str) -> String {
     format!("SYNTHETIC DATA, not of a measured robot: {why}")
 }
 
-impl<'a> Given<'a> {
+impl<'a> ExportInput<'a> {
     /// Exports parameters only.
     pub fn parameters(parameters: &'a ParametersDocument) -> Self {
         Self {

@@ -6,7 +6,7 @@
 //! normal. Links before the first joint and after the last are separate frames.
 
 use super::template::render;
-use super::{Exporter, Given, is_geometry, six_axes};
+use super::{ExportInput, Exporter, is_geometry, six_axes};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use etalon_base::{error, warning};
@@ -46,23 +46,23 @@ impl Exporter for LinuxCnc {
         "genserkins.hal"
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         let robot = given.robot?;
         six_axes(self.name(), robot, &robot.nominal()).err()
     }
 
-    fn cautions(&self, given: &Given) -> Vec<Message> {
+    fn cautions(&self, given: &ExportInput) -> Vec<Message> {
         let Ok((robot, values)) = given.robot() else { return Vec::new() };
         let chain = six_axes(self.name(), robot, &values).ok();
         let Some((_, rows)) = chain.and_then(|chain| table(&chain)) else { return Vec::new() };
         distant(&rows).into_iter().chain(offsets(&rows)).collect()
     }
 
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_geometry(parameter)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let chain = six_axes(self.name(), robot, &values)?;
         let (base, rows) = table(&chain).ok_or_else(|| error!("axes-coincide"))?;

@@ -7,7 +7,7 @@
 
 use super::code::{formulas, functions};
 use super::template::render;
-use super::{Exporter, Given, is_in_code, value};
+use super::{ExportInput, Exporter, is_in_code, value};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
@@ -35,11 +35,11 @@ impl Exporter for LinuxCncComponent {
         "etalonkins.comp"
     }
 
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_in_code(parameter)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let formulas = formulas(given)?;
         let format = "linuxcnc-component";

@@ -1,7 +1,7 @@
 //! Parameters as a MATLAB function, which Octave reads too.
 
 use super::template::render;
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -26,7 +26,7 @@ impl Exporter for Matlab {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let document = given.parameters;
         let names = given.names("MATLAB", |p| identifier(&p.name))?;
         let identified: Vec<String> = document.identified().map(|p| format!("'{}'", identifier(&p.name))).collect();

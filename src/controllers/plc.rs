@@ -5,7 +5,7 @@
 use super::code::{Kind, Unit, Variable, scl, units};
 use super::template::{identifier, real_literal, render};
 use super::xml::{Element, block, element, leaf};
-use super::{Exporter, Given, is_in_code};
+use super::{ExportInput, Exporter, is_in_code};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::ParameterEntry;
@@ -23,7 +23,7 @@ pub(super) struct PlcOpen;
 pub(super) struct Scl;
 
 /// Names of the constants, which differ in more than case.
-fn names(given: &Given) -> Result<Vec<String>> {
+fn names(given: &ExportInput) -> Result<Vec<String>> {
     given.names("IEC 61131-3", |p| format!("c_{}", identifier(&p.name).to_ascii_lowercase()))
 }
 
@@ -36,7 +36,7 @@ impl Exporter for TwinCat {
         "GVL_Etalon.TcGVL"
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (header, parameters) = (given.header("mm, deg, 1")?, Serde(&given.parameters.parameters));
         let values = context! { header, names => names(given)?, parameters, id => given.identifier()? };
         render(include_str!("templates/twincat.xml.j2"), values).map(String::into_bytes)
@@ -53,11 +53,11 @@ impl Exporter for PlcOpen {
     }
 
     /// The function blocks compute from joint values alone, with the parameters of the list.
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_in_code(parameter)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let header = given.header_of_code("mm, deg, 1")?;
         let version = &given.parameters.provenance.version;
         // PLCopen requires times; the clock is not read
@@ -101,7 +101,7 @@ impl Exporter for PlcOpen {
 }
 
 /// Functions and function blocks of the kinematics, if the robot is known.
-fn kinematics(given: &Given) -> Result<Vec<Unit>> {
+fn kinematics(given: &ExportInput) -> Result<Vec<Unit>> {
     given.robot.map_or_else(|| Ok(Vec::new()), |_| units(given))
 }
 
@@ -146,11 +146,11 @@ impl Exporter for Scl {
     }
 
     /// The function blocks compute from joint values alone, with the parameters of the list.
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_in_code(parameter)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (header, parameters) = (given.header_of_code("mm, deg, 1")?, Serde(&given.parameters.parameters));
         let values = context! { header, names => names(given)?, parameters, kinematics => scl(&kinematics(given)?) };
         render(include_str!("templates/siemens.scl.j2"), values).map(String::into_bytes)

@@ -2,7 +2,7 @@
 //! covariance.
 
 use super::template::render;
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -23,7 +23,7 @@ impl Exporter for Python {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let document = given.parameters;
         let identified: Vec<String> = document.identified().map(|p| p.name.clone()).collect();
         let (parameters, covariance) = (Serde(&document.parameters), Serde(&document.covariance));

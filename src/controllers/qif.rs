@@ -2,7 +2,7 @@
 //! value, measured value and combined standard uncertainty. QIF has no element for covariances.
 
 use super::xml::{Element, element, leaf};
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::{ParameterEntry, ParametersDocument};
@@ -32,7 +32,7 @@ impl Exporter for Qif {
         false
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let parameters = &given.parameters.parameters;
         let identifier = given.identifier()?;
         let application =
@@ -168,7 +168,7 @@ fn characteristics(parameters: &[ParameterEntry]) -> Element {
     )
 }
 
-fn results(given: &Given) -> Element {
+fn results(given: &ExportInput) -> Element {
     let parameters = &given.parameters.parameters;
     let measured = parameters.iter().enumerate().map(|(i, p)| {
         let mut found = value(p, "Value", p.value);

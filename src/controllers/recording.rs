@@ -5,7 +5,7 @@
 //! `sensor_msgs`, `geometry_msgs`, `tf2_msgs` and `visualization_msgs` (ROS 2 Humble); REP 103 (m,
 //! rad).
 
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Pose, Vector, minus, norm};
@@ -44,12 +44,12 @@ impl Exporter for Recording {
         true
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         let has_positions = given.errors.is_some_and(|errors| errors.iter().any(is_position));
         (!has_positions).then(|| error!("positions-not-measured", format = self.name()))
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let errors: Vec<&PointError> = given.errors.into_iter().flatten().filter(|e| is_position(e)).collect();
         let mut file = File::new(given)?;
         let largest = errors.iter().map(|e| norm(e.before_mm)).fold(0.0, f64::max);
@@ -70,7 +70,7 @@ fn is_position(error: &PointError) -> bool {
 }
 
 /// Name of the frame in which a position is stated: the centre `C` of a platform is in the base.
-fn frame(given: &Given, target: &str) -> &'static str {
+fn frame(given: &ExportInput, target: &str) -> &'static str {
     let is_centre = target == "C" && given.robot.is_none_or(|robot| robot.platform().is_some());
     if is_centre { "base" } else { "world" }
 }
@@ -87,7 +87,7 @@ struct File {
 }
 
 impl File {
-    fn new(given: &Given) -> Result<Self> {
+    fn new(given: &ExportInput) -> Result<Self> {
         let options = WriteOptions::new().compression(None).profile("ros2").library("etalon");
         let mut writer = options.create(Cursor::new(Vec::new())).map_err(failed)?;
         let header = given.header("m, rad")?;
@@ -97,7 +97,13 @@ impl File {
     }
 
     /// Writes one visit of a pose: all targets that were measured at it.
-    fn write_visit(&mut self, given: &Given, number: usize, visit: &[&PointError], magnification: f64) -> Result<()> {
+    fn write_visit(
+        &mut self,
+        given: &ExportInput,
+        number: usize,
+        visit: &[&PointError],
+        magnification: f64,
+    ) -> Result<()> {
         let Some(first) = visit.first() else { return Ok(()) };
         let joints = given.robot.map_or(&[][..], |robot| robot.joints());
         // without measured times a visit takes a second
@@ -148,7 +154,7 @@ fn topic_name(target: &str) -> String {
 }
 
 /// Poses of the base in the world and of the tool in the base, with the identified parameters.
-fn transforms(given: &Given, joints: &[Joint], logged: &[f64]) -> Vec<(&'static str, &'static str, Pose)> {
+fn transforms(given: &ExportInput, joints: &[Joint], logged: &[f64]) -> Vec<(&'static str, &'static str, Pose)> {
     let inside: Vec<f64> = joints.iter().zip(logged).map(|(joint, value)| joint.quantity.inward(*value)).collect();
     let Ok((robot, values)) = given.robot() else { return Vec::new() };
     let Some(kinematics) = robot.kinematics() else { return Vec::new() };
@@ -312,7 +318,7 @@ fn point(time_s: f64, frame: &str, position_mm: Vector) -> Vec<u8> {
 }
 
 /// All measured points (m) with their errors (mm) before and after calibration.
-fn cloud(given: &Given, errors: &[&PointError]) -> Vec<u8> {
+fn cloud(given: &ExportInput, errors: &[&PointError]) -> Vec<u8> {
     const FIELDS: [&str; 5] = ["x", "y", "z", "before_mm", "after_mm"];
     const FLOAT32: u8 = 7;
     let frame = errors.first().map_or("world", |error| frame(given, &error.target));
@@ -349,7 +355,7 @@ fn tf_message(time_s: f64, transforms: &[(&str, &str, Pose)]) -> Vec<u8> {
 }
 
 /// Errors as lines that begin at the measured position, magnified.
-fn markers(given: &Given, time_s: f64, number: usize, visit: &[&PointError], magnification: f64) -> Vec<u8> {
+fn markers(given: &ExportInput, time_s: f64, number: usize, visit: &[&PointError], magnification: f64) -> Vec<u8> {
     let frame = visit.first().map_or("world", |error| frame(given, &error.target));
     COLOURS
         .into_iter()

@@ -1,7 +1,7 @@
 //! RepRapFirmware's `M669 K9` for a five-bar, with angles from the x axis of the world.
 
 use super::template::render;
-use super::{Exporter, Given, value};
+use super::{ExportInput, Exporter, value};
 use etalon_base::message::{Message, Result};
 use etalon_base::phrase;
 use etalon_base::pose::Pose;
@@ -28,18 +28,18 @@ impl Exporter for RepRapFiveBar {
         "reprap_five_bar.g"
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         let robot = given.robot.filter(|robot| robot.model() != "five_bar")?;
         Some(super::other_robot(self.name(), robot, phrase!("kind-five-bar")))
     }
 
     /// The tool is on the line of its link.
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         parameter.name != GAMMA
     }
 
     /// A tool short of the joint between the distal links is moved to that joint.
-    fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    fn written(&self, _given: &ExportInput, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let mut written = values.to_vec();
         if let [Some(gamma), Some(l22), Some(l23)] = [GAMMA, "l22", "l23"].map(|name| robot.index(name)) {
             written[l23] = (values[l23] * values[gamma].cos()).max(values[l22]);
@@ -48,7 +48,7 @@ impl Exporter for RepRapFiveBar {
         written
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         // angles are relative to the world, so the base must be identified
         let base = robot.parameters().iter().filter(|p| p.role == Role::Base);

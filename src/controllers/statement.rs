@@ -1,7 +1,7 @@
 //! Statement of a controller file: parameters that the format leaves out, values that the file
 //! holds instead, position errors with these values, and header lines.
 
-use super::{Exporter, Given};
+use super::{ExportInput, Exporter};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase, warning};
@@ -116,7 +116,7 @@ fn decimals(errors: &ControllerErrors) -> usize {
     (2.0 - least.log10().floor()).clamp(3.0, 6.0) as usize
 }
 
-impl Given<'_> {
+impl ExportInput<'_> {
     /// Identified parameters that a format does not hold; empty if the robot is unknown.
     pub fn left_out<E: Exporter + ?Sized>(&self, exporter: &E) -> Vec<String> {
         let identified = |name: &String| self.entry(name).is_ok_and(|e| e.status == ParameterStatus::Identified);
@@ -165,7 +165,7 @@ impl Given<'_> {
     ) -> Option<(ParametersDocument, Option<ControllerErrors>)> {
         self.controllers?.files.iter().filter(|files| files.left_out == left_out).find_map(|files| {
             let parameters = files.applied_to(self.parameters);
-            let applied = Given { parameters: &parameters, ..*self };
+            let applied = ExportInput { parameters: &parameters, ..*self };
             let is_whole = applied.is_whole(exporter);
             is_whole.then(|| (parameters, files.deciding().cloned()))
         })

@@ -5,7 +5,7 @@
 //! every format of this crate has.
 
 use super::template::environment;
-use super::{Exporter, Given, status_word};
+use super::{ExportInput, Exporter, status_word};
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::pattern::matches_pattern;
@@ -23,7 +23,7 @@ const FUEL: u64 = 10_000_000;
 
 /// A format that a template describes.
 #[derive(Clone, Debug)]
-pub struct OwnFormat {
+pub struct TemplateFormat {
     /// Path of the template, for messages.
     path: String,
     /// Name of the template without its ending: the file that it writes.
@@ -33,7 +33,7 @@ pub struct OwnFormat {
     holds: Vec<String>,
 }
 
-impl OwnFormat {
+impl TemplateFormat {
     /// Reads a template.
     ///
     /// # Errors
@@ -53,11 +53,11 @@ impl OwnFormat {
             return Err(error!("template-without-holds").at(at(Some(1))).into());
         }
         let format = Self { path: path.to_owned(), file_name, text, holds };
-        let parsed = |format: Self| match own_environment().and_then(|mut e| e.add_template(&format.path, &format.text))
-        {
-            Ok(()) => Ok(()),
-            Err(wrong) => Err(Problems::from(format.failed(&wrong))),
-        };
+        let parsed =
+            |format: Self| match format_environment().and_then(|mut e| e.add_template(&format.path, &format.text)) {
+                Ok(()) => Ok(()),
+                Err(wrong) => Err(Problems::from(format.failed(&wrong))),
+            };
         let own = format.clone();
         check_nesting(path, &format.text).and_then(|()| supervised(path, move || parsed(own)))?;
         Ok(format)
@@ -65,7 +65,7 @@ impl OwnFormat {
 
     /// File with these values.
     fn filled(&self, values: Value) -> std::result::Result<Vec<u8>, Error> {
-        let mut environment = own_environment()?;
+        let mut environment = format_environment()?;
         environment.add_template(&self.path, &self.text)?;
         fill(&environment.get_template(&self.path)?, values).map(String::into_bytes)
     }
@@ -75,7 +75,7 @@ impl OwnFormat {
     }
 
     /// A pattern that no parameter has, with the name that it may mean.
-    fn pattern_without_parameter(&self, given: &Given) -> Option<Message> {
+    fn pattern_without_parameter(&self, given: &ExportInput) -> Option<Message> {
         let names = || given.parameters.parameters.iter().map(|p| p.name.as_str());
         let idle = self.holds.iter().find(|pattern| !names().any(|name| matches_pattern(pattern, name)))?;
         let message =
@@ -100,7 +100,7 @@ impl OwnFormat {
     }
 }
 
-impl Exporter for OwnFormat {
+impl Exporter for TemplateFormat {
     fn name(&self) -> &str {
         &self.file_name
     }
@@ -109,24 +109,24 @@ impl Exporter for OwnFormat {
         &self.file_name
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         if given.robot.is_none() && given.parameters.parameters.iter().any(|p| !self.is_held(&p.name)) {
             return Some(error!("robot-missing"));
         }
         self.pattern_without_parameter(given)
     }
 
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         parameter.role != Role::Robot || self.is_held(&parameter.name)
     }
 
-    fn written(&self, given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    fn written(&self, given: &ExportInput, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let own =
             |(p, (&value, nominal)): (&Parameter, (&f64, f64))| if self.holds(p, given) { value } else { nominal };
         robot.parameters().iter().zip(values.iter().zip(robot.nominal())).map(own).collect()
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let document = given.parameters;
         let parameters: Vec<Value> = document.parameters.iter().filter(|p| self.is_held(&p.name)).map(entry).collect();
         let by_name: BTreeMap<&str, Value> = document.parameters.iter().map(|p| (p.name.as_str(), entry(p))).collect();
@@ -154,7 +154,7 @@ fn entry(p: &etalon_documents::ParameterEntry) -> Value {
 
 /// Syntax and filters of templates, with filters for notations of controllers: units, fixed widths,
 /// checksums.
-fn own_environment<'a>() -> std::result::Result<Environment<'a>, Error> {
+fn format_environment<'a>() -> std::result::Result<Environment<'a>, Error> {
     let mut environment = environment()?;
     bound(&mut environment, FUEL);
     environment.add_filter("metres", |mm: f64| mm / 1e3);

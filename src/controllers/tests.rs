@@ -106,11 +106,11 @@ fn numbers() -> ParametersDocument {
 }
 
 fn text(name: &str, document: &ParametersDocument) -> String {
-    String::from_utf8(by_name(name).unwrap().write(&Given::parameters(document)).unwrap()).unwrap()
+    String::from_utf8(by_name(name).unwrap().write(&ExportInput::parameters(document)).unwrap()).unwrap()
 }
 
 #[test]
-fn every_name_has_a_format_with_its_own_file() {
+fn every_name_has_a_format_with_one_file() {
     let files: BTreeSet<_> = names().map(|n| by_name(n).unwrap().file_name()).collect();
     assert_eq!(files.len(), names().count());
     assert!(by_name("JSON ").is_none());
@@ -210,7 +210,7 @@ fn arrays_read_back_bit_for_bit() {
     let folder = tempfile::tempdir().unwrap();
     for format in ["numpy", "mat"] {
         let exporter = by_name(format).unwrap();
-        let bytes = exporter.write(&Given::parameters(&document)).unwrap();
+        let bytes = exporter.write(&ExportInput::parameters(&document)).unwrap();
         std::fs::write(folder.path().join(exporter.file_name()), bytes).unwrap();
     }
     let numpy = "import numpy as n\na = n.load('etalon_parameters.npz')\nfirst = 0\n";
@@ -252,14 +252,14 @@ fn arrays_read_back_bit_for_bit() {
 #[test]
 fn names_that_are_one_in_c_are_refused() {
     let two = document(vec![parameter("d-2", "mm", 1.0), parameter("d_2", "mm", 2.0)]);
-    let refused = by_name("c-header").unwrap().write(&Given::parameters(&two)).unwrap_err();
+    let refused = by_name("c-header").unwrap().write(&ExportInput::parameters(&two)).unwrap_err();
     let names: [(&str, &dyn IntoArgument); 3] =
         [("first", &"d-2"), ("second", &"d_2"), ("name", &"ETALON_PREXYT_D_2_MM")];
     assert!(refused.0[0].is("parameter-names-collide", &names), "{refused}");
 }
 
 #[test]
-fn what_must_not_reach_a_machine_is_refused() {
+fn what_a_machine_must_not_run_is_refused() {
     let mut lost = numbers();
     lost.solver.termination = Termination::IterationLimit;
     let nan = document(vec![parameter("d", "mm", f64::NAN)]);
@@ -267,7 +267,7 @@ fn what_must_not_reach_a_machine_is_refused() {
     let cases = [(lost, "parameters-not-converged"), (nan, "parameter-not-finite"), (twice, "parameter-twice")];
     for (document, id) in cases {
         for name in names() {
-            let refused = by_name(name).unwrap().write(&Given::parameters(&document)).unwrap_err();
+            let refused = by_name(name).unwrap().write(&ExportInput::parameters(&document)).unwrap_err();
             assert!(refused.0.iter().any(|m| m.is(id, &[])), "{name}: {refused}");
         }
     }
@@ -300,7 +300,7 @@ fn a_galil_controller_holds_values_within_a_tenth_of_their_uncertainty() {
             && written.contains("rounding "),
         "{written}"
     );
-    let refused = by_name("galil").unwrap().write(&Given::parameters(&with(1e-11))).unwrap_err();
+    let refused = by_name("galil").unwrap().write(&ExportInput::parameters(&with(1e-11))).unwrap_err();
     assert!(refused.0[0].is("galil-rounding", &[("parameter", &"l11"), ("uncertainty", &1e-11)]), "{refused}");
 }
 
@@ -383,11 +383,11 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
         ["urdf", "linuxcnc-hexapod", "linuxcnc-delta", "klipper-delta", "reprap-delta", "reprap-five-bar", "mcap"];
     for name in names().filter(|name| !others.contains(name)) {
         let exporter = by_name(name).unwrap();
-        let given = |parameters, force| Given {
+        let given = |parameters, force| ExportInput {
             robot: Some(&arm),
             summary: Some(&summary),
             force,
-            ..Given::parameters(parameters)
+            ..ExportInput::parameters(parameters)
         };
         let fit = exporter.write(&given(&whole, false)).unwrap();
         assert_eq!(fit, exporter.write(&given(&whole, true)).unwrap(), "{name}");
@@ -405,7 +405,7 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
         synthetic.synthetic = Some("made with seed 7".to_owned());
         let mut simulated = summary.clone();
         simulated.synthetic.clone_from(&synthetic.synthetic);
-        let by_campaign = Given { summary: Some(&simulated), ..given(&whole, false) };
+        let by_campaign = ExportInput { summary: Some(&simulated), ..given(&whole, false) };
         for (given, is_synthetic) in
             [(given(&whole, false), false), (given(&synthetic, false), true), (by_campaign, true)]
         {
@@ -479,7 +479,7 @@ fn a_file_that_is_not_clearly_better_than_nominal_is_warned_of() {
         let line = reason.map(|reason| reason.to_string());
         assert_eq!(statement.lines().last().filter(|line| line.contains("maximum")).cloned(), line);
         let parameters = numbers();
-        let given = Given { file: Some((&statement, &parameters)), ..Given::parameters(&parameters) };
+        let given = ExportInput { file: Some((&statement, &parameters)), ..ExportInput::parameters(&parameters) };
         assert_eq!(given.caution(), line);
     }
 }
@@ -499,7 +499,7 @@ fn effects_that_a_format_cannot_hold_are_named() {
             [("a_2", "mm"), ("gain_2", "1"), ("compliance_2_2", "deg"), ("coupling_3_2", "1"), ("backlash_1", "deg")];
         let document = document(names.map(|(name, unit)| parameter(name, unit, value)).into());
         assert!(document.parameters.iter().all(|p| robot.index(&p.name).is_some()), "{:?}", robot.parameters());
-        let given = Given { robot: Some(robot.as_ref()), ..Given::parameters(&document) };
+        let given = ExportInput { robot: Some(robot.as_ref()), ..ExportInput::parameters(&document) };
         [given.header_of_geometry("m, rad"), given.header_of_code("m, rad")].map(|lines| lines.unwrap().join("\n"))
     };
     let [geometry, code] = with(0.01);

@@ -2,7 +2,7 @@
 //! (`kinematics_params_file`: ur_description, ur_calibration).
 
 use super::template::render;
-use super::{Exporter, Given, is_geometry, six_axes};
+use super::{ExportInput, Exporter, is_geometry, six_axes};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
@@ -40,12 +40,12 @@ impl Exporter for UniversalRobots {
         "universal_robots_calibration.yaml"
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         let robot = given.robot?;
         six_axes(self.name(), robot, &robot.nominal()).err()
     }
 
-    fn concern(&self, given: &Given) -> Option<Message> {
+    fn concern(&self, given: &ExportInput) -> Option<Message> {
         let robot = given.robot?;
         let chain = six_axes(self.name(), robot, &robot.nominal()).ok()?;
         let difference = difference(&chain)?;
@@ -56,11 +56,11 @@ impl Exporter for UniversalRobots {
         true
     }
 
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_geometry(parameter)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let nominal = six_axes(self.name(), robot, &robot.nominal())?;
         let chain = six_axes(self.name(), robot, &values)?;
@@ -229,6 +229,13 @@ fn listed(other: &Pose, frame: &Pose) -> Option<(String, String)> {
     (shift > ROUNDING || turn > ROUNDING).then(|| (listed(frame.translation_mm), listed(angles)))
 }
 
+/// Line of a joint axis.
+struct Line {
+    point_mm: Vector,
+    /// Unit vector.
+    direction: Vector,
+}
+
 /// First difference of the axes from those of a Universal Robots arm; `None` for such an arm.
 ///
 /// Axes 2, 3 and 4 are parallel, all other neighbours perpendicular; axis 1 meets axis 2, axis 5
@@ -240,31 +247,31 @@ fn difference(chain: &JointChain) -> Option<Phrase> {
     for joint in &chain.joints {
         frames.push(frames.last().map_or(joint.origin, |last| last.then(&joint.origin)));
     }
-    let axes: Vec<(Vector, Vector)> = frames.iter().map(|f| (f.translation_mm, f.axis(2))).collect();
+    let axes: Vec<Line> = frames.iter().map(|f| Line { point_mm: f.translation_mm, direction: f.axis(2) }).collect();
     for (i, expected) in [90.0, 0.0, 0.0, 90.0, 90.0].into_iter().enumerate() {
-        let deg = dot(axes[i].1, axes[i + 1].1).abs().min(1.0).acos().to_degrees();
+        let deg = dot(axes[i].direction, axes[i + 1].direction).abs().min(1.0).acos().to_degrees();
         if (deg - expected).abs() > LARGEST_TILT_DEG {
             return Some(phrase!("structure-angle", first = i + 1, second = i + 2, deg, expected));
         }
     }
-    let links = [1, 2].map(|i| beside(minus(axes[i + 1].0, axes[i].0), axes[i].1));
+    let links = [1, 2].map(|i| beside(minus(axes[i + 1].point_mm, axes[i].point_mm), axes[i].direction));
     let none_mm = NONE * (links[0] + links[1]);
     if let Some(i) = links.iter().position(|link| *link <= none_mm) {
         return Some(phrase!("structure-no-link", first = i + 2, second = i + 3, mm = links[i]));
     }
     for i in [0, 3, 4] {
-        let (z, next) = (axes[i].1, axes[i + 1].1);
-        let mm = dot(minus(axes[i + 1].0, axes[i].0), cross(z, next)).abs();
+        let (z, next) = (axes[i].direction, axes[i + 1].direction);
+        let mm = dot(minus(axes[i + 1].point_mm, axes[i].point_mm), cross(z, next)).abs();
         if mm > none_mm {
             return Some(phrase!("structure-apart", first = i + 1, second = i + 2, mm));
         }
     }
-    let [wrist, last] = [foot(axes[4], axes[3]), foot(axes[4], axes[5])];
+    let [wrist, last] = [foot(&axes[4], &axes[3]), foot(&axes[4], &axes[5])];
     let mm = norm(minus(last, wrist));
     if mm <= none_mm {
         return Some(phrase!("structure-wrist-meets", mm));
     }
-    let mm = dot(minus(wrist, axes[0].0), axes[1].1).abs();
+    let mm = dot(minus(wrist, axes[0].point_mm), axes[1].direction).abs();
     (mm <= none_mm).then(|| phrase!("structure-wrist-in-plane", mm))
 }
 
@@ -274,8 +281,9 @@ fn beside(point: Vector, z: Vector) -> f64 {
 }
 
 /// Point of the first axis that is nearest to the second, which is not parallel.
-fn foot(first: (Vector, Vector), second: (Vector, Vector)) -> Vector {
-    let common = cross(first.1, second.1);
-    let along = dot(cross(minus(second.0, first.0), second.1), common) / dot(common, common);
-    [0, 1, 2].map(|i| first.0[i] + along * first.1[i])
+fn foot(first: &Line, second: &Line) -> Vector {
+    let common = cross(first.direction, second.direction);
+    let offset = minus(second.point_mm, first.point_mm);
+    let along = dot(cross(offset, second.direction), common) / dot(common, common);
+    [0, 1, 2].map(|i| first.point_mm[i] + along * first.direction[i])
 }

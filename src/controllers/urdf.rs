@@ -1,7 +1,7 @@
 //! URDF from which the robot was read, with calibrated origins; everything else is preserved,
 //! including comments.
 
-use super::{Exporter, Given, is_geometry};
+use super::{ExportInput, Exporter, is_geometry};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
@@ -49,7 +49,7 @@ impl Exporter for Urdf {
         false
     }
 
-    fn unsuited(&self, given: &Given) -> Option<Message> {
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
         if let Some(file) = given.description {
             return holds_xacro(file.text).then(|| error!("urdf-holds-xacro", file = file.file));
         }
@@ -57,11 +57,11 @@ impl Exporter for Urdf {
     }
 
     /// Gains of joints that mimic another joint are in the multiplier of `mimic`.
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_geometry(parameter) || parameter.effect == Effect::Gains && parameter.by.is_some()
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let (robot, _) = given.robot()?;
         let file = given.description.ok_or_else(|| super::other_robot(self.name(), robot, phrase!("kind-urdf")))?;
         let mut edits = Vec::new();
@@ -107,7 +107,7 @@ fn holds_xacro(text: &str) -> bool {
 
 /// Collects changes of a file, and parameters that its format cannot state; `None` if the file is
 /// unreadable.
-fn collect_edits(text: &str, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) -> Option<()> {
+fn collect_edits(text: &str, given: &ExportInput, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) -> Option<()> {
     let mut reader = Reader::from_str(text);
     let (mut depth, mut joint) = (0usize, None::<Joint>);
     loop {
@@ -170,7 +170,7 @@ fn collect_edits(text: &str, given: &Given, edits: &mut Vec<Edit>, left_out: &mu
 }
 
 /// Completes a joint at its end: adds a missing origin, and a remark on its gain.
-fn finish(joint: &Joint, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) {
+fn finish(joint: &Joint, given: &ExportInput, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) {
     let name = &joint.name;
     if !joint.moves {
         return;
@@ -191,14 +191,14 @@ fn attribute(tag: &BytesStart, name: &str) -> Option<String> {
 }
 
 /// Value of a parameter of the robot (mm, deg or 1).
-fn value(given: &Given, name: &str) -> Option<f64> {
+fn value(given: &ExportInput, name: &str) -> Option<f64> {
     given.robot?.index(name)?;
     given.parameters.parameters.iter().find(|p| p.name == name).map(|p| p.value)
 }
 
 /// Small errors of a joint in the order of their motions: axis, whether it is a rotation, value (mm
 /// or rad).
-fn errors(given: &Given, joint: &str) -> Vec<(usize, bool, f64)> {
+fn errors(given: &ExportInput, joint: &str) -> Vec<(usize, bool, f64)> {
     let all = [(false, ""), (true, "r")].into_iter().flat_map(|(turn, r)| (0..3).map(move |axis| (turn, r, axis)));
     let error = |(turn, r, axis): (bool, &str, usize)| {
         let value = value(given, &format!("{joint}_{r}{}", ["x", "y", "z"][axis]))?;

@@ -54,7 +54,7 @@ impl ReferencePose {
             return 0.0;
         }
         let joints = robot.joints().iter().zip(&self.joints).map(|(joint, q)| joint.quantity.inward(*q)).collect();
-        let Some(found) = reference_pose(robot, nominal, (branch, joints)) else { return f64::INFINITY };
+        let Some(found) = reference_pose(robot, nominal, branch, joints) else { return f64::INFINITY };
         let largest =
             |a: &[Vector; 3], b: &[Vector; 3]| a.iter().zip(b).map(|(a, b)| norm(minus(*a, *b))).fold(0.0, f64::max);
         let varied = if with_varied { largest(&found.varied_mm, &self.varied_mm) } else { 0.0 };

@@ -63,7 +63,7 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
         |axis: Vector| about(&judged, Chart::new(axis)).into_iter().map(move |(cost, start)| (cost, axis, start));
     let starts: Vec<(f64, Vector, [f64; N])> = match held {
         Some(axis) => about(axis).collect(),
-        None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).flat_map(about).collect(), S::STARTS),
+        None => best_separated(hemisphere(DIRECTIONS).chain(cloud.axes).flat_map(about).collect(), S::STARTS),
     };
     // smaller sums of squares of normalised coordinates are rounding: the more promising start
     // decides
@@ -122,7 +122,10 @@ fn hemisphere(count: usize) -> impl Iterator<Item = Vector> {
 }
 
 /// Best scored starts in ascending order, with axes at least 15 degrees apart.
-fn best_apart<const N: usize>(mut scored: Vec<(f64, Vector, [f64; N])>, count: usize) -> Vec<(f64, Vector, [f64; N])> {
+fn best_separated<const N: usize>(
+    mut scored: Vec<(f64, Vector, [f64; N])>,
+    count: usize,
+) -> Vec<(f64, Vector, [f64; N])> {
     scored.retain(|s| s.0.is_finite());
     scored.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut chosen: Vec<(f64, Vector, [f64; N])> = Vec::new();

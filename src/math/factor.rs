@@ -178,7 +178,7 @@ impl Factor {
     }
 
     /// Columns of blocks.
-    pub fn own(&self) -> Vec<usize> {
+    pub fn block_columns(&self) -> Vec<usize> {
         self.heads.iter().flat_map(|head| head.columns.iter().copied()).collect()
     }
 

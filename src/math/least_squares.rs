@@ -261,7 +261,7 @@ fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
         }
     }
     // the current Jacobian is at the solution, or at a point within rounding of it
-    run.factorise_apart().err().unwrap_or(termination)
+    run.factorise_with_prior().err().unwrap_or(termination)
 }
 
 /// Undamped step from the current factor in unscaled parameters, with the sign of a descent.
@@ -379,7 +379,7 @@ impl<'a, P: Problem> Run<'a, P> {
     }
 
     /// Like [`Self::factorise`], and keeps the factor of the rows before those of prior knowledge.
-    fn factorise_apart(&mut self) -> Result<(), Termination> {
+    fn factorise_with_prior(&mut self) -> Result<(), Termination> {
         let prior = self.problem.prior_count();
         if prior == 0 || self.problem.blocks().is_some() {
             return self.factorise(None);

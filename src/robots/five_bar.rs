@@ -203,10 +203,10 @@ impl FiveBar {
         let [l11, l12, l21, l22, d, l23, gamma, delta1, delta2] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| p[i]);
         let half = d * 0.5;
         // the branch of the thesis turns clockwise, the assembly mode counterclockwise
-        let a2_b2 = meet([e[0] - half, e[1]], l21, l23, -branches[1]); // eq. 4.15 to 4.18
+        let a2_b2 = intersect_links([e[0] - half, e[1]], l21, l23, -branches[1]); // eq. 4.15 to 4.18
         let b2 = [a2_b2[0] + half, a2_b2[1]]; // eq. 4.14
         let c = plus(b2, turn(minus(e, b2), -gamma, l22 / l23)); // eq. 4.13
-        let a1_b1 = meet([c[0] + half, c[1]], l11, l12, -branches[0]); // eq. 4.9 to 4.12
+        let a1_b1 = intersect_links([c[0] + half, c[1]], l11, l12, -branches[0]); // eq. 4.9 to 4.12
         let angle = |v: [T; 2], delta: T| (v[1].atan2(v[0]) - delta).wrapped(); // eq. 4.8, 4.19
         [angle(a1_b1, delta1), angle(a2_b2, delta2)]
     }
@@ -376,7 +376,7 @@ fn closed<T: Scalar>(p: &[T], [along1, along2]: [[T; 2]; 2], tool: [T; 2], assem
     let b1 = [l11 * along1[0] - d * 0.5, l11 * along1[1]]; // eq. 4.4
     let b2 = [l21 * along2[0] + d * 0.5, l21 * along2[1]]; // eq. 4.2
     let between = minus(b2, b1); // eq. 4.7
-    let c = plus(b1, meet(between, l12, l22, assembly)); // eq. 4.3, 4.5, 4.6
+    let c = plus(b1, intersect_links(between, l12, l22, assembly)); // eq. 4.3, 4.5, 4.6
     let e = plus(b2, turn_by(tool, minus(c, b2), l23 / l22)); // eq. 4.1
     Linkage { b1, b2, c, e }
 }
@@ -412,7 +412,7 @@ fn left_normal([x, y]: [f64; 2]) -> [f64; 2] {
 
 /// Vector from the first end of `base` to the meeting point of two links, with lengths `near` from
 /// the first end and `far` from the second; on the left of `base` for `side` = +1.
-fn meet<T: Scalar>(base: [T; 2], near: T, far: T, side: T) -> [T; 2] {
+fn intersect_links<T: Scalar>(base: [T; 2], near: T, far: T, side: T) -> [T; 2] {
     let square = base[0] * base[0] + base[1] * base[1];
     let along = (near * near - far * far + square) / (square * 2.0); // eq. 4.5: b1 / d
     let across = root(near * near / square - along * along, 1.0) * side; // eq. 4.5: ξ h / d

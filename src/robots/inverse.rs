@@ -241,7 +241,7 @@ impl<'a> Search<'a> {
     }
 
     /// Largest difference of joint values (rad or m), whatever their full turns.
-    fn apart(&self, a: &[f64], b: &[f64]) -> f64 {
+    fn largest_difference(&self, a: &[f64], b: &[f64]) -> f64 {
         let apart = |(joint, (a, b)): (&JointScale, (&f64, &f64))| {
             let apart = joint.turn.map_or(a - b, |turn| (a - b) - ((a - b) / turn).round() * turn);
             (apart / joint.unit).abs()
@@ -355,7 +355,7 @@ impl<'a> Search<'a> {
                 if self.distance(&next, &at) < 0.25 * ALONG || still.norm() < 0.1 {
                     break;
                 }
-                if k > 1 && self.apart(&next, q) < MEMBER {
+                if k > 1 && self.largest_difference(&next, q) < MEMBER {
                     return all;
                 }
                 (at, direction) = (next, &still / still.norm());
@@ -418,7 +418,7 @@ impl<'a> Search<'a> {
 
     /// Solutions in the valley near joint values, if the valley is not among the known ones.
     fn in_new_valley(&self, q: &[f64], valleys: &mut Vec<Vec<Vec<f64>>>) -> Vec<Vec<f64>> {
-        let known = |members: &Vec<Vec<f64>>| members.iter().any(|member| self.apart(member, q) <= MEMBER);
+        let known = |members: &Vec<Vec<f64>>| members.iter().any(|member| self.largest_difference(member, q) <= MEMBER);
         match (!valleys.iter().any(known)).then(|| self.valley(q, None)).flatten() {
             Some(bottom) => {
                 let (found, members) = self.search_valley(&bottom, MOST_ALONG);
@@ -471,13 +471,13 @@ impl<'a> Search<'a> {
             for k in 0..most {
                 let next = self.moved(&at.joints, at.along.as_slice(), ALONG, false);
                 let Some(next) = self.valley(&next, Some(&at)) else { break };
-                if self.apart(&next.joints, &at.joints) < 0.25 * ALONG {
+                if self.largest_difference(&next.joints, &at.joints) < 0.25 * ALONG {
                     break;
                 }
                 if at.left * next.left <= 0.0 {
                     found.extend(self.between(&at, &next));
                 }
-                if k > 1 && self.apart(&next.joints, &bottom.joints) < MEMBER {
+                if k > 1 && self.largest_difference(&next.joints, &bottom.joints) < MEMBER {
                     return (found, members);
                 }
                 members.push(next.joints.clone());
@@ -496,7 +496,7 @@ impl<'a> Search<'a> {
             let share = if ends[0] == ends[1] { 0.5 } else { ends[0] / (ends[0] - ends[1]) };
             let start: Vec<f64> = q[0].iter().zip(&q[1]).map(|(a, b)| a + share * (b - a)).collect();
             let middle = self.valley(&start, Some(a))?;
-            if middle.left.abs() < 0.1 * ATTAINED || self.apart(&q[0], &q[1]) < SETTLED {
+            if middle.left.abs() < 0.1 * ATTAINED || self.largest_difference(&q[0], &q[1]) < SETTLED {
                 return self.attained(&middle.joints, false, RESOLUTION);
             }
             let side = usize::from(middle.left * ends[0] < 0.0);
@@ -518,7 +518,8 @@ impl<'a> Search<'a> {
         known: &[Vec<f64>],
         families: &mut Vec<Vec<Vec<f64>>>,
     ) -> Option<Vec<f64>> {
-        let is_among = |all: &[Vec<f64>], tolerance: f64| all.iter().any(|q| self.apart(&found, q) <= tolerance);
+        let is_among =
+            |all: &[Vec<f64>], tolerance: f64| all.iter().any(|q| self.largest_difference(&found, q) <= tolerance);
         if is_among(known, SAME) || families.iter().any(|members| is_among(members, MEMBER)) {
             return None;
         }
@@ -620,7 +621,7 @@ impl<'a> Search<'a> {
 
     /// Reason for a pose without solution: beyond the workspace, or not found.
     fn unreached(&self, starts: usize) -> Phrase {
-        let (from, reach_mm) = self.serial.reach(self.parameters);
+        let (from, reach_mm) = self.serial.extent(self.parameters);
         let away_mm = norm(minus(self.place.translation_mm, from));
         match reach_mm.filter(|reach| away_mm > *reach) {
             Some(reach_mm) => phrase!("out-of-reach-by", away_mm, reach_mm),
@@ -725,7 +726,7 @@ mod tests {
     }
 
     /// Distance of joint values.
-    fn apart(a: &[f64], b: &[f64]) -> f64 {
+    fn joint_distance(a: &[f64], b: &[f64]) -> f64 {
         a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
     }
 
@@ -766,7 +767,10 @@ mod tests {
                     }
                     let found = search.nearest(&near).unwrap();
                     assert!(search.linearise(&found).size <= RESOLUTION);
-                    assert!(apart(&found, &near) <= apart(&q, &near) + 1e-6, "{joint} {off}: {q:?} {near:?} {found:?}");
+                    assert!(
+                        joint_distance(&found, &near) <= joint_distance(&q, &near) + 1e-6,
+                        "{joint} {off}: {q:?} {near:?} {found:?}"
+                    );
                     assert_eq!(search.nearest(&q).unwrap(), q);
                 }
             }
@@ -818,11 +822,11 @@ mod tests {
         let q = [3.5, -1.0, 1.2, 0.3, 0.8, -4.0];
         let near: Vec<f64> = q.iter().map(|q| q + 0.01).collect();
         let found = arm.nearest_joints(&p, &arm.tool_pose(&p, &q).unwrap(), &near).unwrap();
-        assert!(apart(&found, &q) < 1e-9, "{found:?}");
+        assert!(joint_distance(&found, &q) < 1e-9, "{found:?}");
     }
 
     #[test]
-    fn a_pose_beyond_the_arm_is_out_of_reach_by_a_distance() {
+    fn a_pose_beyond_the_arm_is_too_far_by_a_distance() {
         let arm = ur5e(None);
         let far = Pose { translation_mm: [2000.0, 0.0, 162.5], ..Pose::identity() };
         let why = arm.nearest_joints(&arm.nominal(), &far, &[0.0; 6]).unwrap_err();

@@ -32,18 +32,14 @@ pub struct ReferencePose {
 /// the joint positions that are tried.
 pub fn reference_poses(robot: &dyn Robot, parameters: &[f64]) -> Vec<ReferencePose> {
     let of_branch = |branch: usize| {
-        let pose = move |joints: Vec<f64>| reference_pose(robot, parameters, (branch, joints));
+        let pose = move |joints: Vec<f64>| reference_pose(robot, parameters, branch, joints);
         (0..TRIED).filter_map(move |k| pose(tried(robot, k))).take(POSITIONS)
     };
     (0..robot.branches().len().max(1)).flat_map(of_branch).collect()
 }
 
 /// Reference pose of a branch at joint values; `None` if the robot has no pose there.
-pub fn reference_pose(
-    robot: &dyn Robot,
-    parameters: &[f64],
-    (branch, joints): (usize, Vec<f64>),
-) -> Option<ReferencePose> {
+pub fn reference_pose(robot: &dyn Robot, parameters: &[f64], branch: usize, joints: Vec<f64>) -> Option<ReferencePose> {
     let varied: Vec<f64> =
         robot.parameters().iter().zip(parameters).map(|(p, v)| v + step(p.role, p.quantity)).collect();
     let points_mm = points(robot, parameters, branch, &joints)?;

@@ -1042,7 +1042,7 @@ impl Serial {
 
     /// Place of the first moved element in the world (mm), and the largest distance (mm) of the
     /// flange from it; `None` if a slide has no limits.
-    pub(super) fn reach(&self, parameters: &[f64]) -> (Vector, Option<f64>) {
+    pub(super) fn extent(&self, parameters: &[f64]) -> (Vector, Option<f64>) {
         let first = self.axes.iter().map(|axis| axis.element).min().unwrap_or(0);
         let end = |k: usize| self.limits.iter().map(|ends| ends.map_or(f64::NAN, |ends| ends[k])).collect::<Vec<f64>>();
         let ends = [end(0), end(1)];

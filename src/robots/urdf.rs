@@ -66,7 +66,7 @@ impl<'a> Branch<'a> {
 
     /// Effects at the axes of this branch, by their place in it; `effects` counts the axes `axes`
     /// of all branches.
-    fn own(&self, effects: &Effects, axes: &[Joint]) -> Effects {
+    fn branch_effects(&self, effects: &Effects, axes: &[Joint]) -> Effects {
         let place = |k: &usize| self.moving().position(|joint| joint.name == axes[*k].name);
         let places = |all: &[usize]| all.iter().filter_map(place).collect();
         Effects {
@@ -435,7 +435,7 @@ impl Description for Keys {
         let mut arms: Vec<ArmBuilder> = Vec::new();
         for branch in &branches {
             let mut arm = arms.last().map_or_else(|| ArmBuilder::new(targets), ArmBuilder::branch);
-            let own = branch.own(&effects, &axes);
+            let own = branch.branch_effects(&effects, &axes);
             arm.elastic(&own);
             arm.sag(&own.bending);
             self.assemble(&mut arm, branch, &joints)?;

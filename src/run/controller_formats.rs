@@ -5,7 +5,7 @@ use etalon_base::files::Stamp;
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
-use etalon_controllers::{Exporter, OwnFormat};
+use etalon_controllers::{Exporter, TemplateFormat};
 use etalon_documents::{Source, SourceKind};
 use toml::Spanned;
 
@@ -19,7 +19,7 @@ pub struct ControllerFormats {
 
 enum Format {
     Known(&'static dyn Exporter),
-    Own(OwnFormat),
+    Own(TemplateFormat),
 }
 
 /// `true` if an entry of `controllers` is the file of a template.
@@ -70,8 +70,8 @@ impl Format {
 /// # Errors
 ///
 /// Rejects an invalid template, and the name of a document of a run.
-pub fn own_format(path: &str, text: String, place: Place) -> Result<OwnFormat> {
-    let format = OwnFormat::new(path, text)?;
+pub fn own_format(path: &str, text: String, place: Place) -> Result<TemplateFormat> {
+    let format = TemplateFormat::new(path, text)?;
     match is_file_of_run(format.file_name()) {
         true => Err(error!("template-name-reserved", file = format.file_name()).at(place).into()),
         false => Ok(format),
@@ -83,7 +83,7 @@ pub fn own_format(path: &str, text: String, place: Place) -> Result<OwnFormat> {
 /// # Errors
 ///
 /// Reports a template that cannot be read, or whose file replaces a document of the run.
-fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(OwnFormat, Source)> {
+fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(TemplateFormat, Source)> {
     let path = campaign.resolve(name)?;
     let (text, bytes) = etalon_formats::read_text(&path, None, &campaign.place(name))?;
     let format = own_format(name.get_ref(), text, campaign.place(name))?;

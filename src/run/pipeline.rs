@@ -14,7 +14,7 @@ use crate::stages::table_file::TableFile;
 use etalon_base::folder::Durability;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::Campaign;
-use etalon_controllers::{Description, Exporter, Given};
+use etalon_controllers::{Description, ExportInput, Exporter};
 use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
     VerdictDocument, WrittenFile,
@@ -103,7 +103,7 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     let controllers = identified.as_ref().and_then(again);
     if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
         let given = given(campaign, robot.as_ref(), found, &summary);
-        summary.controller_files = written(&Given { controllers: controllers.as_ref(), ..given }, &formats);
+        summary.controller_files = written(&ExportInput { controllers: controllers.as_ref(), ..given }, &formats);
     }
     Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, formats, summary, identified, tested })
 }
@@ -121,7 +121,7 @@ pub(super) fn identified_again(
 }
 
 /// Controller files that are not refused.
-fn written(given: &Given, formats: &ControllerFormats) -> Vec<WrittenFile> {
+fn written(given: &ExportInput, formats: &ControllerFormats) -> Vec<WrittenFile> {
     let is_written = |(name, exporter): &(&str, &dyn Exporter)| {
         given.statement(*exporter).is_ok_and(|statement| statement.refusal(name).is_none())
     };
@@ -197,7 +197,7 @@ fn write(
         let targets = gathered.observations.as_ref().map(targets).transpose()?;
         let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
         let sha256 = out.sha256(PARAMETERS).map(str::to_owned);
-        let given = Given {
+        let given = ExportInput {
             controllers: controllers.as_ref(),
             parameters_sha256: sha256.as_deref(),
             ..given(campaign, robot.as_ref(), found, &summary)
@@ -227,15 +227,15 @@ fn given<'a>(
     robot: &'a dyn Robot,
     found: &'a Identified,
     summary: &'a CampaignSummary,
-) -> Given<'a> {
-    Given {
+) -> ExportInput<'a> {
+    ExportInput {
         summary: Some(summary),
         name: summary.robot.as_deref(),
         robot: Some(robot),
         description: campaign.robot.description().map(|(file, text)| Description { file, text }),
         accuracy: Some(&found.accuracy),
         errors: Some(&found.errors),
-        ..Given::parameters(&found.parameters)
+        ..ExportInput::parameters(&found.parameters)
     }
 }
 

@@ -66,7 +66,7 @@ impl Turn {
 
 impl Scene<'_> {
     /// Rejects poses beyond the stated limits of the robot file; all are reported.
-    fn check_reach(&self) -> Result<()> {
+    fn check_joint_limits(&self) -> Result<()> {
         // with the true parameters: near a limit, the nominal robot may be on its other side
         let violation = |(q, at): (&Vec<f64>, &Option<Vector>)| match at {
             Some(at) => self.robot.limit_violation(&self.values, &self.robot.inverse(&self.values, q, *at)?),
@@ -182,7 +182,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         stands: truth.stands()?,
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
     };
-    scene.check_reach()?;
+    scene.check_joint_limits()?;
     truth.unmodelled.as_ref().map_or(Ok(()), |u| u.check(&scene))?;
     geometric::check(&scene)?;
     repeatability::check(&scene)?;

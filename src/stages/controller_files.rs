@@ -6,14 +6,14 @@ use super::identification::Identified;
 use etalon_base::message::{Message, Result, Severity};
 use etalon_base::phrase;
 use etalon_base::pose::norm;
-use etalon_controllers::{Exporter, Given, Statement};
+use etalon_controllers::{ExportInput, Exporter, Statement};
 use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
 use etalon_robots::Robot;
 
 /// Identifies again for each of these formats that omits identified parameters; `None` if no format
 /// does.
 pub fn identify_again(
-    given: &Given,
+    given: &ExportInput,
     robot: &dyn Robot,
     found: &Identified,
     formats: &[(&str, &dyn Exporter)],
@@ -33,13 +33,13 @@ pub fn identify_again(
         }
     }
     let document = ControllersDocument::new(files.clone(), messages.clone());
-    messages.extend(judged(&Given { controllers: document.as_ref(), ..*given }, formats));
+    messages.extend(judged(&ExportInput { controllers: document.as_ref(), ..*given }, formats));
     ControllersDocument::new(files, messages)
 }
 
 /// Refusals of files that are worse than nominal, and warnings about files for other robots and
 /// about files that are hardly better; files with the same errors share a warning.
-fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
+fn judged(given: &ExportInput, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     let (mut refused, mut near) = (Vec::new(), Vec::<(Statement, Vec<&str>)>::new());
     let mut concerns = Vec::new();
     for &(name, exporter) in formats {
@@ -65,7 +65,7 @@ fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
 /// Values of a format that omits or ties parameters; `None` if the format holds the identified
 /// values.
 fn identify_for_format(
-    given: &Given,
+    given: &ExportInput,
     robot: &dyn Robot,
     found: &Identified,
     exporter: &dyn Exporter,

@@ -5,7 +5,7 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::catalogue::Argument;
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::{Campaign, read_robot};
-use etalon::controllers::{self, Description, Given};
+use etalon::controllers::{self, Description, ExportInput};
 use etalon::documents::{AccuracyDocument, CampaignSummary, ErrorQuantity, ParametersDocument, PointError};
 use etalon::math::statistics::rms;
 use etalon::robots::{Robot, Role};
@@ -205,7 +205,7 @@ fn difference(scratch: &Scratch, robot: &str) -> Option<String> {
     let robot = read_robot(&file).unwrap_or_else(|p| panic!("{p}\n{robot}")).build(&["tool".to_owned()]).unwrap();
     let parameters: ParametersDocument =
         serde_json::from_slice(&std::fs::read(parameters(scratch, robot.as_ref(), &robot.nominal())).unwrap()).unwrap();
-    let given = Given { robot: Some(robot.as_ref()), ..Given::parameters(&parameters) };
+    let given = ExportInput { robot: Some(robot.as_ref()), ..ExportInput::parameters(&parameters) };
     let exporter = controllers::by_name("universal-robots").unwrap();
     // the file is written either way
     assert!(exporter.write(&given).is_ok(), "{}", file.display());
@@ -409,7 +409,7 @@ fn a_universal_robots_file_has_the_frames_of_the_maker_wherever_the_arm_stands()
         for values in [robot.nominal(), values] {
             let found: ParametersDocument =
                 serde_json::from_slice(&std::fs::read(parameters(&scratch, robot.as_ref(), &values)).unwrap()).unwrap();
-            let given = Given { robot: Some(robot.as_ref()), ..Given::parameters(&found) };
+            let given = ExportInput { robot: Some(robot.as_ref()), ..ExportInput::parameters(&found) };
             let yaml = controllers::by_name("universal-robots").unwrap().write(&given).unwrap();
             let yaml = String::from_utf8(yaml).unwrap();
             assert!(yaml.contains("# frame: base of the maker"), "{yaml}");
@@ -500,13 +500,13 @@ fn written(format: &str, campaign: &str, robot_name: &str) -> Vec<u8> {
         "instrument": "CMM", "expanded_uncertainty_um": 2.7, "coverage_factor": 2.0, "contact": null, "temperature_c": 20.0
     });
     let summary: CampaignSummary = serde_json::from_value(summary).unwrap();
-    let given = Given {
+    let given = ExportInput {
         summary: Some(&summary),
         name: Some(robot_name),
         robot: Some(robot.as_ref()),
         description: file.description().map(|(file, text)| Description { file, text }),
         errors: Some(&[point_error(robot_name)]),
-        ..Given::parameters(&found)
+        ..ExportInput::parameters(&found)
     };
     controllers::by_name(format).unwrap().write(&given).unwrap_or_else(|problems| panic!("{format}: {problems}"))
 }

@@ -1,6 +1,6 @@
 //! Commands on robots and tables in memory.
 
-use etalon::cli::in_memory::{self, Given, Prediction, Table};
+use etalon::cli::in_memory::{self, Inputs, Prediction, Table};
 
 /// The robot.toml of an arm of three joints, and synthetic observations of its target.
 fn three_axes() -> (String, String) {
@@ -29,7 +29,7 @@ fn three_axes() -> (String, String) {
 fn a_predicted_position_has_the_covariance_of_its_parameters() {
     let (text, table) = three_axes();
     let file = etalon::campaign::parse_robot("robot.toml".as_ref(), &text).unwrap();
-    let given = Given {
+    let given = Inputs {
         robot: &file,
         stated: Table { name: "robot.toml", text: &text },
         table: Table { name: "observations", text: &table },
@@ -82,7 +82,7 @@ fn candidates_in_memory_have_the_marks_that_are_stated() {
         let (stated, table) = (Table { name: "robot.toml", text: &text }, Table { name: "candidates", text: table });
         let marks = marks.iter().map(|mark| (*mark).to_owned());
         let options: Vec<String> = marks.chain(["--positions=12".to_owned(), "--starts=1".to_owned()]).collect();
-        in_memory::plan(&Given { robot: &file, stated, table }, &options)
+        in_memory::plan(&Inputs { robot: &file, stated, table }, &options)
     };
     let [first, second] =
         [plan(&table, &[]), plan(&comma, &["--delimiter=;", "--decimal=,"])].map(|plan| plan.unwrap());
@@ -101,7 +101,7 @@ fn a_plan_counts_with_the_stated_position_of_a_target() {
         let file = etalon::campaign::parse_robot("robot.toml".as_ref(), text).unwrap();
         let (stated, table) = (Table { name: "robot.toml", text }, Table { name: "candidates", text: &table });
         let options = ["--positions=12", "--starts=1", "--hold=SMR_*"].map(str::to_owned);
-        let plan = in_memory::plan(&Given { robot: &file, stated, table }, &options).unwrap();
+        let plan = in_memory::plan(&Inputs { robot: &file, stated, table }, &options).unwrap();
         plan.parameters.iter().find(|p| p.name == "theta_3").unwrap().identifiable
     };
     assert_eq!([&text, &stated].map(|text| identifiable(text)), [false, true]);

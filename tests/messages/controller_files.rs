@@ -4,7 +4,7 @@ use super::{ran, samples};
 use etalon::base::message::Message;
 use etalon::campaign::read_robot;
 use etalon::controllers::commands::Galil;
-use etalon::controllers::{Description, Given, by_name};
+use etalon::controllers::{Description, ExportInput, by_name};
 use etalon::documents::ParametersDocument;
 
 fn document(sample: &str) -> ParametersDocument {
@@ -18,7 +18,7 @@ fn set(document: &mut ParametersDocument, name: &str, value: f64) {
 /// Messages of a format with a robot; none if the file is written.
 fn written(sample: &str, format: &str, document: &ParametersDocument) -> Vec<Message> {
     let robot = read_robot(&samples().join(sample).join("robot.toml")).unwrap().build(&["ball".to_owned()]).unwrap();
-    let given = Given { robot: Some(robot.as_ref()), force: true, ..Given::parameters(document) };
+    let given = ExportInput { robot: Some(robot.as_ref()), force: true, ..ExportInput::parameters(document) };
     let exporter = by_name(format).unwrap();
     let bytes = given.statement(exporter).and_then(|statement| exporter.write_stated(&given, &statement));
     bytes.err().map(|problems| problems.0).unwrap_or_default()
@@ -61,7 +61,7 @@ fn of_robots_that_a_format_cannot_describe() {
 #[test]
 fn of_targets_in_counts() {
     let document = document("prexyt-cmm");
-    let given = Given::parameters(&document);
+    let given = ExportInput::parameters(&document);
     let list = |axes: usize, joint: f64| {
         let galil = Galil { counts_per_unit: vec![1000.0; axes] };
         galil.list(&given, &[("P1".to_owned(), vec![joint; axes])]).err().map(|problems| problems.0).unwrap_or_default()
@@ -78,7 +78,8 @@ fn of_a_description_with_xacro() {
     let text = std::fs::read_to_string(samples().join("column-arm/arm.urdf")).unwrap();
     let with = |text: &str| {
         let description = Some(Description { file: "arm.urdf", text });
-        let given = Given { robot: Some(robot.as_ref()), description, force: true, ..Given::parameters(&document) };
+        let given =
+            ExportInput { robot: Some(robot.as_ref()), description, force: true, ..ExportInput::parameters(&document) };
         let exporter = by_name("urdf").unwrap();
         let bytes = given.statement(exporter).and_then(|statement| exporter.write_stated(&given, &statement));
         bytes.err().map(|problems| problems.0).unwrap_or_default()

@@ -36,7 +36,9 @@ struct Placed {
 /// Proposes `[[branch]]` where the points of the targets show several links; `None` where one link
 /// may carry all of them.
 pub(super) fn branches(
-    (beside, name, source): (&Path, &str, &str),
+    beside: &Path,
+    name: &str,
+    source: &str,
     chains: &[TreeChain],
     files: &[PathBuf],
 ) -> anyhow::Result<Option<Branches>> {

@@ -50,7 +50,7 @@ pub(super) fn described(path: &Path, arguments: &[String], files: &[PathBuf]) ->
     }
     let beside = path.with_file_name("robot.toml");
     let source = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    if let Some(branches) = branches((&beside, &name, &source), &chains, files)? {
+    if let Some(branches) = branches(&beside, &name, &source, &chains, files)? {
         let (robot, text) = (branches.text.into_bytes(), expanded.text.into_bytes());
         return Ok(Described { name, robot, text, joints: branches.joints, targets: branches.targets });
     }

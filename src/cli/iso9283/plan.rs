@@ -7,7 +7,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::read_robot;
 use etalon_documents::{Iso9283Places, Iso9283PlanDocument, Iso9283Unreached, to_json};
 use etalon_formats::table::{ANGLES, XYZ};
-use etalon_standards::iso9283::plan::{PlanError, TestRequest, UnknownReach, plan, reach};
+use etalon_standards::iso9283::plan::{PlanError, TestRequest, UnknownReachability, plan, reachability};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -58,7 +58,8 @@ impl PlanOptions {
             Some(file) => {
                 let robot = read_robot(file)?;
                 let robot = robot.build(&robot.targets_or("target"))?;
-                let reach = reach(&plan, robot.as_ref()).map_err(|UnknownReach| unknown_reach(robot.model()))?;
+                let reach = reachability(&plan, robot.as_ref())
+                    .map_err(|UnknownReachability| unknown_reachability(robot.model()))?;
                 Iso9283PlanDocument::new(&plan, Some((robot.as_ref(), &reach)))
             }
         };
@@ -86,7 +87,7 @@ fn without_plan(error: PlanError) -> Problems {
     }
 }
 
-fn unknown_reach(model: &str) -> Problems {
+fn unknown_reachability(model: &str) -> Problems {
     error!("reach-unknown", model).into()
 }
 

@@ -1,6 +1,6 @@
 //! Command `etalon iso9283 path`.
 
-use super::super::given::Table;
+use super::super::inputs::Table;
 use super::super::table_file::TableFile;
 use super::super::text_format::{TextForm, TextFormat, word};
 use super::super::{Verdict, answer, remark};

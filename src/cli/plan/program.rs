@@ -50,7 +50,8 @@ impl Program {
     pub(super) fn check(&self, robot: &dyn Robot) -> Result<()> {
         let Some(path) = &self.program else { return Ok(()) };
         check_positive("--dwell", Some(self.dwell))?;
-        check(self.measuring_language(path)?, robot.joints(), |k| robot.nominal_gain(k), &self.stated())
+        let (name, language) = self.measuring_language(path)?;
+        check(name, language, robot.joints(), |k| robot.nominal_gain(k), &self.stated())
     }
 
     fn stated(&self) -> Stated<'_> {

@@ -266,7 +266,7 @@ fn trt_joints(text: &str, kins: &str, w: Vector, tilt_deg: f64, c_deg: f64) -> V
 
 /// A point on the table at zero, moved by both axes: the table about its axis, then both by the
 /// tilting axis, each through its point.
-fn moved(w: Vector, [c_at, tilt_at]: [Vector; 2], (axis, sense): (char, f64), [tilt, c]: [f64; 2]) -> Vector {
+fn moved(w: Vector, [c_at, tilt_at]: [Vector; 2], axis: char, sense: f64, [tilt, c]: [f64; 2]) -> Vector {
     let about = |m: [[f64; 3]; 3], at: Vector, v: Vector| {
         let turned = times(m, minus(v, at));
         [0, 1, 2].map(|k| turned[k] + at[k])
@@ -293,7 +293,7 @@ fn pivots_of_tilting_tables_move_the_tool_with_the_part() {
                 let found = written(kins, first, &options);
                 assert!(found.messages.is_empty(), "{:?}", found.messages);
                 for angles in [[0.0, 0.0], [25.0, 0.0], [0.0, -130.0], [-40.0, 77.0]] {
-                    let seen = moved(w, [c_at, tilt_at], (letter, sense), angles);
+                    let seen = moved(w, [c_at, tilt_at], letter, sense, angles);
                     let joints = trt_joints(&found.text, kins, w, angles[0], angles[1]);
                     assert!(norm(minus(seen, joints)) < 1e-5, "{kins} {sense} {angles:?}: {seen:?} {joints:?}");
                 }
@@ -315,7 +315,7 @@ fn grblhal_follows(first: &CellDocument, options: &CellOptions, at: [Vector; 2],
     for [tilt, turn] in [[0.0, 0.0], [25.0, 0.0], [-40.0, 77.0]] {
         let turned = times(rotation('z', turn), p);
         let tilted = times(rotation('x', tilt), [0, 1, 2].map(|k| turned[k] + c[k]));
-        let seen = moved(w, at, ('x', 1.0), [tilt, turn]);
+        let seen = moved(w, at, 'x', 1.0, [tilt, turn]);
         assert!(norm(minus(seen, [0, 1, 2].map(|k| tilted[k] + a[k]))) < 2e-3, "{text}");
     }
 }

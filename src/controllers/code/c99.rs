@@ -2,7 +2,7 @@
 
 use super::{Function, Notation, formulas};
 use crate::template::{literal, render};
-use crate::{Exporter, Given, is_in_code};
+use crate::{ExportInput, Exporter, is_in_code};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
 use etalon_robots::Parameter;
@@ -40,11 +40,11 @@ impl Exporter for C99 {
         "etalon_kinematics.c"
     }
 
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_in_code(parameter)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let header = given.header_of_code("mm, rad")?.join("\n * ");
         Ok(format!("/* {header} */\n#include <math.h>\n{}", functions(&formulas(given)?)?).into_bytes())
     }

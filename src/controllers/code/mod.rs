@@ -14,14 +14,14 @@ pub(super) use c99::{C99, functions};
 pub(super) use python::PythonCode;
 pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, scl, units};
 
-use super::Given;
+use super::ExportInput;
 use etalon_base::error;
 use etalon_base::expression::{Formula, Operation};
 use etalon_base::message::Result;
 use serde::Serialize;
 
 /// Formulas of the robot with its identified parameters.
-pub(super) fn formulas(given: &Given) -> Result<Vec<Formula>> {
+pub(super) fn formulas(given: &ExportInput) -> Result<Vec<Formula>> {
     let (robot, values) = given.robot()?;
     let formulas = robot.kinematics().map(|arm| arm.formulas(&values)).unwrap_or_default();
     if !robot.branches().is_empty() {

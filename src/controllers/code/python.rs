@@ -2,7 +2,7 @@
 
 use super::{Function, Notation, formulas};
 use crate::template::{literal, render};
-use crate::{Exporter, Given, is_in_code};
+use crate::{ExportInput, Exporter, is_in_code};
 use etalon_base::message::Result;
 use etalon_robots::Parameter;
 use minijinja::context;
@@ -38,11 +38,11 @@ impl Exporter for PythonCode {
         "etalon_kinematics.py"
     }
 
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_in_code(parameter)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let functions: Vec<Function> = formulas(given)?.iter().map(|formula| Function::new(formula, &Python)).collect();
         let values = context! { header => given.header_of_code("mm, rad")?, functions => Serde(functions) };
         render(include_str!("../templates/kinematics.py.j2"), values).map(String::into_bytes)

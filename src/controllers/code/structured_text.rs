@@ -3,7 +3,7 @@
 
 use super::{Notation, formulas, interface, kept, statements};
 use crate::template::real_literal;
-use crate::{Exporter, Given, is_in_code};
+use crate::{ExportInput, Exporter, is_in_code};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
 use etalon_robots::Parameter;
@@ -220,7 +220,7 @@ fn integers(names: &'static [&'static str]) -> impl Iterator<Item = Variable> {
 
 /// Functions and function blocks of the robot with its identified parameters, each after those that
 /// it calls.
-pub(crate) fn units(given: &Given) -> Result<Vec<Unit>> {
+pub(crate) fn units(given: &ExportInput) -> Result<Vec<Unit>> {
     let mut all = vec![
         Unit::function("ETALON_ATAN2", "Angle of the vector (x, y), rad.", &["y", "x"], ATAN2),
         Unit::function("ETALON_WRAP", "Reduces an angle between -2 pi and 2 pi to -pi ... pi.", &["angle"], WRAP),
@@ -277,11 +277,11 @@ impl Exporter for StructuredText {
         "etalon_kinematics.st"
     }
 
-    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
         is_in_code(parameter)
     }
 
-    fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
         let mut out: String = given.header_of_code("mm, rad")?.iter().map(|line| format!("(* {line} *)\n")).collect();
         for unit in units(given)? {
             let (word, of) = if unit.is_function() { ("FUNCTION", " : LREAL") } else { ("FUNCTION_BLOCK", "") };

@@ -1,6 +1,6 @@
 //! Galil DMC: absolute positions of the axes in counts, `PA n,n,n`.
 
-use super::{Given, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks, slots};
+use super::{ExportInput, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks, slots};
 use etalon_base::message::Result;
 use etalon_base::{error, phrase};
 use std::fmt::Write;
@@ -31,7 +31,7 @@ impl Galil {
     /// # Errors
     ///
     /// Fails with more axes than a controller has, or if counts exceed its range.
-    pub fn list(&self, given: &Given, targets: &[(String, Vec<f64>)]) -> Result<String> {
+    pub fn list(&self, given: &ExportInput, targets: &[(String, Vec<f64>)]) -> Result<String> {
         let axes = "ABCDEFGH".get(..self.counts_per_unit.len());
         let axes = axes.ok_or_else(|| error!("galil-axes", joints = self.counts_per_unit.len()))?;
         let mut out: String = given.header("counts")?.iter().map(|line| format!("REM {line}\n")).collect();

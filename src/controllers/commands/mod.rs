@@ -13,7 +13,7 @@ mod urscript;
 
 pub use galil::Galil;
 
-use super::Given;
+use super::ExportInput;
 use super::decimals::fixed;
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
@@ -184,7 +184,7 @@ pub fn stated(language: &dyn CommandLanguage, numbers: &[String], freedoms: Free
 /// Fails if the header cannot be written.
 pub fn list(
     language: &dyn CommandLanguage,
-    given: &Given,
+    given: &ExportInput,
     commands: &[Command],
     freedoms: Freedoms,
     decimals: usize,

@@ -175,7 +175,8 @@ pub fn language(name: Option<&str>, ending: &str) -> Option<(&'static str, &'sta
 /// Reports other joints, a joint whose motor is logged (its value is not that of the joint), and
 /// missing or unsuited settings.
 pub fn check(
-    (name, language): (&str, &dyn MeasuringLanguage),
+    name: &str,
+    language: &dyn MeasuringLanguage,
     joints: &[Joint],
     gain: impl Fn(usize) -> f64,
     stated: &Stated,

@@ -40,7 +40,7 @@ pub(super) fn summary() -> CampaignSummary {
 
 fn written(format: &str) -> String {
     let (document, summary) = (certified(), summary());
-    let given = Given { summary: Some(&summary), ..Given::parameters(&document) };
+    let given = ExportInput { summary: Some(&summary), ..ExportInput::parameters(&document) };
     String::from_utf8(by_name(format).unwrap().write(&given).unwrap()).unwrap()
 }
 
@@ -100,7 +100,7 @@ fn certificates_are_valid_and_a_decimal_comma_is_not() {
         bare.covariance.clear();
         (summary.operator, summary.instrument, summary.temperature_c) = (None, None, None);
         (summary.conditions, summary.issue) = Default::default();
-        let given = Given { summary: Some(&summary), ..Given::parameters(&bare) };
+        let given = ExportInput { summary: Some(&summary), ..ExportInput::parameters(&bare) };
         let text = String::from_utf8(by_name(format).unwrap().write(&given).unwrap()).unwrap();
         assert!(valid(&text, schema).is_none_or(|answer| answer.is_empty()), "{text}");
         let named = "country (ZZ), customer, laboratory, responsible person, instrument, calibration of the instrument, temperature";
@@ -114,7 +114,7 @@ fn a_certificate_needs_the_date_of_the_measurements() {
     summary.date = Some("in spring".to_owned());
     let document = certified();
     for summary in [Some(&summary), None] {
-        let given = Given { summary, ..Given::parameters(&document) };
+        let given = ExportInput { summary, ..ExportInput::parameters(&document) };
         let refused = by_name("dcc").unwrap().write(&given).unwrap_err();
         assert!(refused.0[0].is("certificate-date-missing", &[]), "{refused}");
     }

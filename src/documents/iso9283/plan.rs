@@ -7,7 +7,7 @@ use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_robots::Robot;
 use etalon_standards::iso9283::plan::programme::{Item, LOADS_PERCENT, programme};
-use etalon_standards::iso9283::plan::{CommandedPose, CommandedPoses, Reach, TestPlan, Unreached};
+use etalon_standards::iso9283::plan::{CommandedPose, CommandedPoses, Reachability, TestPlan, Unreached};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -98,7 +98,7 @@ const ASSEMBLY: &str = "assembly";
 
 impl Iso9283PlanDocument {
     /// Creates the document of a plan, with joint values if a robot is stated.
-    pub fn new(plan: &TestPlan, reached: Option<(&dyn Robot, &Reach)>) -> Self {
+    pub fn new(plan: &TestPlan, reached: Option<(&dyn Robot, &Reachability)>) -> Self {
         let joints = |i: usize| match reached {
             Some((robot, reach)) => reach.joints[i].iter().map(|q| q.as_ref().map(|q| named(robot, q))).collect(),
             None => Vec::new(),
@@ -141,7 +141,7 @@ fn named(robot: &dyn Robot, q: &[f64]) -> BTreeMap<String, f64> {
     joints.chain(assembly).collect()
 }
 
-fn conventions(planar: bool, reach: Option<&Reach>) -> Vec<Phrase> {
+fn conventions(planar: bool, reach: Option<&Reachability>) -> Vec<Phrase> {
     let shape = if planar { "square" } else { "cube" };
     vec![
         phrase!("plan-cube", shape),

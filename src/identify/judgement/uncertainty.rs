@@ -98,7 +98,7 @@ pub(crate) fn with_uncertainty(
     warnings.extend(verdict.map(Into::into));
 
     let lengths = lengths(problem, solution);
-    let own = solution.factor.as_ref().map(|f| f.own()).unwrap_or_default();
+    let own = solution.factor.as_ref().map(|f| f.block_columns()).unwrap_or_default();
     let separable = Separable::new(problem, solution, &by_nominal, covariance.as_deref());
     let (observability, weak) = observability(problem, solution, settings, wanted, &separable)?;
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
@@ -523,7 +523,7 @@ fn noise(
 fn noise_covariance(solution: &Solution, jacobian: &[f64], noise: &[DMatrix<f64>]) -> Option<(Vec<f64>, f64)> {
     let n = solution.x.len();
     // of points that are eliminated the root is not at hand
-    let whole = solution.factor.as_ref()?.own().is_empty();
+    let whole = solution.factor.as_ref()?.block_columns().is_empty();
     let root = if whole {
         root(solution)?
     } else {

@@ -177,7 +177,7 @@ fn redundant(problem: &Residuals, values: &[f64], noise: f64, choice: Choice) ->
         changes.extend(own.into_iter().map(|(k, weight)| (columns[k], weight)));
         all.push(new(columns[common[*j]], changes));
     }
-    let mut kept = factor.own();
+    let mut kept = factor.block_columns();
     kept.extend(found.basis.iter().map(|b| common[b.0]));
     if noise > 0.0 {
         let useless = useless(problem, Selected { factor: &factor, columns: &columns }, &norms, kept, noise);

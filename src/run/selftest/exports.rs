@@ -7,7 +7,7 @@ use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, phrase};
 use etalon_campaign::read_robot;
-use etalon_controllers::{Description, Given, by_name};
+use etalon_controllers::{Description, ExportInput, by_name};
 use etalon_robots::{Parameter, Robot};
 
 pub(super) const SUBJECT: Subject = Subject {
@@ -55,7 +55,7 @@ fn text(format: &str, robot: &dyn Robot, values: &[f64]) -> Result<String> {
 /// Text of a controller file of a robot that another file describes.
 fn described(format: &str, robot: &dyn Robot, values: &[f64], description: Option<Description>) -> Result<String> {
     let document = document(robot, values)?;
-    let given = Given { robot: Some(robot), description, ..Given::parameters(&document) };
+    let given = ExportInput { robot: Some(robot), description, ..ExportInput::parameters(&document) };
     let exporter = by_name(format).ok_or_else(|| error!("selftest-data-unreadable", name = format, reason = ""))?;
     Ok(String::from_utf8_lossy(&exporter.write(&given)?).into_owned())
 }

@@ -8,7 +8,7 @@ use super::row::{Rows, Subject, not_made};
 use super::sample::{document, inward, positions, robot};
 use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus, norm};
-use etalon_controllers::{Given, by_name};
+use etalon_controllers::{ExportInput, by_name};
 use etalon_robots::{Kinematics, Robot};
 
 pub(super) const SUBJECT: Subject = Subject {
@@ -121,7 +121,7 @@ fn code(name: &str, arm: &dyn Kinematics, joints: &[Vec<f64>], rows: &mut Rows) 
         Ok(document) => document,
         Err(problems) => return rows.failed(not_made(name, &problems)),
     };
-    let given = Given { robot: Some(arm), ..Given::parameters(&document) };
+    let given = ExportInput { robot: Some(arm), ..ExportInput::parameters(&document) };
     let planar = arm.dimension() == 2;
     for format in ["c-kinematics", "python-kinematics"] {
         let text = by_name(format).map(|exporter| exporter.write(&given));

@@ -7,7 +7,7 @@ use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
-use etalon::controllers::{self, Description, Exporter, Given};
+use etalon::controllers::{self, Description, ExportInput, Exporter};
 use etalon::documents::{CampaignSummary, ControllersDocument};
 use etalon::robots::Robot;
 use etalon::run::pipeline::Outcome;
@@ -64,15 +64,15 @@ impl Ran {
         self.outcome.identified.as_ref().unwrap()
     }
 
-    fn given<'a>(&'a self, controllers: Option<&'a ControllersDocument>) -> Given<'a> {
+    fn given<'a>(&'a self, controllers: Option<&'a ControllersDocument>) -> ExportInput<'a> {
         let found = self.found();
-        Given {
+        ExportInput {
             summary: Some(&self.summary),
             robot: Some(self.robot.as_ref()),
             description: self.description.as_ref().map(|(file, text)| Description { file, text }),
             accuracy: Some(&found.accuracy),
             controllers,
-            ..Given::parameters(&found.parameters)
+            ..ExportInput::parameters(&found.parameters)
         }
     }
 

@@ -59,13 +59,13 @@ impl Generation {
         };
         let shape = Shape::Capsule { ends, radius: stated.radius_mm };
         if joint + 1 == joints.len() {
-            self.check_reflectors(robot, &chain.flange, (&shape, &stated.joint))?;
+            self.check_reflectors(robot, &chain.flange, &shape, &stated.joint)?;
         }
         Ok(Obstacle { name: stated.joint.clone(), shape, joint: Some(joint) })
     }
 
     /// Rejects reflectors inside the link that carries them.
-    fn check_reflectors(&self, robot: &dyn Robot, flange: &Pose, (link, joint): (&Shape, &str)) -> Result<()> {
+    fn check_reflectors(&self, robot: &dyn Robot, flange: &Pose, link: &Shape, joint: &str) -> Result<()> {
         let (Some(arm), nominal) = (robot.free_base(), robot.nominal()) else { return Ok(()) };
         for (target, reflector) in self.reflectors.iter().enumerate() {
             let first = arm.target_place(target);

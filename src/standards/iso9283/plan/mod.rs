@@ -2,9 +2,9 @@
 
 pub mod layout;
 pub mod programme;
-mod reach;
+mod reachability;
 
-pub use reach::{Reach, UnknownReach, Unreached, reach};
+pub use reachability::{Reachability, UnknownReachability, Unreached, reachability};
 
 use crate::iso9283::plan::layout::{Layout, PLANES, layout};
 use etalon_base::error;

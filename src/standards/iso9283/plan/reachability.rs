@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 /// Joint values of the places of a plan.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reach {
+pub struct Reachability {
     /// Joint values at each place of each list, followed by the assembly mode if the robot has
     /// several; `None` if out of reach.
     pub joints: Vec<Vec<Option<Vec<f64>>>>,
@@ -30,16 +30,16 @@ pub struct Unreached {
     pub reason: Phrase,
 }
 
-/// Error: the model of the robot does not provide its reach.
+/// Error: the model of the robot does not provide its reachability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct UnknownReach;
+pub struct UnknownReachability;
 
 /// Finds joint values of every place, and places that are out of reach with the reasons. Fails for
 /// models whose inverse is not valid everywhere. With several working modes, one is kept along a
 /// list: the one that reaches most of its places.
-pub fn reach(plan: &TestPlan, robot: &dyn Robot) -> Result<Reach, UnknownReach> {
+pub fn reachability(plan: &TestPlan, robot: &dyn Robot) -> Result<Reachability, UnknownReachability> {
     if robot.platform().is_none() && robot.inverse_all(&robot.nominal(), [0.0; 3]).is_none() {
-        return Err(UnknownReach);
+        return Err(UnknownReachability);
     }
     let joints: Vec<_> = plan.places.iter().map(|places| way(robot, places)).collect();
     let mut unreached = Vec::new();
@@ -49,7 +49,7 @@ pub fn reach(plan: &TestPlan, robot: &dyn Robot) -> Result<Reach, UnknownReach> 
         }
     }
     let all_move = joints.first().is_some_and(|poses| moves_all(robot, poses));
-    Ok(Reach { joints, unreached, all_move })
+    Ok(Reachability { joints, unreached, all_move })
 }
 
 /// Joint values of all solutions for a place within the limits.
@@ -84,7 +84,9 @@ fn way(robot: &dyn Robot, places: &CommandedPoses) -> Vec<Option<Vec<f64>>> {
     let follow = |start: Vec<f64>| -> Vec<Option<Vec<f64>>> {
         let mut last = start;
         let nearest = |ways: &Vec<Vec<f64>>| {
-            let next = ways.iter().min_by(|a, b| apart(robot, a, &last).total_cmp(&apart(robot, b, &last)));
+            let next = ways
+                .iter()
+                .min_by(|a, b| largest_difference(robot, a, &last).total_cmp(&largest_difference(robot, b, &last)));
             // the other mode is beyond a singularity
             let next = next.filter(|q| same_mode(robot, q, &last)).cloned();
             last = next.clone().unwrap_or_else(|| last.clone());
@@ -97,7 +99,7 @@ fn way(robot: &dyn Robot, places: &CommandedPoses) -> Vec<Option<Vec<f64>>> {
 }
 
 /// Largest difference of a joint, with angles the shorter way.
-fn apart(robot: &dyn Robot, a: &[f64], b: &[f64]) -> f64 {
+fn largest_difference(robot: &dyn Robot, a: &[f64], b: &[f64]) -> f64 {
     let of = |(joint, (a, b)): (&etalon_robots::Joint, (&f64, &f64))| match joint.quantity {
         Quantity::Angle => Turn::RADIANS.difference(*a, *b).abs(),
         _ => (a - b).abs(),
@@ -108,7 +110,7 @@ fn apart(robot: &dyn Robot, a: &[f64], b: &[f64]) -> f64 {
 /// `true` if a robot moves from one configuration to the other without changing its assembly mode
 /// or folding over.
 fn same_mode(robot: &dyn Robot, a: &[f64], b: &[f64]) -> bool {
-    !robot.has_assembly_modes() || (a.last() == b.last() && apart(robot, a, b) < PI / 2.0)
+    !robot.has_assembly_modes() || (a.last() == b.last() && largest_difference(robot, a, b) < PI / 2.0)
 }
 
 fn moves_all(robot: &dyn Robot, poses: &[Option<Vec<f64>>]) -> bool {

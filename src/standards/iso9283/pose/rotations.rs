@@ -86,7 +86,7 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     #[test]
-    fn only_orders_that_reach_every_orientation_are_read() {
+    fn only_orders_that_cover_every_orientation_are_read() {
         assert!(RotationOrder::parse("Rz(c) Ry(b) Rx(a)").is_some());
         assert!(RotationOrder::parse(" Rz(a)  Ry(b) Rz(c)").is_some());
         for wrong in
