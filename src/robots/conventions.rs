@@ -7,7 +7,7 @@
 
 use super::chain::Motion;
 use super::keys::{Description, Reader, Stated};
-use super::serial::{ArmBuilder, Body, Drive, Effects, drawn_link};
+use super::serial::{ArmBuilder, Body, Drive, Effects, ThermalEffects, drawn_link};
 use super::tables::{AxisLine, NEAR_PARALLEL_RAD};
 use super::{
     At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
@@ -163,7 +163,7 @@ impl EffectKeys {
             ("backlash", &self.backlash, &mut effects.backlash),
             ("payload", &self.payload, &mut effects.payload),
             ("torque", &self.torque, &mut effects.torque),
-            ("drift", &self.drift, &mut effects.drift),
+            ("drift", &self.drift, &mut effects.thermal.drift),
             ("lateral", &self.lateral, &mut effects.lateral),
         ];
         for (key, stated, list) in lists {
@@ -191,7 +191,7 @@ impl EffectKeys {
                 (Ok(j), Ok(by)) => effects.coupling.push((j, by)),
             }
         }
-        (effects.expansion, effects.reference_c) = (self.expansion, self.reference_c);
+        (effects.thermal.expansion, effects.thermal.reference_c) = (self.expansion, self.reference_c);
         effects.pedestal = self.pedestal;
         match unit(self.gravity) {
             Some(direction) => effects.gravity = direction,
@@ -613,9 +613,7 @@ mod tests {
             backlash: vec![1],
             payload: vec![1, 2],
             torque: vec![0, 1, 4],
-            drift: (0..6).collect(),
-            expansion: true,
-            reference_c: 20.0,
+            thermal: ThermalEffects { drift: (0..6).collect(), expansion: true, reference_c: 20.0 },
             lateral: vec![0, 1, 4],
             pedestal: true,
             bodies: (0..6).map(|k| Body { mass_kg: 3.0, center_mm: [20.0 * f64::from(k), 10.0, -30.0] }).collect(),
@@ -706,7 +704,8 @@ mod tests {
     /// An arm that expands is a larger arm: all lengths by hand, and the same in each convention.
     #[test]
     fn an_arm_that_expands_is_larger() {
-        let effects = Effects { expansion: true, reference_c: 20.0, gravity: [0.0, 0.0, -1.0], ..Effects::default() };
+        let thermal = ThermalEffects { expansion: true, reference_c: 20.0, ..ThermalEffects::default() };
+        let effects = Effects { thermal, gravity: [0.0, 0.0, -1.0], ..Effects::default() };
         let mut noise = Noise::new(45, 7);
         for robot in arms(&effects) {
             let mut values = robot.nominal();
@@ -725,7 +724,8 @@ mod tests {
     #[test]
     fn torques_and_temperatures_move_joints() {
         let torque = Effects { torque: vec![1], gravity: [0.0, 0.0, -1.0], ..Effects::default() };
-        let drift = Effects { drift: vec![1], reference_c: 20.0, gravity: [0.0, 0.0, -1.0], ..Effects::default() };
+        let thermal = ThermalEffects { drift: vec![1], reference_c: 20.0, ..ThermalEffects::default() };
+        let drift = Effects { thermal, gravity: [0.0, 0.0, -1.0], ..Effects::default() };
         for (effects, name, stated, moved_rad) in
             [(torque, "compliance_2_torque", -40.0, -0.4e-3), (drift, "drift_2", 26.0, 0.6e-3)]
         {
@@ -847,7 +847,7 @@ mod tests {
                 let first = robot.index("T_x").unwrap();
                 values[first..first + 3].copy_from_slice(&flange.apply([40.0, -30.0, 90.0]));
                 let mut q = q.clone();
-                let load = robot.payload.unwrap();
+                let load = robot.stated.payload.unwrap();
                 let at = flange.apply([q[load + 1], q[load + 2], q[load + 3]]);
                 q[load + 1..load + 4].copy_from_slice(&at);
                 positions(robot, &values, &q)

@@ -55,16 +55,23 @@ pub(super) struct Effects {
     pub backlash: Vec<usize>,
     pub payload: Vec<usize>,
     pub torque: Vec<usize>,
-    pub drift: Vec<usize>,
-    /// `true` if all lengths expand with the temperature.
-    pub expansion: bool,
-    /// Temperature (°C) to which lengths and zeros refer.
-    pub reference_c: f64,
+    pub thermal: ThermalEffects,
     pub lateral: Vec<usize>,
     /// `true` if the base tilts under the moments of the arm.
     pub pedestal: bool,
     /// Stated masses of the links behind the joints; empty if none is stated.
     pub bodies: Vec<Body>,
+}
+
+/// Effects of the temperature.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ThermalEffects {
+    /// Joints whose zeros drift with the temperature, by their indices.
+    pub drift: Vec<usize>,
+    /// `true` if all lengths expand with the temperature.
+    pub expansion: bool,
+    /// Temperature (°C) to which lengths and zeros refer.
+    pub reference_c: f64,
 }
 
 /// A moving joint of the chain.
@@ -208,6 +215,14 @@ pub(super) struct ArmBuilder {
     circumstances: Vec<Circumstance>,
     /// Term of the common expansion of all lengths.
     expansion: Option<Term>,
+    lateral: LateralCompliance,
+    /// Number of parameters that other branches of the robot have already added.
+    shared: usize,
+}
+
+/// Axes and base that tilt across their direction of motion.
+#[derive(Debug, Default)]
+struct LateralCompliance {
     /// Axes that tilt, by their indices.
     tilting: Vec<usize>,
     /// First of the two elements by which each of these axes tilts. The elements before and behind
@@ -220,8 +235,6 @@ pub(super) struct ArmBuilder {
     sags: Vec<(usize, usize)>,
     /// First of the three elements by which the base tilts.
     pedestal: Option<usize>,
-    /// Number of parameters that other branches of the robot have already added.
-    shared: usize,
 }
 
 impl ArmBuilder {
@@ -238,11 +251,7 @@ impl ArmBuilder {
             approached: Vec::new(),
             circumstances: Vec::new(),
             expansion: None,
-            tilting: Vec::new(),
-            tilts: Vec::new(),
-            sagging: Vec::new(),
-            sags: Vec::new(),
-            pedestal: None,
+            lateral: LateralCompliance::default(),
             shared: 0,
         };
         arm.place_base();
@@ -279,9 +288,9 @@ impl ArmBuilder {
 
     /// Prepares the tilts of axes and base; to be called before the first axis is added.
     pub fn elastic(&mut self, effects: &Effects) {
-        self.tilting.clone_from(&effects.lateral);
+        self.lateral.tilting.clone_from(&effects.lateral);
         if effects.pedestal {
-            self.pedestal = Some(self.elements.len());
+            self.lateral.pedestal = Some(self.elements.len());
             (0..3).for_each(|axis| self.push(Motion::Turn(axis), 0.0, &[]));
         }
     }
@@ -289,16 +298,16 @@ impl ArmBuilder {
     /// Prepares the tilts of sliding axes under masses; to be called before the first axis is
     /// added.
     pub fn sag(&mut self, axes: &[usize]) {
-        self.sagging = axes.to_vec();
+        self.lateral.sagging = axes.to_vec();
     }
 
     /// Adds the tilts of the last axis at the frame of its link; the current frame is the frame
     /// behind the axis.
     pub fn tilt(&mut self) {
         let axis = self.axes.len() - 1;
-        if self.tilting.contains(&axis) {
+        if self.lateral.tilting.contains(&axis) {
             let first = self.turns_at_link([0, 1]);
-            self.tilts.push((axis, first));
+            self.lateral.tilts.push((axis, first));
         }
     }
 
@@ -332,19 +341,19 @@ impl ArmBuilder {
     /// All rotations at frames of links.
     fn springs(&self) -> Vec<Spring> {
         let spring = |at_axes| move |&(axis, first): &(usize, usize)| Spring { axis, first, at_axes };
-        self.tilts.iter().map(spring(true)).chain(self.sags.iter().map(spring(false))).collect()
+        self.lateral.tilts.iter().map(spring(true)).chain(self.lateral.sags.iter().map(spring(false))).collect()
     }
 
     /// Adds the parameters of the tilts: angles under 100 N·m about the same direction. The moment
     /// is that of the known masses and of the payload; without known masses, of the payload alone.
     pub fn tilts(&mut self, gravity: Vector) {
-        if self.tilts.is_empty() && self.pedestal.is_none() {
+        if self.lateral.tilts.is_empty() && self.lateral.pedestal.is_none() {
             return;
         }
         if self.axes.iter().all(|axis| axis.body.mass_kg == 0.0) {
             self.stated_payload();
         }
-        for (axis, first) in self.tilts.clone() {
+        for (axis, first) in self.lateral.tilts.clone() {
             let Drive { label, joint, .. } = self.axes[axis].drive.clone();
             for (k, about) in AXES.iter().enumerate().take(2) {
                 let name = format!("lateral_{label}_{about}");
@@ -352,7 +361,7 @@ impl ArmBuilder {
                 self.bend(first + k, own, Load::Across { axis: Some(axis), about: k });
             }
         }
-        let Some(first) = self.pedestal else { return };
+        let Some(first) = self.lateral.pedestal else { return };
         // gravity has no moment about its own direction
         for k in (0..3).filter(|&k| gravity[k].abs() < ALONG) {
             let own = Parameter::new(format!("pedestal_{}", AXES[k]), Quantity::Angle, Role::Robot, 0.0);
@@ -528,9 +537,9 @@ impl ArmBuilder {
 
     /// Adds the effects of the temperature of a reading.
     pub fn temperature(&mut self, effects: &Effects) {
-        self.drift(&effects.drift, effects.reference_c);
-        if effects.expansion {
-            self.expansion(effects.reference_c);
+        self.drift(&effects.thermal.drift, effects.thermal.reference_c);
+        if effects.thermal.expansion {
+            self.expansion(effects.thermal.reference_c);
         }
     }
 
@@ -613,7 +622,7 @@ impl ArmBuilder {
             let term = self.load(compliance_name(&label, None), load, axis, None);
             return self.moved[axis].push(term);
         }
-        let sags: Vec<usize> = self.sags.iter().filter(|sag| sag.0 == axis).map(|sag| sag.1).collect();
+        let sags: Vec<usize> = self.lateral.sags.iter().filter(|sag| sag.0 == axis).map(|sag| sag.1).collect();
         for element in sags.into_iter().flat_map(|first| [first, first + 1]) {
             let Motion::Turn(k) = self.elements[element].motion else { continue };
             let name = compliance_name(&label, Some(&format!("r{}", AXES[k])));
@@ -663,9 +672,9 @@ impl ArmBuilder {
             }
         }
         let aligned = z_to(direction);
-        if drive.prismatic && self.sagging.contains(&self.axes.len()) {
+        if drive.prismatic && self.lateral.sagging.contains(&self.axes.len()) {
             let first = self.turns_at_link(error_axes(direction));
-            self.sags.push((self.axes.len(), first));
+            self.lateral.sags.push((self.axes.len(), first));
         }
         self.place(aligned);
         self.push(if drive.prismatic { Motion::Shift(2) } else { Motion::Turn(2) }, 0.0, &[]);
@@ -724,9 +733,11 @@ impl ArmBuilder {
             axes: self.axes,
             loads: self.loads,
             based: self.based,
-            approached: self.approached,
-            payload: mass.map(|at| first + at),
-            circumstances: self.circumstances,
+            stated: StatedValues {
+                approached: self.approached,
+                payload: mass.map(|at| first + at),
+                circumstances: self.circumstances,
+            },
             gravity,
             of_base: Vec::new(),
             link: None,
@@ -917,12 +928,7 @@ pub struct Serial {
     springs: Vec<Spring>,
     /// Number of elements of the base.
     based: usize,
-    /// Joints whose direction of approach follows the joint values.
-    approached: Vec<usize>,
-    /// Position of the payload behind the joint values.
-    pub(super) payload: Option<usize>,
-    /// Values that each reading states; they follow the directions of approach.
-    circumstances: Vec<Circumstance>,
+    pub(super) stated: StatedValues,
     gravity: Vector,
     /// Limits of each joint (rad or mm).
     limits: Vec<Option<[f64; 2]>>,
@@ -932,6 +938,17 @@ pub struct Serial {
     link: Option<Sketch>,
     /// Robot that the same numbers describe in another convention, with the name of the convention.
     other: Option<(Phrase, Box<Self>)>,
+}
+
+/// Values that each reading states in addition to the joint values.
+#[derive(Clone, Debug)]
+pub(super) struct StatedValues {
+    /// Joints whose direction of approach follows the joint values.
+    approached: Vec<usize>,
+    /// Position of the payload behind the joint values.
+    pub payload: Option<usize>,
+    /// Circumstances; they follow the directions of approach.
+    circumstances: Vec<Circumstance>,
 }
 
 impl Serial {
@@ -979,7 +996,7 @@ impl Serial {
     /// values.
     fn loads_on<T: Scalar>(&self, frames: &[Pose<T>], flange: &Pose<T>, joints: &[T]) -> Vec<T> {
         let gravity = self.gravity.map(T::from);
-        let stated = |k: usize| self.payload.and_then(|at| joints.get(at + k).copied()).unwrap_or(T::from(0.0));
+        let stated = |k: usize| self.stated.payload.and_then(|at| joints.get(at + k).copied()).unwrap_or(T::from(0.0));
         let [mass_kg, x, y, z] = [0, 1, 2, 3].map(stated);
         let origin = |k: usize| frames[k].apply(self.axes[k].link.translation_mm.map(T::from));
         let size = |load: &Load| match *load {
@@ -1249,10 +1266,10 @@ impl Robot for Serial {
         settle(&mut self.elements, &mut self.axes, &self.springs, &links_behind(&lines, &frames, &flange));
     }
     fn approached(&self) -> &[usize] {
-        &self.approached
+        &self.stated.approached
     }
     fn circumstances(&self) -> &[Circumstance] {
-        &self.circumstances
+        &self.stated.circumstances
     }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<Phrase> {
         limit_violation(self.joints(), &self.limits, joints)

@@ -8,7 +8,7 @@
 use super::branches::Branches;
 use super::conventions::EffectKeys;
 use super::keys::{Description, Reader};
-use super::serial::{ArmBuilder, Body, Drive, Effects, Serial};
+use super::serial::{ArmBuilder, Body, Drive, Effects, Serial, ThermalEffects};
 use super::{At, Fault, FaultKind, Faults, Joint, Key, Model, Quantity, Robot, TreeFault, wrong_targets};
 use etalon_base::pose::{Pose, Vector, cross, norm, unit};
 use std::sync::Arc;
@@ -74,9 +74,7 @@ impl<'a> Branch<'a> {
             bending: places(&effects.bending),
             payload: places(&effects.payload),
             torque: places(&effects.torque),
-            drift: places(&effects.drift),
-            expansion: effects.expansion,
-            reference_c: effects.reference_c,
+            thermal: ThermalEffects { drift: places(&effects.thermal.drift), ..effects.thermal },
             lateral: places(&effects.lateral),
             pedestal: effects.pedestal,
             bodies: Vec::new(),
