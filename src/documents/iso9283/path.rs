@@ -18,26 +18,26 @@ mirror! {
         /// `true` if commanded angles change along the path; AT is then evaluated by 8.4.
         reorientation: bool,
         /// AT_p (8.2): largest distance between the mean path and the commanded path.
-        at_mm: f64 = p.accuracy.at_mm,
+        at_mm: f64 = p.at.position.at_mm,
         /// 95 % interval of AT_p by parametric bootstrap over the passes; null with fewer than
         /// three.
         #[serde(default)]
-        at_interval: Option<Iso9283Interval> = p.at_interval.map(Into::into),
+        at_interval: Option<Iso9283Interval> = p.at.interval.map(Into::into),
         /// Position of AT_p along the path.
-        at_along_mm: f64 = p.points[p.accuracy.worst].along_mm,
+        at_along_mm: f64 = p.points[p.at.position.worst].along_mm,
         /// AT of the measured angles, in the order a, b, c; empty if two of them are not separable.
-        at_angles_deg: Vec<f64> = degrees(&p.angle_accuracy_rad),
+        at_angles_deg: Vec<f64> = degrees(&p.at.angles_rad),
         /// RT_p (8.3): largest mean radius plus three standard deviations; null with a single pass.
-        rt_mm: Option<f64> = p.repeatability.as_ref().map(|r| r.rt_mm),
+        rt_mm: Option<f64> = p.rt.position.as_ref().map(|r| r.rt_mm),
         /// 95 % interval of the RT_p of infinitely many passes. RT_p may exceed it, because the
         /// largest of many scattered values is biased upwards.
         #[serde(default)]
-        rt_interval: Option<Iso9283Interval> = p.rt_interval.map(Into::into),
+        rt_interval: Option<Iso9283Interval> = p.rt.interval.map(Into::into),
         /// Position of RT_p along the path.
-        rt_along_mm: Option<f64> = p.repeatability.as_ref().map(|r| p.points[r.worst].along_mm),
+        rt_along_mm: Option<f64> = p.rt.position.as_ref().map(|r| p.points[r.worst].along_mm),
         /// RT of the measured angles; empty with a single pass, and if two of them are not
         /// separable.
-        rt_angles_deg: Vec<f64> = degrees(&p.angle_repeatability_rad),
+        rt_angles_deg: Vec<f64> = degrees(&p.rt.angles_rad),
         /// Velocity, if the commanded velocity is stated.
         velocity: Option<Iso9283Velocity> = p.velocity.map(Into::into),
         /// Corners of the commanded path.

@@ -221,22 +221,22 @@ mirror! {
         rp_z_mm: Option<f64> = p.repeatability.filter(|_| p.spatial).map(|r| r.axis_mm[2]),
         /// AP_a.
         #[serde(skip_serializing_if = "Option::is_none")]
-        ap_a_deg: Option<f64> = p.angle_accuracy_rad[0].map(f64::to_degrees),
+        ap_a_deg: Option<f64> = p.angles.accuracy_rad[0].map(f64::to_degrees),
         /// AP_b.
         #[serde(skip_serializing_if = "Option::is_none")]
-        ap_b_deg: Option<f64> = p.angle_accuracy_rad[1].map(f64::to_degrees),
+        ap_b_deg: Option<f64> = p.angles.accuracy_rad[1].map(f64::to_degrees),
         /// AP_c.
         #[serde(skip_serializing_if = "Option::is_none")]
-        ap_c_deg: Option<f64> = p.angle_accuracy_rad[2].map(f64::to_degrees),
+        ap_c_deg: Option<f64> = p.angles.accuracy_rad[2].map(f64::to_degrees),
         /// RP_a: three standard deviations.
         #[serde(skip_serializing_if = "Option::is_none")]
-        rp_a_deg: Option<f64> = p.angle_repeatability_rad[0].map(f64::to_degrees),
+        rp_a_deg: Option<f64> = p.angles.repeatability_rad[0].map(f64::to_degrees),
         /// RP_b.
         #[serde(skip_serializing_if = "Option::is_none")]
-        rp_b_deg: Option<f64> = p.angle_repeatability_rad[1].map(f64::to_degrees),
+        rp_b_deg: Option<f64> = p.angles.repeatability_rad[1].map(f64::to_degrees),
         /// RP_c.
         #[serde(skip_serializing_if = "Option::is_none")]
-        rp_c_deg: Option<f64> = p.angle_repeatability_rad[2].map(f64::to_degrees),
+        rp_c_deg: Option<f64> = p.angles.repeatability_rad[2].map(f64::to_degrees),
         /// Rotation from the commanded to the mean orientation about x, y and z of the table, as a
         /// rotation vector; instead of AP_a, AP_b and AP_c where two rotations have nearly the same
         /// axis and their order is stated.

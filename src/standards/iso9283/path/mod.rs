@@ -57,26 +57,40 @@ pub struct PathCharacteristics {
     pub length_mm: f64,
     /// `true` if commanded angles change along the path.
     pub reorientation: bool,
-    /// AT; by 8.4 if commanded angles change along the path.
-    pub accuracy: PathAccuracy,
-    /// AT of each angle; empty if two angles are not separable.
-    pub angle_accuracy_rad: Vec<f64>,
-    /// Interval of AT; absent with fewer than three passes.
-    pub at_interval: Option<Interval>,
-    /// RT; absent with a single pass.
-    pub repeatability: Option<PathRepeatability>,
-    /// RT of each angle; empty with a single pass, and if two angles are not separable.
-    pub angle_repeatability_rad: Vec<f64>,
+    /// AT of the position and of the angles.
+    pub at: AssessedAccuracy,
+    /// RT of the position and of the angles.
+    pub rt: AssessedRepeatability,
     /// Angles that are seen to vary together at a command point: two of 0, 1, 2 for a, b, c.
     pub inseparable: Option<[usize; 2]>,
-    /// Interval of RT; absent with fewer than three passes.
-    pub rt_interval: Option<Interval>,
     /// Velocity, if commanded.
     pub velocity: Option<PathVelocity>,
     /// Corners of the commanded path.
     pub corners: Vec<PathCorner>,
     /// Command points.
     pub points: Vec<PathPoint>,
+}
+
+/// AT with its interval.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AssessedAccuracy {
+    /// AT; by 8.4 if commanded angles change along the path.
+    pub position: PathAccuracy,
+    /// AT of each angle; empty if two angles are not separable.
+    pub angles_rad: Vec<f64>,
+    /// Interval of AT of the position; absent with fewer than three passes.
+    pub interval: Option<Interval>,
+}
+
+/// RT with its interval.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AssessedRepeatability {
+    /// RT; absent with a single pass.
+    pub position: Option<PathRepeatability>,
+    /// RT of each angle; empty with a single pass, and if two angles are not separable.
+    pub angles_rad: Vec<f64>,
+    /// Interval of RT of the position; absent with fewer than three passes.
+    pub interval: Option<Interval>,
 }
 
 /// A corner of the commanded path.
@@ -200,13 +214,17 @@ impl<'a> Driven<'a> {
             length_mm: path.length_mm(),
             reorientation: self.reorients(),
             points: points.iter().enumerate().map(point).collect(),
-            angle_accuracy_rad: (0..angles).map(|k| path_angle_accuracy_rad(passes, points, k)).collect(),
-            angle_repeatability_rad: repeatability.iter().flat_map(|_| (0..angles).map(rt)).collect(),
-            accuracy,
+            at: AssessedAccuracy {
+                angles_rad: (0..angles).map(|k| path_angle_accuracy_rad(passes, points, k)).collect(),
+                position: accuracy,
+                interval: at_interval,
+            },
+            rt: AssessedRepeatability {
+                angles_rad: repeatability.iter().flat_map(|_| (0..angles).map(rt)).collect(),
+                position: repeatability,
+                interval: rt_interval,
+            },
             inseparable,
-            at_interval,
-            repeatability,
-            rt_interval,
             velocity: self.settings.velocity_mm_s.map(velocity).transpose()?,
             corners: path.corners(CORNER_RAD).into_iter().map(cornered).collect::<Result<_>>()?,
         })

@@ -69,12 +69,10 @@ pub struct PoseCharacteristics {
     pub cycles: usize,
     /// AP; absent without a commanded position.
     pub accuracy: Option<PoseAccuracy>,
-    /// AP_a, AP_b, AP_c.
-    pub angle_accuracy_rad: [Option<f64>; 3],
     /// RP; absent with a single visit.
     pub repeatability: Option<PoseRepeatability>,
-    /// RP_a, RP_b, RP_c.
-    pub angle_repeatability_rad: [Option<f64>; 3],
+    /// AP and RP of each angle.
+    pub angles: AngleCharacteristics,
     /// Angles that are not separable; AP and RP of all angles are then absent.
     pub inseparable: Option<Inseparable>,
     /// Orientation by rotation vectors, where angles are not separable and their order is stated.
@@ -89,6 +87,15 @@ pub struct PoseCharacteristics {
     pub noise_free: Option<NoiseFree>,
     /// `true` if z was measured.
     pub spatial: bool,
+}
+
+/// AP and RP of the angles; absent angles were not measured, or are not separable.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AngleCharacteristics {
+    /// AP_a, AP_b, AP_c.
+    pub accuracy_rad: [Option<f64>; 3],
+    /// RP_a, RP_b, RP_c.
+    pub repeatability_rad: [Option<f64>; 3],
 }
 
 /// Assessment of a characteristic of a pose.
@@ -131,7 +138,7 @@ fn pose_characteristics(
     pose.inseparable = test.inseparable(p);
     match pose.inseparable {
         Some(_) => pose.rotation = test.rotation(p),
-        None => pose.angles(test, p),
+        None => pose.evaluate_angles(test, p),
     }
     pose.repeatability = (n >= 2).then(|| pose_repeatability(&positions)).transpose()?;
     if n >= 3 && settings.draws > 0 {
@@ -157,12 +164,12 @@ fn pose_characteristics(
 
 impl PoseCharacteristics {
     /// Evaluates AP and RP of each angle.
-    fn angles(&mut self, test: &PoseTest, p: &TestedPose) {
+    fn evaluate_angles(&mut self, test: &PoseTest, p: &TestedPose) {
         for (k, &axis) in test.angles.iter().enumerate() {
             let attained = p.angles_rad(k, |_| true);
             let commanded = p.commanded_rad.get(k);
-            self.angle_accuracy_rad[axis] = commanded.map(|commanded| angle_accuracy_rad(&attained, *commanded));
-            self.angle_repeatability_rad[axis] = Some(angle_repeatability_rad(&attained)).filter(|rp| rp.is_finite());
+            self.angles.accuracy_rad[axis] = commanded.map(|commanded| angle_accuracy_rad(&attained, *commanded));
+            self.angles.repeatability_rad[axis] = Some(angle_repeatability_rad(&attained)).filter(|rp| rp.is_finite());
         }
     }
 
