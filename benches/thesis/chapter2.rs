@@ -352,5 +352,5 @@ fn after_from_before() -> Predicted {
         c_moved_mm[1] += (y * cos - x * sin) / observations.len() as f64;
     }
     (geometric[6], geometric[7]) = (x_c + c_moved_mm[0], y_c + c_moved_mm[1]);
-    Predicted { errors: predict(&geometric), rms_mm: found.rms, c_moved_mm }
+    Predicted { errors: predict(&geometric), rms_mm: found.residuals.rms, c_moved_mm }
 }

@@ -64,20 +64,20 @@ fn fit_quantities(fit: &Fit) -> Quantities {
     // axes of cones point towards decreasing radii (manual, table 2), ours towards larger ones
     let sign = if fit.element == Element::Cone { -1.0 } else { 1.0 };
     Quantities {
-        position_mm: fit.point_mm,
-        orientation: fit.direction.map(|direction| direction.map(|v| sign * v)),
-        radius_mm: fit.radius_mm,
-        angle_deg: fit.apex_angle_rad.map(f64::to_degrees),
+        position_mm: fit.geometry.point_mm,
+        orientation: fit.geometry.direction.map(|direction| direction.map(|v| sign * v)),
+        radius_mm: fit.geometry.radius_mm,
+        angle_deg: fit.geometry.apex_angle_rad.map(f64::to_degrees),
         form_mm: None,
     }
 }
 
 fn zone_quantities(zone: &MinimumZone) -> Quantities {
     Quantities {
-        position_mm: zone.point_mm,
+        position_mm: zone.geometry.point_mm,
         // as in the public sample data
-        orientation: zone.direction.or((zone.element == Element::Sphere).then_some([0.0; 3])),
-        radius_mm: zone.radius_mm,
+        orientation: zone.geometry.direction.or((zone.element == Element::Sphere).then_some([0.0; 3])),
+        radius_mm: zone.geometry.radius_mm,
         angle_deg: None,
         form_mm: Some(zone.form_mm),
     }

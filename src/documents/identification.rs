@@ -51,7 +51,7 @@ pub fn parameters_document(
     inputs: &BTreeMap<String, String>,
 ) -> ParametersDocument {
     let name = |i: &usize| robot.parameters()[*i].name.clone();
-    let confounded = confounded(robot.parameters().len(), &found.groups);
+    let confounded = confounded(robot.parameters().len(), &found.identifiability.groups);
     let parameters = robot.parameters().iter().enumerate().map(|(i, p)| ParameterEntry {
         name: p.name.clone(),
         unit: p.quantity.unit().to_owned(),
@@ -74,12 +74,12 @@ pub fn parameters_document(
     });
     let n = found.free.len();
     let factor = |k: usize| robot.parameters()[found.free[k]].quantity.outward(1.0);
-    let written: Vec<usize> = (0..n).filter(|&k| !found.eliminated.contains(&found.free[k])).collect();
+    let written: Vec<usize> = (0..n).filter(|&k| !found.identifiability.eliminated.contains(&found.free[k])).collect();
     let outward = |c: &Vec<f64>| {
         let row = |&i: &usize| written.iter().map(|&j| c[i * n + j] * factor(i) * factor(j)).collect();
         written.iter().map(row).collect()
     };
-    let covariance = found.covariance.as_ref().map(outward).unwrap_or_default();
+    let covariance = found.uncertainty.covariance.as_ref().map(outward).unwrap_or_default();
     ParametersDocument {
         schema: ParametersDocument::SCHEMA.to_owned(),
         robot: robot.model().to_owned(),
@@ -89,35 +89,36 @@ pub fn parameters_document(
         reference_poses: ReferencePose::all(robot),
         sketches: robot.sketches(),
         covariance,
-        covariance_without: found.eliminated.iter().map(name).collect(),
+        covariance_without: found.identifiability.eliminated.iter().map(name).collect(),
         budget: budget(found, &written, &factor),
         residuals: ResidualSummary {
             kind: settings.kind.into(),
-            count: found.degrees_of_freedom + n,
-            rms: found.rms,
+            count: found.residuals.degrees_of_freedom + n,
+            rms: found.residuals.rms,
             position_rms_mm: (settings.kind == etalon_identify::ResidualKind::Targets
                 && settings.conditions.is_empty())
-            .then(|| (robot.dimension() as f64).sqrt() * found.rms),
+            .then(|| (robot.dimension() as f64).sqrt() * found.residuals.rms),
             position_rms_before_mm: None,
             within_poses_rms_mm: None,
-            max: found.max,
-            degrees_of_freedom: found.degrees_of_freedom,
-            effective_degrees_of_freedom: Some(found.residual_degrees),
+            max: found.residuals.max,
+            degrees_of_freedom: found.residuals.degrees_of_freedom,
+            effective_degrees_of_freedom: Some(found.residuals.effective_degrees),
             stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
             common_standard_uncertainty_mm: settings.common_uncertainty_mm,
-            chi_square: found.chi_square,
+            chi_square: found.residuals.chi_square,
             chi_square_rejected: found
+                .residuals
                 .chi_square
-                .is_some_and(|c| etalon_identify::chi_square_exceeds(c, found.degrees_of_freedom)),
-            repeats: found.replicates.map(Into::into),
-            uncertainties_from: found.uncertainty_from.into(),
-            uncertainties_enlarged_by: found.inflation_factor,
-            conditions: found.conditions.iter().map(quantity_residuals).collect(),
-            between_series: found.between_series.map(|b| SeriesScatter { series: b.series, share: b.share }),
+                .is_some_and(|c| etalon_identify::chi_square_exceeds(c, found.residuals.degrees_of_freedom)),
+            repeats: found.residuals.replicates.map(Into::into),
+            uncertainties_from: found.uncertainty.from.into(),
+            uncertainties_enlarged_by: found.uncertainty.inflation_factor,
+            conditions: found.residuals.conditions.iter().map(quantity_residuals).collect(),
+            between_series: found.residuals.between_series.map(|b| SeriesScatter { series: b.series, share: b.share }),
         },
         reliability: None,
         robust: None,
-        observability: found.observability.as_ref().map(|o| observability_summary(robot, o)),
+        observability: found.identifiability.observability.as_ref().map(|o| observability_summary(robot, o)),
         solver: SolverSummary {
             method: solver_method().to_string(),
             method_phrase: Some(solver_method()),
@@ -176,8 +177,8 @@ pub fn contradicted_places(contradicted: &Contradicted) -> Message {
 /// units.
 fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f64) -> Vec<BudgetSource> {
     let mut by_source: BTreeMap<UncertaintySource, Vec<f64>> = BTreeMap::new();
-    for (row, &k) in written.iter().enumerate().filter(|_| found.covariance.is_some()) {
-        for (source, variance) in found.budget.parameter_contributions(k) {
+    for (row, &k) in written.iter().enumerate().filter(|_| found.uncertainty.covariance.is_some()) {
+        for (source, variance) in found.uncertainty.budget.parameter_contributions(k) {
             by_source.entry(source.into()).or_insert_with(|| vec![0.0; written.len()])[row] =
                 variance.sqrt() * factor(k);
         }

@@ -28,9 +28,9 @@ use etalon_math::{smallest_eigenvector, symmetric_eigen};
 /// let corners_mm = [[0.0, 0.0], [6.0, 0.0], [6.0, 8.0], [0.0, 8.0]];
 /// let fit = circle2d(&corners_mm, &FitSettings::default())?;
 ///
-/// let [x_mm, y_mm, _] = fit.point_mm;
+/// let [x_mm, y_mm, _] = fit.geometry.point_mm;
 /// assert!((x_mm - 3.0).abs() < 1e-12 && (y_mm - 4.0).abs() < 1e-12);
-/// assert!((fit.radius_mm.expect("a circle has a radius") - 5.0).abs() < 1e-12);
+/// assert!((fit.geometry.radius_mm.expect("a circle has a radius") - 5.0).abs() < 1e-12);
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn circle2d(points: &[[f64; 2]], settings: &FitSettings) -> Result<Fit> {
@@ -40,7 +40,7 @@ pub fn circle2d(points: &[[f64; 2]], settings: &FitSettings) -> Result<Fit> {
     let refined = refine_circle(&cloud, chart, settings);
     let [x, y, radius] = refined.x;
     let mut fit = refined.to_fit(Element::Circle2d, &cloud, [x, y, 0.0], Arc::about(&chart, [x, y, 0.0]))?;
-    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.geometry.radius_mm = Some(radius * cloud.scale_mm);
     fit.finished(settings)
 }
 
@@ -99,13 +99,14 @@ pub(super) fn fit_circle3d(points: Source, settings: &FitSettings) -> Result<Fit
     }
     let centre = chart.point(a, b, 0.0);
     let mut fit = circle.to_fit(Element::Circle3d, &cloud, centre, Arc::about(&chart, centre))?;
-    let local = circle.covariance(fit.degrees_of_freedom);
-    fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, [a, b], cloud.scale_mm));
+    let local = circle.covariance(fit.precision.degrees_of_freedom);
+    fit.precision.covariance =
+        variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, [a, b], cloud.scale_mm));
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
-    fit.method = phrase!("method-circle-in-plane");
-    fit.principal_rad = normal_uncertainty(&cloud).filter(|_| held.is_none());
-    fit.direction = Some(normal);
-    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.solver.method = phrase!("method-circle-in-plane");
+    fit.precision.principal_rad = normal_uncertainty(&cloud).filter(|_| held.is_none());
+    fit.geometry.direction = Some(normal);
+    fit.geometry.radius_mm = Some(radius * cloud.scale_mm);
     fit.finished(settings)
 }
 
@@ -179,9 +180,9 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     let heights = Residuals::from_distances(cloud, |q| chart.seen(q, [a, b, h])[2]);
     fit.circle = CircleMethod::Orthogonal;
-    fit.principal_rad = normal_uncertainty(cloud).filter(|_| !axis_held);
+    fit.precision.principal_rad = normal_uncertainty(cloud).filter(|_| !axis_held);
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
-    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.geometry.radius_mm = Some(radius * cloud.scale_mm);
     fit.finished(settings)
 }
 
@@ -200,7 +201,7 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
 /// let probe = Some(Probe { radius_mm: 2.0, side: Side::Outside });
 /// let ball = sphere(&centres_mm, &FitSettings { probe, ..FitSettings::default() })?;
 ///
-/// assert!((ball.radius_mm.expect("a sphere has a radius") - 10.0).abs() < 1e-12);
+/// assert!((ball.geometry.radius_mm.expect("a sphere has a radius") - 10.0).abs() < 1e-12);
 /// assert!(ball.max_mm() < 1e-12);
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
@@ -221,7 +222,7 @@ pub(super) fn fit_sphere(points: Source, settings: &FitSettings) -> Result<Fit> 
     let [mean_x, mean_y, mean_z, _] = refined.products.map(|row| row[3]);
     let cap = Cap::about([x, y, z], radius, [mean_x, mean_y, mean_z]);
     let mut fit = refined.to_fit(Element::Sphere, &cloud, [x, y, z], cap)?;
-    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.geometry.radius_mm = Some(radius * cloud.scale_mm);
     fit.finished(settings)
 }
 

@@ -54,8 +54,8 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings)
     let foot = chart.point(a, b, h);
     let mut fit = refined.to_fit(Element::Cone, cloud, foot, Arc::about(&chart, foot))?;
     fit.point_along(chart.d0, if half_angle < 0.0 { chart.d0.map(|x| -x) } else { chart.d0 });
-    fit.radius_mm = Some(distance / half_angle.cos() * cloud.scale_mm);
-    fit.apex_angle_rad = Some(2.0 * half_angle.abs());
+    fit.geometry.radius_mm = Some(distance / half_angle.cos() * cloud.scale_mm);
+    fit.geometry.apex_angle_rad = Some(2.0 * half_angle.abs());
     let uncertain = fit.standard_uncertainty().and_then(|u| u.apex_angle_rad);
     if uncertain.is_some_and(|u| u > half_angle.abs()) {
         fit.warnings.push(warning!("cone-is-cylinder"));
@@ -63,7 +63,8 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings)
     // of a plane the apex is anywhere: its best place makes a cone of noise, which the uncertainty
     // of the angle at that place does not show
     let heights = Residuals::from_distances(cloud, |q| along(q, cloud.axes[2]));
-    let improvement = fit.degrees_of_freedom as f64 * ((heights.rms * cloud.scale_mm / fit.rms_mm()).powi(2) - 1.0);
+    let improvement =
+        fit.precision.degrees_of_freedom as f64 * ((heights.rms * cloud.scale_mm / fit.rms_mm()).powi(2) - 1.0);
     if improvement < BY_NOISE || uncertain.is_some_and(|u| u > FRAC_PI_2 - half_angle.abs()) {
         fit.warnings.push(warning!("cone-is-plane"));
     }

@@ -28,8 +28,8 @@ use etalon_base::pose::Vector;
 /// let points_mm = [0.0, 20.0, 40.0].map(|z| section_mm.map(|[x, y]| [x, y, z])).concat();
 /// let bore = cylinder(&points_mm, &FitSettings::default())?;
 ///
-/// assert!((bore.radius_mm.expect("a cylinder has a radius") - 5.0).abs() < 1e-9);
-/// let [_, _, z] = bore.direction.expect("a cylinder has an axis");
+/// assert!((bore.geometry.radius_mm.expect("a cylinder has a radius") - 5.0).abs() < 1e-9);
+/// let [_, _, z] = bore.geometry.direction.expect("a cylinder has an axis");
 /// assert!((z - 1.0).abs() < 1e-9);
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
@@ -60,7 +60,7 @@ pub(super) fn fit_cylinder(points: Source, settings: &FitSettings) -> Result<Fit
     let foot = chart.point(a, b, h);
     let mut fit = refined.to_fit(Element::Cylinder, &cloud, foot, Arc::about(&chart, foot))?;
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
-    fit.radius_mm = Some(radius * cloud.scale_mm);
+    fit.geometry.radius_mm = Some(radius * cloud.scale_mm);
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cylinder)));
     fit.finished(settings)
 }

@@ -105,7 +105,7 @@ impl<'a> Search<'a> {
 
     /// Variance that rounding of coordinates and of distances leaves at least, times the weight.
     fn floor(&self, fit: &Fit, weight: f64) -> f64 {
-        let size = norm(fit.point_mm) + fit.radius_mm.unwrap_or_default() + self.largest_mm;
+        let size = norm(fit.geometry.point_mm) + fit.geometry.radius_mm.unwrap_or_default() + self.largest_mm;
         (ROUNDING * size).max(self.resolution_mm).powi(2) * weight
     }
 
@@ -265,8 +265,11 @@ fn parameters(element: Element, settings: &FitSettings) -> usize {
 /// controls it.
 pub(super) fn studentised(fit: &Fit, point: Vector, weight: f64) -> f64 {
     let offsets = fit.offsets(point);
-    let factor =
-        if fit.residuals.squares > 0.0 { weight * fit.degrees_of_freedom as f64 / fit.residuals.squares } else { 0.0 };
+    let factor = if fit.residuals.squares > 0.0 {
+        weight * fit.precision.degrees_of_freedom as f64 / fit.residuals.squares
+    } else {
+        0.0
+    };
     normalised(&offsets, shares(&offsets, fit, factor), -1.0).map_or(0.0, |square| (square * weight).sqrt())
 }
 

@@ -17,6 +17,7 @@ mod double_double;
 mod element;
 mod enclosing;
 mod f64x8;
+mod geometry;
 mod growth;
 mod line_and_plane;
 mod minimax;
@@ -38,10 +39,13 @@ pub use cone::cone;
 pub use cylinder::cylinder;
 pub use element::{CircleMethod, Element, FitSettings, Probe, Side};
 pub use enclosing::{Enclosing, enclosing_circle, enclosing_sphere};
+pub use geometry::ElementGeometry;
 pub use line_and_plane::{line, line2d, plane};
 pub use minimum_zone::minimum_zone;
 pub use packed::PackedPoints;
-pub use result::{Compensation, ElementCovariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
+pub use result::{
+    Compensation, ElementCovariance, Fit, FitPrecision, FitSolver, QUANTITIES, Residuals, StandardUncertainty,
+};
 pub use rigid::{RigidFit, rigid, rotation_onto};
 pub use robust::{ForeignPoints, RobustElement, foreign_points, robust_element, warnings};
 pub use torus::torus;

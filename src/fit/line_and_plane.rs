@@ -44,16 +44,17 @@ pub(super) fn fit(element: Element, points: Source, settings: &FitSettings) -> R
     let degrees_of_freedom = equations - parameters;
     let [longest, across, _] = cloud.spread;
     let mut fit = Fit::new(element, &cloud, [0.0; 3], residuals);
-    fit.direction = Some(direction);
-    fit.degrees_of_freedom = degrees_of_freedom;
+    fit.geometry.direction = Some(direction);
+    fit.precision.degrees_of_freedom = degrees_of_freedom;
     if degrees_of_freedom > 0 {
         let variance = squares / degrees_of_freedom as f64;
         let place = variance / n as f64;
         let tilt = if held.is_some() { 0.0 } else { variance / (longest * longest) };
         // in the plane nothing moves along e1 = z
         let diagonal = if flat { [0.0, place, 0.0, 0.0, tilt] } else { [place, place, 0.0, tilt, tilt] };
-        fit.covariance = Some(propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm));
-        fit.principal_rad = principal_uncertainty(longest, across, n - 2).filter(|_| held.is_none());
+        fit.precision.covariance =
+            Some(propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm));
+        fit.precision.principal_rad = principal_uncertainty(longest, across, n - 2).filter(|_| held.is_none());
     }
     fit.finished(settings)
 }
@@ -86,7 +87,7 @@ pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
 /// let corners_mm = [[0.0, 0.0, low], [100.0, 0.0, high], [100.0, 100.0, low], [0.0, 100.0, high]];
 /// let fit = plane(&corners_mm, &FitSettings::default())?;
 ///
-/// let [_, _, z] = fit.direction.expect("a plane has a normal");
+/// let [_, _, z] = fit.geometry.direction.expect("a plane has a normal");
 /// assert!((z - 1.0).abs() < 1e-12);
 /// assert!((fit.form_mm() - 0.02).abs() < 1e-12);
 /// # Ok::<(), etalon_base::message::Problems>(())
@@ -103,11 +104,11 @@ pub(super) fn fit_plane(points: Source, settings: &FitSettings) -> Result<Fit> {
     let (chart, variances) = plane_variances(&cloud, normal, held.is_some(), residuals.squares);
     let degrees_of_freedom = cloud.len() - if held.is_some() { 1 } else { 3 };
     let mut fit = Fit::new(Element::Plane, &cloud, [0.0; 3], residuals);
-    fit.direction = Some(normal);
-    fit.degrees_of_freedom = degrees_of_freedom;
+    fit.geometry.direction = Some(normal);
+    fit.precision.degrees_of_freedom = degrees_of_freedom;
     fit.condition = if held.is_some() { 1.0 } else { cloud.spread[0] / cloud.spread[1] };
-    fit.principal_rad = normal_uncertainty(&cloud).filter(|_| held.is_none());
-    fit.covariance = variances.map(|diagonal| {
+    fit.precision.principal_rad = normal_uncertainty(&cloud).filter(|_| held.is_none());
+    fit.precision.covariance = variances.map(|diagonal| {
         // only height moves the plane; its point may slide sideways
         propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm)
     });

@@ -10,6 +10,7 @@ use super::chart::Chart;
 use super::chebyshev::{extremes, fence, growth, least_spread, narrowest_strip};
 use super::cloud::{Cloud, Source};
 use super::element::{Element, FitSettings};
+use super::geometry::ElementGeometry;
 use super::line_and_plane::from_first_to_last;
 use super::result::largest_component_positive;
 use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
@@ -68,22 +69,25 @@ fn narrower_than_a_plane(zone: MinimumZone, points: &[Vector]) -> Result<Minimum
 fn circle3d(points: &[Vector]) -> Result<MinimumZone> {
     let cloud = Cloud::new(Element::Circle3d, Source::Space(points.into()), &FitSettings::default())?;
     let flat = plane(points)?;
-    let normal = flat.direction.unwrap_or(cloud.axes[2]);
+    let normal = flat.geometry.direction.unwrap_or(cloud.axes[2]);
     let chart = Chart::new(normal);
     let projected: Vec<[f64; 2]> = points
         .iter()
         .map(|&p| {
-            let [x, y, _] = chart.coordinates(minus(p, flat.point_mm));
+            let [x, y, _] = chart.coordinates(minus(p, flat.geometry.point_mm));
             [x, y]
         })
         .collect();
     let round = circle2d(&projected)?;
-    let [a, b, _] = round.point_mm;
+    let [a, b, _] = round.geometry.point_mm;
     let from_plane = chart.point(a, b, 0.0);
     Ok(MinimumZone {
         element: Element::Circle3d,
-        point_mm: [0, 1, 2].map(|k| flat.point_mm[k] + from_plane[k]),
-        direction: Some(normal),
+        geometry: ElementGeometry {
+            point_mm: [0, 1, 2].map(|k| flat.geometry.point_mm[k] + from_plane[k]),
+            direction: Some(normal),
+            ..round.geometry
+        },
         verified: round.verified && flat.verified,
         iterations: round.iterations + flat.iterations,
         plane: Some(Box::new(flat)),
@@ -117,8 +121,11 @@ fn line2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
     let found = zone.form_mm / cloud.scale_mm;
     let holds = || alternate(&cloud, direction, &zone.lower, &zone.upper);
     Ok(MinimumZone {
-        point_mm: cloud.to_mm(left.map(|x| x * middle)),
-        direction: Some(direction),
+        geometry: ElementGeometry {
+            point_mm: cloud.to_mm(left.map(|x| x * middle)),
+            direction: Some(direction),
+            ..zone.geometry
+        },
         verified: found <= width + SLACK && (found <= SLACK || holds()),
         ..zone
     })
@@ -156,8 +163,11 @@ fn plane(points: &[Vector]) -> Result<MinimumZone> {
     let heights: Vec<f64> = normalised.iter().map(|&q| dot(q, normal)).collect();
     let (zone, middle) = MinimumZone::between(Element::Plane, &heights, cloud.scale_mm);
     Ok(MinimumZone {
-        point_mm: cloud.to_mm(normal.map(|x| x * middle)),
-        direction: Some(normal),
+        geometry: ElementGeometry {
+            point_mm: cloud.to_mm(normal.map(|x| x * middle)),
+            direction: Some(normal),
+            ..zone.geometry
+        },
         verified,
         iterations,
         ..zone
@@ -303,8 +313,11 @@ fn circle2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
     let distances = distances(&flat, best.center);
     let (zone, middle) = MinimumZone::between(Element::Circle2d, &distances, cloud.scale_mm);
     Ok(MinimumZone {
-        point_mm: cloud.to_mm([best.center[0], best.center[1], 0.0]).map(|x| x + 0.0),
-        radius_mm: Some(middle * cloud.scale_mm),
+        geometry: ElementGeometry {
+            point_mm: cloud.to_mm([best.center[0], best.center[1], 0.0]).map(|x| x + 0.0),
+            radius_mm: Some(middle * cloud.scale_mm),
+            ..zone.geometry
+        },
         verified,
         iterations,
         ..zone

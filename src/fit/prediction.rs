@@ -29,7 +29,7 @@ impl Offsets {
 
     /// Covariance (mm²) of the distances from the covariance of the element.
     pub fn covariance(&self, fit: &Fit) -> [[f64; 2]; 2] {
-        let Some(c) = fit.covariance.as_ref().map(|c| &c.0) else { return [[0.0; 2]; 2] };
+        let Some(c) = fit.precision.covariance.as_ref().map(|c| &c.0) else { return [[0.0; 2]; 2] };
         let through =
             |g: &Gradient| -> Gradient { std::array::from_fn(|q| c.iter().zip(g).map(|(row, v)| row[q] * v).sum()) };
         let [a, b] = [through(&self.gradients[0]), through(&self.gradients[1])];
@@ -64,16 +64,16 @@ fn plus(a: Vector, b: Vector) -> Vector {
 impl Fit {
     /// Distances of a point from the element, with their derivatives.
     pub(super) fn offsets(&self, point_mm: Vector) -> Offsets {
-        let mut w = minus(point_mm, self.point_mm);
+        let mut w = minus(point_mm, self.geometry.point_mm);
         if matches!(self.element, Element::Line2d | Element::Circle2d) {
             w[2] = 0.0;
         }
-        let d = self.direction.unwrap_or([0.0, 0.0, 1.0]);
+        let d = self.geometry.direction.unwrap_or([0.0, 0.0, 1.0]);
         let t = dot(w, d);
         let across = plus(w, times(-t, d));
         let rho = norm(across);
         let g = if rho > 0.0 { times(1.0 / rho, across) } else { [0.0; 3] };
-        let radius = self.radius_mm.unwrap_or(0.0);
+        let radius = self.geometry.radius_mm.unwrap_or(0.0);
         let none = gradient([0.0; 3], [0.0; 3], [0.0; 3]);
         let one =
             |distance: f64, gradient: Gradient| Offsets { distances: [distance, 0.0], gradients: [gradient, none] };
@@ -100,7 +100,7 @@ impl Fit {
                 gradients: [radial(-1.0), gradient(times(-1.0, d), w, [0.0; 3])],
             },
             Element::Cone => {
-                let (sin, cos) = (self.apex_angle_rad.unwrap_or(0.0) / 2.0).sin_cos();
+                let (sin, cos) = (self.geometry.apex_angle_rad.unwrap_or(0.0) / 2.0).sin_cos();
                 let at = plus(times(-cos, g), times(sin, d));
                 let turned = plus(times(-t * cos, g), times(-sin, w));
                 let by_angle = -0.5 * ((rho - radius) * sin + t * cos);
@@ -112,7 +112,7 @@ impl Fit {
                 let (out, up) = ((rho - radius) * inverse, t * inverse);
                 let at = plus(times(-out, g), times(-up, d));
                 let turned = plus(times(-t * out, g), times(up, w));
-                let minor = self.minor_radius_mm.unwrap_or(0.0);
+                let minor = self.geometry.minor_radius_mm.unwrap_or(0.0);
                 one(from_core - minor, gradient(at, turned, [-out, -1.0, 0.0]))
             }
         }
@@ -130,15 +130,15 @@ mod tests {
     fn moved(fit: &Fit, q: usize, h: f64) -> Fit {
         let mut fit = fit.clone();
         match q {
-            0..3 => fit.point_mm[q] += h,
+            0..3 => fit.geometry.point_mm[q] += h,
             3..6 => {
                 let mut step = [0.0; 3];
                 step[q - 3] = h;
-                fit.direction = fit.direction.and_then(|d| unit(plus(d, step)));
+                fit.geometry.direction = fit.geometry.direction.and_then(|d| unit(plus(d, step)));
             }
-            6 => fit.radius_mm = fit.radius_mm.map(|r| r + h),
-            7 => fit.minor_radius_mm = fit.minor_radius_mm.map(|r| r + h),
-            _ => fit.apex_angle_rad = fit.apex_angle_rad.map(|a| a + h),
+            6 => fit.geometry.radius_mm = fit.geometry.radius_mm.map(|r| r + h),
+            7 => fit.geometry.minor_radius_mm = fit.geometry.minor_radius_mm.map(|r| r + h),
+            _ => fit.geometry.apex_angle_rad = fit.geometry.apex_angle_rad.map(|a| a + h),
         }
         fit
     }
@@ -154,10 +154,10 @@ mod tests {
         for kind in Element::ALL {
             let fit = element(kind, &points, &FitSettings::default()).unwrap();
             let p = [24.0, 7.0, 3.0];
-            let sizes = [fit.radius_mm, fit.minor_radius_mm, fit.apex_angle_rad];
+            let sizes = [fit.geometry.radius_mm, fit.geometry.minor_radius_mm, fit.geometry.apex_angle_rad];
             for q in 0..QUANTITIES {
                 let flat = matches!(kind, Element::Line2d | Element::Circle2d) && matches!(q, 2 | 5);
-                let absent = (3..6).contains(&q) && fit.direction.is_none() || q > 5 && sizes[q - 6].is_none();
+                let absent = (3..6).contains(&q) && fit.geometry.direction.is_none() || q > 5 && sizes[q - 6].is_none();
                 // the two directions across a line turn with it
                 if flat || absent || kind == Element::Line && q > 2 {
                     continue;
@@ -167,7 +167,7 @@ mod tests {
                 for row in 0..2 {
                     let numeric = (more.distances[row] - less.distances[row]) / (2.0 * h);
                     let mut stated = fit.offsets(p).gradients[row][q];
-                    if let Some(d) = fit.direction.filter(|_| (3..6).contains(&q)) {
+                    if let Some(d) = fit.geometry.direction.filter(|_| (3..6).contains(&q)) {
                         // a unit vector moves perpendicular to itself
                         let g = &fit.offsets(p).gradients[row];
                         stated -= d[q - 3] * dot([g[3], g[4], g[5]], d);

@@ -10,6 +10,7 @@
 use super::cloud::{Cloud, Gather};
 use super::element::{CircleMethod, Element, FitSettings, Probe, Side};
 use super::f64x8::{F64x8, Points};
+use super::geometry::ElementGeometry;
 use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
@@ -160,30 +161,16 @@ pub struct Fit {
     pub element: Element,
     /// Method of a circle in space, which determines its residuals.
     pub circle: CircleMethod,
-    /// Centre of a circle, sphere or torus; centroid of the points for a plane or line; foot of the
-    /// centroid on the axis for a cylinder or cone.
-    pub point_mm: Vector,
-    /// Unit normal of a plane, circle or torus (largest component positive); unit direction of a
-    /// line (from the first point to the last); unit axis of a cylinder (largest component
-    /// positive) or cone (towards larger radii).
-    pub direction: Option<Vector>,
-    /// Radius of a circle, sphere or cylinder; radius of the section of a cone at `point_mm`
-    /// (perpendicular to the axis); radius of the centre line of a torus.
-    pub radius_mm: Option<f64>,
-    /// Radius of the tube of a torus.
-    pub minor_radius_mm: Option<f64>,
-    /// Full apex angle of a cone.
-    pub apex_angle_rad: Option<f64>,
+    /// Position, direction and size.
+    pub geometry: ElementGeometry,
     /// Number of points.
     pub points: usize,
     /// Orthogonal distances of all points; [`Fit::residual_mm`] returns that of a single point.
     pub residuals: Residuals,
     /// For a circle in space: root mean square distance of the points from its plane.
     pub out_of_plane_rms_mm: Option<f64>,
-    /// Number of equations minus number of parameters.
-    pub degrees_of_freedom: usize,
-    /// Covariance of the quantities; `None` without redundancy.
-    pub covariance: Option<ElementCovariance>,
+    /// Redundancy, and uncertainty of the geometry.
+    pub precision: FitPrecision,
     /// Covered part of the circumference: full turn minus the largest gap; for a sphere the full
     /// angle of the cap that contains the points.
     pub coverage_rad: Option<f64>,
@@ -191,17 +178,33 @@ pub struct Fit {
     pub condition: f64,
     /// Fit to the probe centres before compensation, if the points are probe centres.
     pub compensation: Option<Compensation>,
-    /// Name of the method.
-    pub method: Phrase,
-    /// Number of solver steps; zero for closed-form solutions.
-    pub iterations: usize,
-    /// Reason of the solver's termination.
-    pub termination: Termination,
+    /// Method and its end.
+    pub solver: FitSolver,
     /// Warnings for users of the numbers.
     pub warnings: Vec<Message>,
+}
+
+/// Redundancy of a fit, and uncertainty of its geometry.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FitPrecision {
+    /// Number of equations minus number of parameters.
+    pub degrees_of_freedom: usize,
+    /// Covariance of the quantities; `None` without redundancy.
+    pub covariance: Option<ElementCovariance>,
     /// Standard uncertainty (rad) of a direction that is a principal direction of the points, by
     /// [`principal_uncertainty`].
     pub(super) principal_rad: Option<f64>,
+}
+
+/// Method of a fit, and how it ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitSolver {
+    /// Name of the method.
+    pub method: Phrase,
+    /// Number of steps; zero for closed-form solutions.
+    pub iterations: usize,
+    /// Reason of the termination.
+    pub termination: Termination,
 }
 
 /// Standard uncertainty (rad) of the direction that separates two principal spreads of points:
@@ -228,24 +231,20 @@ impl Fit {
         Self {
             element,
             circle: CircleMethod::Projected,
-            point_mm: cloud.to_mm(point),
-            direction: None,
-            radius_mm: None,
-            minor_radius_mm: None,
-            apex_angle_rad: None,
+            geometry: ElementGeometry { point_mm: cloud.to_mm(point), ..ElementGeometry::default() },
             points: cloud.len(),
             residuals: residuals.scaled(cloud.scale_mm),
             out_of_plane_rms_mm: None,
-            degrees_of_freedom: 0,
-            covariance: None,
+            precision: FitPrecision::default(),
             coverage_rad: None,
             condition: 1.0,
             compensation: None,
-            method: phrase!("method-principal-directions"),
-            iterations: 0,
-            termination: Termination::StepVanished,
+            solver: FitSolver {
+                method: phrase!("method-principal-directions"),
+                iterations: 0,
+                termination: Termination::StepVanished,
+            },
             warnings: Vec::new(),
-            principal_rad: None,
         }
     }
 
@@ -255,13 +254,13 @@ impl Fit {
     /// fitted by orthogonal distances, the unsigned distance from the curve. In the plane z is
     /// ignored. For a compensated fit, the distance from the touched surface.
     pub fn residual_mm(&self, point_mm: Vector) -> f64 {
-        let mut w = minus(point_mm, self.point_mm);
+        let mut w = minus(point_mm, self.geometry.point_mm);
         if matches!(self.element, Element::Line2d | Element::Circle2d) {
             w[2] = 0.0;
         }
-        let d = self.direction.unwrap_or([0.0, 0.0, 1.0]);
+        let d = self.geometry.direction.unwrap_or([0.0, 0.0, 1.0]);
         let (rho, t) = (norm(cross(d, w)), dot(w, d));
-        let radius = self.radius_mm.unwrap_or(0.0);
+        let radius = self.geometry.radius_mm.unwrap_or(0.0);
         match self.element {
             Element::Line2d => d[0] * w[1] - d[1] * w[0],
             Element::Plane => t,
@@ -269,10 +268,10 @@ impl Fit {
             Element::Circle3d if self.circle == CircleMethod::Orthogonal => (rho - radius).hypot(t),
             Element::Line | Element::Circle2d | Element::Circle3d | Element::Cylinder => rho - radius,
             Element::Cone => {
-                let (sin, cos) = (self.apex_angle_rad.unwrap_or(0.0) / 2.0).sin_cos();
+                let (sin, cos) = (self.geometry.apex_angle_rad.unwrap_or(0.0) / 2.0).sin_cos();
                 (rho - radius) * cos - t * sin
             }
-            Element::Torus => (rho - radius).hypot(t) - self.minor_radius_mm.unwrap_or(0.0),
+            Element::Torus => (rho - radius).hypot(t) - self.geometry.minor_radius_mm.unwrap_or(0.0),
         }
     }
 
@@ -303,15 +302,15 @@ impl Fit {
 
     /// Apex of a cone; `None` for other elements.
     pub fn apex_mm(&self) -> Option<Vector> {
-        let (d, r, angle) = (self.direction?, self.radius_mm?, self.apex_angle_rad?);
+        let (d, r, angle) = (self.geometry.direction?, self.geometry.radius_mm?, self.geometry.apex_angle_rad?);
         let back = r / (angle / 2.0).tan();
-        let p = self.point_mm;
+        let p = self.geometry.point_mm;
         back.is_finite().then(|| [p[0] - back * d[0], p[1] - back * d[1], p[2] - back * d[2]])
     }
 
     /// Standard uncertainties; `None` without redundancy.
     pub fn standard_uncertainty(&self) -> Option<StandardUncertainty> {
-        let c = &self.covariance?.0;
+        let c = &self.precision.covariance?.0;
         let root = |i: usize| c.get(i).and_then(|row| row.get(i)).map_or(0.0, |v| v.max(0.0).sqrt());
         let block = |k: usize| {
             let block = [0, 1, 2].map(|i| [0, 1, 2].map(|j| c[k + i][k + j]));
@@ -321,18 +320,18 @@ impl Fit {
         Some(StandardUncertainty {
             point_mm: [root(0), root(1), root(2)],
             point_largest_mm: block(0),
-            direction_rad: self.direction.map(|_| block(3)),
-            radius_mm: self.radius_mm.map(|_| root(6)),
-            minor_radius_mm: self.minor_radius_mm.map(|_| root(7)),
-            apex_angle_rad: self.apex_angle_rad.map(|_| root(8)),
+            direction_rad: self.geometry.direction.map(|_| block(3)),
+            radius_mm: self.geometry.radius_mm.map(|_| root(6)),
+            minor_radius_mm: self.geometry.minor_radius_mm.map(|_| root(7)),
+            apex_angle_rad: self.geometry.apex_angle_rad.map(|_| root(8)),
         })
     }
 
     /// Sets the direction to `wanted`, which is `axis` or its opposite; the covariance belongs to
     /// `axis`.
     pub(super) fn point_along(&mut self, axis: Vector, wanted: Vector) {
-        self.direction = Some(wanted);
-        let turned = self.covariance.iter_mut().filter(|_| dot(axis, wanted) < 0.0);
+        self.geometry.direction = Some(wanted);
+        let turned = self.precision.covariance.iter_mut().filter(|_| dot(axis, wanted) < 0.0);
         for (i, row) in turned.flat_map(|c| c.0.iter_mut().enumerate()) {
             for (j, v) in row.iter_mut().enumerate() {
                 if (3..6).contains(&i) != (3..6).contains(&j) {
@@ -350,18 +349,18 @@ impl Fit {
     /// Adds warnings about redundancy and the uncertainties of radius and direction.
     fn with_warnings(mut self) -> Self {
         let element = self.element;
-        if self.degrees_of_freedom == 0 {
+        if self.precision.degrees_of_freedom == 0 {
             self.warnings.push(warning!("element-without-redundancy", element));
         }
         let uncertainty = self.standard_uncertainty();
-        let direction = self.principal_rad.or_else(|| uncertainty.as_ref().and_then(|u| u.direction_rad));
+        let direction = self.precision.principal_rad.or_else(|| uncertainty.as_ref().and_then(|u| u.direction_rad));
         let expanded_deg = 2.0 * direction.unwrap_or_default().to_degrees();
-        if self.principal_rad.is_some_and(|u| u >= ALIKE) {
+        if self.precision.principal_rad.is_some_and(|u| u >= ALIKE) {
             self.warnings.push(warning!("element-ambiguous", element));
         } else if expanded_deg.to_radians() > UNRELIABLE {
             self.warnings.push(warning!("element-direction-uncertain", element, expanded_deg));
         }
-        let uncertain = uncertainty.and_then(|u| Some((u.radius_mm?, self.radius_mm?)));
+        let uncertain = uncertainty.and_then(|u| Some((u.radius_mm?, self.geometry.radius_mm?)));
         if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > UNRELIABLE * radius) {
             let covered_deg = self.coverage_deg().map_or("none".argument(), |d| d.round().argument());
             self.warnings.push(warning!(
@@ -412,9 +411,10 @@ impl Fit {
         if self.compensation.is_some() {
             return Err(error!("compensated-twice").into());
         }
-        let (point_mm, radius_mm, minor_radius_mm) = (self.point_mm, self.radius_mm, self.minor_radius_mm);
+        let (point_mm, radius_mm, minor_radius_mm) =
+            (self.geometry.point_mm, self.geometry.radius_mm, self.geometry.minor_radius_mm);
         let moves = self.moves(&probe)?;
-        if let Some(ElementCovariance(c)) = &mut self.covariance {
+        if let Some(ElementCovariance(c)) = &mut self.precision.covariance {
             *c = product(&moves, &product(c, &transposed(&moves)));
         }
         self.compensation = Some(Compensation { probe, point_mm, radius_mm, minor_radius_mm });
@@ -426,7 +426,7 @@ impl Fit {
     fn moves(&mut self, probe: &Probe) -> Result<[[f64; QUANTITIES]; QUANTITIES]> {
         let mut derivative = identity();
         let outwards = probe.outwards_mm();
-        match (self.element, probe.side, self.direction) {
+        match (self.element, probe.side, self.geometry.direction) {
             (Element::Plane, Side::Towards(to), Some(normal)) => {
                 let along = unit(to).map_or(0.0, |to| dot(to, normal));
                 if along.abs() < LEAST_SINE {
@@ -435,7 +435,7 @@ impl Fit {
                 // p′ = p − r n, with the normal towards the probe
                 let back = -probe.radius_mm.copysign(along);
                 for k in 0..3 {
-                    self.point_mm[k] += back * normal[k];
+                    self.geometry.point_mm[k] += back * normal[k];
                     derivative[k][3 + k] += back;
                 }
             }
@@ -452,7 +452,7 @@ impl Fit {
                 // line: dw = −(1 − w wᵀ)((d to) dd + d (to dd)) / |across|
                 let w = across.map(|x| x / sine);
                 for k in 0..3 {
-                    self.point_mm[k] -= probe.radius_mm * w[k];
+                    self.geometry.point_mm[k] -= probe.radius_mm * w[k];
                     for (j, column) in (3..6).enumerate() {
                         let square = f64::from(k == j) - w[k] * w[j];
                         derivative[k][column] += probe.radius_mm * (along * square + d[k] * to[j]) / sine;
@@ -462,19 +462,24 @@ impl Fit {
             (Element::Cone, _, Some(d)) => {
                 // the apex moves by r / sin ψ, the point to the foot of the contact points, where
                 // the radius is R − r cos ψ
-                let (sin, cos) = (self.apex_angle_rad.unwrap_or_default() / 2.0).sin_cos();
+                let (sin, cos) = (self.geometry.apex_angle_rad.unwrap_or_default() / 2.0).sin_cos();
                 for k in 0..3 {
-                    self.point_mm[k] += outwards * sin * d[k];
+                    self.geometry.point_mm[k] += outwards * sin * d[k];
                     derivative[k][3 + k] += outwards * sin;
                     derivative[k][8] += 0.5 * outwards * cos * d[k];
                 }
-                self.radius_mm = Some(larger_than_nothing(self.element, probe, self.radius_mm, outwards * cos)?);
+                self.geometry.radius_mm =
+                    Some(larger_than_nothing(self.element, probe, self.geometry.radius_mm, outwards * cos)?);
                 derivative[6][8] += 0.5 * outwards * sin;
             }
             (Element::Torus, ..) => {
-                self.minor_radius_mm = Some(larger_than_nothing(self.element, probe, self.minor_radius_mm, outwards)?);
+                self.geometry.minor_radius_mm =
+                    Some(larger_than_nothing(self.element, probe, self.geometry.minor_radius_mm, outwards)?);
             }
-            _ => self.radius_mm = Some(larger_than_nothing(self.element, probe, self.radius_mm, outwards)?),
+            _ => {
+                self.geometry.radius_mm =
+                    Some(larger_than_nothing(self.element, probe, self.geometry.radius_mm, outwards)?)
+            }
         }
         Ok(derivative)
     }

@@ -123,7 +123,7 @@ fn plausible(fit: &Fit, points: &[Vector], weights: Option<&[f64]>) -> bool {
     let equations = equations(fit.element);
     let reduced = reduction(begin as f64 / points.len() as f64, equations);
     let deviation = (squares / (begin * equations) as f64).sqrt() / reduced;
-    let size = norm(fit.point_mm) + fit.radius_mm.unwrap_or_default();
+    let size = norm(fit.geometry.point_mm) + fit.geometry.radius_mm.unwrap_or_default();
     let most = distances.last().copied().unwrap_or_default();
     most <= (CLEAN * deviation).max(ROUNDING * size)
 }
@@ -135,9 +135,9 @@ const CLEAN: f64 = 3.5;
 fn shift(all: &Fit, robust: &Fit) -> Option<f64> {
     let u = robust.standard_uncertainty()?;
     let over = |difference: f64, u: f64| if u > 0.0 { difference.abs() / u } else { 0.0 };
-    let moved = minus(all.point_mm, robust.point_mm);
+    let moved = minus(all.geometry.point_mm, robust.geometry.point_mm);
     // points slide along a line, axis or plane with the centroid of the points
-    let moved = match (all.element, robust.direction) {
+    let moved = match (all.element, robust.geometry.direction) {
         (Element::Line | Element::Line2d | Element::Cylinder | Element::Cone, Some(d)) => {
             let along = dot(moved, d);
             [0, 1, 2].map(|i| moved[i] - along * d[i])
@@ -146,9 +146,14 @@ fn shift(all: &Fit, robust: &Fit) -> Option<f64> {
         _ => moved,
     };
     let of_point = over(norm(moved), u.point_largest_mm);
-    let direction = all.direction.zip(robust.direction).map(|(a, b)| norm(cross(a, b)).asin());
+    let direction = all.geometry.direction.zip(robust.geometry.direction).map(|(a, b)| norm(cross(a, b)).asin());
     let of_direction = over(direction.unwrap_or_default(), u.direction_rad.unwrap_or_default());
-    let radius = all.radius_mm.zip(robust.radius_mm).map(|(a, b)| a - b).filter(|_| all.element != Element::Cone);
+    let radius = all
+        .geometry
+        .radius_mm
+        .zip(robust.geometry.radius_mm)
+        .map(|(a, b)| a - b)
+        .filter(|_| all.element != Element::Cone);
     let of_radius = over(radius.unwrap_or_default(), u.radius_mm.unwrap_or_default());
     Some(of_point.max(of_direction).max(of_radius))
 }
@@ -214,7 +219,7 @@ mod tests {
                 }
                 let found = robust_element(kind, &points, &FitSettings::default()).unwrap();
                 assert_eq!(found.set_aside, [0, 1, 2, 3, 4], "{kind} {trial}");
-                assert!(norm(minus(found.fit.point_mm, clean.point_mm)) < 1e-9, "{kind}");
+                assert!(norm(minus(found.fit.geometry.point_mm, clean.geometry.point_mm)) < 1e-9, "{kind}");
                 let all = element(kind, &points, &FitSettings::default()).unwrap();
                 let foreign = foreign_points(&all, &Source::from(&points), &FitSettings::default());
                 assert_eq!(foreign.unwrap().points, [0, 1, 2, 3, 4], "{kind} {trial}");

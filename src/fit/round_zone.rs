@@ -187,8 +187,8 @@ pub(super) fn sphere(points: &[Vector]) -> Result<MinimumZone> {
     }
     let width = zone.form_mm / cloud.scale_mm;
     zone.verified |= least_area_growth(&normalised, &found.0) >= 2.0 * width;
-    zone.point_mm = cloud.to_mm(found.0);
-    zone.radius_mm = Some(middle * cloud.scale_mm);
+    zone.geometry.point_mm = cloud.to_mm(found.0);
+    zone.geometry.radius_mm = Some(middle * cloud.scale_mm);
     zone.iterations = iterations;
     Ok(zone)
 }
@@ -209,15 +209,15 @@ pub(super) fn cylinder_zone(points: &[Vector]) -> Result<MinimumZone> {
     let fit = cylinder(points, &FitSettings::default())?;
     let cloud = Cloud::new(Element::Cylinder, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
-    let start = Axis::through(from_mm(&cloud, fit.point_mm), fit.direction.unwrap_or(cloud.axes[0]));
+    let start = Axis::through(from_mm(&cloud, fit.geometry.point_mm), fit.geometry.direction.unwrap_or(cloud.axes[0]));
     let (found, iterations) = narrowest(&normalised, start);
     let (mut zone, middle) = held(Element::Cylinder, &cloud, &found, &normalised);
     if found.a.hypot(found.b) > 0.5 * FARTHEST {
         return Err(too_flat(Element::Cylinder));
     }
-    zone.point_mm = cloud.to_mm(found.chart.point(found.a, found.b, 0.0));
-    zone.direction = Some(largest_component_positive(found.chart.d0));
-    zone.radius_mm = Some(middle * cloud.scale_mm);
+    zone.geometry.point_mm = cloud.to_mm(found.chart.point(found.a, found.b, 0.0));
+    zone.geometry.direction = Some(largest_component_positive(found.chart.d0));
+    zone.geometry.radius_mm = Some(middle * cloud.scale_mm);
     zone.iterations = iterations;
     Ok(zone)
 }
@@ -230,18 +230,18 @@ pub(super) fn cone_zone(points: &[Vector]) -> Result<MinimumZone> {
     let fit = cone(points, &FitSettings::default())?;
     let cloud = Cloud::new(Element::Cone, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
-    let axis = Axis::through(from_mm(&cloud, fit.point_mm), fit.direction.unwrap_or(cloud.axes[0]));
-    let start = Funnel { axis, half_angle: 0.5 * fit.apex_angle_rad.unwrap_or(0.0) };
+    let axis = Axis::through(from_mm(&cloud, fit.geometry.point_mm), fit.geometry.direction.unwrap_or(cloud.axes[0]));
+    let start = Funnel { axis, half_angle: 0.5 * fit.geometry.apex_angle_rad.unwrap_or(0.0) };
     let (found, iterations) = narrowest(&normalised, start);
     let (mut zone, middle) = held(Element::Cone, &cloud, &found, &normalised);
     let Funnel { axis, half_angle } = found;
     if axis.a.hypot(axis.b) > 0.5 * FARTHEST {
         return Err(too_flat(Element::Cone));
     }
-    zone.point_mm = cloud.to_mm(axis.chart.point(axis.a, axis.b, 0.0));
-    zone.direction = Some(if half_angle < 0.0 { axis.chart.d0.map(|x| -x) } else { axis.chart.d0 });
-    zone.radius_mm = Some(middle / half_angle.cos() * cloud.scale_mm);
-    zone.apex_angle_rad = Some(2.0 * half_angle.abs());
+    zone.geometry.point_mm = cloud.to_mm(axis.chart.point(axis.a, axis.b, 0.0));
+    zone.geometry.direction = Some(if half_angle < 0.0 { axis.chart.d0.map(|x| -x) } else { axis.chart.d0 });
+    zone.geometry.radius_mm = Some(middle / half_angle.cos() * cloud.scale_mm);
+    zone.geometry.apex_angle_rad = Some(2.0 * half_angle.abs());
     zone.iterations = iterations;
     Ok(zone)
 }

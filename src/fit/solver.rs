@@ -20,7 +20,7 @@ use super::cloud::{Cloud, Gather, SAMPLE};
 use super::coverage::Coverage;
 use super::element::Element;
 use super::f64x8::{F64x8, LANES, Points};
-use super::result::{Fit, QUANTITIES, Residuals, propagate};
+use super::result::{Fit, FitPrecision, FitSolver, QUANTITIES, Residuals, propagate};
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
@@ -248,13 +248,18 @@ impl<S, const N: usize> Refined<S, N> {
         }
         let covariance = self.covariance(degrees_of_freedom);
         Ok(Fit {
-            degrees_of_freedom,
-            covariance: covariance.map(|c| propagate(&c, &by_parameter, cloud.scale_mm)),
+            precision: FitPrecision {
+                degrees_of_freedom,
+                covariance: covariance.map(|c| propagate(&c, &by_parameter, cloud.scale_mm)),
+                principal_rad: None,
+            },
             coverage_rad: Some(C::angle_rad(covered)),
             condition,
-            method: phrase!("method-orthogonal-distance"),
-            iterations: self.iterations,
-            termination: self.termination,
+            solver: FitSolver {
+                method: phrase!("method-orthogonal-distance"),
+                iterations: self.iterations,
+                termination: self.termination,
+            },
             ..Fit::new(element, cloud, point, residuals)
         })
     }

@@ -35,8 +35,8 @@ pub(super) fn fit_torus(points: Source, settings: &FitSettings) -> Result<Fit> {
     let centre = chart.point(a, b, h);
     let mut fit = refined.to_fit(Element::Torus, &cloud, centre, Arc::about(&chart, centre))?;
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
-    fit.radius_mm = Some(radius * cloud.scale_mm);
-    fit.minor_radius_mm = Some(minor * cloud.scale_mm);
+    fit.geometry.radius_mm = Some(radius * cloud.scale_mm);
+    fit.geometry.minor_radius_mm = Some(minor * cloud.scale_mm);
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Torus)));
     fit.finished(settings)
 }

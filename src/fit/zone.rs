@@ -1,6 +1,7 @@
 //! Common result of all minimum zones.
 
 use super::element::Element;
+use super::geometry::ElementGeometry;
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 
@@ -9,17 +10,9 @@ use etalon_base::pose::Vector;
 pub struct MinimumZone {
     /// Line in the plane, plane, circle, sphere, cylinder or cone.
     pub element: Element,
-    /// Centre of a circle or sphere, otherwise foot of the centroid; in the middle of the zone, and
-    /// for a cylinder or cone on its axis.
-    pub point_mm: Vector,
-    /// Unit direction of a line or axis, or unit normal of a plane (largest component positive);
-    /// the axis of a cone points towards increasing radius.
-    pub direction: Option<Vector>,
-    /// Mean radius of the two circles, spheres or cylinders; for a cone at its point, in the middle
-    /// of the zone.
-    pub radius_mm: Option<f64>,
-    /// Full angle of a cone (rad).
-    pub apex_angle_rad: Option<f64>,
+    /// Position, direction and size, in the middle of the zone. The point of a line, plane, cylinder
+    /// or cone is the foot of the centroid.
+    pub geometry: ElementGeometry,
     /// Width of the zone.
     pub form_mm: f64,
     /// Distance of each point from the middle of the zone: positive on the side of the normal, to
@@ -66,9 +59,9 @@ pub(super) const FARTHEST: f64 = 1e4;
 impl MinimumZone {
     /// Apex of a cone.
     pub fn apex_mm(&self) -> Option<Vector> {
-        let (axis, tangent) = (self.direction?, (0.5 * self.apex_angle_rad?).tan());
-        let height = self.radius_mm? / tangent;
-        height.is_finite().then(|| [0, 1, 2].map(|k| self.point_mm[k] - height * axis[k]))
+        let (axis, tangent) = (self.geometry.direction?, (0.5 * self.geometry.apex_angle_rad?).tan());
+        let height = self.geometry.radius_mm? / tangent;
+        height.is_finite().then(|| [0, 1, 2].map(|k| self.geometry.point_mm[k] - height * axis[k]))
     }
 
     /// Zone of points at these distances, in units of `scale_mm`, and distance of its middle;
@@ -78,10 +71,7 @@ impl MinimumZone {
         let middle = 0.5 * (low + high);
         let zone = Self {
             element,
-            point_mm: [0.0; 3],
-            direction: None,
-            radius_mm: None,
-            apex_angle_rad: None,
+            geometry: ElementGeometry::default(),
             form_mm: (high - low) * scale_mm,
             residuals_mm: distances.iter().map(|d| (d - middle) * scale_mm).collect(),
             upper,

@@ -193,22 +193,46 @@ pub struct Identification {
     pub status: Vec<Status>,
     /// Indices of the identified parameters: the order of `covariance`.
     pub free: Vec<usize>,
-    /// Number of identified parameters that were eliminated because of their large number:
-    /// coordinates of targets, or of sockets and planes.
-    pub eliminated: Vec<usize>,
+    /// Uncertainty of the identified parameters.
+    pub uncertainty: ParameterUncertainty,
+    /// Parameters that the data determine, and those that they do not.
+    pub identifiability: Identifiability,
+    /// Residuals at the solution.
+    pub residuals: ResidualStatistics,
+    /// Standard deviation of a residual, by which the rows of stated shapes and nominal values were
+    /// multiplied.
+    pub weight: f64,
+    /// Weight of nominal values.
+    pub prior: Prior,
+    /// Steps taken.
+    pub iterations: usize,
+    /// Termination of the solver.
+    pub termination: Termination,
+    /// Warnings, with remedies.
+    pub warnings: Vec<Warning>,
+}
+
+/// Uncertainty of the identified parameters.
+#[derive(Clone, Debug)]
+pub struct ParameterUncertainty {
     /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where it cannot be
     /// determined.
     pub covariance: Option<Vec<f64>>,
     /// Source of the covariance.
-    pub uncertainty_from: UncertaintyFrom,
+    pub from: UncertaintyFrom,
     /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty if
     /// these follow from stated uncertainties.
     pub effective_degrees: Vec<f64>,
     /// Ratio (median) of the standard uncertainties to those from the instrument's uncertainty
     /// alone.
     pub inflation_factor: f64,
-    /// Residuals of each quantity other than positions of targets.
-    pub conditions: Vec<ConditionResiduals>,
+    /// Contributions to the covariance.
+    pub budget: Budget,
+}
+
+/// Parameters that the data determine, and those that they do not.
+#[derive(Clone, Debug)]
+pub struct Identifiability {
     /// Sets of parameters that are not separately identifiable.
     pub groups: Vec<Group>,
     /// Sets of parameters that are weakly identifiable.
@@ -216,13 +240,17 @@ pub struct Identification {
     /// Singular values of the Jacobian and indices computed from them; `None` if they are not
     /// numbers.
     pub observability: Option<Observability>,
-    /// Contributions to the covariance.
-    pub budget: Budget,
-    /// Scatter of repeats compared with the rest; `None` if no pose was repeated.
-    pub replicates: Option<Replicates>,
-    /// Scatter between the stated series; `None` for one series, and where the instrument explains
-    /// all residuals.
-    pub between_series: Option<BetweenSeries>,
+    /// Identified parameters that were eliminated because of their large number: coordinates of
+    /// targets, or of sockets and planes.
+    pub eliminated: Vec<usize>,
+    /// Number of parameters that the data determine: all identified ones if nominal values do not
+    /// count as readings.
+    pub determined: f64,
+}
+
+/// Statistics of the residuals.
+#[derive(Clone, Debug)]
+pub struct ResidualStatistics {
     /// Root mean square of the residuals, in mm (mm and rad mixed for pose residuals, as in eq.
     /// 3.26).
     pub rms: f64,
@@ -232,24 +260,17 @@ pub struct Identification {
     pub degrees_of_freedom: usize,
     /// Effective degrees of freedom of the residual variance, from the scatter of the squared
     /// residuals between poses: a smooth misfit lowers them.
-    pub residual_degrees: f64,
+    pub effective_degrees: f64,
     /// Sum of squares of residuals over their uncertainties; `None` if no uncertainty is stated or
     /// no degrees of freedom are left.
     pub chi_square: Option<f64>,
-    /// Standard deviation of a residual, by which the rows of stated shapes and nominal values were
-    /// multiplied.
-    pub weight: f64,
-    /// Weight of nominal values.
-    pub prior: Prior,
-    /// Number of parameters that the data determine: all identified ones if nominal values do not
-    /// count as readings.
-    pub determined: f64,
-    /// Steps taken.
-    pub iterations: usize,
-    /// Termination of the solver.
-    pub termination: Termination,
-    /// Warnings, with remedies.
-    pub warnings: Vec<Warning>,
+    /// Residuals of each quantity other than positions of targets.
+    pub conditions: Vec<ConditionResiduals>,
+    /// Scatter of repeats compared with the rest; `None` if no pose was repeated.
+    pub replicates: Option<Replicates>,
+    /// Scatter between the stated series; `None` for one series, and where the instrument explains
+    /// all residuals.
+    pub between_series: Option<BetweenSeries>,
 }
 
 /// Minimum share of a parameter that the data must determine for a value from the data.
@@ -269,7 +290,7 @@ impl Identification {
     /// Standard uncertainty of a parameter, by its index; `None` if it was not identified.
     pub fn standard_uncertainty(&self, index: usize) -> Option<f64> {
         let k = self.free.iter().position(|&i| i == index)?;
-        Some(self.covariance.as_ref()?[k * self.free.len() + k].sqrt())
+        Some(self.uncertainty.covariance.as_ref()?[k * self.free.len() + k].sqrt())
     }
 
     /// Value and standard uncertainty of an identified parameter from everything except its own
@@ -282,7 +303,7 @@ impl Identification {
             // weights add: 1/u² = 1/u_data² + 1/s², with u as the solution weighted the readings;
             // misfit enlarges u afterwards
             Some(s) => {
-                let share = 1.0 - (u / self.inflation_factor.max(1.0) / s).powi(2);
+                let share = 1.0 - (u / self.uncertainty.inflation_factor.max(1.0) / s).powi(2);
                 (share > LEAST_SHARE).then(|| (nominal + (value - nominal) / share, u / share.sqrt()))
             }
         }
@@ -299,7 +320,7 @@ impl Identification {
     /// Effective degrees of freedom of a parameter; `None` if its uncertainty follows from stated
     /// ones.
     pub fn degrees_of_freedom(&self, index: usize) -> Option<f64> {
-        self.effective_degrees.get(self.free.iter().position(|&i| i == index)?).copied()
+        self.uncertainty.effective_degrees.get(self.free.iter().position(|&i| i == index)?).copied()
     }
 }
 

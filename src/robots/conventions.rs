@@ -7,7 +7,7 @@
 
 use super::chain::Motion;
 use super::keys::{Description, Reader, Stated};
-use super::serial::{ArmBuilder, Body, Drive, Effects, ThermalEffects, drawn_link};
+use super::serial::{ArmBuilder, Body, Drive, Effects, drawn_link};
 use super::tables::{AxisLine, NEAR_PARALLEL_RAD};
 use super::{
     At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
@@ -596,6 +596,7 @@ impl Drive {
 mod tests {
     use super::*;
     use crate::State;
+    use crate::serial::ThermalEffects;
     use etalon_base::noise::Noise;
 
     const TABLE: [(f64, f64, f64); 6] = [

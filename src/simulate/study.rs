@@ -70,7 +70,7 @@ impl Study<'_> {
                 observations.iter().map(|o| self.measured(o, noise_mm, &mut noise)).collect();
             let found =
                 identify_from(self.robot, &measured, &self.settings, &self.robot.nominal()).map_err(remedied)?;
-            if found.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
+            if found.identifiability.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
                 return Err(error!("study-too-few-poses").into());
             }
             for ((mean, square), value) in mean.iter_mut().zip(&mut squares).zip(&found.values) {

@@ -107,7 +107,9 @@ pub(super) fn exchanged_torques(
     let settings = with_torques(robot, settings, found);
     let explains = |observations: &[Observation]| -> bool {
         let again = identify_from(robot, observations, &settings, &found.values).ok();
-        again.is_some_and(|f| f.chi_square.is_some_and(|c| !chi_square_exceeds(c, f.degrees_of_freedom)))
+        again.is_some_and(|f| {
+            f.residuals.chi_square.is_some_and(|c| !chi_square_exceeds(c, f.residuals.degrees_of_freedom))
+        })
     };
     if torques.len() < 2 || explains(observations) {
         return None;

@@ -305,9 +305,9 @@ impl Tried {
     /// Sum of squares, degrees of freedom and parameters that the data determine.
     fn fit(&self) -> [f64; 3] {
         let found = &self.found;
-        let equations = found.degrees_of_freedom as f64 + found.determined;
-        let squares = found.chi_square.unwrap_or(found.rms.powi(2) * equations);
-        [squares, found.degrees_of_freedom as f64, found.determined]
+        let equations = found.residuals.degrees_of_freedom as f64 + found.identifiability.determined;
+        let squares = found.residuals.chi_square.unwrap_or(found.residuals.rms.powi(2) * equations);
+        [squares, found.residuals.degrees_of_freedom as f64, found.identifiability.determined]
     }
 
     /// F statistic of the further explained variance, and its p value.
@@ -434,7 +434,8 @@ pub(super) fn undescribed_bending(
     settings: &Settings,
     found: &Identification,
 ) -> Option<EffectProof> {
-    let explained = found.chi_square.is_some_and(|c| !chi_square_exceeds(c, found.degrees_of_freedom));
+    let explained =
+        found.residuals.chi_square.is_some_and(|c| !chi_square_exceeds(c, found.residuals.degrees_of_freedom));
     if explained || !settings.conditions.is_empty() || !settings.known.is_empty() || robot.loads().is_some() {
         return None;
     }

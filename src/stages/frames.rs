@@ -65,9 +65,9 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
             element: element.name().to_owned(),
             labels: labels.iter().map(|l| l.get_ref().clone()).collect(),
             points: chosen.len(),
-            point_mm: fitted.point_mm,
-            direction: fitted.direction.unwrap_or_default(),
-            radius_mm: fitted.radius_mm,
+            point_mm: fitted.geometry.point_mm,
+            direction: fitted.geometry.direction.unwrap_or_default(),
+            radius_mm: fitted.geometry.radius_mm,
             rms_mm: fitted.rms_mm(),
             max_mm: fitted.max_mm(),
             standard_uncertainty_mm: fitted.standard_uncertainty().map(|u| u.radius_mm.unwrap_or(u.point_largest_mm)),
@@ -346,7 +346,7 @@ impl Basis {
                 &points,
                 &etalon_fit::FitSettings { weights: weights.as_deref(), ..Default::default() },
             )?;
-            geometry.features.insert(name.clone(), (fit.point_mm, fit.direction.unwrap_or_default()));
+            geometry.features.insert(name.clone(), (fit.geometry.point_mm, fit.geometry.direction.unwrap_or_default()));
         }
         for (name, of) in &self.places {
             let total: f64 = of.iter().map(|i| self.weights[*i]).sum();

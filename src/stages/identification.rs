@@ -158,7 +158,12 @@ fn identify_selected(
         let others = evaluate::split(&theirs, &poses, &selections);
         let Fitted { values, rms } = Fitted::new(robot, &others.calibration, &settings).map_err(remedied)?;
         let found = &solved.found;
-        let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, values: &found.values, rms_mm: found.rms };
+        let first = LogFit {
+            name: &campaign.file.logs[0].name,
+            sets: &sets,
+            values: &found.values,
+            rms_mm: found.residuals.rms,
+        };
         let other = LogFit { name, sets: &others, values: &values, rms_mm: rms };
         let warnings =
             [compare_logs(robot, &first, &other, first.name), compare_logs(robot, &other, &first, first.name)];

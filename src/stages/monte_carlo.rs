@@ -124,7 +124,7 @@ impl<'a> Trials<'a> {
             planar,
             height_mm,
             budget: &identified.accuracy.budget,
-            model_root: identified.found.budget.model_root(),
+            model_root: identified.found.uncertainty.budget.model_root(),
             seed: 0,
         }
     }
@@ -142,7 +142,7 @@ impl<'a> Trials<'a> {
         let bootstrap = trials.bootstrap(draws.resamples);
         let n = found.free.len();
         let linear = |k: usize| -> Option<f64> {
-            let parts = found.budget.parameter_contributions(k);
+            let parts = found.uncertainty.budget.parameter_contributions(k);
             (!parts.is_empty()).then(|| parts.iter().map(|(_, v)| v).sum::<f64>().sqrt())
         };
         // so far do ends of intervals go apart by the number of draws alone, of all parameters in
@@ -197,7 +197,7 @@ impl<'a> Trials<'a> {
             draws: monte_carlo.len(),
             two_digits_reached: digits,
             resamples: bootstrap.as_ref().map_or(0, Vec::len),
-            uncertainties_from: found.uncertainty_from.into(),
+            uncertainties_from: found.uncertainty.from.into(),
             parameters: (0..n).map(entry).collect(),
             errors: if trials.validation.is_empty() || !positions_alone { Vec::new() } else { figures.collect() },
             messages: etalon_documents::warning_messages(&found.warnings),

@@ -67,9 +67,9 @@ pub fn plausibility(
     let mut messages = implausible(robot, found, errors, unchecked.is_some());
     messages.extend(unchecked);
     let far = far_before(robot, observations, settings, solved, errors);
-    let misfit = match found.chi_square {
-        Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
-        None => !messages.is_empty() || found.max > SPIKE * found.rms,
+    let misfit = match found.residuals.chi_square {
+        Some(chi_square) => chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom),
+        None => !messages.is_empty() || found.residuals.max > SPIKE * found.residuals.rms,
     };
     match far {
         Some(far) => messages.insert(0, far),
@@ -103,7 +103,7 @@ pub fn plausibility(
     if misfit {
         messages.extend(moved_between(robot, observations, &found.values));
     }
-    let spike = settings.standard_uncertainty_mm.is_some_and(|u_mm| found.max > OUTLIER * u_mm);
+    let spike = settings.standard_uncertainty_mm.is_some_and(|u_mm| found.residuals.max > OUTLIER * u_mm);
     if (misfit || spike)
         && let Some(robust) = RobustFit::new(robot, observations, settings, found)
     {
@@ -128,7 +128,7 @@ fn undetermined(
     let distinct: BTreeSet<(PoseName, usize)> = observations.iter().flat_map(|o| -> Vec<_> { targets(o) }).collect();
     let conditions: usize = settings.conditions.iter().map(|c| c.kind.rows()).sum();
     let coordinates = robot.dimension() * distinct.len() + conditions;
-    let determined = found.determined.round() as usize;
+    let determined = found.identifiability.determined.round() as usize;
     let message = match settings.prior {
         Prior::None => error!("no-coordinates-to-check", count = coordinates, parameters = determined),
         Prior::Tolerances { .. } => {
@@ -348,7 +348,7 @@ fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError],
 /// Returns an error about parameters that the data alone put beyond their tolerance, by more than
 /// their uncertainty.
 fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
-    let by_data = |i: usize| match found.covariance {
+    let by_data = |i: usize| match found.uncertainty.covariance {
         Some(_) => found.without_nominal(robot, i),
         None => Some((found.values[i], 0.0)),
     };

@@ -79,7 +79,7 @@ fn side_and_source(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> O
         // the centres lie about a probe radius from where the line is meant to be
         Element::Line | Element::Line2d => first(
             &|values| {
-                let away = from_axis(centres.point_mm, values.point_mm?, centres.direction?);
+                let away = from_axis(centres.geometry.point_mm, values.point_mm?, centres.geometry.direction?);
                 (norm(away) > 0.5 * probe_mm).then_some(Side::Towards(away))
             },
             "location",
@@ -92,9 +92,9 @@ fn side_and_source(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> O
             }
             let by_size = |values: &FeatureGeometry| {
                 let (size, found) = match element {
-                    Element::Torus => (values.minor_radius_mm?, centres.minor_radius_mm?),
+                    Element::Torus => (values.minor_radius_mm?, centres.geometry.minor_radius_mm?),
                     Element::Cone => return None,
-                    _ => (values.radius_mm?, centres.radius_mm?),
+                    _ => (values.radius_mm?, centres.geometry.radius_mm?),
                 };
                 ((size - found).abs() > 0.5 * probe_mm).then_some(side(found < size))
             };
@@ -113,15 +113,15 @@ fn from_axis(p: Vector, axis_point: Vector, d: Vector) -> Vector {
 /// The stated values, and the deviations of the fit from them.
 fn against(feature: &MeasuredFeature, fit: &Fit) -> FitStated {
     let stated = &feature.stated;
-    let apart = |p: Vector| match (fit.element, fit.direction) {
-        (Element::Plane, Some(n)) => dot(minus(p, fit.point_mm), n).abs(),
-        (Element::Line | Element::Cylinder | Element::Cone, Some(d)) => norm(from_axis(p, fit.point_mm, d)),
-        _ => norm(minus(p, fit.point_mm)),
+    let apart = |p: Vector| match (fit.element, fit.geometry.direction) {
+        (Element::Plane, Some(n)) => dot(minus(p, fit.geometry.point_mm), n).abs(),
+        (Element::Line | Element::Cylinder | Element::Cone, Some(d)) => norm(from_axis(p, fit.geometry.point_mm, d)),
+        _ => norm(minus(p, fit.geometry.point_mm)),
     };
     let angle_deg = |(a, b): (Vector, Vector)| norm(cross(a, b)).atan2(dot(a, b).abs()).to_degrees();
     let less = |fitted: Option<f64>, stated: Option<f64>| Some(fitted? - stated?);
     // the radius of a cone is stated at a point of the file's choice
-    let radius_mm = fit.radius_mm.filter(|_| fit.element != Element::Cone);
+    let radius_mm = fit.geometry.radius_mm.filter(|_| fit.element != Element::Cone);
     FitStated {
         id: feature.id.clone(),
         point_mm: stated.point_mm,
@@ -130,9 +130,9 @@ fn against(feature: &MeasuredFeature, fit: &Fit) -> FitStated {
         minor_radius_mm: stated.minor_radius_mm,
         apex_angle_deg: stated.apex_angle_rad.map(f64::to_degrees),
         point_apart_mm: stated.point_mm.map(apart),
-        direction_apart_deg: fit.direction.zip(stated.direction).map(angle_deg),
+        direction_apart_deg: fit.geometry.direction.zip(stated.direction).map(angle_deg),
         radius_less_stated_mm: less(radius_mm, stated.radius_mm),
-        minor_radius_less_stated_mm: less(fit.minor_radius_mm, stated.minor_radius_mm),
-        apex_angle_less_stated_deg: less(fit.apex_angle_rad, stated.apex_angle_rad).map(f64::to_degrees),
+        minor_radius_less_stated_mm: less(fit.geometry.minor_radius_mm, stated.minor_radius_mm),
+        apex_angle_less_stated_deg: less(fit.geometry.apex_angle_rad, stated.apex_angle_rad).map(f64::to_degrees),
     }
 }

@@ -179,7 +179,7 @@ impl Recommendation<'_> {
     fn together(&self, found: &Identification, indices: &[usize]) -> Option<[f64; 2]> {
         let places: Vec<usize> =
             indices.iter().map(|i| found.free.iter().position(|f| f == i)).collect::<Option<_>>()?;
-        let (n, covariance) = (found.free.len(), found.covariance.as_ref()?);
+        let (n, covariance) = (found.free.len(), found.uncertainty.covariance.as_ref()?);
         let u = |k: usize| covariance[places[k] * n + places[k]].sqrt();
         let correlation =
             DMatrix::from_fn(places.len(), places.len(), |i, j| covariance[places[i] * n + places[j]] / (u(i) * u(j)));

@@ -40,7 +40,7 @@ impl<'a> Expected<'a> {
         let position = accuracy.sets.last().and_then(|set| set.leading());
         let measured = position.map_or(0.0, |e| e.after.rms);
         let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);
-        let model_mm = match prediction.found.uncertainty_from {
+        let model_mm = match prediction.found.uncertainty.from {
             UncertaintyFrom::Instrument => 0.0,
             _ => (measured.powi(2) - instrument).max(0.0).sqrt(),
         };

@@ -172,11 +172,11 @@ fn what_2_0_states_and_the_datum_planes_are_other_criteria_than_least_squares() 
             let limit = if version == "2.0.0" { -4e-5 } else { -4e-9 };
             assert!(above < 0.0 && above > limit, "{version}: {above:e}");
             let plane = fit::element(Element::Plane, &feature.points_mm, &FitSettings::default()).unwrap();
-            let height = plane.point_mm[2] - probe;
+            let height = plane.geometry.point_mm[2] - probe;
             // the file was aligned to its least-squares plane: z = 0 at the surface, and no tilt
             assert!(
-                (plane.point_mm[2] - PROBE_MM).abs() < 1e-11
-                    && norm(cross(plane.direction.unwrap(), [0.0, 0.0, 1.0])) < 1e-12
+                (plane.geometry.point_mm[2] - PROBE_MM).abs() < 1e-11
+                    && norm(cross(plane.geometry.direction.unwrap(), [0.0, 0.0, 1.0])) < 1e-12
             );
             assert!((p[2] - height).abs() < plane.form_mm(), "{version}: the planes are apart less than the form");
         }

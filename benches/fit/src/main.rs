@@ -128,17 +128,17 @@ fn etalon(element: Element, points: &Points) -> Fit {
 /// sphere have from a sample.
 fn passes(fit: &Fit) -> usize {
     let surveyed = !matches!(fit.element, Element::Circle2d | Element::Sphere);
-    usize::from(surveyed) + fit.iterations + 1
+    usize::from(surveyed) + fit.solver.iterations + 1
 }
 
 /// The numbers that a peer's answer is held against: direction, centre, radius, where there is one; of a cylinder's
 /// point, which may slide, nothing.
 fn answer(fit: &Fit) -> Vec<f64> {
     let centre = matches!(fit.element, Element::Circle2d | Element::Sphere);
-    let [x, y, z] = fit.point_mm;
+    let [x, y, z] = fit.geometry.point_mm;
     let place = if fit.element == Element::Circle2d { vec![x, y] } else { vec![x, y, z] };
-    let direction = fit.direction.into_iter().flatten();
-    direction.chain(place.into_iter().filter(|_| centre)).chain(fit.radius_mm).collect()
+    let direction = fit.geometry.direction.into_iter().flatten();
+    direction.chain(place.into_iter().filter(|_| centre)).chain(fit.geometry.radius_mm).collect()
 }
 
 fn engeom(element: Element, points: &Points) -> Vec<f64> {

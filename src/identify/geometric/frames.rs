@@ -27,18 +27,18 @@ impl FittedPlane {
     pub fn through(readings: &mut Readings, points: &[UncertainPoint], up: impl Fn(Vector) -> bool) -> Result<Self> {
         let p = values(points);
         let fitted = etalon_fit::plane(&p, &etalon_fit::FitSettings::default())?;
-        let found = fitted.direction.unwrap_or([0.0, 0.0, 1.0]);
+        let found = fitted.geometry.direction.unwrap_or([0.0, 0.0, 1.0]);
         let normal = if up(found) { found } else { found.map(|v| -v) };
         let side = if normal[0].abs() < 0.9 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
         let e2 = unit(cross(normal, side)).unwrap_or([0.0, 1.0, 0.0]);
         let e1 = cross(e2, normal);
-        let offsets: Vec<Vector> = p.iter().map(|&p| minus(p, fitted.point_mm)).collect();
+        let offsets: Vec<Vector> = p.iter().map(|&p| minus(p, fitted.geometry.point_mm)).collect();
         let rows: Vec<[f64; 3]> = offsets.iter().map(|&w| [-1.0, dot(w, e1), dot(w, e2)]).collect();
         let moves: Vec<Uncertain> = points.iter().map(|p| Uncertain::linear(0.0, normal.into_iter().zip(p))).collect();
         let distances: Vec<f64> = offsets.iter().map(|&w| dot(w, normal)).collect();
         let [_, t1, t2] = shifts(&rows, &moves)?;
         let scatter = readings.judge(&distances, &moves, 3, points);
-        Ok(Self { point_mm: fitted.point_mm, axes: [e1, e2, normal], tilt: [t1, t2], scatter })
+        Ok(Self { point_mm: fitted.geometry.point_mm, axes: [e1, e2, normal], tilt: [t1, t2], scatter })
     }
 
     /// A point projected into the plane, along its two directions from the centroid (mm).
@@ -74,7 +74,7 @@ impl FittedArc {
     pub fn through(readings: &mut Readings, flat: &[Flat], points: &[UncertainPoint]) -> Result<Self> {
         let p = values(flat);
         let fitted = etalon_fit::circle2d(&p, &etalon_fit::FitSettings::default())?;
-        let [x, y, _] = fitted.point_mm;
+        let [x, y, _] = fitted.geometry.point_mm;
         let radial = |p: &[f64; 2]| {
             let (dx, dy) = (p[0] - x, p[1] - y);
             let length = dx.hypot(dy);
@@ -84,7 +84,7 @@ impl FittedArc {
         let moves: Vec<Uncertain> =
             flat.iter().zip(&p).map(|(f, p)| Uncertain::linear(0.0, radial(p).into_iter().zip(f))).collect();
         let [dx, dy, _] = shifts(&rows, &moves)?;
-        let radius = fitted.radius_mm.unwrap_or_default();
+        let radius = fitted.geometry.radius_mm.unwrap_or_default();
         let residuals: Vec<f64> = p.iter().map(|p| (p[0] - x).hypot(p[1] - y) - radius).collect();
         let scatter = readings.judge(&residuals, &moves, 3, points);
         Ok(Self { centre: [dx.at(x), dy.at(y)], coverage_deg: fitted.coverage_deg().unwrap_or_default(), scatter })

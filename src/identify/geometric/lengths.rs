@@ -117,15 +117,15 @@ impl Shaft {
     pub fn through(readings: &mut Readings, base: &Base, probed: &[Vector]) -> Result<Self> {
         let points = readings.add(probed);
         let fitted = etalon_fit::cylinder(probed, &etalon_fit::FitSettings::default())?;
-        let foot = fitted.point_mm;
-        let d = fitted.direction.unwrap_or([1.0, 0.0, 0.0]);
+        let foot = fitted.geometry.point_mm;
+        let d = fitted.geometry.direction.unwrap_or([1.0, 0.0, 0.0]);
         let side = if d[2].abs() < 0.9 { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };
         let e1 = unit(cross(side, d)).unwrap_or([1.0, 0.0, 0.0]);
         let e2 = cross(d, e1);
         // distances about the axis (foot + a e1 + b e2, d + u e1 + v e2) at zero, and how they move
         // with the points
         let (mut rows, mut moves, mut residuals, mut reach) = (Vec::new(), Vec::new(), Vec::new(), 0.0f64);
-        let radius = fitted.radius_mm.unwrap_or_default();
+        let radius = fitted.geometry.radius_mm.unwrap_or_default();
         for (p, q) in values(&points).into_iter().zip(&points) {
             let w = minus(p, foot);
             let t = dot(w, d);

@@ -239,7 +239,7 @@ impl Identification {
         settings: &Settings,
         bound: UncertaintyBound,
     ) -> Option<OpenSetUp> {
-        let all = self.covariance.as_ref()?;
+        let all = self.uncertainty.covariance.as_ref()?;
         let n = self.free.len();
         let is_open = |k: &usize| {
             let i = self.free[*k];
@@ -275,7 +275,7 @@ impl Identification {
             moved.chain([[0.0; 3]]).collect()
         };
         let part = robot.kinematics().map(part).unwrap_or_default();
-        let coordinate_mm = settings.coordinate_uncertainty_mm().max(self.rms);
+        let coordinate_mm = settings.coordinate_uncertainty_mm().max(self.residuals.rms);
         let [targets, part] = [places.collect(), part].map(|points| {
             let finite: Vec<Vector> = points.into_iter().filter(|p| p.iter().all(|v| v.is_finite())).collect();
             Extent::from_points(&finite, coordinate_mm)

@@ -168,12 +168,12 @@ impl Fit<'_> {
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let (size, left) = (dot(&effect, &effect), dot(after, after));
         let lambda = -dot(before, &effect) / size;
-        let dof = (self.found.degrees_of_freedom as f64 - 1.0).max(1.0);
+        let dof = (self.found.residuals.degrees_of_freedom as f64 - 1.0).max(1.0);
         let estimated = (dot(before, before) - lambda.powi(2) * size) / dof;
         // rows have the standard deviation 1 if the uncertainty of the readings is stated
         let is_stated = self.settings.standard_uncertainty_mm.is_some();
         let variance = if is_stated { estimated.max(1.0) } else { estimated };
-        if is_stated && exceeds(left, self.found.degrees_of_freedom) {
+        if is_stated && exceeds(left, self.found.residuals.degrees_of_freedom) {
             return None;
         }
         // a wrong reading can look like a change

@@ -73,7 +73,7 @@ mod tests {
         let observations: Vec<Observation> = (0..8).map(corner).collect();
         let found = identify(&robot, &observations, &Settings::default()).unwrap();
         let fitted = Fitted::new(&robot, &observations, &Settings::default()).unwrap();
-        assert_eq!((fitted.values, fitted.rms), (found.values, found.rms));
+        assert_eq!((fitted.values, fitted.rms), (found.values, found.residuals.rms));
         assert!(fitted.rms > 1e-4, "{}", fitted.rms);
     }
 

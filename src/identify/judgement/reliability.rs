@@ -80,7 +80,7 @@ pub fn reliability(
     let settings = &settings.as_found(found);
     let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
     let plain = settings.kind == ResidualKind::Targets && !problem.is_whitened() && !problem.is_weighted();
-    let (n, dof) = (found.free.len(), found.degrees_of_freedom);
+    let (n, dof) = (found.free.len(), found.residuals.degrees_of_freedom);
     if !plain || problem.layout.is_some() || dof == 0 {
         return Ok(None);
     }
@@ -92,7 +92,7 @@ pub fn reliability(
     let root = root.unpack(); // F, with F Fᵀ = A⁻¹
     let mut residuals = vec![0.0; problem.residual_count()];
     problem.residuals(&x, &mut residuals);
-    let variance = match found.uncertainty_from {
+    let variance = match found.uncertainty.from {
         UncertaintyFrom::Instrument => 1.0,
         _ => residuals[..problem.nominal_rows().start].iter().map(|r| r * r).sum::<f64>() / dof as f64,
     };

@@ -112,7 +112,7 @@ pub fn robust_comparison(
     let settings = &settings.as_found(found);
     let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
     let apart = settings.kind == ResidualKind::Targets && !problem.is_whitened() && problem.layout.is_none();
-    let dof = found.degrees_of_freedom;
+    let dof = found.residuals.degrees_of_freedom;
     if !apart || dof == 0 {
         return Ok(None);
     }

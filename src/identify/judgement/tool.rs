@@ -159,7 +159,7 @@ impl ToolPrediction<'_> {
     /// The expected error at joint values; `None` without a covariance.
     pub fn error(&self, joints: &[f64]) -> Result<Option<ToolError>> {
         let Self { robot, point, before, found, held } = self;
-        let Some(covariance) = &found.covariance else { return Ok(None) };
+        let Some(covariance) = &found.uncertainty.covariance else { return Ok(None) };
         let nominal = point.in_base(*robot, before, joints)?;
         let identified = point.in_base(*robot, &found.values, joints)?;
         let columns: Vec<Vector3<f64>> =
@@ -213,7 +213,7 @@ pub fn held(
         robot.free_base().is_some() && g.useless_uncertainty.is_none() && elsewhere
     };
     let counts = |g: &&Group| parameters[g.held].tolerance.is_finite() && !g.with.is_empty() && !places_frame(g);
-    let groups: Vec<&Group> = found.groups.iter().filter(counts).collect();
+    let groups: Vec<&Group> = found.identifiability.groups.iter().filter(counts).collect();
     if groups.is_empty() {
         return Ok(Vec::new());
     }

@@ -16,7 +16,10 @@ use crate::model::solved::Solved;
 use crate::solution::estimation::Estimation;
 use crate::solution::observability::{Observability, WeakGroup, held_singular_values, observe, weak_message};
 use crate::solution::solver::Identifiable;
-use crate::{Group, Identification, ResidualKind, Settings, Status, Subject, Warning};
+use crate::{
+    Group, Identifiability, Identification, ParameterUncertainty, ResidualKind, ResidualStatistics, Settings, Status,
+    Subject, Warning,
+};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{phrase, warning};
@@ -111,28 +114,34 @@ pub(crate) fn with_uncertainty(
     };
     Ok(Identification {
         status: (0..values.len()).map(status).collect(),
-        conditions: ConditionResiduals::all(robot, &values, &settings.conditions),
+        residuals: ResidualStatistics {
+            rms: rms(lengths.iter().copied()) * problem.unit,
+            max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
+            degrees_of_freedom: dof,
+            effective_degrees: dof as f64 * square_degrees(problem, solution),
+            chi_square,
+            conditions: ConditionResiduals::all(robot, &values, &settings.conditions),
+            replicates,
+            between_series,
+        },
         values,
         free: problem.free.clone(),
-        eliminated: own.into_iter().map(|j| problem.free[j]).collect(),
-        covariance,
-        uncertainty_from,
-        effective_degrees,
-        inflation_factor,
-        groups,
-        weak,
-        observability,
-        budget,
-        replicates,
-        between_series,
-        rms: rms(lengths.iter().copied()) * problem.unit,
-        max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
-        degrees_of_freedom: dof,
-        residual_degrees: dof as f64 * square_degrees(problem, solution),
-        chi_square,
+        uncertainty: ParameterUncertainty {
+            covariance,
+            from: uncertainty_from,
+            effective_degrees,
+            inflation_factor,
+            budget,
+        },
+        identifiability: Identifiability {
+            groups,
+            weak,
+            observability,
+            eliminated: own.into_iter().map(|j| problem.free[j]).collect(),
+            determined: n as f64 - problem.undetermined(solution),
+        },
         weight,
         prior: settings.prior,
-        determined: n as f64 - problem.undetermined(solution),
         iterations,
         termination: solution.termination,
         warnings,

@@ -317,11 +317,11 @@ mod tests {
         let (robot, observations) = many(150, 20);
         let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
         let found = identify(&robot, &observations, &settings).expect("identified");
-        let chi_square = found.chi_square.expect("chi-square") / found.degrees_of_freedom as f64;
+        let chi_square = found.residuals.chi_square.expect("chi-square") / found.residuals.degrees_of_freedom as f64;
         assert!((chi_square - 1.0).abs() < 0.05, "{chi_square}");
-        assert_eq!(found.eliminated.len(), 450);
+        assert_eq!(found.identifiability.eliminated.len(), 450);
         let u = |name: &str| found.standard_uncertainty(robot.index(name).unwrap()).unwrap();
         assert!((0.001..0.01).contains(&u("T7_x")), "{}", u("T7_x"));
-        assert!(found.observability.is_some_and(|o| o.rank == found.free.len() && o.eliminated == 450));
+        assert!(found.identifiability.observability.is_some_and(|o| o.rank == found.free.len() && o.eliminated == 450));
     }
 }

@@ -137,7 +137,7 @@ fn calibrate(
         };
         let measured: Vec<Observation> = chosen.iter().map(&mut measure).collect();
         let found = identify_from(robot, &measured, settings, &robot.nominal())?;
-        if found.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
+        if found.identifiability.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
             return Err(error!("study-too-few-positions", positions = chosen.len()).into());
         }
         mean.iter_mut().zip(&found.values).for_each(|(m, v)| *m += v / setting.runs as f64);

@@ -21,8 +21,8 @@ const NAMED: usize = 3;
 /// The reversed joint or the exchanged pair of joints that explains the conditions by a robot near
 /// its nominal values; `None` if they are explained so without a change, or by no change.
 pub fn condition_slip(robot: &dyn Robot, settings: &Settings, found: &Identification) -> Option<SetUpError> {
-    let stated = found.chi_square?;
-    if !exceeds(stated, found.degrees_of_freedom) && is_near_nominal(robot, &found.values) {
+    let stated = found.residuals.chi_square?;
+    if !exceeds(stated, found.residuals.degrees_of_freedom) && is_near_nominal(robot, &found.values) {
         return None;
     }
     let rows: usize = settings.conditions.iter().map(|c| c.kind.rows()).sum();

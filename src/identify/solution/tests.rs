@@ -169,8 +169,8 @@ fn arms_have_the_same_residuals_in_each_convention() {
         ];
         let found = robots.map(|robot| {
             let found = identify(&robot, &observations, &settings(&[])).unwrap();
-            println!("{name}: {} parameters, rms {:.6} mm", found.free.len(), found.rms);
-            (found.free.len(), misses(&robot, &found.values, &observations), found.rms)
+            println!("{name}: {} parameters, rms {:.6} mm", found.free.len(), found.residuals.rms);
+            (found.free.len(), misses(&robot, &found.values, &observations), found.residuals.rms)
         });
         for (free, misses, rms) in &found {
             assert_eq!(*free, found[2].0, "{name}");
@@ -192,8 +192,8 @@ fn covariances_of_hardly_determined_parameters_are_sound() {
         let robot = table(SCARA, |k| k == 1 || k == 3, &["SMR".to_owned()]);
         let found = identify(&robot, &observations, &settings(&[])).unwrap();
         let n = found.free.len();
-        let c = DMatrix::from_row_slice(n, n, found.covariance.as_ref().unwrap());
-        println!("{:?} {:e}", found.uncertainty_from, (&c - c.transpose()).amax());
+        let c = DMatrix::from_row_slice(n, n, found.uncertainty.covariance.as_ref().unwrap());
+        println!("{:?} {:e}", found.uncertainty.from, (&c - c.transpose()).amax());
         assert!(c == c.transpose(), "{:e}", (&c - c.transpose()).amax());
         let u: Vec<f64> = (0..n).map(|k| c[(k, k)].sqrt()).collect();
         let correlations = DMatrix::from_fn(n, n, |i, j| c[(i, j)] / (u[i] * u[j]));
@@ -213,8 +213,16 @@ fn a_held_length_between_parallel_axes_costs_no_residuals() {
         let free = identify(&robot, &observations, &settings(&[])).unwrap();
         let held = identify(&robot, &observations, &settings(&["a_2"])).unwrap();
         let z = robot.index("base_z").unwrap();
-        println!("{seed}: rms {} {}, base_z {} {}", free.rms, held.rms, free.values[z], held.values[z]);
-        assert!((held.rms - free.rms).abs() < 0.01 * free.rms, "{seed}: {} {}", held.rms, free.rms);
+        println!(
+            "{seed}: rms {} {}, base_z {} {}",
+            free.residuals.rms, held.residuals.rms, free.values[z], held.values[z]
+        );
+        assert!(
+            (held.residuals.rms - free.residuals.rms).abs() < 0.01 * free.residuals.rms,
+            "{seed}: {} {}",
+            held.residuals.rms,
+            free.residuals.rms
+        );
         // the height of the base by measurement: the length is identified
         let mut robot = table(SCARA, |k| k > 0, &["SMR".to_owned()]);
         let mut nominal = robot.nominal();
@@ -222,7 +230,7 @@ fn a_held_length_between_parallel_axes_costs_no_residuals() {
         robot.definition_mut().set_nominal(&nominal);
         let stated = identify(&robot, &observations, &settings(&["base_z"])).unwrap();
         let a = robot.index("a_2").unwrap();
-        println!("{seed}: base_z {} a_2 {} rms {}", stated.values[z], stated.values[a], stated.rms);
+        println!("{seed}: base_z {} a_2 {} rms {}", stated.values[z], stated.values[a], stated.residuals.rms);
         assert!(stated.status[a] == Status::Identified && stated.values[z] == -300.0);
         assert!((stated.values[a] - 400.3).abs() < 0.1, "{}", stated.values[a]);
     }

@@ -89,11 +89,11 @@ fn drawn(seed: u64, trial: u64, [noise_mm, stated_mm]: [f64; 2]) -> Option<Drawn
     let settings = Settings { standard_uncertainty_mm: Some(stated_mm), prior: Prior::None, ..Settings::default() };
     let found = identify(&robot, &observations, &settings).ok()?;
     // the stated uncertainty alone: chi-square may not enlarge it
-    let stated = |i: usize| Some(found.standard_uncertainty(i)? / found.inflation_factor);
+    let stated = |i: usize| Some(found.standard_uncertainty(i)? / found.uncertainty.inflation_factor);
     let held = found.free.iter().map(|&i| Some((found.values[i] - truth[i]).abs() <= NORMAL_95 * stated(i)?));
     Some(Drawn {
         held: held.collect::<Option<_>>()?,
-        chi_square: found.chi_square?,
-        degrees_of_freedom: found.degrees_of_freedom as f64,
+        chi_square: found.residuals.chi_square?,
+        degrees_of_freedom: found.residuals.degrees_of_freedom as f64,
     })
 }

@@ -40,12 +40,20 @@ fn least_squares(item: &Data, rows: &mut Rows) {
         Ok(fit) => fit,
         Err(problems) => return rows.failed(not_made(name, &problems)),
     };
-    rows.add_all(phrase!("selftest-fit-point", name), "mm", [&item.numbers("/point_mm"), &fit.point_mm], LENGTH);
-    if let (Some(found), &[x, y, z]) = (fit.direction, &item.numbers("/direction")[..]) {
+    rows.add_all(
+        phrase!("selftest-fit-point", name),
+        "mm",
+        [&item.numbers("/point_mm"), &fit.geometry.point_mm],
+        LENGTH,
+    );
+    if let (Some(found), &[x, y, z]) = (fit.geometry.direction, &item.numbers("/direction")[..]) {
         let sign = dot(found, [x, y, z]).signum();
         rows.add_all(phrase!("selftest-fit-direction", name), "", [&[x, y, z], &found.map(|v| sign * v)], LENGTH);
     }
-    let sizes: Vec<f64> = [fit.radius_mm, fit.minor_radius_mm, fit.apex_angle_rad].into_iter().flatten().collect();
+    let sizes: Vec<f64> = [fit.geometry.radius_mm, fit.geometry.minor_radius_mm, fit.geometry.apex_angle_rad]
+        .into_iter()
+        .flatten()
+        .collect();
     if !sizes.is_empty() {
         rows.add_all(phrase!("selftest-fit-size", name), "mm, rad", [&item.numbers("/sizes"), &sizes], LENGTH);
     }
@@ -71,8 +79,8 @@ fn by_hand() -> Rows {
         [3.0 + radius * cos, -2.0 + radius * sin, 0.0]
     };
     let circle: Vec<_> = (0..8).map(|i| at(i, if i % 2 == 0 { 10.0 } else { 10.2 })).collect();
-    let zone =
-        minimum_zone(Element::Circle2d, &circle).map_or([f64::NAN; 2], |z| [z.form_mm, z.radius_mm.unwrap_or(0.0)]);
+    let zone = minimum_zone(Element::Circle2d, &circle)
+        .map_or([f64::NAN; 2], |z| [z.form_mm, z.geometry.radius_mm.unwrap_or(0.0)]);
     rows.add_all(phrase!("selftest-zone", name = "circle2d"), "mm", [&[0.2, 10.1], &zone], 1e-10);
     // a right triangle: the circle over its longest side
     let triangle = [[0.0, 0.0], [30.0, 0.0], [0.0, 40.0], [10.0, 10.0]];

@@ -71,29 +71,31 @@ fn angle(a: Vector, b: Vector) -> f64 {
 }
 
 fn plane(fit: &Fit, answer: &[f64]) -> f64 {
-    let normal = fit.direction.filter(|_| answer.len() >= 6);
-    normal.map_or(f64::INFINITY, |n| norm(minus(fit.point_mm, vector(answer))).max(angle(n, vector(&answer[3..]))))
+    let normal = fit.geometry.direction.filter(|_| answer.len() >= 6);
+    normal.map_or(f64::INFINITY, |n| {
+        norm(minus(fit.geometry.point_mm, vector(answer))).max(angle(n, vector(&answer[3..])))
+    })
 }
 
 fn sphere(fit: &Fit, answer: &[f64]) -> f64 {
-    let diameter = fit.radius_mm.map_or(f64::INFINITY, |r| (2.0 * r - answer[3]).abs());
-    norm(minus(fit.point_mm, vector(answer))).max(diameter)
+    let diameter = fit.geometry.radius_mm.map_or(f64::INFINITY, |r| (2.0 * r - answer[3]).abs());
+    norm(minus(fit.geometry.point_mm, vector(answer))).max(diameter)
 }
 
 fn cylinder(fit: &Fit, answer: &[f64]) -> f64 {
-    let (Some(axis), Some(radius), true) = (fit.direction, fit.radius_mm, answer.len() >= 7) else {
+    let (Some(axis), Some(radius), true) = (fit.geometry.direction, fit.geometry.radius_mm, answer.len() >= 7) else {
         return f64::INFINITY;
     };
     let (point, direction) = (vector(answer), vector(&answer[3..]));
-    let beside = norm(cross(minus(fit.point_mm, point), direction)) / norm(direction);
+    let beside = norm(cross(minus(fit.geometry.point_mm, point), direction)) / norm(direction);
     beside.max((2.0 * radius - answer[6]).abs()).max(angle(axis, direction))
 }
 
 fn circle(fit: &Fit, answer: &[f64]) -> f64 {
-    let (Some(normal), Some(radius), true) = (fit.direction, fit.radius_mm, answer.len() >= 7) else {
+    let (Some(normal), Some(radius), true) = (fit.geometry.direction, fit.geometry.radius_mm, answer.len() >= 7) else {
         return f64::INFINITY;
     };
-    let centre = norm(minus(fit.point_mm, vector(answer)));
+    let centre = norm(minus(fit.geometry.point_mm, vector(answer)));
     centre.max((2.0 * radius - answer[6]).abs()).max(angle(normal, vector(&answer[3..])))
 }
 
@@ -101,7 +103,7 @@ fn circle(fit: &Fit, answer: &[f64]) -> f64 {
 /// angle in degrees.
 fn cone(fit: &Fit, answer: &[f64]) -> f64 {
     let (Some(axis), Some(apex), Some(opening), true) =
-        (fit.direction, fit.apex_mm(), fit.apex_angle_rad, answer.len() >= 8)
+        (fit.geometry.direction, fit.apex_mm(), fit.geometry.apex_angle_rad, answer.len() >= 8)
     else {
         return f64::INFINITY;
     };

@@ -132,12 +132,12 @@ fn the_spread_of_each_parameter_is_its_stated_uncertainty_and_chi_square_has_its
             let settings = Settings { kind, standard_uncertainty_mm: Some(0.005), ..Settings::default() };
             let found = identify(&robot, &observations, &settings).expect("identified");
             // once in a thousand chi-square rejects by chance: that enlarges, and is not what is tested here
-            for &i in found.free.iter().filter(|_| found.inflation_factor == 1.0) {
+            for &i in found.free.iter().filter(|_| found.uncertainty.inflation_factor == 1.0) {
                 let pull = (found.values[i] - truth()[i]) / found.standard_uncertainty(i).expect("identified");
                 squares[i] += pull * pull / SEEDS as f64;
             }
-            chi_square += found.chi_square.expect("stated") / SEEDS as f64;
-            degrees = found.degrees_of_freedom;
+            chi_square += found.residuals.chi_square.expect("stated") / SEEDS as f64;
+            degrees = found.residuals.degrees_of_freedom;
         }
         for (p, square) in robot.parameters().iter().zip(&squares).filter(|s| *s.1 > 0.0) {
             assert!(
@@ -231,7 +231,7 @@ fn as_many_equations_as_parameters_tell_no_uncertainty() {
     let hold = robot.parameters().iter().map(|p| p.name.clone()).filter(|n| !kept.contains(&n.as_str())).collect();
     let settings = Settings { hold, ..Settings::default() };
     let found = identify(&robot, &observations, &settings).expect("identified");
-    assert_eq!((found.degrees_of_freedom, found.chi_square), (0, None));
+    assert_eq!((found.residuals.degrees_of_freedom, found.residuals.chi_square), (0, None));
     assert!(found.free.iter().all(|&i| found.standard_uncertainty(i).is_none()));
     assert!(found.warnings.iter().any(|w| w.is("no-redundant-observations", &[])), "{:?}", found.warnings);
 }
@@ -244,8 +244,12 @@ fn full_model_finds_its_redundant_parameters() {
     let observations = measure(&reduced, &poses, &mut || 0.0);
     let found = identify(&robot, &observations, &settings(ResidualKind::Pose)).expect("identified");
     let name = |i: usize| robot.parameters()[i].name.as_str();
-    let groups: Vec<(&str, Vec<&str>)> =
-        found.groups.iter().map(|g| (name(g.held), g.with.iter().map(|&i| name(i)).collect())).collect();
+    let groups: Vec<(&str, Vec<&str>)> = found
+        .identifiability
+        .groups
+        .iter()
+        .map(|g| (name(g.held), g.with.iter().map(|&i| name(i)).collect()))
+        .collect();
     println!("{groups:?}");
     assert_eq!(groups, [("alpha", vec!["delta1"]), ("h", vec!["d1"])]);
     for (i, truth) in truth().iter().enumerate().take(13) {
@@ -267,6 +271,7 @@ fn a_single_theta_is_warned_of() {
             let observations = measure(&robot, &bad, &mut || noise.uniform(0.015));
             let found = identify(&robot, &observations, &settings(kind)).expect("identified");
             let names: Vec<Vec<&str>> = found
+                .identifiability
                 .weak
                 .iter()
                 .map(|w| w.parameters.iter().map(|&i| robot.parameters()[i].name.as_str()).collect())
@@ -286,13 +291,13 @@ fn a_single_theta_is_warned_of() {
         };
         let repeated: Vec<Observation> = (1..=30).flat_map(cycle).collect();
         let found = identify(&robot, &repeated, &settings(kind)).expect("identified");
-        let weak: Vec<&[usize]> = found.weak.iter().map(|w| &w.parameters[..]).collect();
+        let weak: Vec<&[usize]> = found.identifiability.weak.iter().map(|w| &w.parameters[..]).collect();
         assert_eq!(weak, [[robot.index("d").unwrap(), robot.index("x_c").unwrap()]], "{kind:?}");
 
         let mut noise = Noise::new(2, 0);
         let found = identify(&robot, &measure(&robot, &good, &mut || noise.uniform(0.015)), &settings(kind))
             .expect("identified");
-        assert!(found.weak.is_empty(), "{:?}", found.weak);
+        assert!(found.identifiability.weak.is_empty(), "{:?}", found.identifiability.weak);
 
         let (off, predicted) = (median(off), median(predicted));
         println!("{kind:?}: C is off by {off:.2} mm (median), u(x_c) predicted {predicted:.2} mm");

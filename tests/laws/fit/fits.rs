@@ -54,8 +54,9 @@ fn fitted(element: Element, points: &[Vector]) -> Fit {
 
 /// The quantities in the order of a covariance.
 pub(super) fn quantities(fit: &Fit) -> [f64; fit::QUANTITIES] {
-    let (p, d) = (fit.point_mm, fit.direction.unwrap_or_default());
-    let [r, s, a] = [fit.radius_mm, fit.minor_radius_mm, fit.apex_angle_rad].map(Option::unwrap_or_default);
+    let (p, d) = (fit.geometry.point_mm, fit.geometry.direction.unwrap_or_default());
+    let [r, s, a] = [fit.geometry.radius_mm, fit.geometry.minor_radius_mm, fit.geometry.apex_angle_rad]
+        .map(Option::unwrap_or_default);
     [p[0], p[1], p[2], d[0], d[1], d[2], r, s, a]
 }
 
@@ -72,16 +73,16 @@ fn exact_points_give_the_truth_on_whole_and_partial_turns() {
             };
             match element {
                 Element::Circle2d | Element::Circle3d | Element::Sphere | Element::Cylinder | Element::Torus => {
-                    close("radius", fit.radius_mm, 40.0);
+                    close("radius", fit.geometry.radius_mm, 40.0);
                 }
-                Element::Cone => close("apex angle", fit.apex_angle_rad, 0.6),
+                Element::Cone => close("apex angle", fit.geometry.apex_angle_rad, 0.6),
                 _ => {}
             }
             if element == Element::Torus {
-                close("minor radius", fit.minor_radius_mm, 9.0);
+                close("minor radius", fit.geometry.minor_radius_mm, 9.0);
             }
             if matches!(element, Element::Circle3d | Element::Sphere | Element::Torus | Element::Circle2d) {
-                close("centre", Some(norm(fit.point_mm)), 0.0);
+                close("centre", Some(norm(fit.geometry.point_mm)), 0.0);
             }
             if matches!(element, Element::Cone) {
                 let apex = fit.apex_mm().unwrap();
@@ -98,9 +99,9 @@ fn a_rigid_motion_of_the_points_moves_the_fit() {
         let points = disturbed(&points_on(element, 2.0), 0.01, 1);
         let elsewhere: Vec<Vector> = points.iter().map(|&p| moved_T_here.apply(p)).collect();
         let (here, there) = (fitted(element, &points), fitted(element, &elsewhere));
-        let off = norm(minus(moved_T_here.apply(here.point_mm), there.point_mm));
+        let off = norm(minus(moved_T_here.apply(here.geometry.point_mm), there.geometry.point_mm));
         assert!(off < 1e-9, "{element}: the point is off by {off:e}");
-        if let (Some(d), Some(e)) = (here.direction, there.direction) {
+        if let (Some(d), Some(e)) = (here.geometry.direction, there.geometry.direction) {
             let d = moved_T_here.rotate(d);
             let angle = norm(cross(d, e)).atan2(if element == Element::Cone { dot(d, e) } else { dot(d, e).abs() });
             assert!(angle < 1e-10, "{element}: the direction is off by {angle:e}");
@@ -161,7 +162,7 @@ fn weights_count_like_repeated_points_and_held_values_stay() {
         let settings = FitSettings { radius_mm: Some(40.0), ..FitSettings::default() };
         let held = fit::element(element, &points, &settings).unwrap();
         let free = fitted(element, &points);
-        assert!((held.radius_mm.unwrap() - 40.0).abs() < 1e-13, "{element}");
+        assert!((held.geometry.radius_mm.unwrap() - 40.0).abs() < 1e-13, "{element}");
         let (u, v) = (held.standard_uncertainty().unwrap(), free.standard_uncertainty().unwrap());
         assert!(u.radius_mm == Some(0.0) && u.point_largest_mm < v.point_largest_mm, "{element}: {u:?} {v:?}");
     }
@@ -170,7 +171,7 @@ fn weights_count_like_repeated_points_and_held_values_stay() {
         let points = disturbed(&points_on(element, 1.0), 0.01, 6);
         let settings = FitSettings { axis: Some([0.0, 0.0, 2.0]), ..FitSettings::default() };
         let held = fit::element(element, &points, &settings).unwrap();
-        assert_eq!(held.direction.map(|d| d.map(f64::abs)), Some([0.0, 0.0, 1.0]), "{element}");
+        assert_eq!(held.geometry.direction.map(|d| d.map(f64::abs)), Some([0.0, 0.0, 1.0]), "{element}");
         assert_eq!(held.standard_uncertainty().unwrap().direction_rad, Some(0.0), "{element}");
     }
 }
@@ -203,7 +204,7 @@ fn a_rigid_best_fit_finds_the_motion_and_its_uncertainty() {
         centroid += dot(e, e) / 3.0;
         let turn = to_T_from.inverse().then(&fit.to_T_from).rotation;
         let vector = [turn[2][1], turn[0][2], turn[1][0]];
-        worst_axis += dot(vector, spread.direction.unwrap()).powi(2);
+        worst_axis += dot(vector, spread.geometry.direction.unwrap()).powi(2);
         stated += fit.centroid_uncertainty_mm.powi(2);
         stated_angle += fit.rotation_uncertainty_rad.powi(2);
     }
@@ -270,9 +271,9 @@ fn residuals_of_a_circle_by_orthogonal_distances_are_distances_from_the_curve() 
         .collect();
     let settings = FitSettings { circle: CircleMethod::Orthogonal, ..FitSettings::default() };
     let circle = fit::element(Element::Circle3d, &points, &settings).unwrap();
-    let (n, radius) = (circle.direction.unwrap(), circle.radius_mm.unwrap());
+    let (n, radius) = (circle.geometry.direction.unwrap(), circle.geometry.radius_mm.unwrap());
     let distances = points.iter().map(|&p| {
-        let w = minus(p, circle.point_mm);
+        let w = minus(p, circle.geometry.point_mm);
         (norm(cross(n, w)) - radius).hypot(dot(n, w))
     });
     let (squares, most) = distances.fold((0.0, 0.0f64), |(squares, most), d| (squares + d * d, most.max(d)));
@@ -295,11 +296,11 @@ fn a_cone_of_points_of_a_plane_is_below_180_deg_and_is_said_to_be_a_plane() {
             .map(|_| turn.apply([noise.uniform(50.0), noise.uniform(40.0), noise.gaussian(0.005)]))
             .collect();
         let Ok(cone) = fit::element(Element::Cone, &points, &FitSettings::default()) else { continue };
-        let (angle, axis) = (cone.apex_angle_rad.unwrap(), cone.direction.unwrap());
-        assert!(angle > 0.0 && angle < PI && cone.radius_mm.unwrap() > 0.0, "{trial}: {cone:?}");
+        let (angle, axis) = (cone.geometry.apex_angle_rad.unwrap(), cone.geometry.direction.unwrap());
+        assert!(angle > 0.0 && angle < PI && cone.geometry.radius_mm.unwrap() > 0.0, "{trial}: {cone:?}");
         // one micrometre along the axis the section is larger
-        let inside = [0, 1, 2].map(|k| cone.point_mm[k] + 1e-3 * axis[k]);
-        assert!(cone.residual_mm(inside) < cone.residual_mm(cone.point_mm), "{trial}");
+        let inside = [0, 1, 2].map(|k| cone.geometry.point_mm[k] + 1e-3 * axis[k]);
+        assert!(cone.residual_mm(inside) < cone.residual_mm(cone.geometry.point_mm), "{trial}");
         fits += 1;
         planes += usize::from(cone.warnings.iter().any(|w| w.id == "cone-is-plane"));
     }

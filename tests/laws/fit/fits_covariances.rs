@@ -45,14 +45,14 @@ fn is_what_repetition_shows(element: Element, settings: FitSettings) {
 
 /// The same element stated at the centroid of the true points: its point moved along the element by `by`.
 fn slid(mut fit: Fit, by: Vector) -> Fit {
-    let Some(d) = fit.direction else { return fit };
+    let Some(d) = fit.geometry.direction else { return fit };
     let along = dot(by, d);
     match fit.element {
-        Element::Plane => (0..3).for_each(|k| fit.point_mm[k] += by[k] - along * d[k]),
+        Element::Plane => (0..3).for_each(|k| fit.geometry.point_mm[k] += by[k] - along * d[k]),
         Element::Line | Element::Line2d | Element::Cylinder | Element::Cone => {
-            (0..3).for_each(|k| fit.point_mm[k] += along * d[k]);
-            let widening = fit.apex_angle_rad.map_or(0.0, |angle| (angle / 2.0).tan());
-            fit.radius_mm = fit.radius_mm.map(|r| r + along * widening);
+            (0..3).for_each(|k| fit.geometry.point_mm[k] += along * d[k]);
+            let widening = fit.geometry.apex_angle_rad.map_or(0.0, |angle| (angle / 2.0).tan());
+            fit.geometry.radius_mm = fit.geometry.radius_mm.map(|r| r + along * widening);
         }
         _ => {}
     }
@@ -61,9 +61,9 @@ fn slid(mut fit: Fit, by: Vector) -> Fit {
 
 /// How far a fit is from the truth, and the covariance that it states; noise may turn a free sign, which is no error.
 fn error_and_covariance(fit: &Fit, truth: &Fit) -> Drawn {
-    let turned = dot(fit.direction.unwrap_or_default(), truth.direction.unwrap_or_default()) < 0.0;
+    let turned = dot(fit.geometry.direction.unwrap_or_default(), truth.geometry.direction.unwrap_or_default()) < 0.0;
     let sign = |i: usize| if turned && (3..6).contains(&i) { -1.0 } else { 1.0 };
-    let (q, q0, c) = (quantities(fit), quantities(truth), fit.covariance.unwrap().0);
+    let (q, q0, c) = (quantities(fit), quantities(truth), fit.precision.covariance.unwrap().0);
     let error = std::array::from_fn(|i| sign(i) * q[i] - q0[i]);
     (error, std::array::from_fn(|i| std::array::from_fn(|j| sign(i) * sign(j) * c[i][j])))
 }

@@ -11,23 +11,30 @@ fn is_sound(what: &str, element: Element, points: &[Vector], settings: &FitSetti
             assert!(message.hint.is_some() && message.expected.is_some(), "{element} of {what}: {message}");
         }
         Ok(fit) => {
-            let mut numbers: Vec<f64> = fit.point_mm.into_iter().chain(fit.direction.unwrap_or_default()).collect();
+            let mut numbers: Vec<f64> =
+                fit.geometry.point_mm.into_iter().chain(fit.geometry.direction.unwrap_or_default()).collect();
             numbers.extend(
-                [fit.radius_mm, fit.minor_radius_mm, fit.apex_angle_rad, fit.coverage_rad].into_iter().flatten(),
+                [fit.geometry.radius_mm, fit.geometry.minor_radius_mm, fit.geometry.apex_angle_rad, fit.coverage_rad]
+                    .into_iter()
+                    .flatten(),
             );
             numbers.extend(points.iter().map(|&p| fit.residual_mm(p)));
             numbers.extend(fit.out_of_plane_rms_mm);
             numbers.extend([fit.rms_mm(), fit.max_mm(), fit.form_mm(), fit.condition]);
-            numbers.extend(fit.covariance.iter().flat_map(|c| c.0).flatten());
+            numbers.extend(fit.precision.covariance.iter().flat_map(|c| c.0).flatten());
             if let Some(u) = fit.standard_uncertainty() {
                 numbers.extend(u.point_mm.into_iter().chain([u.point_largest_mm]));
                 numbers
                     .extend([u.direction_rad, u.radius_mm, u.minor_radius_mm, u.apex_angle_rad].into_iter().flatten());
             }
             assert!(numbers.iter().all(|x| x.is_finite()), "{element} of {what}: {fit:?}");
-            assert!(fit.radius_mm.is_none_or(|r| r > 0.0), "{element} of {what}: {:?}", fit.radius_mm);
+            assert!(
+                fit.geometry.radius_mm.is_none_or(|r| r > 0.0),
+                "{element} of {what}: {:?}",
+                fit.geometry.radius_mm
+            );
             assert_eq!(fit.points, points.len());
-            if let Some(d) = fit.direction {
+            if let Some(d) = fit.geometry.direction {
                 assert!((etalon::base::pose::norm(d) - 1.0).abs() < 1e-14, "{element} of {what}: {d:?}");
             }
         }
@@ -150,7 +157,7 @@ fn rigid_and_enclosing_of_every_hostile_set() {
         }
         for element in Element::ALL {
             let Ok(zone) = fit::minimum_zone(element, points) else { continue };
-            let numbers = zone.point_mm.iter().chain(&zone.residuals_mm).chain(&zone.radius_mm);
+            let numbers = zone.geometry.point_mm.iter().chain(&zone.residuals_mm).chain(&zone.geometry.radius_mm);
             assert!(numbers.chain([&zone.form_mm]).all(|x| x.is_finite()), "{element} of {what}: {zone:?}");
             assert!(zone.form_mm >= 0.0 && !zone.upper.is_empty() && !zone.lower.is_empty(), "{element} of {what}");
         }

@@ -86,11 +86,11 @@ fn is_held(zone: &MinimumZone, points: &[Vector], size_mm: f64) {
         assert!(r.abs() <= half + rounding, "point {i}: {r} of {half}");
         assert_eq!((r - half).abs() <= rounding, zone.upper.contains(&i) || half <= rounding, "point {i}: {r}");
         assert_eq!((r + half).abs() <= rounding, zone.lower.contains(&i) || half <= rounding, "point {i}: {r}");
-        let (q, c) = (points[i], zone.point_mm);
-        let measured = match (zone.element, zone.direction) {
+        let (q, c) = (points[i], zone.geometry.point_mm);
+        let measured = match (zone.element, zone.geometry.direction) {
             (Element::Plane, Some(n)) => dot(minus(q, c), n),
             (Element::Line2d, Some(d)) => (q[1] - c[1]) * d[0] - (q[0] - c[0]) * d[1],
-            _ => (q[0] - c[0]).hypot(q[1] - c[1]) - zone.radius_mm.unwrap(),
+            _ => (q[0] - c[0]).hypot(q[1] - c[1]) - zone.geometry.radius_mm.unwrap(),
         };
         assert!((measured - r).abs() < rounding, "{:?} point {i}: {measured} {r}", zone.element);
     }
@@ -145,12 +145,14 @@ fn a_motion_leaves_the_width_and_the_contacts() {
                 both
             };
             assert_eq!(contacts(&after), contacts(&before), "{element}");
-            if let (Some(a), Some(b), true) = (after.direction, before.direction, element == Element::Plane) {
+            if let (Some(a), Some(b), true) =
+                (after.geometry.direction, before.geometry.direction, element == Element::Plane)
+            {
                 assert!(norm(cross(a, pose.rotate(b))) < 1e-12, "{element}");
             }
             if element == Element::Circle2d {
-                assert!(norm(minus(after.point_mm, pose.apply(before.point_mm))) < 1e-11);
-                assert!((after.radius_mm.unwrap() - before.radius_mm.unwrap()).abs() < 1e-11);
+                assert!(norm(minus(after.geometry.point_mm, pose.apply(before.geometry.point_mm))) < 1e-11);
+                assert!((after.geometry.radius_mm.unwrap() - before.geometry.radius_mm.unwrap()).abs() < 1e-11);
             }
         }
     }
@@ -161,8 +163,8 @@ fn zones_that_can_be_drawn() {
     // surfmetjs' ring: +-1 and +-2 on the axes, centre 0, width 1
     let ring = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [2.0, 0.0], [-2.0, 0.0], [0.0, 2.0], [0.0, -2.0]];
     let zone = minimum_zone(Element::Circle2d, &ring.map(|[x, y]| [x, y, 0.0])).unwrap();
-    assert!((zone.form_mm - 1.0).abs() < 1e-15 && norm(zone.point_mm) < 1e-15 && zone.verified, "{zone:?}");
-    assert!((zone.radius_mm.unwrap() - 1.5).abs() < 1e-15);
+    assert!((zone.form_mm - 1.0).abs() < 1e-15 && norm(zone.geometry.point_mm) < 1e-15 && zone.verified, "{zone:?}");
+    assert!((zone.geometry.radius_mm.unwrap() - 1.5).abs() < 1e-15);
     assert_eq!((zone.upper, zone.lower), (vec![4, 5, 6, 7], vec![0, 1, 2, 3]));
     // corners of a box of 3 x 2 x 1, with points inside
     let mut corners: Vec<Vector> =
@@ -170,7 +172,7 @@ fn zones_that_can_be_drawn() {
     corners.extend([[1.0, 1.0, 0.5], [2.0, 0.7, 0.2]]);
     let zone = minimum_zone(Element::Plane, &corners).unwrap();
     assert!((zone.form_mm - 1.0).abs() < 1e-14 && zone.verified, "{zone:?}");
-    assert!(norm(minus(zone.direction.unwrap(), [0.0, 0.0, 1.0])) < 1e-14);
+    assert!(norm(minus(zone.geometry.direction.unwrap(), [0.0, 0.0, 1.0])) < 1e-14);
     // a cube has three such places, a regular tetrahedron is held by its edges: width = edge / sqrt(2)
     let cube: Vec<Vector> = (0..8).map(|i| [0, 1, 2].map(|k| f64::from(i >> k & 1))).collect();
     let zone = minimum_zone(Element::Plane, &cube).unwrap();
@@ -205,10 +207,17 @@ fn few_flat_round_and_identical_points() {
     // exactly flat and round, every point twice
     let grid: Vec<Vector> = (0..800).map(|i| [f64::from(i / 2 % 20), f64::from(i / 40), 3.0]).collect();
     let zone = minimum_zone(Element::Plane, &grid).unwrap();
-    assert!(zone.form_mm < 1e-13 && zone.verified && zone.direction == Some([0.0, 0.0, 1.0]), "{}", zone.form_mm);
+    assert!(
+        zone.form_mm < 1e-13 && zone.verified && zone.geometry.direction == Some([0.0, 0.0, 1.0]),
+        "{}",
+        zone.form_mm
+    );
     let round = |i: i32| [(f64::from(i / 2) * 0.03).cos() * 9.0 + 2.0, (f64::from(i / 2) * 0.03).sin() * 9.0, 0.0];
     let zone = minimum_zone(Element::Circle2d, &(0..400).map(round).collect::<Vec<_>>()).unwrap();
-    assert!(zone.form_mm < 1e-13 && zone.verified && (zone.radius_mm.unwrap() - 9.0).abs() < 1e-13, "{zone:?}");
+    assert!(
+        zone.form_mm < 1e-13 && zone.verified && (zone.geometry.radius_mm.unwrap() - 9.0).abs() < 1e-13,
+        "{zone:?}"
+    );
     // two flat grids one above the other: a thousand points hold either side
     let slab: Vec<Vector> =
         (0..2000).map(|i| [f64::from(i % 40), f64::from(i / 40 % 25), f64::from(i / 1000)]).collect();

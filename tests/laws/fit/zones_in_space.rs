@@ -76,16 +76,16 @@ fn zones_known_by_construction_are_found() {
             assert_eq!(zone.upper, (0..upper).collect::<Vec<_>>(), "{element} {seed}");
             assert_eq!(zone.lower, (upper..contacts).collect::<Vec<_>>(), "{element} {seed}");
             let centre = pose.apply([0.0; 3]);
-            assert!((zone.radius_mm.unwrap() - RADIUS_MM).abs() < 1e-3 || element == Element::Cone);
-            match zone.direction {
-                None => assert!(norm(minus(zone.point_mm, centre)) < 1e-11, "{element}: {zone:?}"),
+            assert!((zone.geometry.radius_mm.unwrap() - RADIUS_MM).abs() < 1e-3 || element == Element::Cone);
+            match zone.geometry.direction {
+                None => assert!(norm(minus(zone.geometry.point_mm, centre)) < 1e-11, "{element}: {zone:?}"),
                 Some(d) => {
-                    assert!(norm(cross(d, minus(zone.point_mm, centre))) < 1e-11, "{element}");
+                    assert!(norm(cross(d, minus(zone.geometry.point_mm, centre))) < 1e-11, "{element}");
                     assert!(norm(cross(d, pose.rotate([0.0, 0.0, 1.0]))) < 1e-12, "{element}");
                 }
             }
             if element == Element::Cone {
-                assert!((zone.apex_angle_rad.unwrap() - 2.0 * HALF_ANGLE).abs() < 1e-12);
+                assert!((zone.geometry.apex_angle_rad.unwrap() - 2.0 * HALF_ANGLE).abs() < 1e-12);
                 let apex = pose.apply([0.0, 0.0, -RADIUS_MM / HALF_ANGLE.tan()]);
                 assert!(norm(minus(zone.apex_mm().unwrap(), apex)) < 1e-10, "{:?} {apex:?}", zone.apex_mm());
             }
@@ -114,8 +114,8 @@ fn width(element: Element, x: &[f64; 7], points: &[Vector]) -> f64 {
 }
 
 fn numbers(zone: &MinimumZone) -> [f64; 7] {
-    let ([x, y, z], [i, j, k]) = (zone.point_mm, zone.direction.unwrap_or([0.0, 0.0, 1.0]));
-    [x, y, z, i, j, k, 0.5 * zone.apex_angle_rad.unwrap_or(0.0)]
+    let ([x, y, z], [i, j, k]) = (zone.geometry.point_mm, zone.geometry.direction.unwrap_or([0.0, 0.0, 1.0]));
+    [x, y, z, i, j, k, 0.5 * zone.geometry.apex_angle_rad.unwrap_or(0.0)]
 }
 
 /// Points near the element with form deviations, over part of the turn.
@@ -195,7 +195,7 @@ fn a_motion_leaves_width_contacts_and_multipliers() {
             let (before, after) = (minimum_zone(element, &points).unwrap(), minimum_zone(element, &moved).unwrap());
             assert!((before.form_mm - after.form_mm).abs() < 1e-12, "{element} {seed}");
             assert_eq!((&before.upper, &before.lower), (&after.upper, &after.lower), "{element} {seed}");
-            let off = minus(pose.apply(before.point_mm), after.point_mm);
+            let off = minus(pose.apply(before.geometry.point_mm), after.geometry.point_mm);
             assert!(norm(off) < 1e-9, "{element} {seed}: {off:?}");
             // twice as large
             let larger: Vec<Vector> = points.iter().map(|p| p.map(|x| 2.0 * x)).collect();
@@ -223,8 +223,8 @@ fn a_circle_in_space_has_the_roundness_of_its_plane_and_a_flatness() {
     assert_eq!((&zone.upper[..], &zone.lower[..]), (&[0, 4][..], &[2, 6][..]));
     let plane = zone.plane.as_ref().unwrap();
     assert!((plane.form_mm - 0.2).abs() < 1e-12 && plane.verified, "{plane:?}");
-    assert!(norm(minus(zone.point_mm, pose.apply([0.0; 3]))) < 1e-11);
-    assert!(norm(cross(zone.direction.unwrap(), pose.rotate([0.0, 0.0, 1.0]))) < 1e-12);
+    assert!(norm(minus(zone.geometry.point_mm, pose.apply([0.0; 3]))) < 1e-11);
+    assert!(norm(cross(zone.geometry.direction.unwrap(), pose.rotate([0.0, 0.0, 1.0]))) < 1e-12);
 }
 
 #[test]

@@ -83,12 +83,12 @@ fn what_is_told_is_useful_and_predicts_fresh_poses() {
                 let truth = truth(&robot, &mut noise);
                 let observations = observe(&robot, &truth, 60, NOISE_MM, &mut noise);
                 let found = identify(&robot, &observations, &settings()).expect(name);
-                chi_square += found.chi_square.unwrap();
-                degrees += found.degrees_of_freedom as f64;
+                chi_square += found.residuals.chi_square.unwrap();
+                degrees += found.residuals.degrees_of_freedom as f64;
 
                 // n parameters leave a prediction uncertain by the noise times √(n/m), in each of three coordinates
                 let n = found.free.len() as f64;
-                let expected = NOISE_MM * (3.0 * n / (n + found.degrees_of_freedom as f64)).sqrt();
+                let expected = NOISE_MM * (3.0 * n / (n + found.residuals.degrees_of_freedom as f64)).sqrt();
                 let off = off_mm(&robot, &truth, &found, &mut noise);
                 assert!(off < 2.0 * expected, "{name}, {targets} targets, seed {seed}: off by {off} mm");
                 for (i, p) in robot.parameters().iter().enumerate() {

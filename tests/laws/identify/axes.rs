@@ -215,7 +215,7 @@ fn known_before(model: &AxesModel, targets: usize, convention: Convention, drawi
 
 /// Standard uncertainties (mm) of the first target at joint values, by the identified parameters.
 fn uncertainty_mm(robot: &Serial, found: &Identification, joints: &[f64]) -> Vector {
-    let (free, covariance) = (&found.free, found.covariance.as_ref().expect("a covariance"));
+    let (free, covariance) = (&found.free, found.uncertainty.covariance.as_ref().expect("a covariance"));
     let by = |&i: &usize| {
         let moved = |h: f64| {
             let mut values = found.values.clone();

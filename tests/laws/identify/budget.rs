@@ -154,7 +154,7 @@ fn common_errors_contribute_what_they_change_in_an_identification_that_is_made_a
             })
             .collect();
         for (k, &i) in found.free.iter().enumerate() {
-            let parts = found.budget.parameter_contributions(k);
+            let parts = found.uncertainty.budget.parameter_contributions(k);
             let total: f64 = parts.iter().map(|p| p.1).sum();
             let u = found.standard_uncertainty(i).unwrap();
             assert!((total.sqrt() / u - 1.0).abs() < 1e-9, "{}", case.robot.parameters()[i].name);
@@ -296,7 +296,7 @@ fn instrument_and_contact_are_apart() {
     };
     let (ball, contact) = (spread(0.005, 0.0), spread(0.0, 0.003));
     for (k, &i) in found.free.iter().enumerate() {
-        let parts = found.budget.parameter_contributions(k);
+        let parts = found.uncertainty.budget.parameter_contributions(k);
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 0.2, "{}: {a} {b}", robot.parameters()[i].name);
         near(of(&parts, Source::Instrument), ball[i].sqrt());
         near(of(&parts, Source::Contact), contact[i].sqrt());

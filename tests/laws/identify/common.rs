@@ -51,7 +51,7 @@ fn ratios(ball_mm: f64, contact_mm: f64, settings: &Settings) -> (Vec<f64>, f64)
     for seed in 0..TRIALS {
         let found = identified(seed);
         squares.iter_mut().zip(&found.values).zip(&truth).for_each(|((s, v), t)| *s += (v - t).powi(2));
-        chi += found.chi_square.expect("stated") / found.degrees_of_freedom as f64 / TRIALS as f64;
+        chi += found.residuals.chi_square.expect("stated") / found.residuals.degrees_of_freedom as f64 / TRIALS as f64;
         if seed == 0 {
             stated = (0..n).map(|i| found.standard_uncertainty(i).expect("identified")).collect();
         }
@@ -92,8 +92,14 @@ fn readings_without_partners_are_as_uncertain_as_both_errors_together() {
         let (a, b) = (apart.standard_uncertainty(i).expect("u"), together.standard_uncertainty(i).expect("u"));
         assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
     }
-    assert!((apart.chi_square.expect("chi") / together.chi_square.expect("chi") - 1.0).abs() < 1e-9);
-    assert!((apart.rms / together.rms - 1.0).abs() < 1e-9, "the root mean square is that of the residuals themselves");
-    let (a, b) = (apart.observability.expect("told"), together.observability.expect("told"));
+    assert!(
+        (apart.residuals.chi_square.expect("chi") / together.residuals.chi_square.expect("chi") - 1.0).abs() < 1e-9
+    );
+    assert!(
+        (apart.residuals.rms / together.residuals.rms - 1.0).abs() < 1e-9,
+        "the root mean square is that of the residuals themselves"
+    );
+    let (a, b) =
+        (apart.identifiability.observability.expect("told"), together.identifiability.observability.expect("told"));
     assert!(a.indices.iter().zip(b.indices).all(|(a, b)| (a / b - 1.0).abs() < 1e-9));
 }

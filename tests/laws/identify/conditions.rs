@@ -343,7 +343,7 @@ fn intervals_of_every_kind_hold() {
         let one = |trial: u64| {
             let campaign = campaign(kind, 78, trial, 1.0);
             let found = campaign.identify();
-            let chi_square = found.chi_square.unwrap() / found.degrees_of_freedom as f64;
+            let chi_square = found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64;
             let holds = |&i: &usize| {
                 let u = found.standard_uncertainty(i).unwrap();
                 let degrees = found.degrees_of_freedom(i);
@@ -370,7 +370,7 @@ fn without_noise_every_kind_gives_the_truth() {
         let campaign = campaign(kind, 77, 0, 0.0);
         let found = campaign.identify();
         let held = campaign.names(|i| found.status[i] == Status::NotIdentifiable);
-        println!("{kind}: {} identified, held {held:?}, rms {:.1e} mm", found.free.len(), found.rms);
+        println!("{kind}: {} identified, held {held:?}, rms {:.1e} mm", found.free.len(), found.residuals.rms);
         for &i in &found.free {
             let off = (found.values[i] - campaign.truth[i]).abs();
             assert!(off < 1e-7, "{kind}: {} is off by {off:e}", campaign.robot.parameters()[i].name);

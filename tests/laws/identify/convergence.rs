@@ -46,12 +46,17 @@ fn fault(problem: &Drawn) -> Option<Fault> {
         Quantity::Ratio => 0.1,
     };
     let uncertainties = found.free.iter().map(|&i| (i, found.standard_uncertainty(i).unwrap_or(0.0)));
-    let weak = found.weak.iter().flat_map(|w| w.parameters.iter().copied().zip(w.standard_uncertainties.clone()));
+    let weak = found
+        .identifiability
+        .weak
+        .iter()
+        .flat_map(|w| w.parameters.iter().copied().zip(w.standard_uncertainties.clone()));
     if let Some((i, u)) = uncertainties.chain(weak).find(|&(i, u)| u.is_nan() || u > known(i)) {
         return unsolved(format!("u({}) = {u:.3e}", robot.parameters()[i].name));
     }
-    (!problem.bends && found.rms > MUCH * problem.noise_mm).then(|| {
-        let left = format!("{}: {:.4} mm are left of noise of {:.4} mm", problem.what, found.rms, problem.noise_mm);
+    (!problem.bends && found.residuals.rms > MUCH * problem.noise_mm).then(|| {
+        let left =
+            format!("{}: {:.4} mm are left of noise of {:.4} mm", problem.what, found.residuals.rms, problem.noise_mm);
         Fault::OtherMinimum(left)
     })
 }

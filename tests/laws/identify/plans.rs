@@ -265,8 +265,9 @@ fn planned_positions_in_one_working_mode_alone_leave_parameters_that_are_named()
         .collect();
     let told = |measured: &[Observation]| -> Vec<usize> {
         let found = identify_from(&robot, measured, &settings(0.01), &nominal).expect("identified");
-        let held = found.groups.iter().flat_map(|g| g.with.iter().chain([&g.held]).copied());
-        let mut all: Vec<usize> = held.chain(found.weak.iter().flat_map(|w| w.parameters.clone())).collect();
+        let held = found.identifiability.groups.iter().flat_map(|g| g.with.iter().chain([&g.held]).copied());
+        let mut all: Vec<usize> =
+            held.chain(found.identifiability.weak.iter().flat_map(|w| w.parameters.clone())).collect();
         all.sort_unstable();
         all.dedup();
         let said = found.warnings.iter().any(|w| w.what.contains("identifiable"));

@@ -5,8 +5,7 @@ use etalon::base::noise::Noise;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::Campaign;
 use etalon::identify::{
-    CRITICAL_W, Identification, Observation, Settings, ToolPoint, UncertaintyFrom, identify_again, identify_from,
-    reliability,
+    CRITICAL_W, Observation, Settings, ToolPoint, UncertaintyFrom, identify_again, identify_from, reliability,
 };
 use etalon::robots::Robot;
 use etalon::run::pipeline;
@@ -25,7 +24,7 @@ fn the_map_agrees_with_draws_of_the_parameters() {
 
     let (values, free) = (&found.found.values, &found.found.free);
     let n = free.len();
-    let covariance = DMatrix::from_row_slice(n, n, found.found.covariance.as_ref().unwrap());
+    let covariance = DMatrix::from_row_slice(n, n, found.found.uncertainty.covariance.as_ref().unwrap());
     let scale = DMatrix::from_diagonal(&covariance.diagonal().map(f64::sqrt));
     let correlation = DMatrix::from_fn(n, n, |i, j| covariance[(i, j)] / (scale[(i, i)] * scale[(j, j)]));
     let root = &scale * correlation.cholesky().unwrap().l();
@@ -100,23 +99,18 @@ fn errors_of_a_reading_are_detected_as_often_as_baarda_has_it() {
         let least = before.readings[i][0].unwrap();
         // the coordinate that is controlled least has the largest detectable error: both are tried, the mean of the two is no better
         observations[i].targets[0].as_mut().unwrap()[trial as usize % 2] += least.detectable_mm;
-        let wrong = Identification {
-            values: identify_again(robot, &observations, &settings, &plain).unwrap(),
-            ..plain.clone()
-        };
-        let after = reliability(
-            robot,
-            &observations,
-            &settings,
-            &Identification { uncertainty_from: UncertaintyFrom::Instrument, ..wrong },
-        )
-        .unwrap()
-        .unwrap();
+        let mut wrong = plain.clone();
+        wrong.values = identify_again(robot, &observations, &settings, &plain).unwrap();
+        wrong.uncertainty.from = UncertaintyFrom::Instrument;
+        let after = reliability(robot, &observations, &settings, &wrong).unwrap().unwrap();
         detected += f64::from(u8::from(after.readings[i][0].unwrap().w > CRITICAL_W));
         alarms += before.readings.iter().flatten().flatten().filter(|r| r.w > CRITICAL_W).count() as f64;
         count += 2.0 * before.readings.iter().flatten().flatten().count() as f64;
         let redundancy: f64 = before.readings.iter().flatten().flatten().map(|r| r.redundancy).sum::<f64>() * 2.0;
-        assert!(redundancy <= plain.degrees_of_freedom as f64 && redundancy > 0.8 * plain.degrees_of_freedom as f64);
+        assert!(
+            redundancy <= plain.residuals.degrees_of_freedom as f64
+                && redundancy > 0.8 * plain.residuals.degrees_of_freedom as f64
+        );
     }
     // 80 %, or a little more where the other coordinate has the least redundancy; 2.3 % standard deviation
     assert!((0.73..0.93).contains(&(detected / 300.0)), "{}", detected / 300.0);
@@ -133,7 +127,7 @@ fn the_influence_of_a_pose_is_what_the_fit_changes_by_without_it() {
             (robot.as_ref(), Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() });
         let observations = drawn(robot, &found, 1);
         let plain = identify_from(robot, &observations, &settings, &found.found.values).unwrap();
-        assert_eq!(plain.uncertainty_from, UncertaintyFrom::Instrument, "{name}");
+        assert_eq!(plain.uncertainty.from, UncertaintyFrom::Instrument, "{name}");
         let poses = reliability(robot, &observations, &settings, &plain).unwrap().unwrap().poses;
         assert!(poses.windows(2).all(|pair| pair[0].cooks_distance >= pair[1].cooks_distance));
         let n = plain.free.len();

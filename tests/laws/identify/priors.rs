@@ -94,7 +94,7 @@ fn outcome(seed: u64) -> Outcome {
         "{}: nominal {nominal:.4} plain {plain:.4} oracle {oracle:.4} prior {error:.4} mm, {:.2} of the best; rms {:.4}, {:?}",
         arm.what,
         error / best,
-        found.rms,
+        found.residuals.rms,
         found.prior
     );
     Outcome { text, ratio: error / best, poses, refused }

@@ -72,8 +72,8 @@ fn centres_on_the_parallel_surface_give_the_surface_from_both_sides() {
             let close = |what: &str, error: f64, size: f64| {
                 assert!(error.abs() <= 1e-12 * size, "{element} {side:?}: {what} is off by {error:e}");
             };
-            let p = place.inverse().apply(fit.point_mm);
-            let d = fit.direction.map(|d| place.inverse().rotate(d)).unwrap_or_default();
+            let p = place.inverse().apply(fit.geometry.point_mm);
+            let d = fit.geometry.direction.map(|d| place.inverse().rotate(d)).unwrap_or_default();
             match element {
                 Element::Plane => close("height", p[2], 100.0),
                 Element::Line | Element::Line2d => close("place", norm([0.0, p[1], p[2]]), 100.0),
@@ -81,21 +81,21 @@ fn centres_on_the_parallel_surface_give_the_surface_from_both_sides() {
                     let apex = place.inverse().apply(fit.apex_mm().unwrap());
                     let truth = [0.0, 0.0, -40.0 / HALF_ANGLE_RAD.tan()];
                     close("apex", norm(minus(apex, truth)), 1000.0);
-                    close("apex angle", fit.apex_angle_rad.unwrap() - 2.0 * HALF_ANGLE_RAD, 1.0);
+                    close("apex angle", fit.geometry.apex_angle_rad.unwrap() - 2.0 * HALF_ANGLE_RAD, 1.0);
                     // the radius is that of the section at the stated point
                     let section = 40.0 + p[2] * HALF_ANGLE_RAD.tan();
-                    close("radius", fit.radius_mm.unwrap() - section, 100.0);
+                    close("radius", fit.geometry.radius_mm.unwrap() - section, 100.0);
                     close("axis", norm(cross(d, [0.0, 0.0, 1.0])), 1.0);
                 }
                 Element::Torus => {
                     close("centre", norm(p), 100.0);
-                    close("radius", fit.radius_mm.unwrap() - 40.0, 40.0);
-                    close("minor radius", fit.minor_radius_mm.unwrap() - 9.0, 40.0);
+                    close("radius", fit.geometry.radius_mm.unwrap() - 40.0, 40.0);
+                    close("minor radius", fit.geometry.minor_radius_mm.unwrap() - 9.0, 40.0);
                 }
                 _ => {
                     let off = if element == Element::Cylinder { cross(p, d) } else { p };
                     close("place", norm(off), 100.0);
-                    close("radius", fit.radius_mm.unwrap() - 40.0, 40.0);
+                    close("radius", fit.geometry.radius_mm.unwrap() - 40.0, 40.0);
                 }
             }
             for touched in touches(element, 0.0) {
@@ -103,7 +103,11 @@ fn centres_on_the_parallel_surface_give_the_surface_from_both_sides() {
             }
             let before = fit.compensation.unwrap();
             let raw = fit::element(element, &points, &FitSettings::default()).unwrap();
-            assert_eq!((before.point_mm, before.radius_mm), (raw.point_mm, raw.radius_mm), "{element}");
+            assert_eq!(
+                (before.point_mm, before.radius_mm),
+                (raw.geometry.point_mm, raw.geometry.radius_mm),
+                "{element}"
+            );
             assert_eq!(fit.residuals, raw.residuals, "{element}: no point is moved");
         }
     }
@@ -117,7 +121,7 @@ fn the_held_radius_is_that_of_what_was_touched() {
                 let probe = Some(Probe { radius_mm: PROBE_MM, side });
                 let settings = FitSettings { radius_mm: Some(40.0), probe, circle, ..FitSettings::default() };
                 let fit = fit::element(element, &touches(element, lift), &settings).unwrap();
-                assert!((fit.radius_mm.unwrap() - 40.0).abs() < 1e-13, "{element} {side:?}");
+                assert!((fit.geometry.radius_mm.unwrap() - 40.0).abs() < 1e-13, "{element} {side:?}");
                 assert!(fit.max_mm() < 1e-12, "{element} {side:?}: {:e}", fit.max_mm());
             }
         }
@@ -173,8 +177,8 @@ fn the_directions_of_plane_and_line_say_the_side_whichever_way_the_element_point
             let one = probed(element, &points, side);
             points.reverse();
             let other = probed(element, &points, side);
-            assert!(norm(minus(one.point_mm, other.point_mm)) < 1e-12, "{element}");
-            let touched = minus(one.compensation.unwrap().point_mm, one.point_mm);
+            assert!(norm(minus(one.geometry.point_mm, other.geometry.point_mm)) < 1e-12, "{element}");
+            let touched = minus(one.compensation.unwrap().point_mm, one.geometry.point_mm);
             let Side::Towards(to) = side else { panic!("{element} has directions") };
             assert!((norm(touched) - PROBE_MM).abs() < 1e-13 && dot(touched, to) > 0.0, "{element}: {touched:?}");
         }

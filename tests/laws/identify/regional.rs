@@ -273,8 +273,8 @@ impl Twin {
     /// predicted uncertainties (parameters and misfit).
     fn predicted(&self, campaign: &Campaign, found: &Identification, noise: &mut Noise) -> (usize, f64, f64) {
         let (n, all) = (found.free.len(), self.truth.len());
-        let covariance = found.covariance.as_ref().expect("a covariance");
-        let share = found.degrees_of_freedom as f64 / (found.degrees_of_freedom + n) as f64;
+        let covariance = found.uncertainty.covariance.as_ref().expect("a covariance");
+        let share = found.residuals.degrees_of_freedom as f64 / (found.residuals.degrees_of_freedom + n) as f64;
         let misfit2 = (self.rms_mm(campaign, &found.values).powi(2) / share - NOISE_MM.powi(2)).max(0.0);
         let (mut inside, mut errors, mut expected) = (0, 0.0, 0.0);
         for _ in 0..FRESH {
@@ -561,7 +561,7 @@ fn the_scatter_between_series_is_in_the_uncertainties() {
         let without = held(&twin.identified(&campaign));
         campaign.settings.series = series;
         let found = twin.identified(&campaign);
-        (without, held(&found), found.between_series.expect("three series").share)
+        (without, held(&found), found.residuals.between_series.expect("three series").share)
     };
     let all: Vec<(usize, usize, f64)> = (0..count).into_par_iter().map(one).collect();
     let share =
@@ -582,7 +582,7 @@ fn nothing_is_widened_where_the_model_fits() {
         let one = |seed: u64| {
             let twin = Twin::drawn(Measured::Positions, Effect::None, 0.0, 300 + seed);
             let found = twin.identified(&twin.observed(poses, 1.0, &mut Noise::new(65, seed)));
-            (twin.held(&found), found.inflation_factor)
+            (twin.held(&found), found.uncertainty.inflation_factor)
         };
         let all: Vec<((usize, usize), f64)> = (0..count).into_par_iter().map(one).collect();
         let held = all.iter().map(|a| a.0.0).sum::<usize>() as f64 / all.iter().map(|a| a.0.1).sum::<usize>() as f64;

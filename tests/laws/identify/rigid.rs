@@ -98,13 +98,17 @@ fn a_target_seen_once_has_the_place_of_its_plate() {
         let (alone, with) = (bench.identify(vec![]), bench.identify(vec![bench.part.clone()]));
         free_mm += bench.shape_error_mm(&alone.values) / 15.0;
         plate_mm += bench.shape_error_mm(&with.values) / 15.0;
-        assert_eq!(with.degrees_of_freedom, alone.degrees_of_freedom + 3, "a triangle is three numbers");
+        assert_eq!(
+            with.residuals.degrees_of_freedom,
+            alone.residuals.degrees_of_freedom + 3,
+            "a triangle is three numbers"
+        );
         assert_eq!(contradictions(&with), [], "seed {seed}");
         let third = (12..15).filter_map(|i| Some((i, with.standard_uncertainty(i)?)));
         for (i, u) in third.filter(|(i, _)| alone.standard_uncertainty(*i).is_some()) {
             assert!(u < alone.standard_uncertainty(i).unwrap());
         }
-        for &i in with.free.iter().filter(|_| with.inflation_factor == 1.0) {
+        for &i in with.free.iter().filter(|_| with.uncertainty.inflation_factor == 1.0) {
             squares += ((with.values[i] - bench.truth[i]) / with.standard_uncertainty(i).unwrap()).powi(2);
             count += 1.0;
         }
@@ -121,7 +125,12 @@ fn a_target_seen_once_has_the_place_of_its_plate() {
 fn errors_of_the_robot_do_not_bend_the_plate() {
     let bench = Bench::new(1, 2e-3);
     let (alone, with) = (bench.identify(vec![]), bench.identify(vec![bench.part.clone()]));
-    assert!(with.inflation_factor > 3.0 && with.weight > 3.0, "{} {}", with.inflation_factor, with.weight);
+    assert!(
+        with.uncertainty.inflation_factor > 3.0 && with.weight > 3.0,
+        "{} {}",
+        with.uncertainty.inflation_factor,
+        with.weight
+    );
     let (free_mm, plate_mm) = (bench.shape_error_mm(&alone.values), bench.shape_error_mm(&with.values));
     println!("distances off by {free_mm:.4} mm without, {plate_mm:.4} mm with the plate");
     assert!(free_mm > 0.05 && plate_mm < 4.0 * PLATE_U_MM, "{free_mm} {plate_mm}");

@@ -49,8 +49,9 @@ fn said(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Said {
     let found = &solved.found;
     let within = |(p, value): (&etalon::robots::Parameter, &f64)| (value - p.nominal).abs() <= p.tolerance;
     let within = robot.parameters().iter().zip(&found.values).all(within);
-    let chi_square = found.chi_square.filter(|_| within).map(|c| c / found.degrees_of_freedom as f64);
-    let exceeds = found.chi_square.is_none_or(|c| chi_square_exceeds(c, found.degrees_of_freedom));
+    let chi_square =
+        found.residuals.chi_square.filter(|_| within).map(|c| c / found.residuals.degrees_of_freedom as f64);
+    let exceeds = found.residuals.chi_square.is_none_or(|c| chi_square_exceeds(c, found.residuals.degrees_of_freedom));
     messages.extend(solved.found.warnings.iter().map(|warning| warning.message.clone()));
     Said { messages, chi_square, exceeds }
 }

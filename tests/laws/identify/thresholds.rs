@@ -64,11 +64,11 @@ fn singular_values_are_those_worked_out_by_hand_and_stay_told_where_a_parameter_
         assert!((s.value - value).abs() < 1e-9 && members == parameters, "{s:?} instead of {value} {parameters:?}");
     };
     let observations = level_poses(4, |_| 0.0);
-    let known = two_lengths(&observations, 19.9).observability.unwrap();
+    let known = two_lengths(&observations, 19.9).identifiability.observability.unwrap();
     close(&known.singular_values[0], large, &both);
     close(&known.singular_values[1], small, &both);
     assert!((known.condition - large / small).abs() < 1e-9 && known.held_singular_values.is_empty());
-    let held = two_lengths(&observations, 20.1).observability.unwrap();
+    let held = two_lengths(&observations, 20.1).identifiability.observability.unwrap();
     close(&held.singular_values[0], 1.0, &both[1..]);
     close(&held.held_singular_values[0], small, &both);
     assert_eq!((held.rank, held.singular_values.len(), held.held_singular_values.len()), (1, 1, 1));
@@ -79,12 +79,12 @@ fn chi_square_rejects_once_in_a_thousand_times_at_both_ends() {
     // 8 poses of 4 coordinates and 2 parameters: 30 degrees of freedom, for which tables have 59.703 and 11.588
     let observations = level_poses(8, |i| 0.001 * (1.7 * (i * i) as f64).sin());
     let before = two_lengths(&observations, 0.001);
-    assert_eq!(before.degrees_of_freedom, 30);
+    assert_eq!(before.residuals.degrees_of_freedom, 30);
     let with_chi_square = |chi: f64| {
-        let found = two_lengths(&observations, 0.001 * (before.chi_square.unwrap() / chi).sqrt());
-        assert!((found.chi_square.unwrap() - chi).abs() < 1e-6, "{:?}", found.chi_square);
+        let found = two_lengths(&observations, 0.001 * (before.residuals.chi_square.unwrap() / chi).sqrt());
+        assert!((found.residuals.chi_square.unwrap() - chi).abs() < 1e-6, "{:?}", found.residuals.chi_square);
         let said = found.warnings.iter().map(|w| w.id.as_ref()).collect::<Vec<_>>().join("\n");
-        (found.uncertainty_from == UncertaintyFrom::Instrument, said)
+        (found.uncertainty.from == UncertaintyFrom::Instrument, said)
     };
     for (chi, kept, remarked) in [(11.5, true, true), (11.7, true, false), (59.6, true, false), (59.8, false, false)] {
         let (instrument, said) = with_chi_square(chi);

@@ -118,7 +118,7 @@ impl Calibrations<'_> {
             let prediction = ToolPrediction { robot, point, before: truth, found: &found, held };
             for joints in at {
                 let there = Observation { joints: joints.clone(), ..observations[0].clone() };
-                if found.uncertainty_from == UncertaintyFrom::Instrument {
+                if found.uncertainty.from == UncertaintyFrom::Instrument {
                     let error = prediction.error(&there.joints).unwrap().unwrap();
                     actual += norm(error.before_mm).powi(2);
                     predicted += error.parameters_mm.powi(2);

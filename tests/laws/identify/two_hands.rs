@@ -178,7 +178,7 @@ impl Campaign {
     /// Distance of two targets by the identified parameters, and its standard uncertainty.
     fn predicted(&self, found: &Identification, joints: &[f64], pair: [usize; 2]) -> (f64, f64) {
         let at = |values: &[f64]| norm(self.apart(values, joints, pair));
-        let (free, covariance) = (&found.free, found.covariance.as_ref().expect("a covariance"));
+        let (free, covariance) = (&found.free, found.uncertainty.covariance.as_ref().expect("a covariance"));
         let by = |&i: &usize| {
             let moved = |h: f64| {
                 let mut values = found.values.clone();
@@ -243,7 +243,13 @@ fn intervals_hold(kinds: &[Held], campaigns: u64) {
                 .filter(|&i| found.status[i] == Status::NotIdentifiable)
                 .map(|i| campaign.robot.parameters()[i].name.clone())
                 .collect();
-            (inside, squares, before, found.chi_square.unwrap() / found.degrees_of_freedom as f64, held_names)
+            (
+                inside,
+                squares,
+                before,
+                found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64,
+                held_names,
+            )
         };
         let all: Vec<_> = (0..count).into_par_iter().map(one).collect();
         let n = 20.0 * count as f64;

@@ -77,7 +77,7 @@ impl Case {
         let observed = observe(robot.as_ref(), &truth, &known, &Change::Nothing, Some(&mut noise));
         let settings = Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
         let found = identify_from(robot.as_ref(), &observed, &settings, &truth).unwrap();
-        let covariance = found.covariance.clone().unwrap();
+        let covariance = found.uncertainty.covariance.clone().unwrap();
         let n = found.free.len();
         let root = Cholesky::new(DMatrix::from_row_slice(n, n, &covariance)).unwrap().l();
         let joints = (0..poses).map(|_| draw(&mut noise)).collect();

@@ -139,7 +139,7 @@ fn comes_back(keys: &str, effect: Effect, count: usize, first: &str) {
     for _ in 0..draws {
         let noisy = observe(robot, &truth, &mut noise, 60, U_MM);
         let found = identify(robot, &noisy, &settings()).unwrap();
-        chi += found.chi_square.unwrap() / found.degrees_of_freedom as f64 / f64::from(draws);
+        chi += found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64 / f64::from(draws);
         for &i in &own {
             let u = found.standard_uncertainty(i).unwrap();
             held += usize::from((found.values[i] - truth[i]).abs() < 1.96 * u);
@@ -413,7 +413,7 @@ fn stations_tied_by_common_points_come_back_with_intervals_that_hold() {
     for _ in 0..draws {
         let (observations, settings) = site.observed(40, U_MM);
         let found = identify(site.robot.as_ref(), &observations, &settings).unwrap();
-        chi += found.chi_square.unwrap() / found.degrees_of_freedom as f64 / f64::from(draws);
+        chi += found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64 / f64::from(draws);
         for &i in &own {
             let u = found.standard_uncertainty(i).unwrap();
             held += usize::from((found.values[i] - site.truth[i]).abs() < 1.96 * u);
@@ -498,7 +498,7 @@ fn poses_from_two_stations_come_back_with_intervals_that_hold() {
     for _ in 0..draws {
         let (observations, settings) = site.observed(40, 1.0);
         let found = identify(site.robot.as_ref(), &observations, &settings).unwrap();
-        chi += found.chi_square.unwrap() / found.degrees_of_freedom as f64 / f64::from(draws);
+        chi += found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64 / f64::from(draws);
         for &i in &own {
             let u = found.standard_uncertainty(i).unwrap();
             held += usize::from((found.values[i] - site.truth[i]).abs() < 1.96 * u);

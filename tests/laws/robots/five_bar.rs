@@ -89,8 +89,9 @@ fn one_working_mode_alone_leaves_parameters_that_are_named() {
     let robot = FiveBar::default();
     let truth = truth();
     let told = |found: &Identification| -> Vec<Vec<String>> {
-        let held = found.groups.iter().map(|g| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>());
-        let sets = held.chain(found.weak.iter().map(|w| w.parameters.clone()));
+        let held =
+            found.identifiability.groups.iter().map(|g| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>());
+        let sets = held.chain(found.identifiability.weak.iter().map(|w| w.parameters.clone()));
         let name = |i: usize| robot.parameters()[i].name.clone();
         sets.map(|set| set.into_iter().map(name).collect()).collect()
     };
@@ -116,7 +117,7 @@ fn one_working_mode_alone_leaves_parameters_that_are_named() {
         println!(
             "{branches:?}: {:?}, condition {:.0}",
             told(&found),
-            found.observability.as_ref().expect("told").condition
+            found.identifiability.observability.as_ref().expect("told").condition
         );
         assert!(!told(&found).is_empty());
         assert!(found.warnings.iter().any(|w| w.what.contains("identifiable")), "{:?}", found.warnings);

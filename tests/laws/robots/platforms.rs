@@ -307,7 +307,7 @@ fn intervals_of_platforms_hold() {
             let one = |trial: u64| {
                 let campaign = design.campaign([20, trial + 1], 1.0, &held);
                 let found = campaign.identify();
-                let chi_square = found.chi_square.unwrap() / found.degrees_of_freedom as f64;
+                let chi_square = found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64;
                 let holds = |&&i: &&usize| {
                     let u = found.standard_uncertainty(i).unwrap();
                     (found.values[i] - campaign.truth[i]).abs() < 1.959_964 * u

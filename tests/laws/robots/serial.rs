@@ -159,7 +159,7 @@ fn errors_common_to_a_pose_are_in_the_uncertainty() {
         }
         let settings = Settings { standard_uncertainty_mm: Some(0.01), ..Settings::default() };
         let found = identify(arm.as_ref(), &observations, &settings).unwrap();
-        assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByRegion);
+        assert_eq!(found.uncertainty.from, UncertaintyFrom::ResidualsByRegion);
         for &i in &found.free {
             let pull = (found.values[i] - truth[i]) / found.standard_uncertainty(i).unwrap();
             squares[i].0 += pull * pull;
@@ -217,7 +217,7 @@ fn errors_that_neighbouring_poses_share_are_in_the_uncertainty() {
     let (mut held, mut all) = (0, 0);
     for seed in 1..=CAMPAIGNS {
         let found = identify(&model, &measure(&mut Noise::new(15, seed), REGIONS, POSES), &settings).unwrap();
-        assert_eq!(found.uncertainty_from, UncertaintyFrom::ResidualsByRegion);
+        assert_eq!(found.uncertainty.from, UncertaintyFrom::ResidualsByRegion);
         for &i in &found.free {
             let u = found.standard_uncertainty(i).unwrap().hypot(limit.standard_uncertainty(i).unwrap_or(0.0));
             held += usize::from((found.values[i] - limit.values[i]).abs() < quantile(found.degrees_of_freedom(i)) * u);
@@ -259,9 +259,9 @@ fn small_campaigns_whose_targets_share_errors_hold_the_truth() {
                 let half_width = quantile(found.degrees_of_freedom(i)) * found.standard_uncertainty(i).unwrap();
                 (found.values[i] - truth[i]).abs() <= half_width
             };
-            let degrees = found.effective_degrees.iter().copied().fold(f64::INFINITY, f64::min);
+            let degrees = found.uncertainty.effective_degrees.iter().copied().fold(f64::INFINITY, f64::min);
             let held = found.free.iter().filter(|i| holds(i)).count() as f64 / found.free.len() as f64;
-            (found.uncertainty_from, held, degrees)
+            (found.uncertainty.from, held, degrees)
         };
         let all: Vec<_> = (0..campaigns).into_par_iter().map(one).collect();
         let share = all.iter().map(|a| a.1).sum::<f64>() / all.len() as f64;

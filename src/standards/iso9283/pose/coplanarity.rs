@@ -29,8 +29,8 @@ pub fn coplanarity(poses_mm: &[Vec<Vector>]) -> Result<Coplanarity> {
     }
     let means: Vec<Vector> = poses_mm.iter().map(|points| mean_position(points)).collect();
     let plane = etalon_fit::plane(&means, &etalon_fit::FitSettings::default())?;
-    let normal = plane.direction.and_then(unit).unwrap_or_default();
-    let deviations_mm: Vec<f64> = means.iter().map(|p| dot(minus(*p, plane.point_mm), normal)).collect();
+    let normal = plane.geometry.direction.and_then(unit).unwrap_or_default();
+    let deviations_mm: Vec<f64> = means.iter().map(|p| dot(minus(*p, plane.geometry.point_mm), normal)).collect();
     let (low, high) = deviations_mm.iter().fold((0.0f64, 0.0f64), |(l, h), d| (l.min(*d), h.max(*d)));
     Ok(Coplanarity { normal, deviations_mm, flatness_mm: high - low })
 }
