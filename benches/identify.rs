@@ -9,7 +9,7 @@ use etalon::campaign::Campaign;
 use etalon::formats::table;
 use etalon::identify::{Settings, identify};
 use etalon::run::walk::{Observed as Walked, observed};
-use etalon::stages::evaluate;
+use etalon::stages::evaluate::sets::split;
 use etalon::stages::kinds::Observed;
 use std::path::Path;
 use std::process::Command;
@@ -31,7 +31,7 @@ fn main() {
     let stated = campaign.file.identify.as_ref().expect("[identify]");
     let selections = campaign.selections(stated).expect("selections");
     let observed = Observed { observations, settings: campaign.settings(stated) };
-    let sets = evaluate::split(&observed, &observed.poses(), &selections);
+    let sets = split(&observed, &observed.poses(), &selections);
     let folder = tempfile::tempdir().expect("folder");
     let csv = folder.path().join("observations.csv");
     std::fs::write(

@@ -4,7 +4,7 @@ use super::{Verdict, lines, print_after_writing, progress, remark, validity};
 use crate::run::controller_formats::own_format;
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::validation::{Recommended, identify_recommended};
-use crate::stages::given::{check_described, check_geometry, other_nominal, unknown_geometry};
+use crate::stages::verify::earlier_parameters::{check_described, check_geometry, other_nominal, unknown_geometry};
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, phrase, warning};

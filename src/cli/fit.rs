@@ -4,7 +4,7 @@ use super::fit_text::as_text;
 use super::fit_tracim;
 use super::text_format::{TextFormat, word};
 use super::{Verdict, print, print_text, remark, say_message};
-use crate::stages::qif_fit::{ProbeStated, refit};
+use crate::stages::observe::qif_fit::{ProbeStated, refit};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Place, Problems};
 use etalon_base::pose::Vector;

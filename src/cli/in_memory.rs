@@ -20,7 +20,7 @@ use std::path::Path;
 pub use super::capture::{Answer, answer, has_json};
 pub use super::init::{known_names, known_text, urdf_text};
 pub use super::inputs::{Inputs, Table};
-pub use crate::stages::predicted::{PredictedPosition, Prediction};
+pub use crate::stages::verify::predicted::{PredictedPosition, Prediction};
 
 /// Stands for a file in options that a table in memory replaces.
 const PLACEHOLDER: &str = "table";

@@ -3,9 +3,9 @@
 use super::text_format::TableFormat;
 use super::{Verdict, print_with, remark};
 use crate::run::documents::read_parameters;
-use crate::stages::given::robot_values;
-use crate::stages::joint_range::{self, Joints};
+use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
+use crate::stages::verify::earlier_parameters::robot_values;
 use etalon_base::cell;
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Pose;

@@ -10,7 +10,7 @@ use super::text_format::TableFormat;
 use super::{Verdict, answer, check_positive, pose_table, progress, remark};
 use crate::simulate::true_values;
 use crate::stages::candidates::configurations;
-use crate::stages::joint_range::{self, Joints};
+use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::remedies::remedied;
 use etalon_base::bounds::option_at_most;
 use etalon_base::files;

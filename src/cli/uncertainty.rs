@@ -4,7 +4,7 @@ use super::report::Reports;
 use super::{Verdict, answer, progress, remark};
 use crate::run::validation::uncertainty;
 use crate::run::walk::presentation;
-use crate::stages::monte_carlo::Draws;
+use crate::stages::uncertainty::monte_carlo::Draws;
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_report::Renderer;

@@ -5,7 +5,7 @@ use super::{Verdict, answer, remark};
 use crate::run::documents::{read_field, read_parameters};
 use crate::run::validation::validate;
 use crate::run::walk::presentation;
-use crate::stages::validation::{Validated, Validation};
+use crate::stages::verify::validation::{Validated, Validation};
 use etalon_base::files;
 use etalon_campaign::Campaign;
 use etalon_documents::{GivenFrames, to_json};

@@ -531,7 +531,7 @@ impl<'a> Repeated<'a> {
         let quadratic = plain.and_then(|(problem, at)| Quadratic::new(problem, &found.free_values(), at));
         let mut residuals = vec![0.0; problem.as_ref().map_or(0, Problem::residual_count)];
         problem.iter().for_each(|problem| problem.residuals(&found.free_values(), &mut residuals));
-        let common = problem.and_then(|problem| problem.common);
+        let common = problem.and_then(|problem| problem.whitening.common);
         settings.common_uncertainty_mm = None;
         let joints = observations.iter().flat_map(|o| o.joints.iter().copied()).collect();
         let coordinates = coordinates(robot, observations);
@@ -558,7 +558,7 @@ impl<'a> Repeated<'a> {
             return Some(values);
         }
         let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
-        problem.common.clone_from(&self.common);
+        problem.whitening.common.clone_from(&self.common);
         problem.drawn = drawn;
         let near = solve_near(&problem, &x, self.linearised.as_ref()?, is_same, LAST_STEP);
         near.map(|x| problem.all(&x)).or_else(|| solved_from(&problem, &x))

@@ -1,7 +1,7 @@
 //! The output folder of a run for readers: every document is the one that the run wrote, or the
 //! folder is refused.
 
-use crate::stages::evaluate;
+use crate::stages::evaluate::error_table;
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::error;
 use etalon_base::files;
@@ -139,7 +139,7 @@ impl Documents {
         let rows = accuracy.sets.iter().map(|set| set.count).fold(0, usize::saturating_add);
         let residuals = table::from_parquet(self.bytes(name)?, rows);
         let place = Place::file(self.path(name).display().to_string());
-        residuals.and_then(|table| evaluate::from_table(&table)).map_err(|more| more.at(&place))
+        residuals.and_then(|table| error_table::from_table(&table)).map_err(|more| more.at(&place))
     }
 
     /// Writes files beside the others of the run, or in their place; returns their paths.

@@ -2,9 +2,9 @@
 //! whole.
 
 use crate::run::documents::{self, Documents, PARAMETERS};
-use crate::stages::evaluate;
+use crate::stages::calibrate::identification::Identified;
+use crate::stages::evaluate::error_table;
 use crate::stages::gather::Gathered;
-use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use etalon_base::error;
 use etalon_base::files;
@@ -108,7 +108,7 @@ impl Output {
                 self.own(name, bytes);
             }
         }
-        self.table("residuals", &mut evaluate::to_table(&found.errors, &found.accuracy.joints)?)?;
+        self.table("residuals", &mut error_table::to_table(&found.errors, &found.accuracy.joints)?)?;
         self.json("accuracy.json", &found.accuracy)
     }
 

@@ -3,10 +3,11 @@
 use super::pipeline::identified_again;
 use super::summary::summary;
 use super::walk::{self, Observed};
-use crate::stages::identification::{Identified, identify, identify_chosen, select};
-use crate::stages::monte_carlo::{Draws, Trials};
-use crate::stages::recommendation;
-use crate::stages::validation::{self, Validated, Validation};
+use crate::stages::calibrate::identification::{Identified, identify, identify_chosen};
+use crate::stages::calibrate::recommendation;
+use crate::stages::calibrate::selection::{CampaignData, select};
+use crate::stages::uncertainty::monte_carlo::{Draws, Trials};
+use crate::stages::verify::validation::{self, Validated, Validation};
 use etalon_base::error;
 use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::{Campaign, Identify};
@@ -20,7 +21,7 @@ use etalon_documents::{
 /// written.
 pub fn validate(campaign: &Campaign, judged: Validation) -> Result<Validated> {
     let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
-    let selected = select(campaign, stated, robot.as_mut(), &joined, &frames)?;
+    let selected = select(CampaignData { campaign, stated, joined: &joined, frames: &frames }, robot.as_mut())?;
     let mut found = validation::validate(campaign, selected, robot.as_mut(), judged)?;
     found.accuracy.campaign = Some(reference(campaign));
     let (version, inputs) = (env!("CARGO_PKG_VERSION").to_owned(), gathered.document.inputs());
@@ -34,7 +35,7 @@ pub fn validate(campaign: &Campaign, judged: Validation) -> Result<Validated> {
 pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> Result<RecommendationDocument> {
     let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
     let inputs = gathered.document.inputs();
-    let selected = select(campaign, stated, robot.as_mut(), &joined, &frames)?;
+    let selected = select(CampaignData { campaign, stated, joined: &joined, frames: &frames }, robot.as_mut())?;
     let mut found = recommendation::recommend(robot.as_ref(), selected, &inputs, report)?;
     found.campaign = Some(reference(campaign));
     found.recommended.valid_until = campaign.file.valid_until();
@@ -65,7 +66,8 @@ pub fn identify_recommended(
     let RecommendationDocument { recommended, messages, .. } = recommend(campaign, report)?;
     let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
     let held = recommended.parameters.into_iter().filter(|p| p.status == ParameterStatus::Fixed).map(|p| p.name);
-    let mut found = identify_chosen(campaign, stated, robot.as_mut(), (&joined, &frames), held)?;
+    let data = CampaignData { campaign, stated, joined: &joined, frames: &frames };
+    let mut found = identify_chosen(data, robot.as_mut(), held)?;
     found.parameters.provenance.inputs = gathered.document.inputs();
     let summary = summary(campaign, Presentation::default());
     let controllers = identified_again(campaign, robot.as_ref(), &found, (&summary, formats));
@@ -80,7 +82,8 @@ pub fn uncertainty(
     report: &mut dyn FnMut(usize, usize),
 ) -> Result<UncertaintyDocument> {
     let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
-    let identified = identify(campaign, stated, robot.as_mut(), &joined, &frames)?;
+    let data = CampaignData { campaign, stated, joined: &joined, frames: &frames };
+    let identified = identify(data, robot.as_mut())?;
     let trials = Trials::new(campaign, robot.as_ref(), &gathered.points, &frames, &identified);
     let mut found = trials.distributions(draws, report)?;
     found.campaign = Some(reference(campaign));

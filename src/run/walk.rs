@@ -3,14 +3,16 @@
 
 use super::controller_formats::ControllerFormats;
 use super::{names, statements};
-use crate::stages::controlled;
-use crate::stages::frames;
+use crate::stages::calibrate::identification::{Identified, identify};
+use crate::stages::calibrate::preview::preview;
+use crate::stages::calibrate::selection::{CampaignData, check_selections};
 use crate::stages::gather::{self, Gathered};
 use crate::stages::geometric;
-use crate::stages::identification::{Identified, check_selections, identify, preview};
 use crate::stages::iso9283::{self, TestData};
 use crate::stages::join::{self, Joined};
+use crate::stages::judge::frame_checks;
 use crate::stages::kinds;
+use crate::stages::observe::frames;
 use etalon_base::message::{Problems, Result, Severity};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose_name::PoseName;
@@ -213,7 +215,7 @@ impl Walk {
         // identify: observations become parameters, and errors before and after
         let (Mode::Run, Some(robot)) = (self.mode, &mut self.robot) else { return Ok(()) };
         if let (Some(stated), Some(joined), Some(frames)) = (&campaign.file.identify, &self.joined, &self.frames) {
-            let mut identified = identify(campaign, stated, robot.as_mut(), joined, frames)?;
+            let mut identified = identify(CampaignData { campaign, stated, joined, frames }, robot.as_mut())?;
             identified.parameters.provenance.inputs = self.gathered.document.inputs();
             self.identified = Some(identified);
         }
@@ -247,8 +249,8 @@ impl Walk {
             let frames = frames::make_frames(campaign, points, features, planar);
             self.frames = self.mode.keep(&mut self.problems, frames)?;
             if let Some(frames) = &mut self.frames {
-                frames.not_controlled = controlled::not_controlled(campaign, self.robot.as_deref(), features);
-                self.mode.keep(&mut self.problems, controlled::check_nominal(campaign, points, frames))?;
+                frames.not_controlled = frame_checks::not_controlled(campaign, self.robot.as_deref(), features);
+                self.mode.keep(&mut self.problems, frame_checks::check_nominal(campaign, points, frames))?;
             }
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use super::observed::Item;
 use super::{Scene, Turn};
-use crate::stages::identification::Input;
+use crate::stages::calibrate::selection::Input;
 use crate::stages::join::Observations;
 use crate::stages::kinds::{self, Measurement};
 use crate::stages::orientations::{AngleOrder, ROTATION_VECTOR, state_order};

@@ -1,7 +1,7 @@
 //! Sweeps of one joint at a time: from a table to axes, and a robot without a nominal model.
 
-use super::bounds::beyond_bound;
 use super::table_file::TableFile;
+use crate::stages::uncertainty::bounds::beyond_bound;
 use etalon_base::message::{Message, Place, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::{error, phrase, warning};

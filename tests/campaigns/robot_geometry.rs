@@ -6,7 +6,9 @@ use crate::support::scratch::Scratch;
 use etalon::campaign::read_robot;
 use etalon::documents::{ParametersDocument, ReferencePose};
 use etalon::robots::Robot;
-use etalon::stages::given::{check_geometry, given, other_nominal, robot_values, unknown_geometry};
+use etalon::stages::verify::earlier_parameters::{
+    check_geometry, other_nominal, parameters_from_document, robot_values, unknown_geometry,
+};
 use std::path::{Path, PathBuf};
 
 /// Robots of every model.
@@ -139,7 +141,7 @@ fn another_geometry_is_refused_wherever_parameters_are_given() {
         let robot_role = [etalon::robots::Role::Robot];
         for refused in [
             check_geometry(robot.as_ref(), &document).unwrap_err(),
-            given(robot.as_ref(), &document).unwrap_err(),
+            parameters_from_document(robot.as_ref(), &document).unwrap_err(),
             robot_values(robot.as_ref(), &document, &robot_role).unwrap_err(),
         ] {
             assert!(

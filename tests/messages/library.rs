@@ -297,11 +297,13 @@ fn of_stored_errors_and_parameters() {
     let with = |column: &str, word: &str| {
         let mut table = stored.clone();
         table.with_column(Column::new(column.into(), vec![word; stored.height()])).unwrap();
-        of(etalon::stages::evaluate::from_table(&table))
+        of(etalon::stages::evaluate::error_table::from_table(&table))
     };
     let mut document: ParametersDocument =
         serde_json::from_slice(&std::fs::read(out.join("parameters.json")).unwrap()).unwrap();
-    let given = |document: &ParametersDocument| of(etalon::stages::given::given(&Prexyt::default(), document));
+    let given = |document: &ParametersDocument| {
+        of(etalon::stages::verify::earlier_parameters::parameters_from_document(&Prexyt::default(), document))
+    };
     assert!(given(&document).is_empty() && with("set", "validation").is_empty());
     document.covariance.clear();
     hold(vec![

@@ -7,7 +7,7 @@ use etalon::base::pose::{Vector, cross, dot, minus, norm};
 use etalon::documents::{FitDocument, FitStated};
 use etalon::fit::{self, Element, FitSettings};
 use etalon::formats::qif::{self, MeasuredFeatures, Touch};
-use etalon::stages::qif_fit::{ProbeStated, refit};
+use etalon::stages::observe::qif_fit::{ProbeStated, refit};
 
 const PROBE_MM: f64 = 2.49978271104;
 

@@ -6,7 +6,7 @@ use super::embedded::CAMPAIGNS;
 use super::row::{Row, Rows, Subject, not_made};
 use super::sample::Scratch;
 use crate::run::pipeline::evaluate;
-use crate::stages::identification::Identified;
+use crate::stages::calibrate::identification::Identified;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Place, Result};
 use etalon_base::{error, phrase};

@@ -5,7 +5,7 @@
 use super::data::{Data, Slip};
 use super::row::{Rows, Subject};
 use super::solver::Function;
-use crate::stages::monte_carlo::Distribution;
+use crate::stages::uncertainty::monte_carlo::Distribution;
 use etalon_base::noise::Noise;
 use etalon_base::phrase;
 use etalon_base::scalar::{Dual, Scalar, duals};

@@ -1,7 +1,7 @@
 //! Bounds of the uncertainties of an answer: it is loadable within them only.
 
 use super::{CellKind, Found, Task};
-use crate::stages::bounds::{Component, beyond_bound};
+use crate::stages::uncertainty::bounds::{Component, beyond_bound};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::phrase;

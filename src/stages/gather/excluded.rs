@@ -1,7 +1,7 @@
 //! Rows of exports that a campaign excludes by their numbers.
 
 use super::points::PointColumns;
-use crate::stages::exclusions::excluded_rows;
+use crate::stages::observe::exclusions::excluded_rows;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;

@@ -1,6 +1,6 @@
 //! Points of all exports, and the statements of a campaign about them.
 
-use crate::stages::resolution;
+use crate::stages::observe::resolution;
 use etalon_base::cell::is_formula;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;

@@ -1,6 +1,6 @@
 //! Coordinates that an export rounded too coarsely.
 
-use crate::stages::resolution::step;
+use crate::stages::observe::resolution::step;
 use etalon_base::message::Message;
 use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;

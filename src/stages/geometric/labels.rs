@@ -1,6 +1,6 @@
 //! Conversion between labelled points and measurements of the geometric calibration.
 
-use crate::stages::labelled_points::{LabelledPoints, PointGroup};
+use crate::stages::observe::labelled_points::{LabelledPoints, PointGroup};
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, centroid};

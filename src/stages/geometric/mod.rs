@@ -4,8 +4,8 @@ mod labels;
 
 pub use labels::{Gathered, gather, label, labelled};
 
-use crate::stages::evaluate::Sets;
-use crate::stages::identification::Identified;
+use crate::stages::calibrate::identification::Identified;
+use crate::stages::evaluate::sets::Sets;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::phrase;

@@ -2,7 +2,7 @@
 //! characteristics of ISO 9283.
 
 use crate::stages::iso9283::{COVERAGE_FACTOR, settings};
-use crate::stages::labelled_points::{LabelledPoints, PointGroup};
+use crate::stages::observe::labelled_points::{LabelledPoints, PointGroup};
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::catalogue::{Argument, IntoArgument};
 use etalon_base::message::{Message, Problems, Result};

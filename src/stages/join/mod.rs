@@ -10,9 +10,9 @@ mod unmatched;
 
 pub use observations::{JoinedLog, ObservationTime, Observations};
 
-use crate::stages::exclusions::Exclusion;
 use crate::stages::gather::{Gathered, Stationed};
-use crate::stages::joint_range::{self, JointRow, Joints};
+use crate::stages::observe::exclusions::Exclusion;
+use crate::stages::observe::joint_range::{self, JointRow, Joints};
 use by_key::by_key;
 use by_label::by_label;
 use by_time::{Clocks, by_time};

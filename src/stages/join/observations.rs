@@ -3,7 +3,7 @@
 
 use super::{Row, listed};
 use crate::stages::kinds::{self, Observed, RowDefaults};
-use crate::stages::positions;
+use crate::stages::observe::positions;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};

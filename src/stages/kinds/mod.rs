@@ -21,10 +21,10 @@ pub use kind::{Facts, Measurement, RowKind, Simulated, no_known};
 pub use measured::unmeasured_rows;
 pub use row::{Row, columns, numbers, target_index};
 
-use crate::stages::conventions;
+use crate::stages::observe::conventions;
+use crate::stages::observe::positions;
+use crate::stages::observe::resolution;
 use crate::stages::orientations::{self, AngleOrder, Written, unstated};
-use crate::stages::positions;
-use crate::stages::resolution;
 use cells::STATION;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;

@@ -10,7 +10,7 @@ use etalon::identify::{Observation, Settings};
 use etalon::robots::Calibrated;
 use etalon::run::pipeline::{self, Outcome};
 use etalon::stages::kinds::Observed;
-use etalon::stages::verification::{EarlierCalibration, verify};
+use etalon::stages::verify::verification::{EarlierCalibration, verify};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 

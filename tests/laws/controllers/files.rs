@@ -11,8 +11,8 @@ use etalon::controllers::{self, Description, ExportInput, Exporter};
 use etalon::documents::{CampaignSummary, ControllersDocument};
 use etalon::robots::Robot;
 use etalon::run::pipeline::Outcome;
-use etalon::stages::controller_files::identify_again;
-use etalon::stages::identification::Identified;
+use etalon::stages::calibrate::controller_files::identify_again;
+use etalon::stages::calibrate::identification::Identified;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 

@@ -9,7 +9,7 @@ use etalon::documents::PoseSet;
 use etalon::identify::Observation;
 use etalon::math::statistics::rms;
 use etalon::robots::{Quantity, base_pose};
-use etalon::stages::evaluate;
+use etalon::stages::evaluate::errors::point_errors;
 use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::Path;
@@ -140,7 +140,7 @@ impl File<'_> {
         let value = |p: &etalon::robots::Parameter| p.quantity.inward(list[&p.name]);
         let values: Vec<f64> = robot.parameters().iter().map(value).collect();
         let found = self.ran.found();
-        let errors = evaluate::errors(robot, &found.sets, &found.again.before, &values);
+        let errors = point_errors(robot, &found.sets, &found.again.before, &values);
         rms(errors.iter().filter(|e| e.set == PoseSet::Validation).map(|e| norm(e.after_mm)))
     }
 

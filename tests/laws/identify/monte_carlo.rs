@@ -4,7 +4,7 @@ use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
 use etalon::documents::UncertaintyDocument;
 use etalon::run::validation::uncertainty;
-use etalon::stages::monte_carlo::Draws;
+use etalon::stages::uncertainty::monte_carlo::Draws;
 
 fn found(sample: &str, end: &str, draws: Draws) -> UncertaintyDocument {
     let scratch = copy_sample(sample);

@@ -9,7 +9,7 @@ use etalon::identify::{
 };
 use etalon::robots::Robot;
 use etalon::run::pipeline;
-use etalon::stages::identification::Identified;
+use etalon::stages::calibrate::identification::Identified;
 use nalgebra::{DMatrix, DVector};
 
 const DRAWS: u64 = 4000;

@@ -14,9 +14,9 @@ use etalon::identify::{
     identify, identify_from,
 };
 use etalon::robots::{FreeBase, Quantity, Robot, Role, Serial};
-use etalon::stages::identification::state_positions;
+use etalon::stages::calibrate::identification::state_positions;
 use etalon::stages::kinds::Observed;
-use etalon::stages::verification::{EarlierCalibration, verify};
+use etalon::stages::verify::verification::{EarlierCalibration, verify};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::collections::BTreeMap;

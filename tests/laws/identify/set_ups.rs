@@ -10,12 +10,14 @@ use etalon::base::noise::Noise;
 use etalon::base::phrase;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
-use etalon::identify::{FieldTrial, Observation, Settings, Systematic, search_field};
+use etalon::identify::{FieldTrial, Observation, Settings, search_field};
 use etalon::robots::{Effect, PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::walk;
-use etalon::stages::evaluate::Sets;
-use etalon::stages::repeats::stale;
-use etalon::stages::solved::Solved;
+use etalon::stages::calibrate::evaluation::Judgement;
+use etalon::stages::calibrate::findings::Findings;
+use etalon::stages::calibrate::solution::{Basis, Solution};
+use etalon::stages::evaluate::sets::Sets;
+use etalon::stages::observe::repeats::stale;
 use rayon::prelude::*;
 
 /// A robot, how it is measured, and what a slip looks like on it.
@@ -31,11 +33,17 @@ fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<M
     let settings = Settings { standard_uncertainty_mm: Some(u_mm), ..Settings::default() };
     let found = || {
         let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
-        let mut solved = Solved::new(robot, &sets, &settings, &Systematic::default())?;
-        solved.judge(robot, &sets, &settings, Vec::new());
-        Ok(solved.found.warnings.into_iter().map(|warning| warning.message).collect())
+        let solution = Solution::new(robot, Basis { sets, settings, ..Basis::default() })?;
+        Ok(messages_alone(robot, &solution))
     };
     found().unwrap_or_else(|problems: etalon::base::message::Problems| problems.0)
+}
+
+/// Messages of a solution that is judged without a campaign.
+pub(super) fn messages_alone(robot: &dyn Robot, solution: &Solution) -> Vec<Message> {
+    let plausibility = Judgement::new(robot, solution).plausibility;
+    let ordered = Findings { plausibility, ..Findings::default() }.ordered(&solution.found.warnings);
+    ordered.into_iter().map(|warning| warning.message).collect()
 }
 
 /// A robot off by half a millimetre and two milliradians, its base and targets anywhere.
@@ -379,13 +387,12 @@ fn bent() -> Bench {
 fn with_field(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> (Vec<Message>, Option<FieldTrial>) {
     let settings = Settings { standard_uncertainty_mm: Some(u_mm), ..Settings::default() };
     let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
-    let mut solved = match Solved::new(robot, &sets, &settings, &Systematic::default()) {
-        Ok(solved) => solved,
+    let solution = match Solution::new(robot, Basis { sets, settings: settings.clone(), ..Basis::default() }) {
+        Ok(solution) => solution,
         Err(problems) => return (problems.0, None),
     };
-    solved.judge(robot, &sets, &settings, Vec::new());
-    let said: Vec<Message> = solved.found.warnings.iter().map(|warning| warning.message.clone()).collect();
-    let trial = (!said.iter().any(is_error)).then(|| search_field(robot, observations, &settings, &solved.found));
+    let said = messages_alone(robot, &solution);
+    let trial = (!said.iter().any(is_error)).then(|| search_field(robot, observations, &settings, &solution.found));
     (said, trial)
 }
 

@@ -3,13 +3,14 @@
 
 use super::drawn::{Drawn, drawn_arm, number};
 use super::set_ups::{Bench, Slip, slips_of_joints, slips_of_points, spoilt};
+use crate::identify::set_ups::messages_alone;
 use etalon::base::message::{Message, Problems, Rank, Severity};
 use etalon::base::noise::Noise;
-use etalon::identify::{Effects, Observation, Prior, Settings, Systematic, chi_square_exceeds};
+use etalon::identify::{Effects, Observation, Prior, Settings, chi_square_exceeds};
 use etalon::robots::Robot;
-use etalon::stages::evaluate::Sets;
-use etalon::stages::repeats::stale;
-use etalon::stages::solved::Solved;
+use etalon::stages::calibrate::solution::{Basis, Solution};
+use etalon::stages::evaluate::sets::Sets;
+use etalon::stages::observe::repeats::stale;
 use rayon::prelude::*;
 
 /// Words of a message that names a cause.
@@ -37,22 +38,20 @@ fn said(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Said {
     };
     let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
     let mut messages = stale(robot, observations);
-    let solved = Solved::new(robot, &sets, &settings, &Systematic::default());
-    let mut solved = match solved {
-        Ok(solved) => solved,
+    let solution = match Solution::new(robot, Basis { sets, settings, ..Basis::default() }) {
+        Ok(solution) => solution,
         Err(Problems(problems)) => {
             messages.extend(problems);
             return Said { messages, chi_square: None, exceeds: true };
         }
     };
-    solved.judge(robot, &sets, &settings, Vec::new());
-    let found = &solved.found;
+    let found = &solution.found;
     let within = |(p, value): (&etalon::robots::Parameter, &f64)| (value - p.nominal).abs() <= p.tolerance;
     let within = robot.parameters().iter().zip(&found.values).all(within);
     let chi_square =
         found.residuals.chi_square.filter(|_| within).map(|c| c / found.residuals.degrees_of_freedom as f64);
     let exceeds = found.residuals.chi_square.is_none_or(|c| chi_square_exceeds(c, found.residuals.degrees_of_freedom));
-    messages.extend(solved.found.warnings.iter().map(|warning| warning.message.clone()));
+    messages.extend(messages_alone(robot, &solution));
     Said { messages, chi_square, exceeds }
 }
 

@@ -2,17 +2,18 @@
 //! hold, each alone. Drawn arms, poses and errors (synthetic); `ETALON_CAMPAIGNS` states how many.
 
 use super::drawn::number;
+use crate::identify::set_ups::messages_alone;
 use etalon::base::message::{Message, Problems, Severity};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Vector, minus, norm};
 use etalon::campaign::read_robot;
 use etalon::identify::{
-    Between, Condition, Effects, Fixture, Identification, Kind, Prior, Separation, Settings, Status, Systematic,
-    fit_frames, identify_from,
+    Between, Condition, Effects, Fixture, Identification, Kind, Prior, Separation, Settings, Status, fit_frames,
+    identify_from,
 };
 use etalon::robots::{Effect, Parameter, Robot, Role};
-use etalon::stages::evaluate::Sets;
-use etalon::stages::solved::Solved;
+use etalon::stages::calibrate::solution::{Basis, Solution};
+use etalon::stages::evaluate::sets::Sets;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::fmt::Write;
@@ -198,9 +199,9 @@ impl Campaign {
         let robot = self.robot.as_ref();
         let sets = Sets { calibration_conditions: self.settings.conditions.clone(), ..Sets::default() };
         let found = || {
-            let mut solved = Solved::new(robot, &sets, &self.settings, &Systematic::default())?;
-            solved.judge(robot, &sets, &self.settings, Vec::new());
-            Ok(solved.found.warnings.into_iter().map(|warning| warning.message).collect())
+            let settings = self.settings.clone();
+            let solution = Solution::new(robot, Basis { sets, settings, ..Basis::default() })?;
+            Ok(messages_alone(robot, &solution))
         };
         found().unwrap_or_else(|problems: Problems| problems.0)
     }

@@ -1,0 +1,105 @@
+//! Controller files of formats that omit identified parameters: their values, and errors at the
+//! measured poses.
+
+use crate::stages::calibrate::identification::Identified;
+use crate::stages::evaluate::accuracy::summarise;
+use etalon_base::message::{Message, Result, Severity};
+use etalon_base::phrase;
+use etalon_base::pose::norm;
+use etalon_controllers::{ExportInput, Exporter, Statement};
+use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
+use etalon_robots::Robot;
+
+/// Identifies again for each of these formats that omits identified parameters; `None` if no format
+/// does.
+pub fn identify_again(
+    given: &ExportInput,
+    robot: &dyn Robot,
+    found: &Identified,
+    formats: &[(&str, &dyn Exporter)],
+) -> Option<ControllersDocument> {
+    let (mut files, mut messages) = (Vec::<ControllerFiles>::new(), Vec::new());
+    for &(name, exporter) in formats.iter().filter(|(_, exporter)| exporter.unsuited(given).is_none()) {
+        match identify_for_format(given, robot, found, exporter) {
+            Ok(None) => {}
+            Ok(Some(file)) => match files.iter_mut().find(|f| f.left_out == file.left_out && f.values == file.values) {
+                Some(same) => same.formats.push(name.to_owned()),
+                None => files.push(ControllerFiles { formats: vec![name.to_owned()], ..file }),
+            },
+            Err(problems) => messages.extend(problems.0.into_iter().map(|m| {
+                let message = m.within(phrase!("format-not-identified", format = name));
+                Message { severity: Severity::Warning, ..message }
+            })),
+        }
+    }
+    let document = ControllersDocument::new(files.clone(), messages.clone());
+    messages.extend(judged(&ExportInput { controllers: document.as_ref(), ..*given }, formats));
+    ControllersDocument::new(files, messages)
+}
+
+/// Refusals of files that are worse than nominal, and warnings about files for other robots and
+/// about files that are hardly better; files with the same errors share a warning.
+fn judged(given: &ExportInput, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
+    let (mut refused, mut near) = (Vec::new(), Vec::<(Statement, Vec<&str>)>::new());
+    let mut concerns = Vec::new();
+    for &(name, exporter) in formats {
+        match given.statement(exporter) {
+            Ok(statement) => match statement.refusal(name) {
+                Some(refusal) => refused.push(refusal),
+                None => {
+                    concerns.extend(exporter.cautions(given));
+                    match near.iter_mut().find(|(same, _)| same.errors == statement.errors) {
+                        Some((_, names)) => names.push(name),
+                        None => near.push((statement, vec![name])),
+                    }
+                }
+            },
+            Err(problems) => refused.extend(problems.0),
+        }
+    }
+    refused.extend(concerns);
+    refused.extend(near.iter().filter_map(|(statement, names)| statement.warning(names)));
+    refused
+}
+
+/// Values of a format that omits or ties parameters; `None` if the format holds the identified
+/// values.
+fn identify_for_format(
+    given: &ExportInput,
+    robot: &dyn Robot,
+    found: &Identified,
+    exporter: &dyn Exporter,
+) -> Result<Option<ControllerFiles>> {
+    let left_out = given.left_out(exporter);
+    // others that the data did not determine beside these may be determined without them
+    let held: Vec<String> = given.not_held(exporter).collect();
+    let again = if left_out.is_empty() { None } else { Some(found.without(robot, &held)?) };
+    let identified = again.as_ref().unwrap_or(&found.found);
+    let tied = exporter.written(given, robot, &identified.values);
+    let values = if tied == identified.values { tied } else { found.with_frames(robot, &tied)? };
+    if again.is_none() && values == identified.values {
+        return Ok(None);
+    }
+    let written = robot.parameters().iter().enumerate().map(|(i, p)| WrittenParameter {
+        name: p.name.clone(),
+        unit: p.quantity.unit().to_owned(),
+        value: p.quantity.outward(values[i]),
+        standard_uncertainty: (values[i] == identified.values[i])
+            .then(|| identified.standard_uncertainty(i).map(|u| p.quantity.outward(u)))
+            .flatten(),
+    });
+    let errors = errors(robot, found, &values)?;
+    Ok(Some(ControllerFiles { formats: Vec::new(), left_out, values: written.collect(), errors }))
+}
+
+/// Errors with nominal, identified and these values, at calibration and validation poses.
+fn errors(robot: &dyn Robot, found: &Identified, values: &[f64]) -> Result<Vec<ControllerErrors>> {
+    let written = found.errors_with(robot, values)?;
+    let of_set = |set: &AccuracySet| {
+        let leading = set.leading()?.quantity;
+        let of_set = written.iter().filter(|e| e.set == set.name && e.quantity == leading);
+        let sizes = of_set.filter_map(|e| Some(norm(e.after_mm) / e.own_share()?)).collect();
+        ControllerErrors::new(set, Some(&summarise(sizes)))
+    };
+    Ok(found.accuracy.sets.iter().filter_map(of_set).collect())
+}

@@ -1,0 +1,13 @@
+//! From observations to identified parameters.
+
+pub mod controller_files;
+pub(crate) mod cross_validation;
+pub mod evaluation;
+pub mod findings;
+pub mod identification;
+pub(crate) mod log_comparison;
+pub mod preview;
+pub mod recommendation;
+pub mod selection;
+pub mod solution;
+pub mod validation_targets;

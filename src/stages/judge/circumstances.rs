@@ -1,0 +1,134 @@
+//! Values that each reading states: torques and temperatures that do not vary, implausible
+//! temperatures, torques of other signs, exchanged columns.
+
+use crate::stages::evaluate::sets::Sets;
+use etalon_base::message::Message;
+use etalon_base::{phrase, warning};
+use etalon_identify::{Effects, Identification, Observation, Settings, Status, chi_square_exceeds, identify_from};
+use etalon_robots::{Circumstance, Effect, Parameter, Robot};
+
+/// Largest range of values that count as constant, relative to the values.
+const CONSTANT: f64 = 1e-6;
+/// Temperatures (°C) of robots in a workshop. Fahrenheit and kelvin of a workshop are above.
+const WORKSHOP_C: [f64; 2] = [0.0, 55.0];
+/// Standard uncertainties by which a compliance differs from zero.
+const SIGNIFICANCE: f64 = 3.0;
+
+/// Position of each value that a reading states behind its joint values.
+fn positions(robot: &dyn Robot) -> impl Iterator<Item = (usize, Circumstance)> + '_ {
+    (robot.joints().len() + robot.approached().len()..).zip(robot.circumstances().iter().copied())
+}
+
+/// Holds the parameters that need a value of the readings to vary, and names those values.
+pub(crate) fn hold_constant(robot: &dyn Robot, sets: &Sets, settings: &mut Settings) -> Vec<Message> {
+    let readings = || {
+        let of_conditions = sets.calibration_conditions.iter().map(|c| &c.joints);
+        sets.calibration.iter().map(|o| &o.joints).chain(of_conditions)
+    };
+    let mut messages = Vec::new();
+    for (at, stated) in positions(robot) {
+        let values = readings().filter_map(|joints| joints.get(at).copied());
+        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
+        if low > high {
+            continue;
+        }
+        if stated == Circumstance::Temperature {
+            messages.extend(implausible_temperature(low, high));
+        }
+        if high - low > CONSTANT * low.abs().max(high.abs()) {
+            continue;
+        }
+        let mut hold = |needs: &dyn Fn(&Parameter) -> bool| {
+            settings.hold.extend(robot.parameters().iter().filter(|p| needs(p)).map(|p| p.name.clone()));
+        };
+        match stated {
+            Circumstance::Torque(joint) => {
+                hold(&|p| p.effect == Effect::Torque && p.joint == Some(joint));
+                let (joint, column) = (&robot.joints()[joint].name, robot.joints()[joint].torque_column());
+                messages.push(warning!("torque-constant", joint, column, value = low).routine());
+            }
+            Circumstance::Temperature => {
+                hold(&|p| p.effect.is_thermal());
+                messages.push(warning!("temperature-constant", value = low));
+            }
+            Circumstance::PayloadMass | Circumstance::PayloadCentre(_) => {}
+        }
+    }
+    messages
+}
+
+/// Returns a warning if temperatures (°C) are not those of a workshop.
+fn implausible_temperature(low: f64, high: f64) -> Option<Message> {
+    let [least, most] = WORKSHOP_C;
+    (low < least || high > most).then(|| {
+        let [from_fahrenheit, to_fahrenheit] = [low, high].map(|v| (v - 32.0) / 1.8);
+        let [from_kelvin, to_kelvin] = [low, high].map(|v| v - 273.15);
+        let hint = phrase!("temperature-units", from_fahrenheit, to_fahrenheit, from_kelvin, to_kelvin);
+        warning!("temperature-questioned", low, high, least, most).hint(hint).to_decide()
+    })
+}
+
+/// Temperature (°C) of a reading, if the robot's readings state one.
+pub(crate) fn temperature(robot: &dyn Robot, joints: &[f64]) -> Option<f64> {
+    let (at, _) = positions(robot).find(|(_, stated)| *stated == Circumstance::Temperature)?;
+    joints.get(at).copied()
+}
+
+/// Compliances of joints under their torques that the data determine.
+fn by_torque<'a>(robot: &'a dyn Robot, found: &'a Identification) -> impl Iterator<Item = (&'a Parameter, f64)> + 'a {
+    let own = found.free.iter().filter(|&&i| robot.parameters()[i].effect == Effect::Torque);
+    let significant =
+        own.filter(|&&i| found.values[i].abs() > SIGNIFICANCE * found.standard_uncertainty(i).unwrap_or(f64::INFINITY));
+    significant.map(|&i| (&robot.parameters()[i], found.values[i]))
+}
+
+/// Returns a warning if some joints yield with their torques and others against them.
+pub(crate) fn torque_signs(robot: &dyn Robot, found: &Identification) -> Option<Message> {
+    let named = |sign: f64| -> Vec<String> {
+        let of_sign = by_torque(robot, found).filter(|(_, value)| value * sign > 0.0);
+        of_sign.map(|(p, _)| format!("`{}`", p.name)).collect()
+    };
+    let (positive, negative) = (named(1.0), named(-1.0));
+    (!positive.is_empty() && !negative.is_empty())
+        .then(|| warning!("torque-signs-differ", positive, negative).to_decide())
+}
+
+/// Returns a warning if the readings as stated are not explained, and are explained with the
+/// torques of two joints exchanged.
+pub(crate) fn exchanged_torques(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) -> Option<Message> {
+    let torques: Vec<(usize, usize)> = positions(robot)
+        .filter_map(|(at, stated)| if let Circumstance::Torque(joint) = stated { Some((at, joint)) } else { None })
+        .collect();
+    let settings = with_torques(robot, settings, found);
+    let explains = |observations: &[Observation]| -> bool {
+        let again = identify_from(robot, observations, &settings, &found.values).ok();
+        again.is_some_and(|f| {
+            f.residuals.chi_square.is_some_and(|c| !chi_square_exceeds(c, f.residuals.degrees_of_freedom))
+        })
+    };
+    if torques.len() < 2 || explains(observations) {
+        return None;
+    }
+    let pairs = (0..torques.len()).flat_map(|i| (i + 1..torques.len()).map(move |k| (i, k)));
+    let explained = pairs.map(|(i, k)| (torques[i], torques[k])).find(|((a, _), (b, _))| {
+        let mut exchanged = observations.to_vec();
+        exchanged.iter_mut().for_each(|o| o.joints.swap(*a, *b));
+        explains(&exchanged)
+    });
+    let ((_, first), (_, second)) = explained?;
+    let [first, second] = [first, second].map(|joint| robot.joints()[joint].torque_column());
+    Some(warning!("torques-exchanged", first, second).to_decide())
+}
+
+/// Settings that identify bending by torques beside what is identified.
+fn with_torques(robot: &dyn Robot, settings: &Settings, found: &Identification) -> Settings {
+    let held = robot.parameters().iter().zip(&found.status);
+    let held = held.filter(|(p, status)| **status == Status::Fixed && p.effect != Effect::Torque);
+    let hold = settings.hold.iter().cloned().chain(held.map(|(p, _)| p.name.clone())).collect();
+    Settings { effects: Effects::All, hold, ..settings.clone() }
+}

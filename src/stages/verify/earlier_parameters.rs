@@ -1,0 +1,339 @@
+//! Previously identified parameters, for comparison with new observations.
+
+use crate::stages::shown;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
+use etalon_documents::{
+    ErrorQuantity, ParameterEntry, ParameterStatus, ParametersDocument, QuantityResiduals, ResidualSummary,
+    VerifiedQuantity, quantity_residuals,
+};
+use etalon_identify::{Condition, ConditionResiduals, IdentifiedParameters, Kind, Misfit, Settings, Variance};
+use etalon_robots::{Parameter, Quantity, Robot, Role};
+use std::collections::BTreeMap;
+
+/// The parameters of `robot` in a document, without those of other targets.
+///
+/// # Errors
+/// Fails if the document is of another robot, or lacks a parameter of this robot.
+pub fn parameters_from_document(robot: &dyn Robot, document: &ParametersDocument) -> Result<IdentifiedParameters> {
+    check_described(robot, document)?;
+    check_geometry(robot, document)?;
+    let mut values = robot.nominal();
+    let (mut missing, mut places, mut free) = (Vec::new(), Vec::new(), Vec::new());
+    for (i, p) in robot.parameters().iter().enumerate() {
+        match entry(document, p) {
+            Some(entry) => values[i] = p.quantity.inward(entry.value),
+            None => missing.push(p),
+        }
+        // where it is in the covariance; what that leaves out has an uncertainty by itself
+        let place = document.identified().position(|entry| entry.name == p.name);
+        if place.is_some() || document.covariance_without.contains(&p.name) {
+            places.push(place);
+            free.push(i);
+        }
+    }
+    if document.robot != robot.model() || !missing.is_empty() {
+        return Err(other_robot_message(robot, document, &missing).into());
+    }
+    if document.covariance.is_empty() && document.parameters.iter().any(|p| p.status == ParameterStatus::Identified) {
+        return Err(error!("given-without-covariance").into());
+    }
+    let inward = |k: usize| robot.parameters()[free[k]].quantity.inward(1.0);
+    let n = places.len();
+    let own = |i: usize| entry(document, &robot.parameters()[free[i]])?.standard_uncertainty;
+    let covariance = (0..n * n).map(|at| {
+        let (i, j) = (at / n, at % n);
+        let outward = match (places[i], places[j]) {
+            (Some(k), Some(l)) => document.covariance[k][l],
+            _ if i == j => own(i).unwrap_or(0.0).powi(2),
+            _ => 0.0,
+        };
+        outward * inward(i) * inward(j)
+    });
+    Ok(IdentifiedParameters { values, covariance: covariance.collect(), free })
+}
+
+fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d ParameterEntry> {
+    document.parameters.iter().find(|entry| entry.name == p.name && entry.unit == p.quantity.unit())
+}
+
+fn other_robot_message(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
+    let names = shown(missing.iter().map(|p| format!("`{}`", p.name)), NAMED);
+    if document.robot == robot.model() && missing.iter().all(|p| p.role != Role::Robot) {
+        return error!("calibrated-targets-missing", names);
+    }
+    let message = error!("parameters-of-other-robot", identified = document.robot, stated = robot.model());
+    if names.is_empty() { message } else { message.hint(phrase!("parameters-lacking", names)) }
+}
+
+/// Rejects parameters of the robot that its description lacks: their values would be ignored.
+/// Parameters without effect, at a nominal zero, may be missing.
+///
+/// # Errors
+/// Reports the names of these parameters, with the lines that robot.toml needs.
+pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Result<()> {
+    let lacks = |entry: &&ParameterEntry| {
+        let own = robot.parameters().iter().any(|p| p.name == entry.name && entry.unit == p.quantity.unit());
+        entry.role == etalon_documents::Role::Robot && !own && (entry.value != 0.0 || entry.nominal != 0.0)
+    };
+    let lacking: Vec<&str> = document.parameters.iter().filter(lacks).map(|entry| entry.name.as_str()).collect();
+    if lacking.is_empty() || document.robot != robot.model() {
+        return Ok(());
+    }
+    let names = shown(lacking.iter().map(|name| format!("`{name}`")), NAMED);
+    let message = error!("parameters-undescribed", names);
+    let lines = needed_lines(robot, &lacking);
+    Err(if lines.is_empty() { message } else { message.hint(phrase!("add-lines", lines)) }.into())
+}
+
+/// Largest distance (mm) of flanges that counts as rounding.
+const SAME_MM: f64 = 1e-6;
+
+/// Rejects a robot whose geometry differs from that of the identification even with the same
+/// nominal values: parameters of screw axes (`poe`) are deviations, whose nominal values are zero.
+///
+/// # Errors
+/// Reports the distance between the flanges of both robots.
+pub fn check_geometry(robot: &dyn Robot, document: &ParametersDocument) -> Result<()> {
+    let distance_mm = document.geometry_distance_mm(robot).filter(|_| document.robot == robot.model());
+    match distance_mm {
+        Some(distance_mm) if distance_mm > SAME_MM => {
+            let case = if distance_mm.is_finite() { "apart" } else { "other" };
+            // three digits
+            let unit = 10f64.powf(distance_mm.min(1e300).log10().floor() - 2.0);
+            let distance_mm = if distance_mm.is_finite() { (distance_mm / unit).round() * unit } else { 0.0 };
+            Err(error!("robot-geometry-changed", case, distance_mm).into())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Returns a warning if a document without geometry was identified with another robot file;
+/// `sha256` is the hash of the robot file.
+pub fn unknown_geometry(document: &ParametersDocument, sha256: &str) -> Option<Message> {
+    let inputs = &document.provenance.inputs;
+    let unknown = document.reference_poses.is_empty() && !inputs.is_empty();
+    (unknown && inputs.values().all(|known| known != sha256)).then(|| warning!("robot-geometry-unknown"))
+}
+
+/// Maximum number of parameters in a message.
+const NAMED: usize = 5;
+
+/// Lines of robot.toml that add these parameters to those of the robot.
+fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
+    let mut keys: BTreeMap<&str, (bool, Vec<Vec<String>>)> = BTreeMap::new();
+    let optional = robot.optional_parameters();
+    for p in &optional {
+        if lacking.contains(&p.name.as_str()) || robot.index(&p.name).is_some() {
+            let pair = p.is_pair.then(|| p.joints.clone());
+            let joints = pair.map_or_else(|| p.joints.iter().map(|j| vec![j.clone()]).collect(), |pair| vec![pair]);
+            keys.entry(p.key).or_insert((p.is_pair, Vec::new())).1.extend(joints);
+        }
+    }
+    let is_needed = |key: &str| optional.iter().any(|p| p.key == key && lacking.contains(&p.name.as_str()));
+    let word = |joint: &String| if joint.parse::<u64>().is_ok() { joint.clone() } else { format!("\"{joint}\"") };
+    let line = |(key, (is_pair, mut joints)): (&str, (bool, Vec<Vec<String>>))| {
+        joints.sort_by_key(|of| of.iter().map(|joint| (joint.len(), joint.clone())).collect::<Vec<_>>());
+        joints.dedup();
+        let one = |of: &Vec<String>| {
+            let words = of.iter().map(word).collect::<Vec<_>>().join(", ");
+            if is_pair { format!("[{words}]") } else { words }
+        };
+        format!("`{key} = [{}]`", joints.iter().map(one).collect::<Vec<_>>().join(", "))
+    };
+    keys.into_iter().filter(|(key, _)| is_needed(key)).map(line).collect()
+}
+
+/// Returns nominal values, with the document's values for parameters of these roles: all parameters
+/// of the robot itself, and the others that the document has.
+///
+/// # Errors
+/// Fails if the document is of another robot.
+pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[Role]) -> Result<Vec<f64>> {
+    check_described(robot, document)?;
+    check_geometry(robot, document)?;
+    let mut values = robot.nominal();
+    let mut missing = Vec::new();
+    for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| roles.contains(&p.role)) {
+        match entry(document, p) {
+            Some(entry) => *value = p.quantity.inward(entry.value),
+            None if p.role == Role::Robot => missing.push(p),
+            None => {}
+        }
+    }
+    if document.robot != robot.model() || !missing.is_empty() {
+        return Err(other_robot_message(robot, document, &missing).into());
+    }
+    Ok(values)
+}
+
+/// Returns an error if a nominal value of the robot differs from that of the identification: the
+/// parameters are those of another robot.
+pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option<Message> {
+    let differs = |p: &&Parameter| {
+        let stated = p.quantity.outward(p.nominal);
+        let then = entry(document, p).map_or(stated, |entry| entry.nominal);
+        p.role == Role::Robot && (then - stated).abs() > 1e-9 * stated.abs().max(1.0)
+    };
+    let p = robot.parameters().iter().find(differs)?;
+    let then = entry(document, p)?.nominal;
+    let stated = p.quantity.outward(p.nominal);
+    Some(error!("nominal-value-changed", parameter = p.name, stated, unit = p.quantity.unit(), identified = then))
+}
+
+/// Sums of squared errors (mm²) of the readings of a pose, with nominal and with given parameters.
+pub type PoseErrors = BTreeMap<PoseName, [f64; 2]>;
+
+/// Message that errors with the given parameters are larger than with nominal ones: an error if the
+/// difference is more than noise from pose to pose explains, otherwise a warning.
+pub fn worse_than_nominal(errors: &PoseErrors, readings: usize) -> Option<Message> {
+    let rms = |k: usize| (errors.values().map(|squares| squares[k]).sum::<f64>() / readings.max(1) as f64).sqrt();
+    let [nominal_mm, given_mm] = [rms(0), rms(1)];
+    let differences: Vec<f64> = errors.values().map(|[nominal, given]| given - nominal).collect();
+    let message = match etalon_identify::exceeds_zero(&differences) {
+        true => error!("given-parameters-worse", given_mm, nominal_mm),
+        false => warning!("given-parameters-worse", given_mm, nominal_mm),
+    };
+    (given_mm > nominal_mm).then(|| message.to_decide())
+}
+
+/// Expected deviation of a measured coordinate from the given parameters, if nothing has changed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExpectedDeviation {
+    /// Standard uncertainty of a measured coordinate, mm.
+    pub measured_mm: f64,
+    /// Model error of the calibration (standard deviation, mm).
+    pub model_mm: f64,
+    /// Part of it that differs between targets of one pose, if the calibration shows it.
+    between_targets_mm: Option<f64>,
+    /// Source of both variances.
+    pub variance: Variance,
+    /// Model error of each quantity other than positions of targets (standard deviation, mm or
+    /// rad).
+    conditions: Vec<(ErrorQuantity, f64)>,
+}
+
+impl ExpectedDeviation {
+    /// Deviation of a calibration; `stated_mm` is the standard uncertainty of a coordinate if it is
+    /// measured with another instrument.
+    ///
+    /// # Errors
+    /// Fails if the residuals of the calibration yield no standard deviation.
+    pub fn from_document(robot: &dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
+        let residuals = &document.residuals;
+        let dof = residuals.degrees_of_freedom as f64;
+        let conditions = model_errors(residuals);
+        let rms_mm =
+            residuals.position_rms_mm.map_or(residuals.rms, |rms_mm| rms_mm / (robot.dimension() as f64).sqrt());
+        let shown_mm = rms_mm * (residuals.count as f64 / dof).sqrt();
+        let excess = |shown_mm: f64, u: f64| (shown_mm.powi(2) - u.powi(2)).max(0.0).sqrt();
+        let between = |u: f64| residuals.within_poses_rms_mm.map(|within_mm| excess(within_mm, u));
+        let Some(u) = residuals.stated_standard_uncertainty_mm else {
+            if dof == 0.0 || !shown_mm.is_finite() {
+                return Err(error!("calibration-without-residuals").into());
+            }
+            let measured_mm = stated_mm.unwrap_or(shown_mm);
+            return Ok(Self {
+                measured_mm,
+                model_mm: excess(shown_mm, measured_mm),
+                between_targets_mm: between(measured_mm),
+                variance: estimated(residuals),
+                conditions,
+            });
+        };
+        let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
+        // only where chi-square rejects that the instrument explains all; other quantities have a
+        // model error of their own
+        let rejected = residuals.chi_square_rejected && dof > 0.0;
+        let model_mm = if rejected { excess(shown_mm, u) } else { 0.0 };
+        let variance = if model_mm > 0.0 { estimated(residuals) } else { Variance::Stated };
+        let measured_mm = stated_mm.unwrap_or(u);
+        Ok(Self { measured_mm, model_mm, between_targets_mm: between(u), variance, conditions })
+    }
+
+    /// Root sum of squares of both (mm).
+    pub fn total_mm(&self) -> f64 {
+        self.measured_mm.hypot(self.model_mm)
+    }
+
+    /// Returns settings with the standard uncertainty of a measured coordinate.
+    pub fn applied(&self, settings: Settings) -> Settings {
+        Settings { standard_uncertainty_mm: Some(self.measured_mm), ..settings }
+    }
+
+    /// The model error of coordinates and of each of these conditions.
+    pub fn misfit(&self, conditions: &[Condition]) -> Misfit {
+        let of = |c: &Condition| if matches!(c.kind, Kind::Joint(_)) { 0.0 } else { self.model(quantity(c)) };
+        Misfit {
+            coordinate_mm: self.model_mm,
+            between_targets_mm: self.between_targets_mm,
+            conditions: conditions.iter().map(of).collect(),
+        }
+    }
+
+    /// Residuals of each quantity of the conditions, and their expected size.
+    pub fn conditions(&self, robot: &dyn Robot, values: &[f64], conditions: &[Condition]) -> Vec<VerifiedQuantity> {
+        let one = |found: ConditionResiduals| {
+            let found = quantity_residuals(&found);
+            let unit = physical_quantity(found.quantity);
+            let model = unit.outward(self.model(found.quantity));
+            VerifiedQuantity {
+                quantity: found.quantity,
+                unit: found.unit,
+                count: found.count,
+                rms: found.rms,
+                expected_rms: found.standard_uncertainty.hypot(model),
+            }
+        };
+        ConditionResiduals::all(robot, values, conditions).into_iter().map(one).collect()
+    }
+
+    /// Model error of a quantity (mm or rad).
+    fn model(&self, quantity: ErrorQuantity) -> f64 {
+        self.conditions.iter().find(|(of, _)| *of == quantity).map_or(0.0, |(_, model)| *model)
+    }
+}
+
+/// Quantity, angle or length, of the values of an error quantity.
+fn physical_quantity(quantity: ErrorQuantity) -> Quantity {
+    if quantity == ErrorQuantity::Orientation { Quantity::Angle } else { Quantity::Length }
+}
+
+/// Returns an error if the calibration has no residuals of the quantity of a condition.
+pub fn unknown_quantity(document: &ParametersDocument, conditions: &[Condition]) -> Option<Message> {
+    let is_known = |c: &&Condition| document.residuals.conditions.iter().any(|found| found.quantity == quantity(c));
+    let unknown = conditions.iter().filter(|c| !matches!(c.kind, Kind::Joint(_))).find(|c| !is_known(c))?;
+    Some(error!("verify-quantity-without-residuals", quantity = quantity(unknown).phrase()))
+}
+
+/// Standard uncertainty (rad) of the orientations of a calibration, if it observed orientations.
+pub fn orientation_uncertainty_rad(document: &ParametersDocument) -> Option<f64> {
+    let found = document.residuals.conditions.iter().find(|found| found.quantity == ErrorQuantity::Orientation)?;
+    Some(Quantity::Angle.inward(found.standard_uncertainty))
+}
+
+/// Quantity that a condition observes.
+fn quantity(condition: &Condition) -> ErrorQuantity {
+    condition.kind.error_kind().map_or(ErrorQuantity::Orientation, Into::into)
+}
+
+/// Variance of residuals that their scatter estimates.
+fn estimated(residuals: &ResidualSummary) -> Variance {
+    let all = residuals.degrees_of_freedom as f64;
+    let degrees = residuals.effective_degrees_of_freedom.unwrap_or(all);
+    Variance::Misfit { degrees, share: degrees / all }
+}
+
+/// Model error of each quantity (standard deviation, mm or rad): residual variance minus the
+/// variance of the observed values.
+fn model_errors(residuals: &ResidualSummary) -> Vec<(ErrorQuantity, f64)> {
+    let rows = residuals.count as f64 / residuals.degrees_of_freedom.max(1) as f64;
+    let of_quantity = |found: &QuantityResiduals| {
+        let unit = physical_quantity(found.quantity);
+        let excess = found.rms.powi(2) * rows - found.standard_uncertainty.powi(2);
+        let model = if residuals.chi_square_rejected { excess.max(0.0).sqrt() } else { 0.0 };
+        (found.quantity, unit.inward(model))
+    };
+    residuals.conditions.iter().map(of_quantity).collect()
+}

@@ -1,0 +1,6 @@
+//! Parameters of an earlier identification against new observations.
+
+pub mod earlier_parameters;
+pub mod predicted;
+pub mod validation;
+pub mod verification;
