@@ -21,7 +21,8 @@
 //! | [`identify`] | identification, uncertainty, diagnosis, choice of poses, geometric method |
 //! | [`standards`] | ISO 9283, ISO 230-2, decision rules |
 //! | [`documents`] | JSON documents and their schemas |
-//! | [`formats`] | exports, logs and tables |
+//! | [`tables`] | the form of a table, and its rows |
+//! | [`formats`] | exports, logs and observations |
 //! | [`campaign`] | `campaign.toml` and `robot.toml` |
 //! | [`report`] | sections, charts and four renderers |
 //! | [`controllers`] | files that controllers load |
@@ -55,6 +56,7 @@ pub use etalon_math as math;
 pub use etalon_report as report;
 pub use etalon_robots as robots;
 pub use etalon_standards as standards;
+pub use etalon_tables as tables;
 
 pub mod cli;
 pub mod run;

@@ -1,14 +1,12 @@
 //! `[repeatability]`, `[poses]`, `[compliance]` and `[[stream]]`: tests of ISO 9283.
 
-use super::table::{form, meaningless_beside_sheet, one_row};
 use super::{Campaign, TableDefinition};
 use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_base::pose_name::PoseName;
-use etalon_formats::dialect::{
-    Cells, ColumnSource, Constant, Decimal, Delimiter, Encoding, Header, Missing, Thousands, Unit,
-};
-use etalon_formats::{Format, TableLayout};
+use etalon_formats::dialect::Unit;
+use etalon_formats::{Format, TableReading};
+use etalon_tables::{Encoding, Form, TableLayout};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -49,7 +47,7 @@ impl RepeatabilityDefinition {
 /// A test of poses from tables, in its own frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(transform = etalon_formats::dialect::accept_topic)]
+#[schemars(transform = etalon_tables::schema::accept_topic)]
 pub struct PosesDefinition {
     /// Table of attained poses:
     /// `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]`.
@@ -59,46 +57,10 @@ pub struct PosesDefinition {
     /// Table of stationary reference targets that are measured from time to time:
     /// `cycle,target,x_mm,y_mm[,z_mm]`.
     pub reference: Option<TableDefinition>,
-    /// Separator of the columns of the tables.
-    #[schemars(extend("default" = ","))]
-    pub delimiter: Option<Delimiter>,
-    /// Decimal mark of the tables.
-    #[schemars(extend("default" = "."))]
-    pub decimal: Option<Decimal>,
-    /// Encoding of their characters, where no byte-order mark states it.
-    #[schemars(extend("default" = "utf-8"))]
-    pub encoding: Option<Encoding>,
-    /// Sheet of a workbook that contains each table, or as `topic` the topic of a recording (MCAP);
-    /// delimiter, decimal mark and encoding do not apply.
-    #[serde(alias = "topic")]
-    pub sheet: Option<String>,
-    /// Mark between groups of three digits.
-    pub thousands: Option<Thousands>,
-    /// Beginning of lines that are skipped.
-    pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
-    #[serde(default)]
-    pub missing: Missing,
-    /// Rows before the data of each table; the last one names the columns: a number, `false` for
-    /// none, or words of the row.
-    #[serde(default = "one_row")]
-    #[schemars(extend("default" = 1))]
-    pub header: Header,
-    /// Source of each column that has another name in the tables: a heading, a number from 1, or an
-    /// expression (`x_t - x_dif`). A table without the heading is read without the column.
-    #[serde(default)]
-    pub columns: BTreeMap<String, ColumnSource>,
-    /// Columns of the attained poses with the same value in all rows, e.g. `cycle = 1`.
-    #[serde(default)]
-    pub constants: BTreeMap<String, Constant>,
-    /// Rows of the attained poses that are read: those with one of these cells in each of these
-    /// columns.
-    #[serde(default)]
-    pub only: BTreeMap<String, Cells>,
-    /// Rows of the attained poses to leave out: rows with one of these cells in one of these
-    /// columns.
-    #[serde(default)]
-    pub without: BTreeMap<String, Cells>,
+    /// Form and columns of the tables; a table without a stated heading is read without the column.
+    /// Filters, constant columns and `pose` are those of the attained poses.
+    #[serde(flatten)]
+    pub layout: TableLayout,
     /// Number of cycles in one set of a drift test; without it drift is not evaluated.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
@@ -110,24 +72,15 @@ pub struct PosesDefinition {
 }
 
 impl PosesDefinition {
-    /// Layout of a table that states none of its own; filters and constants are those of the
+    /// Table to read that states no form of its own; filters, constants and `pose` are those of the
     /// attained poses.
-    pub fn layout(&self, attained: bool) -> TableLayout {
-        let all = TableLayout { lenient: true, ..form!(self, TableLayout::with_any_columns()) };
-        match attained {
-            true => TableLayout {
-                constants: self.constants.clone(),
-                only: self.only.clone(),
-                without: self.without.clone(),
-                ..all
-            },
-            false => all,
+    pub fn reading(&self, attained: bool) -> TableReading {
+        let mut layout = self.layout.clone();
+        if !attained {
+            let form = Form { only: BTreeMap::new(), without: BTreeMap::new(), ..layout.form };
+            layout = TableLayout { form, columns: layout.columns, ..TableLayout::default() };
         }
-    }
-
-    /// Key beside `sheet` that does not apply to a workbook.
-    pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
-        meaningless_beside_sheet(self.sheet.as_deref(), (self.delimiter, self.decimal, self.encoding))
+        TableReading { lenient: true, ..TableReading::any(layout) }
     }
 }
 

@@ -3,8 +3,10 @@
 use super::{CampaignFile, Join, JoinBy};
 use etalon_base::error;
 use etalon_base::message::{Message, SourceText};
-use etalon_formats::dialect::{Column, ColumnRole, FromRow};
+use etalon_formats::dialect::{Column, ColumnRole};
 use etalon_formats::{Export, Log, LogKind};
+use etalon_tables::Form;
+use etalon_tables::FromRow;
 use toml::Spanned;
 
 impl CampaignFile {
@@ -17,7 +19,7 @@ impl CampaignFile {
         let mut wrong = Vec::new();
         for export in self.exports.iter_mut().filter(|export| !export.joints.is_empty()) {
             let dialect = &export.format.dialect;
-            if dialect.delimiter.is_none() && dialect.sheet.is_none() {
+            if dialect.form.delimiter.is_none() && dialect.form.sheet.is_none() {
                 wrong.push(error!("joints-need-delimited-text").at(stated.place(&export.file)));
                 continue;
             }
@@ -86,20 +88,12 @@ impl CampaignFile {
 
 fn log_from_export(export: &Export) -> Log {
     let dialect = &export.format.dialect;
+    let (encoding, header) = (export.encoding.or(dialect.form.encoding), Some(dialect.header()));
     Log {
         name: "log".to_owned(),
         file: export.file.clone(),
-        encoding: export.encoding,
         format: LogKind::default(),
-        delimiter: dialect.delimiter,
-        decimal: dialect.decimal,
-        thousands: dialect.thousands,
-        only: dialect.only.clone(),
-        without: dialect.without.clone(),
-        sheet: dialect.sheet.clone(),
-        header: dialect.header.clone(),
-        comment: dialect.comment.clone(),
-        missing: dialect.missing.clone(),
+        form: Form { encoding, header, ..dialect.form.clone() },
         columns: export.joints.clone(),
         constants: Default::default(),
         pose: None,

@@ -1,89 +1,24 @@
 //! Tables that a campaign names: a file, or files with the form of their text.
 
 use etalon_base::phrase;
-use etalon_formats::TableLayout;
-use etalon_formats::dialect::{
-    Cells, ColumnSource, Constant, Decimal, Delimiter, Encoding, FromRow, Header, Missing, Thousands,
-};
+use etalon_tables::TableLayout;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
-
-/// Layout of a table by the keys of its form, which all definitions of tables have; `$others` are
-/// the other members.
-macro_rules! form {
-    ($keys:expr, $others:expr) => {
-        etalon_formats::TableLayout {
-            delimiter: $keys.delimiter.unwrap_or(etalon_formats::dialect::Delimiter::Comma),
-            decimal: $keys.decimal.unwrap_or_default(),
-            thousands: $keys.thousands,
-            header: $keys.header.clone(),
-            comment: $keys.comment.clone(),
-            missing: $keys.missing.clone(),
-            columns: $keys.columns.clone(),
-            ..$others
-        }
-    };
-}
-pub(super) use form;
 
 /// A table with the form of its text; all tables state it by these keys.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(transform = etalon_formats::dialect::accept_topic)]
+#[schemars(transform = etalon_tables::schema::accept_topic)]
 pub struct TableKeys {
     /// File of the table, or several files whose rows follow each other.
     pub file: TableFiles,
-    /// Delimiter of the columns.
-    #[schemars(extend("default" = ","))]
-    pub delimiter: Option<Delimiter>,
-    /// Decimal mark.
-    #[schemars(extend("default" = "."))]
-    pub decimal: Option<Decimal>,
-    /// Character encoding, if no byte-order mark states it.
-    #[schemars(extend("default" = "utf-8"))]
-    pub encoding: Option<Encoding>,
-    /// Sheet of a workbook that contains the table, or as `topic` the topic of a recording (MCAP);
-    /// delimiter, decimal mark and encoding do not apply.
-    #[serde(alias = "topic")]
-    pub sheet: Option<String>,
-    /// Mark between groups of three digits.
-    pub thousands: Option<Thousands>,
-    /// Rows before the data; the last one names the columns: a number, `false` for none, or words
-    /// of the row.
-    #[serde(default = "one_row")]
-    #[schemars(extend("default" = 1))]
-    pub header: Header,
-    /// Beginning of lines that are skipped.
-    pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
-    #[serde(default)]
-    pub missing: Missing,
-    /// Source of each column that has another name in the file: a heading, a number from 1, or an
-    /// expression (`x_t - x_dif`).
-    #[serde(default)]
-    pub columns: BTreeMap<String, ColumnSource>,
-    /// Columns with the same value in all rows, e.g. `cycle = 1`.
-    #[serde(default)]
-    pub constants: BTreeMap<String, Constant>,
-    /// Rows that are read: those with one of these cells in each of these columns.
-    #[serde(default)]
-    pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
-    #[serde(default)]
-    pub without: BTreeMap<String, Cells>,
-    /// `row`: the number of the data row is the number of the pose, for a table without such a
-    /// column; `row + 100` adds an offset.
-    pub pose: Option<FromRow>,
-}
-
-/// Default of `header`.
-pub(super) fn one_row() -> Header {
-    Header::Rows(1)
+    /// Form and columns.
+    #[serde(flatten)]
+    pub layout: TableLayout,
 }
 
 /// Files of a table.
@@ -170,33 +105,6 @@ impl TableDefinition {
             Self::Keys(keys) => Some(keys),
         }
     }
-}
-
-impl TableKeys {
-    /// Layout of the table, whose columns may have any name.
-    pub fn layout(&self) -> TableLayout {
-        TableLayout {
-            constants: self.constants.clone(),
-            only: self.only.clone(),
-            without: self.without.clone(),
-            pose: self.pose,
-            ..form!(self, TableLayout::with_any_columns())
-        }
-    }
-
-    /// Key beside `sheet` that does not apply to a workbook.
-    pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
-        meaningless_beside_sheet(self.sheet.as_deref(), (self.delimiter, self.decimal, self.encoding))
-    }
-}
-
-/// Key of a text that is stated beside `sheet`.
-pub(super) fn meaningless_beside_sheet(
-    sheet: Option<&str>,
-    (delimiter, decimal, encoding): (Option<Delimiter>, Option<Decimal>, Option<Encoding>),
-) -> Option<&'static str> {
-    let text = [("delimiter", delimiter.is_some()), ("decimal", decimal.is_some()), ("encoding", encoding.is_some())];
-    text.into_iter().find(|(_, stated)| sheet.is_some() && *stated).map(|(key, _)| key)
 }
 
 impl JsonSchema for TableDefinition {

@@ -108,8 +108,9 @@ pub(super) fn recover_with<T>(
             Err(error) => error,
         };
         // constraints beyond the schema are checked by the type, with its own message
-        check.problems.push(wrong(file, text, &error));
-        match error.span().and_then(|span| remove(root.get_mut(), &span)) {
+        let span = error.span().map(|span| cause(&root, &error, read).unwrap_or(span));
+        check.problems.push(wrong(file, text, &error, span.clone()));
+        match span.and_then(|span| remove(root.get_mut(), &span)) {
             Some(path) => check.unread.add(path),
             None => break None,
         }
@@ -414,6 +415,74 @@ impl<'t> Stated<'t> {
     }
 }
 
+/// Place of the entry that causes the error of its section: keys that many sections share are read
+/// when the section is complete, and their errors have its place.
+fn cause<T>(
+    root: &Spanned<DeTable>,
+    error: &Error,
+    read: fn(Spanned<DeTable<'_>>) -> std::result::Result<T, Error>,
+) -> Option<Range<usize>> {
+    let mut entries = Vec::new();
+    add_entries(root.get_ref(), &mut Vec::new(), &error.span()?, &mut entries);
+    let is_cause = |path: &[String]| {
+        let mut without = root.clone();
+        remove_at(without.get_mut(), path);
+        match read(without) {
+            Ok(_) => true,
+            Err(other) => other.message() != error.message() && !other.message().starts_with("missing field"),
+        }
+    };
+    entries.into_iter().find(|(path, _)| is_cause(path)).map(|(_, span)| span)
+}
+
+/// Adds the keys and the place of each entry of the tables at `span`.
+fn add_entries(
+    table: &DeTable,
+    path: &mut Vec<String>,
+    span: &Range<usize>,
+    entries: &mut Vec<(Vec<String>, Range<usize>)>,
+) {
+    for (key, value) in table.iter() {
+        path.push(key.get_ref().to_string());
+        let tables: Vec<(Option<usize>, &Spanned<DeValue>)> = match value.get_ref() {
+            DeValue::Array(array) => array.iter().enumerate().map(|(i, value)| (Some(i), value)).collect(),
+            _ => vec![(None, value)],
+        };
+        for (i, value) in tables {
+            let DeValue::Table(table) = value.get_ref() else { continue };
+            path.extend(i.map(|i| i.to_string()));
+            if value.span() == *span {
+                let entry = |(key, value): (&Spanned<_>, &Spanned<DeValue>)| {
+                    let key: &std::borrow::Cow<str> = key.get_ref();
+                    ([&path[..], &[key.to_string()]].concat(), value.span())
+                };
+                entries.extend(table.iter().map(entry));
+            }
+            add_entries(table, path, span, entries);
+            path.truncate(path.len() - usize::from(i.is_some()));
+        }
+        path.pop();
+    }
+}
+
+/// Removes the entry with these keys; numbers count tables of an array.
+fn remove_at(table: &mut DeTable, path: &[String]) {
+    match path {
+        [] => {}
+        [key] => drop(table.remove(key.as_str())),
+        [key, rest @ ..] => match (table.get_mut(key.as_str()).map(Spanned::get_mut), rest) {
+            (Some(DeValue::Table(table)), _) => remove_at(table, rest),
+            (Some(DeValue::Array(array)), [i, rest @ ..]) => {
+                let element = i.parse::<usize>().ok().and_then(|i| array.iter_mut().nth(i));
+                if let Some(DeValue::Table(table)) = element.map(Spanned::get_mut) {
+                    remove_at(table, rest);
+                }
+            }
+            _ => {}
+        },
+    }
+}
+
 /// Removes the innermost entry whose key or value covers `span`; returns the keys that lead to it.
 fn remove(table: &mut DeTable, span: &Range<usize>) -> Option<Vec<String>> {
     for (key, value) in table.iter_mut() {
@@ -475,9 +544,9 @@ pub(super) fn missing(file: &str, text: &str, span: &Range<usize>, key: &str, se
 }
 
 /// Message for an error of the TOML syntax, or of a type that rejects a value.
-fn wrong(file: &str, text: &str, error: &Error) -> Message {
+fn wrong(file: &str, text: &str, error: &Error, span: Option<Range<usize>>) -> Message {
     let what = error.message().lines().collect::<Vec<_>>().join(", ");
-    let place = error.span().map_or_else(|| Place::file(file), |span| Place::span(file, text, span));
+    let place = span.map_or_else(|| Place::file(file), |span| Place::span(file, text, span));
     match what.split_once(", expected ") {
         Some((reason, expected)) => error!("toml-invalid", reason).at(place).expected(expected),
         None => error!("toml-invalid", reason = what).at(place),
@@ -489,9 +558,9 @@ fn wrong(file: &str, text: &str, error: &Error) -> Message {
 fn syntax(file: &str, text: &str, errors: &[Error]) -> Problems {
     let (twice, others): (Vec<&Error>, Vec<&Error>) =
         errors.iter().partition(|e| e.message().contains("duplicate key"));
-    let mut problems: Vec<Message> = others.into_iter().map(|e| wrong(file, text, e)).collect();
+    let mut problems: Vec<Message> = others.into_iter().map(|e| wrong(file, text, e, e.span())).collect();
     if let Some(first) = twice.first() {
-        let place = wrong(file, text, first).place;
+        let place = wrong(file, text, first, first.span()).place;
         problems.push(Message { place, ..error!("table-key-twice", more = twice.len() - 1) });
     }
     problems.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));

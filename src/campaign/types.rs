@@ -1,17 +1,14 @@
 //! Keys of `campaign.toml`.
 
-use super::table::{form, meaningless_beside_sheet, one_row};
 use super::{Join, JoinBy, StatedPoses, TableDefinition};
 use etalon_base::country::Country;
 use etalon_base::date::{date, date_text, months_after};
 use etalon_base::pose::{Vector, minus, norm, unit};
 use etalon_documents::{Conditions, DecisionRule, Effect, Language, LimitQuantity};
 use etalon_documents::{ResidualKind, ToolFrame};
-use etalon_formats::dialect::{
-    Cells, ColumnSource, Constant, Decimal, Delimiter, Encoding, FromRow, Header, Missing, Thousands,
-};
-use etalon_formats::{Export, Log, TableLayout};
+use etalon_formats::{Export, Log, TableReading};
 use etalon_identify::{Effects, Prior, RigidPart, ToolPoint};
+use etalon_tables::{Constant, TableLayout};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -242,58 +239,20 @@ pub struct Homing {
 /// A table of observations: measured quantities and joint values, row by row.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(transform = etalon_formats::dialect::accept_topic)]
+#[schemars(transform = etalon_tables::schema::accept_topic)]
 pub struct ObservationsDefinition {
     /// File of the table: delimited text with a header, or a workbook (.xlsx).
     #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// Delimiter of the columns.
-    #[schemars(extend("default" = ","))]
-    pub delimiter: Option<Delimiter>,
-    /// Decimal mark.
-    #[schemars(extend("default" = "."))]
-    pub decimal: Option<Decimal>,
-    /// Character encoding, if no byte-order mark states it.
-    #[schemars(extend("default" = "utf-8"))]
-    pub encoding: Option<Encoding>,
-    /// Sheet of a workbook that contains the table, or as `topic` the topic of a recording (MCAP);
-    /// delimiter, decimal mark and encoding do not apply.
-    #[serde(alias = "topic")]
-    pub sheet: Option<String>,
-    /// Mark between groups of three digits.
-    pub thousands: Option<Thousands>,
-    /// Rows before the data; the last one names the columns: a number, `false` for none, or words
-    /// of the row.
-    #[serde(default = "one_row")]
-    #[schemars(extend("default" = 1))]
-    pub header: Header,
-    /// Beginning of lines that are skipped.
-    pub comment: Option<String>,
-    /// Cells that mean "not measured", in addition to empty cells.
-    #[serde(default)]
-    pub missing: Missing,
-    /// Source of each column that has another name in the file: a heading, a number from 1, or an
-    /// expression (`x_t - x_dif`).
-    #[serde(default)]
-    pub columns: BTreeMap<String, ColumnSource>,
-    /// Columns with the same value in all rows, e.g. `kind = "distance"`.
-    #[serde(default)]
-    pub constants: BTreeMap<String, Constant>,
-    /// Filter of the rows: only rows with one of these cells in each of these columns are read.
-    #[serde(default)]
-    pub only: BTreeMap<String, Cells>,
-    /// Filter of the rows: rows with one of these cells in one of these columns are left out.
-    #[serde(default)]
-    pub without: BTreeMap<String, Cells>,
+    /// Form and columns.
+    #[serde(flatten)]
+    pub layout: TableLayout,
     /// Coverage factor of the columns of uncertainties, if they are expanded.
     pub coverage_factor: Option<f64>,
     /// Kind of all observations, for a table without the column.
     pub kind: Option<String>,
     /// Target of all rows, for a table without the column.
     pub target: Option<String>,
-    /// Pose number from the number of the data row, for a table without the column: `row`, or `row
-    /// + 100` with an offset.
-    pub pose: Option<FromRow>,
     /// Order of the rotations by the three angles of an orientation (columns `a_deg`, `b_deg`,
     /// `c_deg`): successively about the axes of the body or, with `fixed`, about those of the
     /// world.
@@ -302,23 +261,13 @@ pub struct ObservationsDefinition {
 }
 
 impl ObservationsDefinition {
-    /// Key that does not apply to a workbook, stated beside `sheet`.
-    pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
-        meaningless_beside_sheet(self.sheet.as_deref(), (self.delimiter, self.decimal, self.encoding))
-    }
-
-    /// Layout of the table.
-    pub fn layout(&self) -> TableLayout {
+    /// Table to read.
+    pub fn reading(&self) -> TableReading {
         let kind = self.kind.clone().map(|kind| ("kind".to_owned(), Constant::Text(kind)));
-        TableLayout {
-            constants: self.constants.clone().into_iter().chain(kind).collect(),
-            only: self.only.clone(),
-            without: self.without.clone(),
-            coverage_factor: self.coverage_factor,
-            target: self.target.clone(),
-            pose: self.pose,
-            ..form!(self, TableLayout::default())
-        }
+        let mut layout = self.layout.clone();
+        layout.constants.extend(kind);
+        let (coverage_factor, target) = (self.coverage_factor, self.target.clone());
+        TableReading { layout, coverage_factor, target, ..TableReading::default() }
     }
 }
 

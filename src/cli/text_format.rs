@@ -1,13 +1,11 @@
 //! Options for reading tables and texts of points: the keys of campaign.toml as options.
 
-use crate::stages::table_file::{TableFile, TableForm};
+use crate::stages::table_file::TableFile;
 use etalon_base::error;
 use etalon_base::message::Problems;
-use etalon_formats::dialect::{
-    Cells, ColumnAt, ColumnRole, ColumnSource, Columns, Constant, Decimal, Delimiter, Dialect, Encoding, FromRow,
-    Header, Missing, Thousands, Unit,
-};
-use etalon_formats::{Format, TableLayout};
+use etalon_formats::dialect::{ColumnRole, Columns, Dialect, Unit};
+use etalon_formats::{Format, TableReading};
+use etalon_tables::{Cells, ColumnSource, Constant, Form, Header, Missing, TableLayout};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -17,6 +15,9 @@ pub(super) struct TextForm {
     /// Delimiter of the columns: comma, semicolon, tab, bar or blank.
     #[arg(long)]
     delimiter: Option<String>,
+    /// Widths of the columns (characters), for columns without a delimiter.
+    #[arg(long, value_name = "WIDTH,...", value_delimiter = ',', conflicts_with_all = ["delimiter", "sheet"])]
+    widths: Vec<usize>,
     /// Decimal mark: point or comma.
     #[arg(long)]
     decimal: Option<String>,
@@ -27,7 +28,7 @@ pub(super) struct TextForm {
     #[arg(long)]
     encoding: Option<String>,
     /// Sheet of a workbook (.xlsx), or topic of a recording (MCAP), that contains the table.
-    #[arg(long, visible_alias = "topic", value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
+    #[arg(long, visible_alias = "topic", value_name = "NAME", conflicts_with_all = ["delimiter", "encoding"])]
     sheet: Option<String>,
     /// Rows before the data: a number, or words of the last one, which names the columns.
     #[arg(long, value_name = "ROWS")]
@@ -47,6 +48,9 @@ pub(super) struct TextForm {
     /// Beginning of lines to skip.
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     comment: Option<String>,
+    /// First cell of the row that ends the data.
+    #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
+    end: Option<String>,
     /// Read only rows with one of these cells in this column; may be repeated.
     #[arg(long, value_name = "COLUMN=CELL,...")]
     only: Vec<String>,
@@ -56,9 +60,22 @@ pub(super) struct TextForm {
 }
 
 impl TextForm {
-    /// Stated encoding, if any.
-    fn encoding(&self) -> Result<Option<Encoding>, Problems> {
-        self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()
+    /// Stated form.
+    fn form(&self) -> Result<Form, Problems> {
+        Ok(Form {
+            delimiter: stated("--delimiter", self.delimiter.as_deref())?,
+            widths: self.widths.clone(),
+            decimal: stated("--decimal", self.decimal.as_deref())?,
+            thousands: stated("--thousands", self.thousands.as_deref())?,
+            encoding: stated("--encoding", self.encoding.as_deref())?,
+            sheet: self.sheet.clone(),
+            header: self.header(),
+            comment: self.comment.clone(),
+            end: self.end.clone(),
+            missing: self.missing.clone().map(missing).transpose()?.unwrap_or_default(),
+            only: filter("only", &self.only)?,
+            without: filter("without", &self.without)?,
+        })
     }
 
     /// Stated header, if any.
@@ -80,7 +97,11 @@ impl TextForm {
 
     /// Sources of the columns of one of several tables: of several headings for one column, the
     /// heading that the table has.
-    fn columns_in_table(&self, path: &Path, layout: &TableLayout) -> Result<BTreeMap<String, ColumnSource>, Problems> {
+    fn columns_in_table(
+        &self,
+        path: &Path,
+        reading: &TableReading,
+    ) -> Result<BTreeMap<String, ColumnSource>, Problems> {
         let mut all: BTreeMap<String, Vec<ColumnSource>> = BTreeMap::new();
         for text in &self.named {
             let (name, source) = named("column", text)?;
@@ -88,7 +109,8 @@ impl TextForm {
         }
         let has = |name: &str, source: &ColumnSource| {
             let columns = BTreeMap::from([(name.to_owned(), source.clone())]);
-            let read = self.table(path, TableLayout { columns, constants: BTreeMap::new(), ..layout.clone() });
+            let layout = TableLayout { columns, constants: BTreeMap::new(), ..reading.layout.clone() };
+            let read = table(path, &TableReading { layout, ..reading.clone() });
             read.is_ok_and(|read| read.table.column(name).is_ok())
         };
         let mut columns = BTreeMap::new();
@@ -106,54 +128,23 @@ impl TextForm {
         Ok(columns)
     }
 
-    fn missing(&self) -> Result<Missing, Problems> {
-        Ok(self.missing.clone().map(missing).transpose()?.unwrap_or_default())
-    }
-
-    fn thousands(&self) -> Result<Option<Thousands>, Problems> {
-        self.thousands.as_deref().map(|mark| word("--thousands", mark)).transpose()
-    }
-
-    fn decimal(&self) -> Result<Decimal, Problems> {
-        Ok(self.decimal.as_deref().map(|mark| word("--decimal", mark)).transpose()?.unwrap_or_default())
-    }
-
-    fn delimiter(&self) -> Result<Option<Delimiter>, Problems> {
-        self.delimiter.as_deref().map(|name| word("--delimiter", name)).transpose()
-    }
-
-    /// Layout of a table in the names of etalon, with any columns.
-    fn layout(&self) -> Result<TableLayout, Problems> {
-        Ok(TableLayout {
-            delimiter: self.delimiter()?.unwrap_or(Delimiter::Comma),
-            decimal: self.decimal()?,
-            thousands: self.thousands()?,
-            columns: self.columns()?,
-            header: self.header().unwrap_or(Header::Rows(1)),
-            comment: self.comment.clone(),
-            missing: self.missing()?,
-            only: filter("only", &self.only)?,
-            without: filter("without", &self.without)?,
-            ..TableLayout::with_any_columns()
-        })
-    }
-
-    /// Reads the table of a file in this layout.
-    fn table(&self, path: &Path, layout: TableLayout) -> Result<TableFile, Problems> {
-        let form = TableForm { layout, encoding: self.encoding()?, sheet: self.sheet.clone() };
-        TableFile::observations(path, &etalon_formats::read_bytes(path)?, &form)
+    /// Table in the names of etalon, with any columns.
+    fn reading(&self) -> Result<TableReading, Problems> {
+        let (form, columns) = (self.form()?, self.columns()?);
+        Ok(TableReading::any(TableLayout { form, columns, ..TableLayout::default() }))
     }
 
     /// Reads a table in the names of etalon, one of several for which the options are stated.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.one_of_several(path, self.layout()?)
+        self.one_of_several(path, self.reading()?)
     }
 
     /// Reads one of several tables for which the options are stated; columns that it lacks are left
     /// out.
-    fn one_of_several(&self, path: &Path, layout: TableLayout) -> Result<TableFile, Problems> {
-        let layout = TableLayout { lenient: true, ..layout };
-        self.table(path, TableLayout { columns: self.columns_in_table(path, &layout)?, ..layout })
+    fn one_of_several(&self, path: &Path, reading: TableReading) -> Result<TableFile, Problems> {
+        let mut reading = TableReading { lenient: true, ..reading };
+        reading.layout.columns = self.columns_in_table(path, &reading)?;
+        table(path, &reading)
     }
 }
 
@@ -178,8 +169,8 @@ impl TextFormat {
 
     /// `true` if a form of text is stated.
     pub fn stated(&self) -> bool {
-        let TextForm { delimiter, decimal, sheet, named, .. } = &self.form;
-        self.in_order() || delimiter.is_some() || decimal.is_some() || sheet.is_some() || !named.is_empty()
+        let TextForm { delimiter, widths, decimal, sheet, named, .. } = &self.form;
+        self.in_order() || delimiter.is_some() || !widths.is_empty() || decimal.is_some() || sheet.is_some() || !named.is_empty()
     }
 
     /// `true` if the text of a file depends on an encoding or a sheet.
@@ -215,19 +206,9 @@ impl TextFormat {
             (true, false) => Columns::Named(form.named.iter().map(|text| role(text)).collect::<Result<_, _>>()?),
         };
         let by_heading = matches!(&columns, Columns::Named(named) if named.iter().any(|(_, at)| is_heading(at)));
-        let dialect = Dialect {
-            delimiter: form.delimiter()?,
-            sheet: form.sheet.clone(),
-            decimal: form.decimal()?,
-            thousands: form.thousands()?,
-            columns,
-            header: form.header().unwrap_or(Header::Rows(usize::from(by_heading))),
-            comment: form.comment.clone(),
-            missing: form.missing()?,
-            only: filter("only", &form.only)?,
-            without: filter("without", &form.without)?,
-            ..Dialect::default()
-        };
+        let mut form = form.form()?;
+        form.header = form.header.or(Some(Header::Rows(usize::from(by_heading))));
+        let dialect = Dialect { form, columns, ..Dialect::default() };
         Problems(dialect.check()).check()?;
         Ok(Format::from(dialect))
     }
@@ -236,7 +217,10 @@ impl TextFormat {
     pub fn text(&self, path: &Path, format: &Format) -> Result<String, Problems> {
         match self.is_of_plain_text() {
             true => etalon_formats::text_in(path, format),
-            false => etalon_formats::file_text(path, &etalon_formats::read_bytes(path)?, self.form.encoding()?, format),
+            false => {
+                let encoding = stated("--encoding", self.form.encoding.as_deref())?;
+                etalon_formats::file_text(path, &etalon_formats::read_bytes(path)?, encoding, format)
+            }
         }
     }
 }
@@ -264,17 +248,17 @@ pub(super) struct TableFormat {
 impl TableFormat {
     /// Reads the table of observations in the file.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.form.table(path, self.layout(true)?)
+        table(path, &self.reading(false)?)
     }
 
     /// Reads a table of poses, loads or joints.
     pub fn read_other(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.form.table(path, self.layout(false)?)
+        table(path, &self.reading(true)?)
     }
 
     /// Reads one of several tables of poses; columns that it lacks are left out.
     pub fn read_poses(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.form.one_of_several(path, self.layout(false)?)
+        self.form.one_of_several(path, self.reading(true)?)
     }
 
     /// Names of the columns whose source is stated.
@@ -294,25 +278,33 @@ impl TableFormat {
 
     /// The table in a text.
     pub fn parse(&self, name: &str, text: &str) -> Result<TableFile, Problems> {
-        TableFile::parse_with(name, text, &self.layout(true)?)
+        TableFile::parse_with(name, text, &self.reading(false)?)
     }
 
     /// Table of poses in a text; columns that it lacks are left out.
     pub fn parse_poses(&self, name: &str, text: &str) -> Result<TableFile, Problems> {
-        TableFile::parse_with(name, text, &TableLayout { lenient: true, ..self.layout(false)? })
+        TableFile::parse_with(name, text, &TableReading { lenient: true, ..self.reading(true)? })
     }
 
-    fn layout(&self, is_of_observations: bool) -> Result<TableLayout, Problems> {
+    /// Table of observations, or one with any columns.
+    fn reading(&self, any_columns: bool) -> Result<TableReading, Problems> {
         let constant = |text: &String| named("constant", text).map(|(name, value)| (name, parse_constant(value)));
-        Ok(TableLayout {
-            constants: self.constants.iter().map(constant).collect::<Result<_, _>>()?,
-            coverage_factor: self.coverage_factor,
-            target: self.target.clone(),
-            pose: self.pose.as_deref().map(|row| word::<FromRow>("--pose", row)).transpose()?,
-            is_of_observations,
-            ..self.form.layout()?
-        })
+        let mut reading = self.form.reading()?;
+        reading.layout.constants = self.constants.iter().map(constant).collect::<Result<_, _>>()?;
+        reading.layout.pose = stated("--pose", self.pose.as_deref())?;
+        let (coverage_factor, target) = (self.coverage_factor, self.target.clone());
+        Ok(TableReading { any_columns, coverage_factor, target, ..reading })
     }
+}
+
+/// Reads a table of a file.
+fn table(path: &Path, reading: &TableReading) -> Result<TableFile, Problems> {
+    TableFile::observations(path, &etalon_formats::read_bytes(path)?, reading)
+}
+
+/// Value of an option, if it is stated.
+fn stated<T: serde::de::DeserializeOwned>(option: &str, text: Option<&str>) -> Result<Option<T>, Problems> {
+    text.map(|text| word(option, text)).transpose()
 }
 
 /// Name and value of an option `NAME=VALUE`.
@@ -324,18 +316,18 @@ fn named<'a>(option: &str, text: &'a str) -> Result<(String, &'a str), Problems>
 }
 
 /// Role of a column, and the heading, number or expression that it is.
-fn role(text: &str) -> Result<(ColumnRole, ColumnAt), Problems> {
+fn role(text: &str) -> Result<(ColumnRole, ColumnSource), Problems> {
     let (name, source) = named("column", text)?;
     let at = match parse_column_source(source) {
-        ColumnSource::Heading(heading) => ColumnAt::Name(heading),
-        ColumnSource::Number(number) => ColumnAt::Number(number),
+        ColumnSource::Heading(heading) => ColumnSource::Heading(heading),
+        ColumnSource::Number(number) => ColumnSource::Number(number),
     };
     Ok((word("--column", &name)?, at))
 }
 
 /// `true` for a heading, which needs a header.
-fn is_heading(at: &ColumnAt) -> bool {
-    matches!(at, ColumnAt::Name(name) if !name.contains('$'))
+fn is_heading(at: &ColumnSource) -> bool {
+    matches!(at, ColumnSource::Heading(name) if !name.contains('$'))
 }
 
 /// A number, or a text.

@@ -11,7 +11,7 @@ use crate::run::documents::read_parameters_and_run;
 use crate::stages::kinds::{self, RowDefaults};
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::orientations::AngleOrder;
-use crate::stages::table_file::{TableFile, TableForm};
+use crate::stages::table_file::TableFile;
 use crate::stages::verify::earlier_parameters::{orientation_uncertainty_rad, unknown_geometry, unknown_quantity};
 use crate::stages::verify::verification::{EarlierCalibration, plan, verify};
 use etalon_base::error;
@@ -186,8 +186,7 @@ impl Verify {
         };
         let of_campaign = |text: &toml::Spanned<String>| order(text.get_ref(), campaign.place(text));
         let order = stated.orientation.as_ref().map(of_campaign).transpose()?;
-        let form = TableForm::observations(stated);
-        let file = TableFile::observations(path, &etalon_formats::read_bytes(path)?, &form)?;
+        let file = TableFile::observations(path, &etalon_formats::read_bytes(path)?, &stated.reading())?;
         Ok(ObservedTable { file, order })
     }
 

@@ -2,12 +2,12 @@
 //! strict reader reads any other table, and reports each problem with its place.
 
 use super::exports::{Format, Plain, PlainRow};
-use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
 use super::points::{Line, Point, SharedText};
 use crate::dialect::Unit;
 use etalon_base::message::{Problems, Result};
 use etalon_base::{error, files};
 use etalon_fit::PackedPoints;
+use etalon_tables::lexer::{LONGEST_LINE, Scanner, line_feeds};
 use indexmap::IndexSet;
 use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
 use rayon::prelude::*;
@@ -337,8 +337,9 @@ fn same(a: &[u8], b: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dialect::{ColumnRole, Delimiter, Dialect};
+    use crate::dialect::{ColumnRole, Dialect};
     use crate::table;
+    use etalon_tables::{Delimiter, Form};
 
     type Rows = Option<Vec<(String, [u64; 3])>>;
 
@@ -366,7 +367,8 @@ mod tests {
 
     fn formats() -> Vec<Format> {
         let stated = |delimiter, roles: &[ColumnRole]| {
-            Format::from(Dialect { delimiter: Some(delimiter), columns: roles.to_vec().into(), ..Dialect::default() })
+            let (form, columns) = (Form::delimited(delimiter), roles.to_vec().into());
+            Format::from(Dialect { form, columns, ..Dialect::default() })
         };
         use ColumnRole::*;
         vec![

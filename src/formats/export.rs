@@ -1,12 +1,13 @@
 //! `[[export]]`: a file of a measuring system, its format, and the pattern of its labels
 //! (`{target}_{pose}_{cycle}`).
 
-use super::dialect::{Column, ColumnAt, Encoding, FromRow, Unit};
+use super::dialect::{Column, Unit};
 use super::exports::Format;
 use super::exports::delimited::columns_not_read;
 use etalon_base::error;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
+use etalon_tables::{ColumnSource, Encoding, FromRow};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -54,8 +55,8 @@ impl Export {
         }
         let is_joint = |i: usize, heading: Option<&str>| {
             self.joints.values().any(|column| match &column.at {
-                ColumnAt::Number(number) => *number == i + 1,
-                ColumnAt::Name(name) => heading == Some(name.as_str()),
+                ColumnSource::Number(number) => *number == i + 1,
+                ColumnSource::Heading(name) => heading == Some(name.as_str()),
             })
         };
         columns_not_read(text, &self.format.dialect, is_joint)

@@ -5,11 +5,11 @@ use super::exports::Format;
 use super::logs::LogKind;
 use super::workbook::Workbook;
 use super::{magic, ros_bag, workbook};
-use crate::dialect::Encoding;
 use encoding_rs::{DecoderResult, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Result as Read, nearest};
 use etalon_base::{error, files, phrase};
+use etalon_tables::{Decimal, Encoding};
 use std::io::{self, Read as _};
 use std::path::Path;
 
@@ -29,12 +29,12 @@ pub fn file_text(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: 
 /// Text of a file like [`file_text`], in the memory of its bytes where they are text already.
 pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format: &Format) -> Read<String> {
     let arrays = LogKind::from_array_file(&bytes);
-    let text = match &format.dialect.sheet {
+    let text = match &format.dialect.form.sheet {
         _ if format.about().binary => return Ok(bytes.iter().map(|byte| char::from(*byte)).collect()),
         Some(topic) if ros_bag::is_recording(&bytes) => ros_bag::text(&bytes, topic),
         Some(array) if arrays.is_some() => arrays.map_or(Ok(String::new()), |kind| kind.sheet(&bytes, array)),
-        Some(topic) if ros_bag::is_topic(topic) => Err(error!("recording-missing", topic)),
-        Some(sheet) => workbook::text(&bytes, sheet),
+        Some(topic) if etalon_tables::is_topic(topic) => Err(error!("recording-missing", topic)),
+        Some(sheet) => workbook::text(&bytes, sheet, format.dialect.form.decimal()),
         None if arrays.is_some() => return Err(arrays_not_text(path, &bytes).into()),
         None if ros_bag::is_recording(&bytes) => Err(topic_not_stated(&bytes)),
         None if workbook::is_workbook(&bytes) => Err(sheet_not_stated(&bytes)),
@@ -68,7 +68,7 @@ fn sheet_not_stated(bytes: &[u8]) -> Message {
         Err(message) => return message,
     };
     let names = book.sheets();
-    let has_rows = |name: &&String| book.text(name).is_ok_and(|text| text.lines().nth(1).is_some());
+    let has_rows = |name: &&String| book.text(name, Decimal::Point).is_ok_and(|text| text.lines().nth(1).is_some());
     let message = error!("sheet-not-stated", sheets = names);
     match names.iter().find(has_rows) {
         Some(sheet) => message.hint(phrase!("state-sheet", sheet)),

@@ -9,10 +9,7 @@ mod cloud;
 pub mod dialect;
 mod export;
 pub mod exports;
-mod filter;
-mod guess;
 mod input;
-mod lexer;
 mod log_text;
 mod logs;
 mod magic;
@@ -42,14 +39,15 @@ pub use propose::{
     FilesProposal, JOINTS_REMARK, TargetFit, fit_targets, heading_without_unit, label_form, propose, propose_file,
     propose_file_for, propose_files,
 };
-pub use tables::observations::{TableLayout, observations, observations_with};
+pub use tables::observations::{TableReading, observations, observations_with};
 
-use crate::dialect::{Encoding, Unit};
+use crate::dialect::Unit;
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::{error, warning};
+use etalon_tables::Encoding;
 use polars::prelude::DataFrame;
 use std::path::Path;
 

@@ -41,11 +41,6 @@ pub(crate) fn is_database(bytes: &[u8]) -> bool {
     bytes.starts_with(sqlite::MAGIC)
 }
 
-/// `true` for the name of a topic. Names of sheets of a workbook cannot contain `/`.
-pub(crate) fn is_topic(name: &str) -> bool {
-    name.starts_with('/')
-}
-
 /// Type of messages that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {

@@ -4,12 +4,12 @@
 //! (2015), sections 4.2 and 4.3, and the public sample data of both tests. Lengths are in mm,
 //! angles in degrees.
 
-use crate::dialect::Decimal;
-use crate::lexer;
 use crate::xml::{Elements, Node};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Vector;
+use etalon_tables::Decimal;
+use etalon_tables::lexer;
 use std::fmt::Write;
 
 /// Test of TraCIM.

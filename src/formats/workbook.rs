@@ -6,6 +6,8 @@ use calamine::{DataRef, Reader, Xlsx};
 use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::Message;
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::written_out;
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 
@@ -52,9 +54,9 @@ impl<'a> Workbook<'a> {
         self.book.sheet_names()
     }
 
-    /// Cells of a sheet as text. Numbers have a decimal point and all their digits; a line break
-    /// within a cell is a blank.
-    pub fn text(&mut self, sheet: &str) -> Result<String, Message> {
+    /// Cells of a sheet as text. Numbers have all their digits and this decimal mark, like cells
+    /// that are texts; a line break within a cell is a blank.
+    pub fn text(&mut self, sheet: &str, decimal: Decimal) -> Result<String, Message> {
         let names = self.sheets();
         if !names.iter().any(|name| name == sheet) {
             return Err(error!("sheet-missing", sheet).hint_names(sheet, names.iter().map(String::as_str)));
@@ -82,7 +84,7 @@ impl<'a> Workbook<'a> {
             if *cell.get_value() == DataRef::Empty {
                 empty.insert((r, c), text.len());
             }
-            text.push_str(&field(cell.get_value()));
+            text.push_str(&field(cell.get_value(), decimal));
             self.texts.take((text.len() - before) as u64)?;
         }
         drop(cells);
@@ -108,7 +110,7 @@ impl<'a> Workbook<'a> {
             whole.push_str(&text[done..*at]);
             done = *at;
             if !cell.get_value().is_empty() {
-                let formula = field(&DataRef::String(format!("={}", cell.get_value())));
+                let formula = field(&DataRef::String(format!("={}", cell.get_value())), Decimal::Point);
                 self.texts.take(formula.len() as u64)?;
                 whole.push_str(&formula);
             }
@@ -121,8 +123,8 @@ impl<'a> Workbook<'a> {
 const KIND: &str = "workbook";
 
 /// Cells of a sheet as text, like [`Workbook::text`].
-pub(super) fn text(bytes: &[u8], sheet: &str) -> Result<String, Message> {
-    Workbook::open(bytes)?.text(sheet)
+pub(super) fn text(bytes: &[u8], sheet: &str, decimal: Decimal) -> Result<String, Message> {
+    Workbook::open(bytes)?.text(sheet, decimal)
 }
 
 fn unreadable(reason: &impl IntoArgument) -> Message {
@@ -130,11 +132,11 @@ fn unreadable(reason: &impl IntoArgument) -> Message {
 }
 
 /// A cell as a field between tabs.
-fn field(value: &DataRef) -> String {
+fn field(value: &DataRef, decimal: Decimal) -> String {
     let text = match value {
         DataRef::Empty => String::new(),
         DataRef::Int(v) => v.to_string(),
-        DataRef::Float(v) => v.to_string(),
+        DataRef::Float(v) => written_out(*v, decimal),
         DataRef::String(text) => text.clone(),
         DataRef::SharedString(text) => (*text).to_owned(),
         DataRef::Bool(v) => v.to_string(),
@@ -220,6 +222,10 @@ mod tests {
             zip.write_all(content.as_bytes()).unwrap();
         }
         zip.finish().unwrap().into_inner()
+    }
+
+    fn text(bytes: &[u8], sheet: &str) -> Result<String, Message> {
+        super::text(bytes, sheet, Decimal::Point)
     }
 
     fn word(place: &str, text: &str) -> String {

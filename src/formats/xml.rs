@@ -235,8 +235,9 @@ impl<'t, 'a> Node<'t, 'a> {
 
     /// The numbers in the text, separated by blanks.
     pub fn numbers(self) -> std::result::Result<Vec<f64>, Message> {
-        let number =
-            |field: &str| super::lexer::number(field, crate::dialect::Decimal::Point).map_err(|m| m.at(self.place()));
+        let number = |field: &str| {
+            etalon_tables::lexer::number(field, etalon_tables::Decimal::Point).map_err(|m| m.at(self.place()))
+        };
         self.text().split_ascii_whitespace().map(number).collect()
     }
 }

@@ -7,8 +7,9 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
 use etalon_formats::Export;
-use etalon_formats::dialect::{ColumnRole, Encoding};
+use etalon_formats::dialect::ColumnRole;
 use etalon_formats::exports::ExportRow;
+use etalon_tables::Encoding;
 
 /// One row, in the unit of the export.
 struct Row {

@@ -11,13 +11,13 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, phrase};
 use etalon_campaign::ObservationsDefinition;
-use etalon_formats::dialect::{ColumnSource, Decimal, Delimiter, Encoding, Header};
 use etalon_formats::log_column;
 use etalon_formats::table::{ASSEMBLY, XYZ};
 use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::Kind;
 use etalon_math::Factor;
 use etalon_robots::Quantity;
+use etalon_tables::{ColumnSource, Decimal, Delimiter, Encoding, Header, TableLayout};
 use std::collections::BTreeMap;
 
 /// Streams of the noise of the table and of the drawn poses at contacts, distinct from the streams
@@ -65,17 +65,19 @@ pub(super) fn write(scene: &Scene, stated: &ObservationsDefinition, items: &[Ite
 
 /// Rejects table formats that cannot be written.
 fn writable(scene: &Scene, stated: &ObservationsDefinition) -> Result<()> {
-    let kind = if stated.sheet.is_some() {
+    let TableLayout { form, columns, constants, .. } = &stated.layout;
+    let kind = if form.sheet.is_some() {
         "workbook-sheet"
-    } else if stated.encoding.is_some_and(|encoding| encoding != Encoding::Utf8) {
+    } else if form.encoding.is_some_and(|encoding| encoding != Encoding::Utf8) {
         "encoding"
-    } else if stated.layout().delimiter == Delimiter::Blank {
+    } else if form.delimiter() == Delimiter::Blank || !form.widths.is_empty() {
         "blank-columns"
-    } else if stated.header != Header::Rows(1)
+    } else if form.header() != Header::Rows(1)
         || stated.coverage_factor.is_some()
         || stated.kind.is_some()
-        || !(stated.constants.is_empty() && stated.only.is_empty() && stated.without.is_empty())
-        || stated.columns.values().any(|source| !matches!(source, ColumnSource::Heading(_)))
+        || !constants.is_empty()
+        || form.is_filtered()
+        || columns.values().any(|source| !matches!(source, ColumnSource::Heading(_)))
     {
         "computed-columns"
     } else if scene.truth.unmodelled.is_some() {
@@ -171,13 +173,13 @@ impl Table<'_> {
     /// Writes a number in the unit of the column in the file.
     fn set(&self, row: &mut Written, column: &str, value: f64) {
         let text = format!("{:.*}", self.scene.truth.decimals, value / self.heading(column).1);
-        let text = if self.stated.layout().decimal == Decimal::Comma { text.replace('.', ",") } else { text };
+        let text = if self.stated.layout.form.decimal() == Decimal::Comma { text.replace('.', ",") } else { text };
         row.insert(column.to_owned(), text);
     }
 
     /// Heading of a column in the file, and factor that converts its values to mm or deg.
     fn heading(&self, column: &str) -> (String, f64) {
-        let renamed = self.stated.columns.iter().find_map(|(name, heading)| {
+        let renamed = self.stated.layout.columns.iter().find_map(|(name, heading)| {
             let (canonical, factor) = log_column(name).unwrap_or_else(|| (name.clone(), 1.0));
             let ColumnSource::Heading(heading) = heading else { return None };
             (canonical == column || name == column).then(|| (heading.clone(), factor))
@@ -229,14 +231,14 @@ impl Table<'_> {
     /// Text of the table, without columns that no row needs and columns that the campaign states
     /// instead.
     fn text(&self) -> String {
-        let layout = self.stated.layout();
+        let layout = &self.stated.layout;
         let joints = self.scene.robot.joints().iter().map(|joint| joint.column());
         let joints = joints.chain(stated_columns(self.scene.robot));
         let columns = ["kind", "pose", "cycle", "target"].map(str::to_owned).into_iter().chain(joints);
         let more = [ASSEMBLY].into_iter().chain(kinds::names()).chain(XYZ).chain(kinds::numbers());
         let columns = columns.chain(more.chain(["u_mm", "urot_deg"]).map(str::to_owned));
         let is_stated = |column: &str| match column {
-            "target" => layout.target.is_some(),
+            "target" => self.stated.target.is_some(),
             "pose" => layout.pose.is_some(),
             "kind" => self.rows.iter().all(|row| kinds::kind(&row["kind"]).is_ok_and(|kind| kind.facts().has_position)),
             "cycle" => self.scene.truth.cycles == 1,
@@ -244,7 +246,7 @@ impl Table<'_> {
         };
         let filled = |column: &String| self.rows.iter().any(|row| row.get(column).is_some_and(|cell| !cell.is_empty()));
         let columns: Vec<String> = columns.filter(|column| filled(column) && !is_stated(column)).collect();
-        let separator = layout.delimiter.byte().map(char::from).unwrap_or(' ').to_string();
+        let separator = layout.form.delimiter().byte().map(char::from).unwrap_or(' ').to_string();
         let line = |cells: Vec<String>| cells.join(&separator) + "\n";
         let header = line(columns.iter().map(|column| self.heading(column).0).collect());
         let row = |row: &Written| line(columns.iter().map(|c| row.get(c).cloned().unwrap_or_default()).collect());
@@ -279,7 +281,8 @@ impl Scene<'_> {
 fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Result<()> {
     let (campaign, file) = (scene.campaign, stated.file.get_ref());
     let here = || campaign.place(&stated.file);
-    let mut table = etalon_formats::observations_with(file, text, &stated.layout()).map_err(|more| more.at(&here()))?;
+    let mut table =
+        etalon_formats::observations_with(file, text, &stated.reading()).map_err(|more| more.at(&here()))?;
     if let Some(order) = &stated.orientation {
         state_order(&mut table, order.get_ref())?;
     }

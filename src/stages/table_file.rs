@@ -6,14 +6,14 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::{error, phrase};
-use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition, TableKeys};
+use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition};
 use etalon_documents::{Refused, Source, SourceKind};
-use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding, Missing};
 use etalon_formats::table::{self, FILE_LINES};
 use etalon_formats::tables::coordinates::NamedTable;
 use etalon_formats::tables::joints::stated_columns;
-use etalon_formats::{Format, TableLayout};
+use etalon_formats::{Format, TableReading};
 use etalon_robots::{Joint, Robot};
+use etalon_tables::{Form, TableLayout};
 use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -63,17 +63,11 @@ impl TableFile {
         Self::new(path, files::text(path, files::read(path)?)?, etalon_formats::observations)
     }
 
-    /// A table of this form, in a text or in a sheet of a workbook.
-    pub fn observations(path: &Path, bytes: &[u8], form: &TableForm) -> Result<Self> {
-        let format = Format::from(Dialect { sheet: form.sheet.clone(), ..Dialect::default() });
-        let mut layout = form.layout.clone();
-        if form.sheet.is_some() {
-            // its cells are read as a text with tabs
-            (layout.delimiter, layout.decimal) = (Delimiter::Tab, Decimal::Point);
-            layout.is_sheet = true;
-        }
-        let text = etalon_formats::file_text(path, bytes, form.encoding, &format)?;
-        Self::new(path, text, |name, text| etalon_formats::observations_with(name, text, &layout))
+    /// A table in a text or in a sheet of a workbook.
+    pub fn observations(path: &Path, bytes: &[u8], reading: &TableReading) -> Result<Self> {
+        let form = &reading.layout.form;
+        let text = etalon_formats::file_text(path, bytes, form.encoding, &Format::from(form.clone()))?;
+        Self::new(path, text, |name, text| etalon_formats::observations_with(name, text, reading))
     }
 
     /// A table that is in memory as CSV; `name` stands for its file.
@@ -82,8 +76,8 @@ impl TableFile {
     }
 
     /// Reads a table of another layout.
-    pub fn parse_with(name: &str, text: &str, layout: &TableLayout) -> Result<Self> {
-        let table = |name: &str, text: &str| etalon_formats::observations_with(name, text, layout);
+    pub fn parse_with(name: &str, text: &str, reading: &TableReading) -> Result<Self> {
+        let table = |name: &str, text: &str| etalon_formats::observations_with(name, text, reading);
         Self::new(Path::new(name), text.to_owned(), table)
     }
 
@@ -168,48 +162,6 @@ impl TableFile {
     }
 }
 
-/// Form of a table: its layout, and the encoding or the sheet of its file.
-#[derive(Clone, Debug)]
-pub(crate) struct TableForm {
-    pub layout: TableLayout,
-    pub encoding: Option<Encoding>,
-    pub sheet: Option<String>,
-}
-
-impl Default for TableForm {
-    /// Form of the tables of etalon.
-    fn default() -> Self {
-        Self { layout: TableLayout::with_any_columns(), encoding: None, sheet: None }
-    }
-}
-
-impl TableForm {
-    /// Form of a table of observations of a campaign.
-    pub fn observations(stated: &ObservationsDefinition) -> Self {
-        Self { layout: stated.layout(), encoding: stated.encoding, sheet: stated.sheet.clone() }
-    }
-
-    /// Form of a table with keys of its own in a section of this form: the marks, the encoding and
-    /// the comments of the section apply where the table states none.
-    fn with_keys(&self, keys: &TableKeys) -> Self {
-        let (own, section) = (keys.layout(), &self.layout);
-        if keys.sheet.is_some() {
-            return Self { layout: own, encoding: keys.encoding, sheet: keys.sheet.clone() };
-        }
-        let layout = TableLayout {
-            delimiter: keys.delimiter.unwrap_or(section.delimiter),
-            decimal: keys.decimal.unwrap_or(section.decimal),
-            thousands: keys.thousands.or(section.thousands),
-            comment: keys.comment.clone().or_else(|| section.comment.clone()),
-            missing: if keys.missing == Missing::default() { section.missing.clone() } else { own.missing.clone() },
-            ..own
-        };
-        let is_text = keys.delimiter.is_some() || keys.decimal.is_some() || keys.encoding.is_some();
-        let sheet = if is_text { None } else { self.sheet.clone() };
-        Self { layout, encoding: keys.encoding.or(self.encoding), sheet }
-    }
-}
-
 /// The robot of a campaign with the targets of a table.
 fn robot_with(campaign: &Campaign, table: &TableFile) -> Option<Box<dyn Robot>> {
     let targets = table.targets().unwrap_or_default();
@@ -227,27 +179,27 @@ impl CampaignTables<'_> {
     /// A table in the form that the campaign states, of one file or of several; `holds` describes
     /// it in the list of inputs.
     pub fn read(&mut self, table: &TableDefinition, kind: SourceKind, holds: Phrase) -> Result<TableFile> {
-        self.read_in(table, &TableForm::default(), kind, holds)
+        self.read_in(table, &TableReading::any(TableLayout::default()), kind, holds)
     }
 
-    /// A table in its own form, or in `form` where it states none.
+    /// A table with keys of its own, or in the form of its section where it states none.
     pub fn read_in(
         &mut self,
         table: &TableDefinition,
-        form: &TableForm,
+        section: &TableReading,
         kind: SourceKind,
         holds: Phrase,
     ) -> Result<TableFile> {
-        if let Some(key) = table.keys().and_then(TableKeys::meaningless_beside_sheet) {
+        if let Some(key) = table.keys().and_then(|keys| keys.layout.form.meaningless_beside_sheet()) {
             return Err(error!("key-of-text-table", key).at(self.campaign.place(table.first())).into());
         }
-        let own = table.keys().map(|keys| form.with_keys(keys));
-        let form = own.as_ref().unwrap_or(form);
+        let own = table.keys().map(|keys| TableReading::any(keys.layout.or(&section.layout)));
+        let reading = own.as_ref().unwrap_or(section);
         let mut problems = Problems::default();
         let mut all: Option<TableFile> = None;
         for file in table.files() {
             let read =
-                self.listed(file, kind, holds.clone(), |path, bytes| TableFile::observations(path, &bytes, form));
+                self.listed(file, kind, holds.clone(), |path, bytes| TableFile::observations(path, &bytes, reading));
             let Some(read) = problems.keep(read) else { continue };
             all = match all {
                 Some(before) => problems.keep(before.followed_by(read)),
@@ -305,13 +257,13 @@ impl CampaignTables<'_> {
 
     /// A table of observations.
     fn observations(&mut self, stated: &ObservationsDefinition) -> Result<TableFile> {
-        if let Some(key) = stated.meaningless_beside_sheet() {
+        if let Some(key) = stated.layout.form.meaningless_beside_sheet() {
             let place = self.campaign.key_place(&["observations", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
         let holds = phrase!("table-of-observations");
         let mut table = self.listed(&stated.file, SourceKind::Table, holds.clone(), |path, bytes| {
-            TableFile::observations(path, &bytes, &TableForm::observations(stated))
+            TableFile::observations(path, &bytes, &stated.reading())
         })?;
         if let Some(order) = &stated.orientation {
             let of_campaign = |m: Message| m.at(self.campaign.place(order));
@@ -357,8 +309,9 @@ impl CampaignTables<'_> {
                     TableFile::new(path, text, |file, text| etalon_formats::recorded_points(file, text, format, unit))
                 }
                 _ => {
-                    let form = TableForm { encoding: stream.encoding, ..TableForm::default() };
-                    TableFile::observations(path, &bytes, &form)
+                    let form = Form { encoding: stream.encoding, ..Form::default() };
+                    let reading = TableReading::any(TableLayout { form, ..TableLayout::default() });
+                    TableFile::observations(path, &bytes, &reading)
                 }
             }
         })

@@ -2,9 +2,9 @@
 
 use etalon::base::noise::Noise;
 use etalon::formats::Format;
-use etalon::formats::dialect::Encoding;
 use etalon::formats::dialect::Unit;
 use etalon::formats::read_file;
+use etalon::tables::Encoding;
 
 const DELIMITERS: [(&str, &str); 5] = [("blank", "  "), ("tab", "\t"), (",", ","), (";", ";"), ("|", "|")];
 const LINE_ENDS: [&str; 3] = ["\n", "\r\n", "\r"];

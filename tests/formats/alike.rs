@@ -4,7 +4,11 @@
 use super::source;
 use etalon::base::message::{Problems, SourceText};
 use etalon::formats::table::{integers, numbers};
-use etalon::formats::{Export, Format, Log, TableLayout, log, observations_with};
+use super::recordings::{mat, npy, variable};
+use etalon::formats::{Export, Format, Log, TableReading, file_text, log, observations_with};
+use etalon::tables::Form;
+use std::io::Write as _;
+use std::path::Path;
 
 /// What a reader makes of a column: numbers with their lines, or ids of errors with their lines.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,7 +58,7 @@ fn of_observations(text: &str, keys: &str) -> Read {
     let stated: etalon::campaign::ObservationsDefinition =
         toml::from_str(&format!("file = \"t.csv\"\n{keys}\n{columns}"))
             .unwrap_or_else(|error| panic!("{keys}: {error}"));
-    let layout: TableLayout = stated.layout();
+    let layout: TableReading = stated.reading();
     match observations_with("t.csv", text, &layout) {
         Ok(table) => {
             let lines = integers(&table, "line").unwrap();
@@ -131,6 +135,135 @@ fn ambiguous_marks_are_refused_in_every_table() {
     ] {
         for read in [of_export(text, keys), of_log(text, keys), of_observations(text, keys)] {
             assert_eq!(read, Read::Refused(vec![("thousands-mark-ambiguous".to_owned(), None)]), "{keys}");
+        }
+    }
+}
+
+/// Rows of three numbers, of which the first may not have been measured.
+type Numbers = [[Option<f64>; 3]];
+
+/// A workbook with one sheet of number cells, as the standard (ECMA-376) wants it at least.
+fn workbook(rows: &Numbers) -> Vec<u8> {
+    let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+    let related = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+    let packaged = "http://schemas.openxmlformats.org/package/2006";
+    let office = "application/vnd.openxmlformats-officedocument.spreadsheetml";
+    let word = |(place, name)| format!("<c r=\"{place}1\" t=\"inlineStr\"><is><t>{name}</t></is></c>");
+    let mut cells = format!("<row r=\"1\">{}</row>", [("A", "A"), ("B", "B"), ("C", "C")].map(word).concat());
+    for (line, row) in (2..).zip(rows) {
+        let cell = |(place, value): (&str, &Option<f64>)| {
+            value.map_or(String::new(), |value| format!("<c r=\"{place}{line}\"><v>{value}</v></c>"))
+        };
+        cells += &format!("<row r=\"{line}\">{}</row>", ["A", "B", "C"].into_iter().zip(row).map(cell).collect::<String>());
+    }
+    let relation = |kind: &str, target: &str| {
+        format!(
+            "<Relationships xmlns=\"{packaged}/relationships\">\
+             <Relationship Id=\"r1\" Type=\"{related}/{kind}\" Target=\"{target}\"/></Relationships>"
+        )
+    };
+    let files = [
+        (
+            "[Content_Types].xml",
+            format!(
+                "<Types xmlns=\"{packaged}/content-types\">\
+                 <Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\
+                 <Override PartName=\"/xl/workbook.xml\" ContentType=\"{office}.sheet.main+xml\"/>\
+                 <Override PartName=\"/xl/worksheets/sheet1.xml\" ContentType=\"{office}.worksheet+xml\"/></Types>"
+            ),
+        ),
+        ("_rels/.rels", relation("officeDocument", "xl/workbook.xml")),
+        (
+            "xl/workbook.xml",
+            format!(
+                "<workbook xmlns=\"{main}\" xmlns:r=\"{related}\"><sheets>\
+                 <sheet name=\"A\" sheetId=\"1\" r:id=\"r1\"/></sheets></workbook>"
+            ),
+        ),
+        ("xl/_rels/workbook.xml.rels", relation("worksheet", "worksheets/sheet1.xml")),
+        ("xl/worksheets/sheet1.xml", format!("<worksheet xmlns=\"{main}\"><sheetData>{cells}</sheetData></worksheet>")),
+    ];
+    packed(files.map(|(name, text)| (name.to_owned(), text.into_bytes())))
+}
+
+/// An archive of these files.
+fn packed(files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Vec<u8> {
+    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for (name, bytes) in files {
+        archive.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(&bytes).unwrap();
+    }
+    archive.finish().unwrap().into_inner()
+}
+
+/// The same numbers as files of other programs, with the key that names their table; arrays mark with NaN what was not measured.
+fn files(rows: &Numbers) -> Vec<(&'static str, Vec<u8>)> {
+    let column = |at: usize| rows.iter().map(|row| row[at].unwrap_or(f64::NAN)).collect::<Vec<f64>>();
+    let names = ["A", "B", "C"];
+    let bytes = |at: usize| column(at).iter().flat_map(|v| v.to_le_bytes()).collect::<Vec<u8>>();
+    let array = |at: usize| (format!("{}.npy", names[at]), npy("<f8", &format!("({},)", rows.len()), &bytes(at)));
+    let variables: Vec<Vec<u8>> = (0..3).map(|at| variable(names[at], rows.len() as u32, 1, &column(at))).collect();
+    let cell = |value: &Option<f64>| value.map_or(String::new(), |value| value.to_string());
+    let line = |row: &[Option<f64>; 3]| row.each_ref().map(cell).join(",") + "\n";
+    let text = "A,B,C\n".to_owned() + &rows.iter().map(line).collect::<String>();
+    vec![
+        ("delimiter = \",\"", text.into_bytes()),
+        ("sheet = \"A\"", packed((0..3).map(array))),
+        ("sheet = \"A\"", mat(&variables)),
+        ("sheet = \"A\"", workbook(rows)),
+    ]
+}
+
+/// Reads a file in every section that takes a table.
+fn in_every_section(keys: &str, bytes: &[u8]) -> [Read; 3] {
+    let form: Form = toml::from_str(keys).unwrap();
+    let text = file_text(Path::new("t.csv"), bytes, None, &Format::from(form)).unwrap_or_else(|e| panic!("{keys}: {e}"));
+    let keys = format!("{keys}\nheader = 1");
+    [of_export(&text, &keys), of_log(&text, &keys), of_observations(&text, &keys)]
+}
+
+#[test]
+fn numbers_are_the_same_from_every_kind_of_file() {
+    let numbers = [
+        0.1 + 0.2,
+        -1.0 / 3.0,
+        1e-300,
+        5e-324,
+        -1.797e308,
+        123_456_789.123_456_79,
+        9_007_199_254_740_993.0,
+        -0.0,
+        3.0,
+    ];
+    let rows: Vec<[Option<f64>; 3]> = numbers.iter().map(|value| [Some(*value), Some(1.0), Some(2.5)]).collect();
+    let right = Read::Numbers((2..).zip(numbers).collect());
+    for (keys, bytes) in files(&rows) {
+        for read in in_every_section(keys, &bytes) {
+            let bits = |read: &Read| match read {
+                Read::Numbers(all) => all.iter().map(|(line, value)| (*line, value.to_bits())).collect::<Vec<_>>(),
+                Read::Refused(all) => panic!("{keys}: {all:?}"),
+            };
+            assert_eq!(bits(&read), bits(&right), "{keys}");
+        }
+    }
+}
+
+#[test]
+fn rows_without_a_value_are_left_out_from_every_kind_of_file() {
+    let rows = [[Some(1.5), Some(1.0), Some(2.0)], [None, Some(1.0), Some(2.0)], [Some(2.5), Some(1.0), Some(2.0)]];
+    for (keys, bytes) in files(&rows) {
+        for read in in_every_section(keys, &bytes) {
+            assert_eq!(read, Read::Numbers(vec![(2, 1.5), (4, 2.5)]), "{keys}");
+        }
+    }
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_refused_in_every_kind_of_file() {
+    let rows = [[Some(1.5), Some(1.0), Some(2.0)], [Some(f64::INFINITY), Some(1.0), Some(2.0)]];
+    for (keys, bytes) in files(&rows).into_iter().take(3) {
+        for read in in_every_section(keys, &bytes) {
+            assert_eq!(read, Read::Refused(vec![("not-a-number".to_owned(), Some(3))]), "{keys}");
         }
     }
 }

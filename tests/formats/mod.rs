@@ -13,7 +13,7 @@ mod tables;
 
 use etalon::base::message::{Problems, SourceText};
 use etalon::documents::{FormatsDocument, Source, SourceKind};
-use etalon::formats::{Export, Log, TableLayout, file_text, log, observations_with, propose_file};
+use etalon::formats::{Export, Log, TableReading, file_text, log, observations_with, propose_file};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -168,8 +168,8 @@ fn read(path: &Path, lines: &str, right: &Right) -> Result<(), String> {
         log(SourceText { name: "c", text: lines }, stated, &text, &mut source).map_err(said)?;
     }
     if let Some(stated) = &proposed.observations {
-        let text = file_text(path, &bytes, stated.encoding, &Default::default()).map_err(said)?;
-        let layout: TableLayout = stated.layout();
+        let text = file_text(path, &bytes, stated.layout.form.encoding, &Default::default()).map_err(said)?;
+        let layout: TableReading = stated.reading();
         let table = observations_with("f", &text, &layout).map_err(said)?;
         if !right.first_mm.is_empty() {
             first.extend(etalon::formats::table::coordinates(&table).map_err(said)?.first());

@@ -151,7 +151,7 @@ fn the_proposal_for_a_recording_reads_its_joints_and_poses() {
 }
 
 /// An array by NEP 1.
-fn npy(kind: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+pub fn npy(kind: &str, shape: &str, data: &[u8]) -> Vec<u8> {
     let mut head = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
     head += &" ".repeat(63 - (10 + head.len()) % 64);
     head.push('\n');
@@ -159,7 +159,7 @@ fn npy(kind: &str, shape: &str, data: &[u8]) -> Vec<u8> {
 }
 
 /// A variable of MATLAB in doubles, by the description of level 5.
-fn variable(name: &str, rows: u32, columns: u32, values: &[f64]) -> Vec<u8> {
+pub fn variable(name: &str, rows: u32, columns: u32, values: &[f64]) -> Vec<u8> {
     let element = |kind: u32, data: &[u8]| {
         let mut out = [&kind.to_le_bytes()[..], &(data.len() as u32).to_le_bytes(), data].concat();
         out.resize(out.len().next_multiple_of(8), 0);
@@ -174,7 +174,7 @@ fn variable(name: &str, rows: u32, columns: u32, values: &[f64]) -> Vec<u8> {
     element(14, &inside.concat())
 }
 
-fn mat(variables: &[Vec<u8>]) -> Vec<u8> {
+pub fn mat(variables: &[Vec<u8>]) -> Vec<u8> {
     let mut out = b"MATLAB 5.0 MAT-file, synthetic".to_vec();
     out.resize(124, b' ');
     [&out[..], b"\x00\x01IM", &variables.concat()].concat()

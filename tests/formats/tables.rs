@@ -6,15 +6,15 @@ use etalon::base::phrase;
 use etalon::base::pose::Pose;
 use etalon::documents::ParametersDocument;
 use etalon::formats::table::{coordinates, numbers, texts};
-use etalon::formats::{Export, TableLayout, observations_with};
+use etalon::formats::{Export, TableReading, observations_with};
 use etalon::identify::Settings;
 use etalon::stages::kinds::{self, RowDefaults};
 use etalon::stages::orientations::AngleOrder;
 
-fn layout(toml: &str) -> TableLayout {
+fn layout(toml: &str) -> TableReading {
     let stated: etalon::campaign::ObservationsDefinition =
         toml::from_str(&format!("file = \"o.csv\"\n{toml}")).unwrap_or_else(|e| panic!("{toml}: {e}"));
-    stated.layout()
+    stated.reading()
 }
 
 fn said(text: &str, toml: &str) -> String {
@@ -24,7 +24,7 @@ fn said(text: &str, toml: &str) -> String {
 #[test]
 fn the_same_table_however_it_is_laid_out() {
     let plain = "pose,target,kind,x_mm,y_mm,u_mm\n1,A,point,1.5,2.5,0.01\n2,A,point,3.5,4.5,0.02\n";
-    let right = observations_with("o.csv", plain, &TableLayout::default()).unwrap();
+    let right = observations_with("o.csv", plain, &TableReading::default()).unwrap();
     for (text, stated) in [
         // no header, columns by number, constants, expanded uncertainties
         (
@@ -59,7 +59,7 @@ fn the_same_table_however_it_is_laid_out() {
 #[test]
 fn cells_that_were_not_measured_are_missing_and_others_are_errors() {
     let text = "pose,target,x_mm,y_mm\n1,A,nan,2.5\n2,A,N/A,\n3,A,1.5,2.5\n";
-    let read = observations_with("o.csv", text, &TableLayout::default()).unwrap();
+    let read = observations_with("o.csv", text, &TableReading::default()).unwrap();
     let x = numbers(&read, "x_mm").unwrap();
     assert!(x[0].is_nan() && x[1].is_nan() && x[2] == 1.5, "{x:?}");
     // a computed value of a missing one is missing
@@ -369,7 +369,7 @@ fn tables_inside_other_sections_state_their_form() {
     ends(&own, "check", 2, &["[load-direction-unknown]", "ly.csv:"]);
     own.replace("campaign.toml", "delimiter = \";\"\ndecimal = \",\"", "decimal = \",\"");
     ends(&own, "check", 2, &["[comma-ambiguous]", "state `delimiter = \";\"` and `decimal = \",\"`"]);
-    own.replace("campaign.toml", "decimal = \",\"\n", "decimal = \",\"\nsheet = \"Loads\"\n");
+    own.replace("campaign.toml", "decimal = \",\"\n", "encoding = \"utf-8\"\nsheet = \"Loads\"\n");
     ends(&own, "check", 2, &["[key-of-text-table]"]);
 }
 

@@ -7,10 +7,10 @@ use crate::support::scratch::copy_sample;
 use etalon::base::message::Result;
 use etalon::campaign::Campaign;
 use etalon::formats::Format;
-use etalon::formats::dialect::Encoding;
 use etalon::formats::dialect::Unit;
 use etalon::formats::{self, Point};
 use etalon::stages::gather::gather;
+use etalon::tables::Encoding;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 

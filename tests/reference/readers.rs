@@ -8,11 +8,11 @@ use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
 use etalon::documents::Source;
 use etalon::formats::Format;
-use etalon::formats::dialect::Decimal;
 use etalon::formats::dialect::Unit;
 use etalon::formats::exports::{dmis, polyworks_report};
 use etalon::formats::labelled_points;
 use etalon::stages::gather::gather;
+use etalon::tables::Decimal;
 
 /// Labels and points in mm, and the file with what of it was refused; or what is said against it.
 fn read(file: &str, format: &str, unit: &str) -> Result<(Vec<(String, Vector)>, Source), String> {

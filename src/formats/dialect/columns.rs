@@ -2,6 +2,7 @@
 //! a log.
 
 use etalon_base::phrase;
+use etalon_tables::ColumnSource;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -11,7 +12,7 @@ use std::fmt;
 /// Role of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[schemars(transform = super::accept_aliases)]
+#[schemars(transform = etalon_tables::schema::accept_aliases)]
 pub enum ColumnRole {
     /// Label of the point; several columns are joined by `::`.
     Label,
@@ -225,7 +226,7 @@ pub enum Columns {
     /// Roles from the left; a row with more columns is rejected.
     InOrder(Vec<ColumnRole>),
     /// Columns by heading or number; other columns are not read.
-    Named(Vec<(ColumnRole, ColumnAt)>),
+    Named(Vec<(ColumnRole, ColumnSource)>),
 }
 
 impl Default for Columns {
@@ -294,7 +295,7 @@ impl<'de> Deserialize<'de> for Columns {
                     named.extend(columns.into_iter().map(|column| (role, column)));
                 }
                 // a table of TOML has no order
-                named.sort_by_key(|(role, _): &(ColumnRole, ColumnAt)| *role as usize);
+                named.sort_by_key(|(role, _): &(ColumnRole, ColumnSource)| *role as usize);
                 Ok(Columns::Named(named))
             }
         }
@@ -303,7 +304,7 @@ impl<'de> Deserialize<'de> for Columns {
 }
 
 /// One column, or several columns that form one label.
-struct OneOrMore(Vec<ColumnAt>);
+struct OneOrMore(Vec<ColumnSource>);
 
 impl<'de> Deserialize<'de> for OneOrMore {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -314,7 +315,7 @@ impl<'de> Deserialize<'de> for OneOrMore {
                 f.write_str("the name of a column, or its number from 1, or a list of them")
             }
             fn visit_str<E: de::Error>(self, name: &str) -> Result<OneOrMore, E> {
-                Ok(OneOrMore(vec![ColumnAt::Name(name.to_owned())]))
+                Ok(OneOrMore(vec![ColumnSource::Heading(name.to_owned())]))
             }
             fn visit_i64<E: de::Error>(self, number: i64) -> Result<OneOrMore, E> {
                 let column = Column::deserialize(de::value::I64Deserializer::new(number))?;
@@ -333,7 +334,7 @@ impl<'de> Deserialize<'de> for OneOrMore {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Heading or number.
-    pub at: ColumnAt,
+    pub at: ColumnSource,
     /// Number among several columns with this heading, from 1.
     pub occurrence: Option<usize>,
     /// Joint value of one encoder count, in the unit of the key.
@@ -342,17 +343,8 @@ pub struct Column {
     pub zero_count: Option<f64>,
 }
 
-/// Heading of a column, or its number from 1.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ColumnAt {
-    /// Heading.
-    Name(String),
-    /// Number from 1.
-    Number(usize),
-}
-
-impl From<ColumnAt> for Column {
-    fn from(at: ColumnAt) -> Self {
+impl From<ColumnSource> for Column {
+    fn from(at: ColumnSource) -> Self {
         Self { at, occurrence: None, per_count: None, zero_count: None }
     }
 }
@@ -394,19 +386,19 @@ impl<'de> Deserialize<'de> for Column {
                 f.write_str("the name of a column, or its number from 1, or { name = .., occurrence = .. }")
             }
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Column, E> {
-                Ok(ColumnAt::Name(name.to_owned()).into())
+                Ok(ColumnSource::Heading(name.to_owned()).into())
             }
             fn visit_i64<E: de::Error>(self, number: i64) -> Result<Column, E> {
                 let wrong = || E::invalid_value(de::Unexpected::Signed(number), &self);
-                let at = usize::try_from(number).ok().filter(|n| *n > 0).map(ColumnAt::Number);
+                let at = usize::try_from(number).ok().filter(|n| *n > 0).map(ColumnSource::Number);
                 at.map(Column::from).ok_or_else(wrong)
             }
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Column, A::Error> {
                 let stated = Stated::deserialize(de::value::MapAccessDeserializer::new(map))?;
                 let Stated { name, number, occurrence, per_count, zero_count } = stated;
                 let at = match (name, number) {
-                    (Some(name), None) => ColumnAt::Name(name),
-                    (None, Some(number)) if number > 0 && occurrence.is_none() => ColumnAt::Number(number),
+                    (Some(name), None) => ColumnSource::Heading(name),
+                    (None, Some(number)) if number > 0 && occurrence.is_none() => ColumnSource::Number(number),
                     _ => return Err(de::Error::custom(phrase!("column-without-place"))),
                 };
                 if occurrence == Some(0) || per_count.is_some_and(|c| c == 0.0 || !c.is_finite()) {
@@ -419,43 +411,5 @@ impl<'de> Deserialize<'de> for Column {
             }
         }
         deserializer.deserialize_any(NameOrNumber)
-    }
-}
-
-/// Pose number that follows from the number of the data row: `row`, or `row + 100` with an offset.
-/// Data rows count from 1; rejected rows count.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct FromRow {
-    added: i64,
-}
-
-impl FromRow {
-    /// Returns the pose number of a row.
-    pub fn number(self, row: i64) -> i64 {
-        row.saturating_add(self.added)
-    }
-}
-
-impl JsonSchema for FromRow {
-    fn schema_name() -> Cow<'static, str> {
-        "FromRow".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let description = "Number of the data row, from 1 (refused rows count), with an optional offset.";
-        json_schema!({ "description": description, "type": "string", "pattern": "^row( *\\+ *[0-9]{1,9})?$" })
-    }
-}
-
-impl<'de> Deserialize<'de> for FromRow {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let added = match text.strip_prefix("row").map(str::trim) {
-            Some("") => Some(0),
-            Some(more) => more.strip_prefix('+').and_then(|more| more.trim().parse::<u32>().ok()),
-            None => None,
-        };
-        let added = added.ok_or_else(|| de::Error::custom(phrase!("row-number-unknown", stated = text)))?;
-        Ok(Self { added: added.into() })
     }
 }

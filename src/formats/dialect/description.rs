@@ -1,35 +1,25 @@
 //! Dialect of delimited text. The campaign states it; it is never guessed in silence.
 
-use super::columns::{ColumnAt, ColumnRole, Columns};
-use super::source::Cells;
-use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
-use crate::ros_bag;
+use super::columns::{ColumnRole, Columns};
+use super::coordinates::{AngleUnit, CoordinateType};
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::error;
 use etalon_base::message::{Message, printable, printable_character};
+use etalon_tables::{ColumnSource, Decimal, Form, Header, Missing};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// Format of a table of text or of a sheet of a workbook, with exactly one of `delimiter`, `widths`
-/// and `sheet`.
+/// Format of the points of a text or of a sheet, with exactly one of `delimiter`, `widths` and
+/// `sheet`.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-#[schemars(transform = super::accept_topic)]
+#[schemars(transform = etalon_tables::schema::accept_topic)]
 pub struct Dialect {
-    /// Delimiter of the columns.
-    pub delimiter: Option<Delimiter>,
-    /// Width of each column (characters), for columns without a delimiter.
-    pub widths: Vec<usize>,
-    /// Name of the sheet of an Excel workbook, or as `topic` the name of a topic of a recording
-    /// (MCAP).
-    #[serde(alias = "topic")]
-    pub sheet: Option<String>,
-    /// Decimal mark.
-    pub decimal: Decimal,
-    /// Mark between groups of three digits.
-    pub thousands: Option<Thousands>,
+    /// Form of the text.
+    #[serde(flatten)]
+    pub form: Form,
     /// Role of each column: from the left, or by the names of the header.
     pub columns: Columns,
     /// Meaning of `c1`, `c2`, `c3` for each content of the column `type`, in files of several
@@ -45,114 +35,11 @@ pub struct Dialect {
     /// Order of the rotations of three angles `rx_deg`, `ry_deg`, `rz_deg`, like `orientation` of
     /// tables; without it they are a rotation vector.
     pub rotation: Option<String>,
-    /// Number of rows before the data, or words of the row before the data.
-    pub header: Header,
-    /// Beginning of lines that are skipped.
-    pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
-    pub missing: Missing,
-    /// First cell of the row that ends the data.
-    pub end: Option<String>,
-    /// Filter of the rows: only rows with one of these cells in each of these columns (a heading,
-    /// or `$3`) are read. Other rows are listed as left out.
-    pub only: BTreeMap<String, Cells>,
-    /// Filter of the rows: rows with one of these cells in one of these columns are left out.
-    pub without: BTreeMap<String, Cells>,
-}
-
-/// Returns an error if the mark between groups of three digits is also the decimal mark or the
-/// delimiter.
-pub(crate) fn ambiguous_thousands(
-    delimiter: Option<Delimiter>,
-    decimal: Decimal,
-    thousands: Option<Thousands>,
-) -> Option<Message> {
-    let thousands = thousands?;
-    let is_delimiter = delimiter.is_some_and(|d| d.name() == thousands.name())
-        || (thousands == Thousands::Blank && delimiter == Some(Delimiter::Blank));
-    let other = match thousands.name() == decimal.name() {
-        true => "decimal",
-        false if is_delimiter => "delimiter",
-        false => return None,
-    };
-    Some(error!("thousands-mark-ambiguous", mark = thousands.name(), other))
-}
-
-/// Delimiter of columns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[schemars(transform = super::accept_aliases)]
-pub enum Delimiter {
-    /// Any number of blanks or tabs.
-    #[serde(rename = "blank", alias = " ")]
-    #[schemars(extend("aliases" = [" "]))]
-    Blank,
-    /// A tab.
-    #[serde(rename = "tab", alias = "\t")]
-    #[schemars(extend("aliases" = ["\t"]))]
-    Tab,
-    /// A comma.
-    #[serde(rename = ",", alias = "comma")]
-    #[schemars(extend("aliases" = ["comma"]))]
-    Comma,
-    /// A semicolon.
-    #[serde(rename = ";", alias = "semicolon")]
-    #[schemars(extend("aliases" = ["semicolon"]))]
-    Semicolon,
-    /// A vertical bar.
-    #[serde(rename = "|", alias = "bar")]
-    #[schemars(extend("aliases" = ["bar"]))]
-    Bar,
-}
-
-impl Delimiter {
-    /// Returns the byte of the delimiter; `None` for blanks.
-    pub fn byte(self) -> Option<u8> {
-        match self {
-            Self::Blank => None,
-            Self::Tab => Some(b'\t'),
-            Self::Comma => Some(b','),
-            Self::Semicolon => Some(b';'),
-            Self::Bar => Some(b'|'),
-        }
-    }
-
-    /// Name in campaign.toml.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Blank => "blank",
-            Self::Tab => "tab",
-            Self::Comma => ",",
-            Self::Semicolon => ";",
-            Self::Bar => "|",
-        }
-    }
-}
-
-/// Decimal mark.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[schemars(transform = super::accept_aliases)]
-pub enum Decimal {
-    /// Point: `1.5`.
-    #[default]
-    #[serde(rename = ".", alias = "point")]
-    #[schemars(extend("aliases" = ["point"]))]
-    Point,
-    /// Comma: `1,5`.
-    #[serde(rename = ",", alias = "comma")]
-    #[schemars(extend("aliases" = ["comma"]))]
-    Comma,
-}
-
-impl Decimal {
-    /// Name in campaign.toml.
-    pub fn name(self) -> &'static str {
-        if self == Self::Point { "." } else { "," }
-    }
 }
 
 /// Length unit of an export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[schemars(transform = super::accept_aliases)]
+#[schemars(transform = etalon_tables::schema::accept_aliases)]
 pub enum Unit {
     /// Millimetre.
     #[serde(rename = "mm")]
@@ -220,12 +107,17 @@ fn unit(word: &str) -> Option<Unit> {
 }
 
 impl Dialect {
+    /// Header before the data: without a statement, none.
+    pub fn header(&self) -> Header {
+        self.form.header.clone().unwrap_or_default()
+    }
+
     /// Returns all errors of the dialect itself, independent of the file.
     pub fn check(&self) -> Vec<Message> {
         let mut wrong = self.separation();
-        wrong.extend(self.marks());
+        wrong.extend(self.form.ambiguous_marks(self.form.delimiter));
         wrong.extend(self.roles());
-        wrong.extend(self.header());
+        wrong.extend(self.headings());
         wrong.extend(self.orientation());
         wrong
     }
@@ -268,27 +160,21 @@ impl Dialect {
     }
 
     fn separation(&self) -> Vec<Message> {
-        let stated = [self.delimiter.is_some(), !self.widths.is_empty(), self.sheet.is_some()];
+        let stated = [self.form.delimiter.is_some(), !self.form.widths.is_empty(), self.form.sheet.is_some()];
         let mut wrong = Vec::new();
         if stated.iter().filter(|s| **s).count() != 1 {
             wrong.push(error!("column-separation-unclear", stated = stated.iter().filter(|s| **s).count()));
         }
-        if self.widths.contains(&0) {
+        if self.form.widths.contains(&0) {
             wrong.push(error!("column-width-zero"));
         }
         let columns = self.columns.roles().len();
-        if !self.widths.is_empty() && matches!(self.columns, Columns::InOrder(_)) && columns > self.widths.len() {
-            wrong.push(error!("more-columns-than-widths", columns, widths = self.widths.len()));
+        if !self.form.widths.is_empty()
+            && matches!(self.columns, Columns::InOrder(_))
+            && columns > self.form.widths.len()
+        {
+            wrong.push(error!("more-columns-than-widths", columns, widths = self.form.widths.len()));
         }
-        wrong
-    }
-
-    fn marks(&self) -> Vec<Message> {
-        let mut wrong = Vec::new();
-        if self.delimiter == Some(Delimiter::Comma) && self.decimal == Decimal::Comma {
-            wrong.push(two_commas());
-        }
-        wrong.extend(ambiguous_thousands(self.delimiter, self.decimal, self.thousands));
         wrong
     }
 
@@ -358,21 +244,16 @@ impl Dialect {
         wrong
     }
 
-    fn header(&self) -> Vec<Message> {
+    fn headings(&self) -> Vec<Message> {
         let Columns::Named(named) = &self.columns else { return Vec::new() };
-        let heading = |column: &'_ ColumnAt| match column {
-            ColumnAt::Name(name) if !name.contains('$') => Some(name.clone()),
+        let heading = |column: &'_ ColumnSource| match column {
+            ColumnSource::Heading(name) if !name.contains('$') => Some(name.clone()),
             _ => None,
         };
         let by_name = named.iter().find_map(|(_, column)| heading(column));
-        let stated = by_name.filter(|_| self.header == Header::Rows(0));
+        let stated = by_name.filter(|_| self.header() == Header::Rows(0));
         stated.map(|column| error!("header-not-stated", column)).into_iter().collect()
     }
-}
-
-/// Returns the error that a comma separates columns and marks decimals.
-pub fn two_commas() -> Message {
-    error!("comma-ambiguous")
 }
 
 /// Returns the coordinate type of these columns, if they are the coordinates of a point.
@@ -417,10 +298,10 @@ pub(crate) fn quoted(text: &str) -> String {
     format!("\"{}\"", text.chars().map(shown).collect::<String>())
 }
 
-fn column(column: &ColumnAt) -> String {
+fn column(column: &ColumnSource) -> String {
     match column {
-        ColumnAt::Name(name) => quoted(name),
-        ColumnAt::Number(number) => number.to_string(),
+        ColumnSource::Heading(name) => quoted(name),
+        ColumnSource::Number(number) => number.to_string(),
     }
 }
 
@@ -448,21 +329,22 @@ fn columns(columns: &Columns) -> String {
 /// Keys with their default are left out, except the decimal mark.
 impl fmt::Display for Dialect {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let form = &self.form;
         let mut keys: Vec<(&str, String)> = Vec::new();
-        if let Some(delimiter) = self.delimiter {
+        if let Some(delimiter) = form.delimiter {
             keys.push(("delimiter", quoted(delimiter.name())));
         }
-        if !self.widths.is_empty() {
-            let widths: Vec<String> = self.widths.iter().map(usize::to_string).collect();
+        if !self.form.widths.is_empty() {
+            let widths: Vec<String> = self.form.widths.iter().map(usize::to_string).collect();
             keys.push(("widths", format!("[{}]", widths.join(", "))));
         }
-        if let Some(sheet) = &self.sheet {
-            keys.push((if ros_bag::is_topic(sheet) { "topic" } else { "sheet" }, quoted(sheet)));
+        if let Some(sheet) = &form.sheet {
+            keys.push((if form.is_topic() { "topic" } else { "sheet" }, quoted(sheet)));
         }
-        if self.sheet.is_none() || self.decimal != Decimal::default() {
-            keys.push(("decimal", quoted(self.decimal.name())));
+        if form.sheet.is_none() || form.decimal() != Decimal::default() {
+            keys.push(("decimal", quoted(form.decimal().name())));
         }
-        if let Some(thousands) = self.thousands {
+        if let Some(thousands) = form.thousands {
             keys.push(("thousands", quoted(thousands.name())));
         }
         if let Some(factor) = self.coverage_factor {
@@ -471,12 +353,12 @@ impl fmt::Display for Dialect {
         if let Some(order) = &self.rotation {
             keys.push(("rotation", quoted(order)));
         }
-        match &self.header {
+        match &self.header() {
             Header::Rows(0) => {}
             Header::Rows(rows) => keys.push(("header", rows.to_string())),
             Header::Words(words) => keys.push(("header", list(words.iter().map(String::as_str)))),
         }
-        if let Some(comment) = &self.comment {
+        if let Some(comment) = &form.comment {
             keys.push(("comment", quoted(comment)));
         }
         keys.push(("columns", columns(&self.columns)));
@@ -491,13 +373,13 @@ impl fmt::Display for Dialect {
         if let Some(coordinates) = self.coordinates {
             keys.push(("coordinates", quoted(coordinates.name())));
         }
-        if self.missing != Missing::default() {
-            keys.push(("missing", list(self.missing.markers().iter().map(String::as_str))));
+        if form.missing != Missing::default() {
+            keys.push(("missing", list(form.missing.markers().iter().map(String::as_str))));
         }
-        if let Some(end) = &self.end {
+        if let Some(end) = &form.end {
             keys.push(("end", quoted(end)));
         }
-        for (key, stated) in [("only", &self.only), ("without", &self.without)] {
+        for (key, stated) in [("only", &form.only), ("without", &form.without)] {
             if !stated.is_empty() {
                 let cells = stated.iter().map(|(name, cells)| format!("{} = {cells}", quoted(name)));
                 keys.push((key, format!("{{ {} }}", cells.collect::<Vec<_>>().join(", "))));

@@ -13,10 +13,11 @@
 use super::pivot::{Pivot, Said};
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format, unit_agrees};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::number;
+use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::number;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Files `.dfq` of measuring systems with a Q-DAS interface.
@@ -37,7 +38,7 @@ impl ExportFormat for Aqdef {
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
         let mut problems = Problems::default();
-        let mut file = File { decimal: dialect.decimal, ..File::default() };
+        let mut file = File { decimal: dialect.form.decimal(), ..File::default() };
         for (i, line) in text.lines.iter().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
             problems.0.extend(file.line(i + 1, line).err().map(|message| message.at(text.place(i + 1))));
         }

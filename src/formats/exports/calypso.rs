@@ -9,10 +9,11 @@
 use super::pivot::{Pivot, Said};
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format, unit_agrees};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::{Row as Fields, number};
+use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::{Row as Fields, number};
 use std::borrow::Cow;
 
 /// Table files of Zeiss Calypso.
@@ -28,7 +29,7 @@ impl ExportFormat for Calypso {
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
-        rows(text, dialect.decimal, unit)
+        rows(text, dialect.form.decimal(), unit)
     }
 
     fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {

@@ -2,20 +2,18 @@
 
 use super::stamps;
 use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
-use crate::dialect::{
-    ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
-    coordinate_type,
-};
-use crate::filter::{Filter, no_row_selected};
-use crate::lexer::pose_name;
-use crate::lexer::{self, PlainColumn, Row, WHOLE, each_row, marked, parsed};
+use crate::dialect::{ColumnRole, Columns, CoordinateType, Dialect, Unit, coordinate_type};
 use crate::points::{Line, Names, Point, SharedText};
-use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::{error, phrase};
+use etalon_tables::filter::{Filter, no_row_selected};
+use etalon_tables::lexer::pose_name;
+use etalon_tables::lexer::{self, PlainColumn, Row, WHOLE, each_row, marked, parsed, written_out};
+use etalon_tables::sheet::{column, header, number};
+use etalon_tables::{ColumnSource, Decimal, Delimiter, Expression, Form, Header};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 
@@ -44,12 +42,17 @@ impl ExportFormat for Delimited {
             _ => return None,
         };
         let bare = Dialect {
-            delimiter: dialect.delimiter,
+            form: Form {
+                delimiter: dialect.form.delimiter,
+                decimal: dialect.form.decimal.filter(|mark| *mark == Decimal::Point),
+                header: dialect.form.header.clone().filter(|header| *header == Header::Rows(0)),
+                ..Form::default()
+            },
             columns: dialect.columns.clone(),
             coordinates: dialect.coordinates,
             ..Dialect::default()
         };
-        let delimiter = dialect.delimiter.filter(|_| *dialect == bare)?.byte();
+        let delimiter = dialect.form.delimiter.filter(|_| *dialect == bare)?.byte();
         Some(Plain { delimiter, labelled, may_be_angles: dialect.coordinates.is_none() })
     }
 }
@@ -95,7 +98,7 @@ impl NamedDialect {
 }
 
 pub(super) fn columns_in(delimiter: Delimiter, columns: &[ColumnRole]) -> Dialect {
-    Dialect { delimiter: Some(delimiter), columns: columns.to_vec().into(), ..Dialect::default() }
+    Dialect { form: Form::delimited(delimiter), columns: columns.to_vec().into(), ..Dialect::default() }
 }
 
 /// numpy.savetxt and most viewers of point clouds.
@@ -144,11 +147,11 @@ pub(crate) fn columns_not_read(
     dialect: &Dialect,
     is_read: impl Fn(usize, Option<&str>) -> bool,
 ) -> Option<[usize; 2]> {
-    if !(dialect.check().is_empty() && dialect.only.is_empty() && dialect.without.is_empty()) {
+    if !dialect.check().is_empty() || dialect.form.is_filtered() {
         return None;
     }
-    let mut rows = each_row("", text, dialect).flatten();
-    let header = header("", &mut rows, dialect).ok()?;
+    let mut rows = each_row("", text, &dialect.form).flatten();
+    let header = header(&mut rows, &dialect.header()).ok()?;
     let first = rows.next()?;
     let Resolved { roles, computed, .. } = resolved("", header.as_ref(), dialect, Some(&first)).ok()?;
     let heading = |i: usize| header.as_ref().and_then(|row| row.fields.get(i)).map(AsRef::as_ref);
@@ -171,22 +174,22 @@ fn points(
     (dialect, unit): (&Dialect, Unit),
     problems: &mut Problems,
 ) -> Result<Vec<Point>, Vec<Message>> {
+    let form = &dialect.form;
     // cells behind the last one of a row of a sheet are empty, and not written
-    let of_sheet = || each_row(file, text, dialect).flatten().map(|row| row.fields.len()).max().unwrap_or(0);
-    let least = if dialect.sheet.is_some() { of_sheet() } else { 0 };
+    let of_sheet = || each_row(file, text, form).flatten().map(|row| row.fields.len()).max().unwrap_or(0);
+    let least = if form.sheet.is_some() { of_sheet() } else { 0 };
     let split = |(number, line)| {
-        lexer::row(file, number, line, dialect).map(|mut row| {
+        lexer::row(file, number, line, form).map(|mut row| {
             row.fields.resize(least.max(row.fields.len()), Cow::Borrowed(""));
             row
         })
     };
-    let mut lines = lexer::lines(text, dialect);
+    let mut lines = lexer::lines(text, form);
     let mut rows = lines.by_ref().filter_map(|line| split(line).map_err(|message| problems.0.push(message)).ok());
-    let header = header(file, &mut rows, dialect)?;
+    let header = header(&mut rows, &dialect.header()).map_err(|message| vec![message.at(Place::file(file))])?;
     let first = lines.clone().find_map(|line| split(line).ok());
     let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, first.as_ref())?;
-    let filter =
-        Filter::new(file, [&dialect.only, &dialect.without], header.as_ref(), (dialect.decimal, dialect.thousands))?;
+    let filter = Filter::new(file, form, header.as_ref())?;
     problems.0.extend(header.as_ref().and_then(|header| other_unit(file, header, &roles, (dialect, unit))));
     let reader = Reader { file, text, dialect, unit, roles, filter };
     let plain = reader.plain().filter(|_| computed.is_empty());
@@ -203,20 +206,18 @@ fn points(
                 continue;
             }
         };
-        let ends = |end: &String| row.field(0) == end && row.fields[1..].iter().all(|f| f.is_empty());
-        if let Some(end) = dialect.end.as_ref().filter(|end| ends(end)) {
+        if let Some(end) = form.end.as_ref().filter(|end| row.ends(end)) {
             if let Some(row) = lines.find_map(|line| split(line).ok()) {
                 problems.0.push(error!("rows-after-end", end).at(row.place(file)));
             }
             break;
         }
         if !computed.is_empty() {
-            computed_cells(file, &mut row, width, (dialect, &computed), problems);
+            computed_cells(file, &mut row, width, (form, &computed), problems);
         }
         points.extend(reader.point(&row, &mut names, problems));
     }
-    let is_filtered = !(dialect.only.is_empty() && dialect.without.is_empty());
-    if is_filtered && !points.is_empty() && points.iter().all(|point| point.is_left_out) {
+    if form.is_filtered() && !points.is_empty() && points.iter().all(|point| point.is_left_out) {
         problems.0.push(no_row_selected(file, header.as_ref()));
     }
     problems.0.extend(reader.looks_spherical(&points));
@@ -225,28 +226,13 @@ fn points(
 
 /// Error if a heading of a length states another unit than the campaign.
 fn other_unit(file: &str, header: &Row, roles: &[ColumnRole], (dialect, unit): (&Dialect, Unit)) -> Option<Message> {
-    let of_topic = dialect.sheet.as_deref().filter(|name| ros_bag::is_topic(name)).map(|_| Unit::Metre);
+    let of_topic = dialect.form.is_topic().then_some(Unit::Metre);
     let mut lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
     let (name, of_file) = lengths.find_map(|(_, name)| {
         let of_heading = of_topic.or_else(|| Unit::from_heading(name)).filter(|said| *said != unit)?;
         Some((name, of_heading.name()))
     })?;
     Some(error!("unit-differs", of_file, how = **name, stated = unit.name()).at(header.place(file)))
-}
-
-/// Removes the last row of the header from the rows, and returns it.
-fn header<'t>(
-    file: &str,
-    rows: &mut impl Iterator<Item = Row<'t>>,
-    dialect: &Dialect,
-) -> Result<Option<Row<'t>>, Vec<Message>> {
-    match &dialect.header {
-        Header::Rows(count) => Ok(rows.take(*count).last()),
-        Header::Words(words) => {
-            let found = rows.find(|row| words.iter().all(|word| row.text.contains(word.as_str())));
-            found.map(Some).ok_or_else(|| vec![error!("header-words-missing", words).at(Place::file(file))])
-        }
-    }
 }
 
 /// Roles of the columns; computed columns follow the columns of the file.
@@ -266,48 +252,32 @@ fn resolved(
     let named = match &dialect.columns {
         Columns::InOrder(roles) => {
             let mut roles = roles.clone();
-            roles.resize(roles.len().max(dialect.widths.len()), ColumnRole::Skip);
+            roles.resize(roles.len().max(dialect.form.widths.len()), ColumnRole::Skip);
             return Ok(Resolved { width: roles.len(), roles, computed: Vec::new() });
         }
         Columns::Named(named) => named,
     };
     let mut computed = Vec::new();
-    let fields = header.map_or(&[][..], |row| &row.fields);
-    let width = fields.len().max(first.map_or(0, |row| row.fields.len()));
+    let width = header.map_or(0, |row| row.fields.len()).max(first.map_or(0, |row| row.fields.len()));
     let mut roles = vec![ColumnRole::Skip; width];
     let mut wrong = Vec::new();
-    let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
-    for (role, column) in named {
-        let found = match column {
-            ColumnAt::Number(n) => vec![n - 1],
-            ColumnAt::Name(name) => (0..fields.len()).filter(|i| fields[*i] == *name).collect(),
+    for (role, source) in named {
+        let message = match column(source, header, width) {
+            Ok(Expression::Column(at)) if roles[at] == ColumnRole::Skip => {
+                roles[at] = *role;
+                continue;
+            }
+            Ok(Expression::Column(at)) => {
+                let (first, second) = (roles[at].name(), role.name());
+                error!("column-stated-twice", column = format!("${}", at + 1), first, second)
+            }
+            Ok(expression) => {
+                computed.push((*role, expression));
+                continue;
+            }
+            Err(message) => message,
         };
-        match (&found[..], column) {
-            ([one], _) if *one >= width => {
-                wrong.push(error!("column-number-unknown", number = one + 1, columns = width).at(at()));
-            }
-            ([one], _) if roles[*one] != ColumnRole::Skip => {
-                let (first, second) = (roles[*one].name(), role.name());
-                wrong.push(error!("column-stated-twice", column = format!("${}", one + 1), first, second).at(at()));
-            }
-            ([one], _) => roles[*one] = *role,
-            ([], ColumnAt::Name(text)) if Expression::is_likely(text) => {
-                let parsed = Expression::parse(text, fields);
-                match parsed.and_then(|expression| expression.check_columns(width).map(|()| expression)) {
-                    Ok(expression) => computed.push((*role, expression)),
-                    Err(message) => wrong.push(message.at(at())),
-                }
-            }
-            ([], ColumnAt::Name(name)) => {
-                let message = error!("column-unknown", column = name).hint_names(name, fields.iter().map(Cow::as_ref));
-                wrong.push(message.at(at()));
-            }
-            (_, column) => {
-                let name = if let ColumnAt::Name(name) = column { name.as_str() } else { "" };
-                let message = error!("heading-twice", column = name);
-                wrong.push(message.hint(phrase!("state-column-number")).at(at()));
-            }
-        }
+        wrong.push(message.at(header.map_or_else(|| Place::file(file), |row| row.place(file))));
     }
     if !wrong.is_empty() {
         return Err(wrong);
@@ -322,25 +292,20 @@ fn computed_cells(
     file: &str,
     row: &mut Row,
     width: usize,
-    (dialect, computed): (&Dialect, &[Expression]),
+    (form, computed): (&Form, &[Expression]),
     problems: &mut Problems,
 ) {
     row.fields.resize(width.max(row.fields.len()), Cow::Borrowed(""));
     let mut cells: Vec<String> = Vec::new();
     for expression in computed {
-        let cell = |at: usize| match row.field(at) {
-            field if dialect.missing.says(field) => Ok(None),
-            field => marked(field, dialect.decimal, dialect.thousands).map(Some),
-        };
-        let value = expression.value(&cell);
-        let text = value.map(|value| value.map_or_else(String::new, |value| value.to_string()));
+        let value = expression.value(&|at| number(form, row.field(at)));
+        let text = value.map(|value| value.map_or_else(String::new, |value| written_out(value, form.decimal())));
         cells.push(text.unwrap_or_else(|(at, message)| {
             problems.0.push(message.at(row.cell(file, at)));
             String::new()
         }));
     }
-    let mark = |text: String| if dialect.decimal == Decimal::Comma { text.replace('.', ",") } else { text };
-    row.fields.extend(cells.into_iter().map(|text| Cow::Owned(mark(text))));
+    row.fields.extend(cells.into_iter().map(Cow::Owned));
 }
 
 /// Numbers of a row with their roles; coordinates with their columns, in mm or rad.
@@ -366,9 +331,9 @@ impl Reader<'_> {
     /// Columns of plain lines, if every column is a label, x, y, z or skipped, and no number can
     /// mean "not measured".
     fn plain(&self) -> Option<Vec<PlainColumn>> {
-        let Dialect { only, without, widths, end, sheet, thousands, missing, decimal, .. } = self.dialect;
-        let stated = !(only.is_empty() && without.is_empty() && widths.is_empty());
-        let numeric = missing.markers().iter().any(|marker| parsed(marker, *decimal, None).is_some());
+        let Form { widths, end, sheet, thousands, missing, .. } = &self.dialect.form;
+        let (decimal, stated) = (self.dialect.form.decimal(), self.dialect.form.is_filtered() || !widths.is_empty());
+        let numeric = missing.markers().iter().any(|marker| parsed(marker, decimal, None).is_some());
         if stated || numeric || end.is_some() || sheet.is_some() || thousands.is_some() {
             return None;
         }
@@ -386,8 +351,8 @@ impl Reader<'_> {
 
     /// Reads the point of a plain line; `None` if the line has to be read as a row.
     fn plain_point(&self, columns: &[PlainColumn], number: usize, line: &str, names: &mut Names) -> Option<Point> {
-        let delimiter = self.dialect.delimiter.unwrap_or(Delimiter::Tab);
-        let (label, xyz) = lexer::plain_line(line, delimiter, self.dialect.decimal, columns)?;
+        let form = &self.dialect.form;
+        let (label, xyz) = lexer::plain_line(line, form.delimiter(), form.decimal(), columns)?;
         Some(Point::from_line((number, Line::from_part(self.text, line)), names.shared(label), xyz, self.unit))
     }
 
@@ -414,7 +379,7 @@ impl Reader<'_> {
         let mut wrong = |message: Message, cell: usize| problems.0.push(message.at(row.cell(self.file, cell)));
         let cells = || roles.iter().zip(&row.fields).enumerate().map(|(i, (role, field))| (i, *role, field.as_ref()));
         let mut value = |i: usize, field: &str| {
-            let read = marked(field, self.dialect.decimal, self.dialect.thousands);
+            let read = marked(field, self.dialect.form.decimal(), self.dialect.form.thousands);
             read.map_err(|message| wrong(message, i)).unwrap_or(f64::NAN)
         };
         let left_out = self.filter.refuses(row);
@@ -437,7 +402,7 @@ impl Reader<'_> {
                 ColumnRole::TimeMs => point.time_s = Some(value(i, field) / 1000.0),
                 ColumnRole::Timestamp => stamp[1] = Some((i, field)),
                 ColumnRole::Date => stamp[0] = Some((i, field)),
-                ColumnRole::TemperatureC if self.dialect.missing.says(field) => {}
+                ColumnRole::TemperatureC if self.dialect.form.missing.says(field) => {}
                 ColumnRole::TemperatureC => point.temperature_c = Some(value(i, field)),
                 ColumnRole::Deleted if is_deleted(field) => {
                     point.refused.get_or_insert_with(|| Box::new(phrase!("row-marked-deleted", cell = field)));
@@ -445,7 +410,7 @@ impl Reader<'_> {
                 }
                 ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}
-                role if role.is_orientation() && self.dialect.missing.says(field) => {}
+                role if role.is_orientation() && self.dialect.form.missing.says(field) => {}
                 role if role.is_orientation() => numbers.turned.push((role, value(i, field))),
                 role if role.is_expanded() => numbers.uncertain.push((role, value(i, field))),
                 role if role.is_coordinate() => {
@@ -486,7 +451,7 @@ impl Reader<'_> {
         }
         for &(i, role, field) in names {
             if role == ColumnRole::Pose {
-                match pose_name(field, self.dialect.decimal) {
+                match pose_name(field, self.dialect.form.decimal()) {
                     Ok(pose) => point.pose = Some(pose),
                     Err(message) => wrong.push((message, i)),
                 }
@@ -571,7 +536,7 @@ impl Reader<'_> {
         if cells.iter().all(|(_, cell)| cell.is_empty()) {
             return Some(phrase!("row-without-coordinates"));
         }
-        cells.into_iter().find_map(|(role, cell)| self.dialect.missing.reason(role.name(), cell))
+        cells.into_iter().find_map(|(role, cell)| self.dialect.form.missing.reason(role.name(), cell))
     }
 
     /// Returns an error if points that are stated as Cartesian look like angles and distances.
@@ -699,26 +664,26 @@ fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
 fn write(rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
     let (dialect, decimals) = (how.dialect, how.decimals);
     let columns = named_columns(&dialect.columns)?;
-    let delimiter = dialect.delimiter.ok_or_else(|| error!("format-not-simulated", kind = "fixed"))?;
+    let delimiter = dialect.form.delimiter.ok_or_else(|| error!("format-not-simulated", kind = "fixed"))?;
     if !dialect.types.is_empty() {
         return Err(error!("format-not-simulated", kind = "types"));
     }
     let line = |field: &mut dyn FnMut(&ColumnRole, &str) -> String| {
         let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
-        lexer::line(&fields, delimiter, dialect.comment.as_deref())
+        lexer::line(&fields, delimiter, dialect.form.comment.as_deref())
     };
     let mut all = String::new();
-    if let Some(mark) = &dialect.comment {
+    if let Some(mark) = &dialect.form.comment {
         // as SpatialAnalyzer heads its ASCII points
         let headings: Vec<&str> = columns.iter().map(|(_, name)| name.as_str()).collect();
         all += &format!("{mark} AXES = CARTESIAN: X,  Y,  Z ({})\n", how.unit.name());
         all += &format!("{mark} {}\n\n", headings.join(",  "));
     }
-    let header = if let Header::Rows(rows) = dialect.header { rows } else { 1 };
+    let header = if let Header::Rows(rows) = dialect.header() { rows } else { 1 };
     for remaining in (0..header).rev() {
         all += &line(&mut |_, name| if remaining == 0 { name.to_owned() } else { "simulated".to_owned() })?;
     }
-    let number = |value, digits| lexer::written(value, digits, dialect.decimal);
+    let number = |value, digits| lexer::written(value, digits, dialect.form.decimal());
     let in_unit = |rad: f64| rad / dialect.angle_unit.map_or(1.0, |unit| unit.in_rad());
     for row in rows {
         let mut skipped = how.skipped.iter();
@@ -746,7 +711,7 @@ fn write(rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
             _ => skip(),
         })?;
     }
-    all += &dialect.end.iter().map(|end| format!("{end}\n")).collect::<String>();
+    all += &dialect.form.end.iter().map(|end| format!("{end}\n")).collect::<String>();
     Ok(all)
 }
 
@@ -755,9 +720,9 @@ fn named_columns(stated: &Columns) -> Result<Vec<(ColumnRole, String)>, Message>
     match stated {
         Columns::InOrder(roles) => Ok(roles.iter().map(|role| (*role, role.name().to_owned())).collect()),
         Columns::Named(named) => {
-            let name = |(role, column): &(ColumnRole, ColumnAt)| match column {
-                ColumnAt::Name(name) => Ok((*role, name.clone())),
-                ColumnAt::Number(_) => Err(error!("format-not-simulated", kind = "numbers")),
+            let name = |(role, column): &(ColumnRole, ColumnSource)| match column {
+                ColumnSource::Heading(name) => Ok((*role, name.clone())),
+                ColumnSource::Number(_) => Err(error!("format-not-simulated", kind = "numbers")),
             };
             named.iter().map(name).collect()
         }
@@ -801,7 +766,8 @@ mod tests {
                 let mut cell = |_| cells[(draws.uniform(0.5).abs() * 2.0 * cells.len() as f64) as usize % cells.len()];
                 let line: Vec<&str> = (0..width).map(&mut cell).collect();
                 let text: SharedText = format!("n,1,,-2.5,3\n{}\r\n1 2 3\n", line.join(separator)).as_str().into();
-                let by_rows = Dialect { end: Some("never".to_owned()), ..dialect.clone() };
+                let form = Form { end: Some("never".to_owned()), ..dialect.form.clone() };
+                let by_rows = Dialect { form, ..dialect.clone() };
                 let [plain, rows] = [&dialect, &by_rows].map(|d| point_rows("f", &text, d, Unit::Inch));
                 // NaN differs from itself
                 assert_eq!(format!("{plain:?}"), format!("{rows:?}"), "{line:?}");

@@ -6,12 +6,13 @@
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::number;
+use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Vector, norm};
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::number;
 
 /// DMIS output, by its notation of directions.
 pub(super) struct Dmis {

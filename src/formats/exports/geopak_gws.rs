@@ -7,11 +7,12 @@
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format, unit_agrees};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::number;
+use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::number;
 
 /// Scans of GEOPAK-Win.
 pub(super) struct GeopakGws;

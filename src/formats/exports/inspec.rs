@@ -8,11 +8,12 @@
 use super::pivot::{Pivot, Said};
 use super::{About, ExportFormat, ExportRow, Text, Writing};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::{Row as Fields, number, parsed};
+use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::{Row as Fields, number, parsed};
 
 /// Exports of Micro-Vu InSpec.
 pub(super) struct Inspec;

@@ -3,8 +3,9 @@
 
 use super::Recognised;
 use super::delimited::NamedDialect;
-use crate::dialect::{ColumnAt, ColumnRole, Columns, Delimiter, Dialect, Header};
+use crate::dialect::{ColumnRole, Columns, Dialect};
 use etalon_base::phrase;
+use etalon_tables::{ColumnSource, Delimiter, Form, Header};
 
 /// Columns by name; `Q0` is the scalar. The uncertainties have a level of confidence of 95 % (k =
 /// 2).
@@ -16,7 +17,7 @@ pub(super) const LEICA_AT960: NamedDialect = NamedDialect {
         Recognised::by(mark, 0.9, what).map(|found| Recognised { unit: Some("mm"), ..found })
     },
     dialect: || {
-        let named = |role: ColumnRole, name: &str| (role, ColumnAt::Name(name.to_owned()));
+        let named = |role: ColumnRole, name: &str| (role, ColumnSource::Heading(name.to_owned()));
         let columns = vec![
             named(ColumnRole::X, "X  [mm]"),
             named(ColumnRole::Y, "Y  [mm]"),
@@ -30,10 +31,12 @@ pub(super) const LEICA_AT960: NamedDialect = NamedDialect {
             named(ColumnRole::Qz, "Q3"),
         ];
         Dialect {
-            delimiter: Some(Delimiter::Comma),
+            form: Form {
+                header: Some(Header::Words(vec!["U(95) X".to_owned(), "Q0".to_owned()])),
+                ..Form::delimited(Delimiter::Comma)
+            },
             columns: Columns::Named(columns),
             coverage_factor: Some(2.0),
-            header: Header::Words(vec!["U(95) X".to_owned(), "Q0".to_owned()]),
             ..Dialect::default()
         }
     },

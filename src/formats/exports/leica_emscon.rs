@@ -2,8 +2,9 @@
 
 use super::Recognised;
 use super::delimited::NamedDialect;
-use crate::dialect::{AngleUnit, ColumnAt, ColumnRole, Columns, Delimiter, Dialect, Header};
+use crate::dialect::{AngleUnit, ColumnRole, Columns, Dialect};
 use etalon_base::phrase;
+use etalon_tables::{ColumnSource, Delimiter, Form, Header};
 use std::collections::BTreeMap;
 
 pub(super) const LEICA_EMSCON: NamedDialect = NamedDialect {
@@ -30,9 +31,8 @@ fn dialect() -> Dialect {
         (ColumnRole::U3, "std3"),
     ];
     Dialect {
-        delimiter: Some(Delimiter::Comma),
-        header: Header::Rows(1),
-        columns: Columns::Named(names.map(|(role, name)| (role, ColumnAt::Name(name.to_owned()))).to_vec()),
+        form: Form { header: Some(Header::Rows(1)), ..Form::delimited(Delimiter::Comma) },
+        columns: Columns::Named(names.map(|(role, name)| (role, ColumnSource::Heading(name.to_owned()))).to_vec()),
         types: BTreeMap::from([
             ("0".to_owned(), vec![ColumnRole::X, ColumnRole::Y, ColumnRole::Z]),
             ("7".to_owned(), vec![ColumnRole::Azimuth, ColumnRole::Zenith, ColumnRole::Distance]),

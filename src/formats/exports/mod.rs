@@ -25,14 +25,15 @@ mod vda_fs;
 
 pub(crate) use stamps::seconds as stamp_seconds;
 
-use super::lexer::written;
 use super::points::{Line, Point, SharedText, Stated, has_frame_on_points};
-use crate::dialect::{Decimal, Dialect, Unit};
+use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
+use etalon_tables::lexer::written;
+use etalon_tables::{Decimal, Form};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -195,7 +196,7 @@ impl Format {
         let kind = FORMATS.into_iter().find(|format| format.about().name == name)?;
         let mut dialect = kind.dialect();
         if decimal == Decimal::Comma {
-            dialect.decimal = decimal;
+            dialect.form.decimal = Some(decimal);
         }
         (decimal == Decimal::Point || kind.about().decimal_comma).then(|| Self { kind, dialect: Box::new(dialect) })
     }
@@ -207,7 +208,7 @@ impl Format {
 
     /// Name of the format, or the dialect as a campaign states it.
     pub fn title(&self) -> Argument {
-        match (self.about().title, self.dialect.decimal) {
+        match (self.about().title, self.dialect.form.decimal()) {
             ("", _) => self.dialect.to_string().argument(),
             (title, Decimal::Point) => title.argument(),
             (title, Decimal::Comma) => phrase!("read-with-decimal-comma", format = title).argument(),
@@ -219,7 +220,7 @@ impl Format {
     /// Trackers write such rows for a lost target in tables of rows. Formats of elements list
     /// measured ones alone, and a frame that is built on measured points has its origin at one.
     pub fn origin_is_missing(&self, rows: &[Point]) -> bool {
-        self.dialect.missing.origin() && self.about().by_rows && !has_frame_on_points(rows)
+        self.dialect.form.missing.origin() && self.about().by_rows && !has_frame_on_points(rows)
     }
 
     pub(crate) fn about(&self) -> About {
@@ -266,9 +267,15 @@ impl From<Dialect> for Format {
     }
 }
 
+impl From<Form> for Format {
+    fn from(form: Form) -> Self {
+        Dialect { form, ..Dialect::default() }.into()
+    }
+}
+
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match (self.about().title, self.dialect.decimal) {
+        match (self.about().title, self.dialect.form.decimal()) {
             ("", _) => write!(f, "{}", self.dialect),
             (title, Decimal::Point) => f.write_str(title),
             (title, Decimal::Comma) => write!(f, "{title}, decimal `,`"),
@@ -346,7 +353,7 @@ pub(crate) struct Writing<'a> {
 impl Writing<'_> {
     /// A coordinate.
     pub fn number(&self, value: f64) -> String {
-        written(value, self.decimals, self.dialect.decimal)
+        written(value, self.decimals, self.dialect.form.decimal())
     }
 
     /// The coordinates of a row.

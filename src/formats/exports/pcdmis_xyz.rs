@@ -7,11 +7,12 @@
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format, unit_agrees};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::{Row as Fields, number};
+use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::{Argument, IntoArgument};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::{Row as Fields, number};
 
 /// Files `.xyz` of PC-DMIS.
 pub(super) struct PcdmisXyz;

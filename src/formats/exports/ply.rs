@@ -2,12 +2,13 @@
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::{Row as Fields, number};
+use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::{Row as Fields, number};
 
 /// Vertices of PLY.
 pub(super) struct Ply;

@@ -1,12 +1,12 @@
 //! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
 
-use super::delimited::columns_in;
 use super::{About, ExportFormat, ExportRow, Plain, Text, Writing};
-use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
-use crate::lexer::{self, PlainColumn, lines, number};
+use crate::dialect::{Dialect, Unit};
 use crate::points::{Line, Names, Point, SharedText};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
+use etalon_tables::lexer::{self, PlainColumn, lines, number};
+use etalon_tables::{Decimal, Delimiter, Form};
 
 /// Point text of PolyWorks.
 pub(super) struct Polyworks;
@@ -42,15 +42,15 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     let mut names = Names::default();
-    let dialect = columns_in(Delimiter::Blank, &[]);
+    let form = Form::delimited(Delimiter::Blank);
     let columns =
         [PlainColumn::Label, PlainColumn::Coordinate(0), PlainColumn::Coordinate(1), PlainColumn::Coordinate(2)];
-    for (i, line) in lines(text, &dialect) {
+    for (i, line) in lines(text, &form) {
         if let Some((label, xyz)) = lexer::plain_line(line, Delimiter::Blank, Decimal::Point, &columns) {
             points.push(Point::from_line((i, Line::from_part(text, line)), names.shared(label), xyz, unit));
             continue;
         }
-        let row = match lexer::row(file, i, line, &dialect) {
+        let row = match lexer::row(file, i, line, &form) {
             Ok(row) => row,
             Err(message) => {
                 problems.0.push(message);

@@ -4,10 +4,11 @@
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head, not_this_format};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::parsed;
+use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::parsed;
 use std::collections::BTreeMap;
 
 /// Project descriptions of PolyWorks|Inspector.

@@ -7,11 +7,13 @@
 
 use super::pivot::{Pivot, Said};
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format};
-use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
-use crate::lexer::{Row as Fields, number, parsed, split};
-use crate::{Point, lexer};
+use crate::Point;
+use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::{error, phrase};
+use etalon_tables::lexer;
+use etalon_tables::lexer::{Row as Fields, number, parsed, split};
+use etalon_tables::{Decimal, Delimiter, Form};
 
 /// Report tables of PolyWorks|Inspector.
 pub(super) struct PolyworksReport;
@@ -26,12 +28,13 @@ impl ExportFormat for PolyworksReport {
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
-        rows(text, dialect.decimal, unit)
+        rows(text, dialect.form.decimal(), unit)
     }
 
     fn write(&self, rows: &[ExportRow], how: &Writing) -> std::result::Result<String, Message> {
         // a decimal comma goes with semicolons
-        let delimiter = if how.dialect.decimal == Decimal::Comma { Delimiter::Semicolon } else { Delimiter::Comma };
+        let delimiter =
+            if how.dialect.form.decimal() == Decimal::Comma { Delimiter::Semicolon } else { Delimiter::Comma };
         let line = |fields: [&str; 8]| lexer::line(&fields.map(str::to_owned), delimiter, None);
         let mut all = line(["Name", "Control", "Nom", "Meas", "Tol", "Dev", "Test", "Out Tol"])?;
         for ExportRow { label, xyz, .. } in rows {
@@ -107,8 +110,8 @@ fn read(text: &Text, decimal: Decimal) -> (Vec<Control>, Problems) {
         problems.0.push(error!("comma-ambiguous").at(text.place(columns.line)));
         return (Vec::new(), problems);
     }
-    let dialect = Dialect { delimiter: Some(columns.delimiter), ..Dialect::default() };
-    let (rows, stray) = split(text.file, text.whole, &dialect);
+    let form = Form::delimited(columns.delimiter);
+    let (rows, stray) = split(text.file, text.whole, &form);
     let behind = |message: &Message| message.place.as_ref().and_then(|p| p.line) > Some(columns.line);
     problems.0.extend(stray.0.into_iter().filter(behind));
     let names = rows.iter().find(|row| row.line == columns.line).map(|row| &row.fields);

@@ -2,8 +2,9 @@
 
 use super::Recognised;
 use super::delimited::NamedDialect;
-use crate::dialect::{ColumnRole, Dialect, Header};
+use crate::dialect::{ColumnRole, Dialect};
 use etalon_base::phrase;
+use etalon_tables::{Form, Header};
 
 pub(super) const SDSS_PLATE: NamedDialect = NamedDialect {
     name: "sdss-plate",
@@ -12,9 +13,12 @@ pub(super) const SDSS_PLATE: NamedDialect = NamedDialect {
         Recognised::by(mark, 0.9, phrase!("is-drilled-plate"))
     },
     dialect: || Dialect {
-        widths: vec![10, 10, 10, 10, 10, 10, 8, 8, 8],
+        form: Form {
+            widths: vec![10, 10, 10, 10, 10, 10, 8, 8, 8],
+            header: Some(Header::Words(vec!["Meas X".to_owned(), "Nom X".to_owned()])),
+            ..Form::default()
+        },
         columns: vec![ColumnRole::X, ColumnRole::Y].into(),
-        header: Header::Words(vec!["Meas X".to_owned(), "Nom X".to_owned()]),
         ..Dialect::default()
     },
 };

@@ -4,10 +4,11 @@
 
 use super::delimited::point_rows;
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
-use crate::dialect::{ColumnRole, Delimiter, Dialect, Unit};
+use crate::dialect::{ColumnRole, Dialect, Unit};
 use crate::{Point, SharedText};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, phrase};
+use etalon_tables::{Delimiter, Form};
 
 /// ASCII points of SpatialAnalyzer.
 pub(super) struct SpatialAnalyzer;
@@ -78,8 +79,7 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
         },
     };
     let dialect = Dialect {
-        delimiter: Some(Delimiter::Comma),
-        comment: Some(COMMENT.to_owned()),
+        form: Form { comment: Some(COMMENT.to_owned()), ..Form::delimited(Delimiter::Comma) },
         columns: columns.into(),
         ..Dialect::default()
     };

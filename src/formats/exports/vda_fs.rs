@@ -7,11 +7,12 @@
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head, not_this_format};
 use crate::Point;
-use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::number;
+use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
+use etalon_tables::Decimal;
+use etalon_tables::lexer::number;
 use std::collections::BTreeMap;
 
 /// Points of VDA-FS.

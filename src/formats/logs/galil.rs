@@ -4,12 +4,12 @@
 //! the command `RC` of the controller sets the period. Source: galil.com, "Comma-Separated Values
 //! (CSV Files)".
 
-use super::sheet::Sheet;
 use super::{About, LogFormat, Wanted};
 use crate::exports::Recognised;
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
 use etalon_documents::Refused;
+use etalon_tables::sheet::Sheet;
 
 /// Array uploads of a Galil controller: encoder counts, no clock.
 pub(super) struct Galil;

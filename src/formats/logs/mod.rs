@@ -17,20 +17,19 @@ mod write;
 pub(crate) use arrays::ArrayParts;
 pub use joint_log::{DIRECTION, is_common_column, meaning};
 pub use joint_log::{JointLog, LogRow, is_joint_column};
-pub(crate) use sheet::{one_column, row_width, words_missing};
 pub use write::write;
 
-use super::dialect::{Cells, Column, Constant, Decimal, Delimiter, Encoding, FromRow, Header, Missing, Thousands};
+use super::dialect::Column;
 use super::exports::Recognised;
-use crate::ros_bag;
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
 use etalon_documents::{Refused, Source};
+use etalon_tables::sheet::Sheet;
+use etalon_tables::{Constant, Delimiter, Form, FromRow, Header};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
-use sheet::Sheet;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -39,7 +38,7 @@ use toml::Spanned;
 /// A file of a controller.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(transform = crate::dialect::accept_topic)]
+#[schemars(transform = etalon_tables::schema::accept_topic)]
 pub struct Log {
     /// Name of the log, if there are several.
     #[serde(default = "default_log")]
@@ -47,41 +46,12 @@ pub struct Log {
     /// Name of the file.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// Character encoding, if no byte-order mark states it.
-    #[schemars(extend("default" = "utf-8"))]
-    pub encoding: Option<Encoding>,
     /// Controller that wrote the log.
     #[serde(default)]
     pub format: LogKind,
-    /// Delimiter of the columns.
-    #[schemars(extend("default" = ","))]
-    pub delimiter: Option<Delimiter>,
-    /// Decimal mark.
-    #[serde(default)]
-    pub decimal: Decimal,
-    /// Mark between groups of three digits.
-    pub thousands: Option<Thousands>,
-    /// Sheet of a workbook with the log, or as `topic` the topic of a recording (MCAP);
-    /// `delimiter` and `encoding` do not apply.
-    #[serde(alias = "topic")]
-    pub sheet: Option<String>,
-    /// Header rows before the data; the last one names the columns: a number, `true` (one),
-    /// `false` (none), or words of the last one.
-    #[serde(default = "one_row")]
-    #[schemars(extend("default" = true))]
-    pub header: Header,
-    /// Beginning of lines that are skipped.
-    pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones: rows without a value of a joint or a
-    /// time are left out.
-    #[serde(default)]
-    pub missing: Missing,
-    /// Rows that are read: those with one of these cells in each of these columns.
-    #[serde(default)]
-    pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
-    #[serde(default)]
-    pub without: BTreeMap<String, Cells>,
+    /// Form of its text. Rows without a value of a joint or a time are left out.
+    #[serde(flatten)]
+    pub form: Form,
     /// Columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point
     /// touched), the joints with their units, and the directions from which joints came
     /// (`q1_direction`: +1 from below, -1 from above), the payload (`load_kg`, `load_x_mm`,
@@ -118,19 +88,15 @@ pub struct StandstillCriterion {
 }
 
 impl Log {
-    /// Returns the delimiter of the columns.
-    pub fn delimiter(&self) -> Delimiter {
-        // the cells of a sheet and the numbers of arrays become a text with tabs
-        let other = if self.sheet.is_some() || self.format.0.has_arrays() { Delimiter::Tab } else { Delimiter::Comma };
-        self.delimiter.unwrap_or(other)
+    /// Returns the form of the text: the numbers of arrays become a text with tabs.
+    pub fn read_form(&self) -> Form {
+        let delimiter = self.form.delimiter.or(self.format.0.has_arrays().then_some(Delimiter::Tab));
+        Form { delimiter, ..self.form.clone() }
     }
 
     /// Returns the format: topics of a recording are messages of ROS.
     fn kind(&self) -> LogKind {
-        match &self.sheet {
-            Some(topic) if ros_bag::is_topic(topic) => LogKind(&ros::Ros),
-            _ => self.format,
-        }
+        if self.form.is_topic() { LogKind(&ros::Ros) } else { self.format }
     }
 
     /// Returns the keys of the columns and of the constants.
@@ -140,7 +106,7 @@ impl Log {
 
     /// `true` if a row names the columns.
     pub fn has_header(&self) -> bool {
-        self.header != Header::Rows(0)
+        self.form.header() != Header::Rows(0)
     }
 }
 
@@ -156,10 +122,6 @@ pub enum ChannelValues {
 
 fn default_log() -> String {
     "log".to_owned()
-}
-
-fn one_row() -> Header {
-    Header::Rows(1)
 }
 
 /// All formats. A new format needs its file and a line here.
@@ -573,16 +535,21 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
     if log.values.is_some() && !log.kind().0.has_channels() {
         problems.0.push(here(inapplicable("values")));
     }
+    let form = &log.form;
+    if let Some(key) = form.meaningless_beside_sheet() {
+        problems.0.push(here(error!("key-of-text-table", key)));
+    }
     let text = [
-        ("delimiter", log.delimiter.is_some()),
-        ("decimal", log.decimal != Decimal::default()),
-        ("encoding", log.encoding.is_some()),
-        ("comment", log.comment.is_some()),
-        ("sheet", log.sheet.is_some()),
-        ("thousands", log.thousands.is_some()),
+        ("delimiter", form.delimiter.is_some()),
+        ("widths", !form.widths.is_empty()),
+        ("decimal", form.decimal.is_some()),
+        ("encoding", form.encoding.is_some()),
+        ("comment", form.comment.is_some()),
+        ("sheet", form.sheet.is_some()),
+        ("thousands", form.thousands.is_some()),
     ];
-    let filters = [("only", !log.only.is_empty()), ("without", !log.without.is_empty())];
-    for (key, _) in filters.iter().filter(|(_, stated)| *stated && log.kind().0.has_channels()) {
+    let rows = [("only", !form.only.is_empty()), ("without", !form.without.is_empty()), ("end", form.end.is_some())];
+    for (key, _) in rows.iter().filter(|(_, stated)| *stated && log.kind().0.has_channels()) {
         problems.0.push(here(inapplicable(key)));
     }
     for (key, _) in text.iter().filter(|(_, stated)| *stated && log.kind().0.has_arrays()) {

@@ -5,14 +5,14 @@
 //! (`field.name0,...,field.position0,...`) or in the messages of a recording
 //! (`position.lbr_joint_1`).
 
-use super::sheet::Sheet;
 use super::{About, LogFormat, Wanted, other_unit};
-use crate::dialect::ColumnAt;
 use crate::exports::Recognised;
 use crate::ros_bag::{POSITION, STAMP};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
 use etalon_documents::Refused;
+use etalon_tables::ColumnSource;
+use etalon_tables::sheet::Sheet;
 
 /// ROS messages: joints in any order, named by the header or by their rows.
 pub(super) struct Ros;
@@ -55,7 +55,7 @@ impl LogFormat for Ros {
 /// Returns the error of a joint value of a recording in another unit than rad or m
 /// (JointState.msg).
 fn position_unit(wanted: &Wanted) -> Option<Message> {
-    let ColumnAt::Name(column) = &wanted.column.at else { return None };
+    let ColumnSource::Heading(column) = &wanted.column.at else { return None };
     let stated = wanted.unit().filter(|_| column.starts_with(POSITION) && wanted.column.per_count.is_none())?;
     let known = match stated {
         "deg" => "rad",
@@ -71,7 +71,8 @@ fn remove_messages_of_other_joints(sheet: &mut Sheet, wanted: &[(usize, &Wanted)
     let header = sheet.header.as_ref()?;
     let is_joint = |at: &usize| header.fields.get(*at).is_some_and(|name| name.starts_with(POSITION));
     let joints: Vec<usize> = wanted.iter().map(|(at, _)| *at).filter(is_joint).collect();
-    let others = |row: &crate::lexer::Row| !joints.is_empty() && joints.iter().all(|at| row.field(*at).is_empty());
+    let others =
+        |row: &etalon_tables::lexer::Row| !joints.is_empty() && joints.iter().all(|at| row.field(*at).is_empty());
     let count = sheet.rows.iter().filter(|row| others(row)).count();
     let first = sheet.rows.iter().find(|row| others(row))?;
     let reason = phrase!("ros-messages-of-other-joints", count);

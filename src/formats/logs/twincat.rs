@@ -5,14 +5,15 @@
 //! channels with equal times. A row of the log is a time at which all wanted channels have a value;
 //! nothing is interpolated.
 
-use super::sheet::{row_width, select_occurrence};
+use super::sheet::select_occurrence;
 use super::{About, ChannelValues, Columns, Log, LogFormat, LogText, Values, Wanted, inapplicable, other_unit};
-use crate::dialect::{ColumnAt, Decimal, Delimiter, two_commas};
 use crate::exports::Recognised;
-use crate::lexer::{Row, number};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::{error, phrase, warning};
 use etalon_documents::Source;
+use etalon_tables::lexer::{Row, number};
+use etalon_tables::sheet::field_count;
+use etalon_tables::{ColumnSource, Decimal, Delimiter, two_commas};
 
 /// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
 pub(super) struct TwinCat;
@@ -59,7 +60,7 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
     let delimited = phrase!(
         "log-delimited",
         delimiter = header.separator.escape_default().to_string(),
-        decimal = log.decimal.name()
+        decimal = log.form.decimal().name()
     );
     let read = phrase!("log-of-format", format = log.format.about().title, read = delimited);
     source.read_as(match header.start_utc() {
@@ -92,7 +93,7 @@ fn channel<'a>(header: &'a Header, log: &Log, wanted: &Wanted) -> std::result::R
     if wanted.name == "time_s" {
         return Err(inapplicable(wanted.key.get_ref()));
     }
-    let ColumnAt::Name(name) = &wanted.column.at else {
+    let ColumnSource::Heading(name) = &wanted.column.at else {
         return Err(error!("column-by-number", format = log.format.about().name));
     };
     let named: Vec<&Channel> = header.channels.iter().filter(|c| c.name == *name).collect();
@@ -145,7 +146,7 @@ fn samples(
         source.rows_read += 1;
         let row = Row::new(i + 1, line, line.split(header.separator).map(str::trim));
         if row.fields.iter().skip(header.width).any(|f| !f.is_empty()) {
-            problems.0.push(row_width(file, &row, header.width, "names"));
+            problems.0.push(field_count(file, &row, header.width, "names"));
             continue;
         }
         for (channel, samples) in channels.iter().zip(&mut all) {
@@ -161,7 +162,7 @@ fn samples(
                 wrong(error!("channel-resumes", channel = &channel.name), channel.at);
                 continue;
             }
-            match (number(time, log.decimal), number(value, log.decimal)) {
+            match (number(time, log.form.decimal()), number(value, log.form.decimal())) {
                 (Err(message), _) => wrong(message, channel.time),
                 (_, Err(message)) => wrong(message, channel.at),
                 (Ok(time), Ok(value)) => match samples.times_ms.last() {
@@ -323,11 +324,11 @@ fn separator(lines: &[&str], log: &Log) -> std::result::Result<char, Message> {
     if separator == ' ' {
         return Err(error!("twincat-separated-by-blanks"));
     }
-    if separator == ',' && log.decimal == Decimal::Comma {
+    if separator == ',' && log.form.decimal() == Decimal::Comma {
         return Err(two_commas());
     }
-    let stated = log.delimiter.and_then(Delimiter::byte).map(char::from);
-    if log.delimiter.is_some() && stated != Some(separator) {
+    let stated = log.form.delimiter.and_then(Delimiter::byte).map(char::from);
+    if log.form.delimiter.is_some() && stated != Some(separator) {
         return Err(error!("delimiter-differs", separator = format!("{separator:?}")));
     }
     Ok(separator)

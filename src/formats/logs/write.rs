@@ -1,11 +1,12 @@
 //! Writer of logs with the columns of a campaign.
 
 use super::{JointLog, Log, LogRow, meaning};
-use crate::dialect::{Column, ColumnAt};
-use crate::lexer::{line, written};
+use crate::dialect::Column;
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::error;
 use etalon_base::message::{Message, Result, SourceText};
+use etalon_tables::ColumnSource;
+use etalon_tables::lexer::{line, written};
 
 /// Maximum number of columns.
 const MOST_COLUMNS: usize = 1000;
@@ -37,7 +38,7 @@ pub fn write(stated: SourceText, log: &Log, values: &JointLog) -> Result<String>
             header[at].clone_from(name);
         }
     }
-    let line = |fields: &[String]| line(fields, log.delimiter(), None);
+    let line = |fields: &[String]| line(fields, log.read_form().delimiter(), None);
     let mut all = if log.has_header() { line(&header)? } else { String::new() };
     for row in &values.rows {
         let fields: Vec<String> = contents.iter().map(|content| field(log, content.as_ref(), row)).collect();
@@ -51,18 +52,19 @@ type Placed<'a> = (&'a toml::Spanned<String>, &'a Column, usize, Option<&'a Stri
 /// Returns index and name of each column: numbered columns have their place, named columns fill the
 /// gaps in order.
 fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
-    let number = |column: &Column| if let ColumnAt::Number(n) = column.at { Some(n - 1) } else { None };
+    let number = |column: &Column| if let ColumnSource::Number(n) = column.at { Some(n - 1) } else { None };
     let taken: Vec<usize> = log.columns.values().filter_map(number).collect();
     let mut free = (0..).filter(|i| !taken.contains(i));
     let mut places: Vec<Placed> = Vec::new();
     let mut columns: Vec<_> = log.columns.iter().collect();
     if log.format.0.is_sorted() {
-        columns.sort_by_key(|(_, column)| if let ColumnAt::Name(name) = &column.at { name.as_str() } else { "" });
+        columns
+            .sort_by_key(|(_, column)| if let ColumnSource::Heading(name) = &column.at { name.as_str() } else { "" });
     }
     for (key, column) in columns {
         let (at, name) = match &column.at {
-            ColumnAt::Number(n) => (n - 1, None),
-            ColumnAt::Name(name) => (free.next().unwrap_or(0), Some(name)),
+            ColumnSource::Number(n) => (n - 1, None),
+            ColumnSource::Heading(name) => (free.next().unwrap_or(0), Some(name)),
         };
         let twice = places.iter().any(|p| p.2 == at || name.is_some() && p.3 == name);
         if twice || at >= MOST_COLUMNS {
@@ -97,7 +99,7 @@ fn content(values: &JointLog, key: &str, column: &Column) -> std::result::Result
 }
 
 fn field(log: &Log, content: Option<&Content>, row: &LogRow) -> String {
-    let number = |value: f64, digits: usize| written(value, digits, log.decimal);
+    let number = |value: f64, digits: usize| written(value, digits, log.form.decimal());
     match content {
         None => "-".to_owned(),
         Some(Content::Pose) => row.pose.unwrap_or_default().to_string(),

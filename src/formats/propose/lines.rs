@@ -3,17 +3,16 @@
 use super::meaning::{Interpretation, Meaning, PointSet};
 use super::several::POSE_LINE;
 use super::table::Table;
-use crate::dialect::{
-    ColumnAt, ColumnRole, Columns, CoordinateType, Delimiter, Dialect, Unit, coordinate_type, quoted,
-};
+use crate::dialect::{ColumnRole, Columns, CoordinateType, Dialect, Unit, coordinate_type, quoted};
 use crate::exports::delimited::point_rows;
-use crate::guess::{Guess, names};
 use crate::logs::LogKind;
 use crate::points::{Point, has_frame_on_points};
 use crate::table::QUATERNION;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::FormatsDocument;
+use etalon_tables::guess::{Guess, names};
+use etalon_tables::{ColumnSource, Delimiter};
 use std::fmt::Write;
 
 /// Remark to complete the columns of a proposed log.
@@ -186,11 +185,11 @@ impl Proposal<'_> {
             false => Columns::InOrder(roles.clone()),
             true => {
                 let at = |i: usize| match self.heading(i) {
-                    Some(name) => ColumnAt::Name(name.to_owned()),
-                    None => ColumnAt::Number(i + 1),
+                    Some(name) => ColumnSource::Heading(name.to_owned()),
+                    None => ColumnSource::Number(i + 1),
                 };
                 let stated = roles.iter().enumerate().filter(|(_, role)| **role != ColumnRole::Skip);
-                let mut named: Vec<(ColumnRole, ColumnAt)> = stated.map(|(i, role)| (*role, at(i))).collect();
+                let mut named: Vec<(ColumnRole, ColumnSource)> = stated.map(|(i, role)| (*role, at(i))).collect();
                 named.sort_by_key(|(role, _)| *role as usize);
                 Columns::Named(named)
             }
@@ -204,7 +203,7 @@ impl Proposal<'_> {
             _ => None,
         });
         let coverage_factor = roles.iter().any(|role| role.is_expanded()).then_some(2.0);
-        Dialect { columns, angle_unit, coverage_factor, ..self.best.dialect.clone() }
+        Dialect { form: self.best.form.clone(), columns, angle_unit, coverage_factor, ..Dialect::default() }
     }
 
     /// Returns the lines of exports of points.
@@ -462,23 +461,23 @@ impl Proposal<'_> {
         out + &self.target_and_pose("probe", "the body that was measured")
     }
 
-    /// Returns the section and the dialect of a table.
+    /// Returns the section and the form of a table.
     fn table_lines(&self, head: &str) -> String {
-        let dialect = &self.best.dialect;
+        let form = &self.best.form;
         let mut out = format!("{head}\nfile = {}\n", quoted(self.file));
-        match (&dialect.sheet, dialect.delimiter) {
+        match (&form.sheet, form.delimiter) {
             (Some(sheet), _) => {
                 let _ = writeln!(out, "sheet = {}", quoted(sheet));
             }
             (None, delimiter) => {
                 let delimiter = delimiter.map_or(",", Delimiter::name);
-                let _ = writeln!(out, "delimiter = {delimiter:?}\ndecimal = {:?}", dialect.decimal.name());
-                if let Some(thousands) = dialect.thousands {
+                let _ = writeln!(out, "delimiter = {delimiter:?}\ndecimal = {:?}", form.decimal().name());
+                if let Some(thousands) = form.thousands {
                     let _ = writeln!(out, "thousands = {:?}", thousands.name());
                 }
             }
         }
-        if let Some(comment) = &dialect.comment {
+        if let Some(comment) = &form.comment {
             let _ = writeln!(out, "comment = {}", quoted(comment));
         }
         if head == "[log]" {
@@ -524,25 +523,26 @@ impl Proposal<'_> {
         document.because(self.named(&both, phrase!("says-commanded-and-difference")));
         document.doubt(phrase!("doubt-sign-of-difference"));
         let name = |at: usize| self.heading(at).map_or_else(|| format!("${}", at + 1), str::to_owned);
-        let mut columns: Vec<(ColumnRole, ColumnAt)> = Vec::new();
+        let mut columns: Vec<(ColumnRole, ColumnSource)> = Vec::new();
         for (role, meaning) in [
             (ColumnRole::Label, Meaning::Label),
             (ColumnRole::Target, Meaning::Target),
             (ColumnRole::Pose, Meaning::Pose),
             (ColumnRole::Cycle, Meaning::Cycle),
         ] {
-            columns.extend(self.found.first(meaning).map(|at| (role, ColumnAt::Name(name(at)))));
+            columns.extend(self.found.first(meaning).map(|at| (role, ColumnSource::Heading(name(at)))));
         }
         for (axis, role) in [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].into_iter().enumerate() {
             if let (Some(of), Some(from)) = (commanded.columns[axis], difference.columns[axis]) {
-                columns.push((role, ColumnAt::Name(format!("{} - {}", name(of), name(from)))));
+                columns.push((role, ColumnSource::Heading(format!("{} - {}", name(of), name(from)))));
             }
         }
         let has = |role: ColumnRole| columns.iter().any(|(of, _)| *of == role);
         let (named, numbered) =
             (has(ColumnRole::Label) || has(ColumnRole::Target), has(ColumnRole::Label) || has(ColumnRole::Pose));
         let unit = self.unit(commanded);
-        let dialect = Dialect { columns: Columns::Named(columns), ..self.best.dialect.clone() };
+        let (form, columns) = (self.best.form.clone(), Columns::Named(columns));
+        let dialect = Dialect { form, columns, ..Dialect::default() };
         let mut out = format!(
             "[[export]]\nfile = {}\nformat = {dialect}\n{}",
             quoted(self.file),

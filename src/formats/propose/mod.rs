@@ -23,18 +23,19 @@ pub use table::heading_without_unit;
 
 use super::exports::qif::is_xml;
 use super::exports::{Format, Recognised, head, recognise};
-use super::guess::{Guess, guesses, names};
 use super::input::{decode, read_bytes};
 use super::logs::LogKind;
 use super::workbook::Workbook;
 use super::{Point, ros_bag, workbook};
-use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
+use crate::dialect::{ColumnRole, Unit, quoted};
 use against::Remarks;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_base::{error, phrase};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
 use etalon_robots::Robot;
+use etalon_tables::guess::{Guess, guesses, names};
+use etalon_tables::{Decimal, Encoding};
 use headings::Heading;
 use lines::{JOINTS, Proposal};
 use meaning::{Interpretation, Meaning, PointSet, Taken};
@@ -154,7 +155,7 @@ fn propose_workbook(
     let mut book = Workbook::open(bytes)?;
     let names = book.sheets();
     for name in &names {
-        let mut document = propose_in(file, &book.text(name)?, Some(name), reborrowed(&mut correct));
+        let mut document = propose_in(file, &book.text(name, Decimal::Point)?, Some(name), reborrowed(&mut correct));
         if !document.readings.is_empty() {
             if let Some(doubt) = workbook::others(&names, name) {
                 document.toml.insert_str(0, &format!("# DOUBT: {doubt}\n"));
@@ -332,10 +333,10 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
 
 fn reading(guess: &Guess, found: &Interpretation) -> Reading {
     Reading {
-        delimiter: guess.dialect.delimiter.map(|d| d.name().to_owned()),
-        sheet: guess.dialect.sheet.clone(),
-        decimal: guess.dialect.decimal.name().to_owned(),
-        thousands: guess.dialect.thousands.map(|t| t.name().to_owned()),
+        delimiter: guess.form.delimiter.map(|d| d.name().to_owned()),
+        sheet: guess.form.sheet.clone(),
+        decimal: guess.form.decimal().name().to_owned(),
+        thousands: guess.form.thousands.map(|t| t.name().to_owned()),
         header: guess.header,
         columns: lines::roles(found, 0).into_iter().map(|role| role.name().to_owned()).collect(),
         share: guess.share(),
@@ -360,13 +361,13 @@ fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
 /// Returns the reasons for the first reading.
 fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
     let (read, rows) = (best.read, best.rows);
-    let fields = match best.dialect.delimiter {
+    let fields = match best.form.delimiter {
         Some(delimiter) => {
             phrase!("because-fields", read, rows, fields = best.numeric.len(), delimiter = delimiter.name())
         }
         None => phrase!("because-columns", read, rows, columns = best.numeric.iter().filter(|n| **n).count()),
     };
-    let (fractions, numbers, mark) = (best.fractions, best.numbers, best.dialect.decimal.name());
+    let (fractions, numbers, mark) = (best.fractions, best.numbers, best.form.decimal().name());
     let mut reasons = vec![fields, phrase!("because-decimal-marks", fractions, numbers, mark)];
     if let Some(row) = &best.names {
         let is = if names(best).is_some() { "header" } else { "last" };
@@ -378,10 +379,10 @@ fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
     if table.width > table.columns.len() {
         reasons.push(phrase!("because-columns-sampled", columns = table.columns.len(), width = table.width));
     }
-    if let Some(comment) = &best.dialect.comment {
+    if let Some(comment) = &best.form.comment {
         reasons.push(phrase!("because-comments", comment));
     }
-    if let Some(end) = &best.dialect.end {
+    if let Some(end) = &best.form.end {
         reasons.push(phrase!("because-end", end));
     }
     reasons
@@ -393,16 +394,16 @@ fn doubts(guesses: &[Guess], rows_may_differ: bool) -> Vec<Phrase> {
     let mut doubts: Vec<Phrase> = others
         .iter()
         .map(|g| {
-            let thousands = g.dialect.thousands.map(|t| format!(", thousands {:?}", t.name())).unwrap_or_default();
-            let delimiter = g.dialect.delimiter.map_or(String::new(), |d| format!("delimiter {:?}, ", d.name()));
-            let reading = format!("{delimiter}decimal {:?}{thousands}", g.dialect.decimal.name());
+            let thousands = g.form.thousands.map(|t| format!(", thousands {:?}", t.name())).unwrap_or_default();
+            let delimiter = g.form.delimiter.map_or(String::new(), |d| format!("delimiter {:?}, ", d.name()));
+            let reading = format!("{delimiter}decimal {:?}{thousands}", g.form.decimal().name());
             phrase!("doubt-other-reading", reading, columns = g.numeric.len())
         })
         .collect();
-    let mark = best.dialect.decimal.name();
+    let mark = best.form.decimal().name();
     if best.fractions == 0 {
         doubts.push(phrase!("doubt-decimal-mark", mark));
-    } else if best.threes == best.fractions && best.dialect.thousands.is_none() {
+    } else if best.threes == best.fractions && best.form.thousands.is_none() {
         doubts.push(phrase!("doubt-thousands-mark", mark));
     }
     if let Some(line) = best.unread.filter(|_| !rows_may_differ) {

@@ -1,10 +1,11 @@
 //! Recognition of tables that etalon writes or documents, by the names of their columns.
 
 use super::lines::Proposal;
-use crate::dialect::{Decimal, Delimiter, quoted};
+use crate::dialect::quoted;
 use crate::logs::meaning;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
+use etalon_tables::{Decimal, Delimiter};
 
 /// Table of etalon.
 pub(super) struct Own {
@@ -24,21 +25,21 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
     let only = |known: &[&str]| names.iter().all(|name| known.contains(name) || POSITION.contains(name));
     let placed = has("x_mm") && has("y_mm");
     let file = quoted(proposal.file);
-    let dialect = &proposal.best.dialect;
+    let form = &proposal.best.form;
     let plain =
-        dialect.delimiter == Some(Delimiter::Comma) && dialect.decimal == Decimal::Point && dialect.thousands.is_none();
-    let thousands = dialect.thousands.map_or(String::new(), |mark| format!("thousands = {:?}\n", mark.name()));
+        form.delimiter == Some(Delimiter::Comma) && form.decimal() == Decimal::Point && form.thousands.is_none();
+    let thousands = form.thousands.map_or(String::new(), |mark| format!("thousands = {:?}\n", mark.name()));
     let own = |kind: &'static str, what: Phrase, lines: String| Some(Own { kind, what, lines, question: None });
     let joint = |i: &usize| meaning(names[*i]).is_some() && names[*i].rsplit_once('_').is_some();
     let observed = placed || has("distance_mm") || has("socket") || has("kind");
     if joints.len() >= 2 && joints.iter().all(joint) && observed && (has("pose") || has("kind")) && has("target") {
-        let state = match (&dialect.sheet, plain) {
+        let state = match (&form.sheet, plain) {
             (Some(sheet), _) => format!("sheet = {}\n", quoted(sheet)),
             (None, true) => String::new(),
             (None, false) => format!(
                 "delimiter = {:?}\ndecimal = {:?}\n{thousands}",
-                dialect.delimiter.map_or(",", Delimiter::name),
-                dialect.decimal.name()
+                form.delimiter.map_or(",", Delimiter::name),
+                form.decimal().name()
             ),
         };
         let angles = has("a_deg") || has("a_rad");

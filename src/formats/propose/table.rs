@@ -1,10 +1,9 @@
 //! Table of one reading of a file: its columns with all values.
 
 use super::headings::Heading;
-use crate::dialect::Header;
-use crate::guess::{Guess, is_time, names};
-use crate::lexer::{Row, each_row, marked};
 use etalon_robots::Robot;
+use etalon_tables::guess::{Guess, is_time, names};
+use etalon_tables::lexer::{Row, each_row, marked};
 
 /// Maximum number of rows that are read; the proposal states if the file has more.
 pub(super) const MOST_ROWS: usize = 200_000;
@@ -56,11 +55,11 @@ impl Table {
                 Column { name, heading, clock: true, ..Column::default() }
             })
             .collect();
-        let Header::Rows(skipped) = guess.dialect.header else { return Self::default() };
-        let ends = |row: &Row| guess.dialect.end.as_ref().is_some_and(|end| row.field(0) == end);
+        let skipped = guess.header;
+        let ends = |row: &Row| guess.form.end.as_ref().is_some_and(|end| row.field(0) == end);
         let filled = |row: &Row| row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1);
-        let fits = |row: &Row| guess.dialect.sheet.is_some() || filled(row) == width || row.fields.len() == width;
-        let data = each_row("", text, &guess.dialect).flatten().skip(skipped).filter(|row| !ends(row) && fits(row));
+        let fits = |row: &Row| guess.form.sheet.is_some() || filled(row) == width || row.fields.len() == width;
+        let data = each_row("", text, &guess.form).flatten().skip(skipped).filter(|row| !ends(row) && fits(row));
         let (mut rows, mut sampled) = (0, false);
         for row in data {
             if rows == MOST_ROWS {
@@ -133,7 +132,7 @@ const UNIT: f64 = 2e-3;
 impl Column {
     fn add(&mut self, field: &str, numeric: bool, guess: &Guess) {
         if numeric {
-            self.values.push(marked(field, guess.dialect.decimal, guess.dialect.thousands).unwrap_or(f64::NAN));
+            self.values.push(marked(field, guess.form.decimal(), guess.form.thousands).unwrap_or(f64::NAN));
             return;
         }
         self.clock &= is_time(field.trim_start_matches('\''));

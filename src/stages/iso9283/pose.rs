@@ -1,6 +1,6 @@
 //! Tables of a test of poses: read, compensated for the drift of the set-up, and evaluated.
 
-use crate::stages::table_file::{CampaignTables, TableFile, TableForm};
+use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
@@ -45,15 +45,13 @@ impl PoseTables {
 
     /// Tables of a campaign; all unreadable tables are reported.
     pub fn from_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
-        if let Some(key) = definition.meaningless_beside_sheet() {
+        if let Some(key) = definition.layout.form.meaningless_beside_sheet() {
             let place = files.campaign.key_place(&["poses", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
         let mut problems = Problems::default();
         let mut read = |table: &TableDefinition, holds: Phrase, attained: bool| {
-            let layout = definition.layout(attained);
-            let form = TableForm { layout, encoding: definition.encoding, sheet: definition.sheet.clone() };
-            let table = files.read_in(table, &form, SourceKind::Table, holds);
+            let table = files.read_in(table, &definition.reading(attained), SourceKind::Table, holds);
             table.map_err(|more| problems.0.extend(more.0)).ok()
         };
         let attained = read(&definition.attained, phrase!("table-of-attained-poses"), true);

@@ -920,7 +920,7 @@ uncertainty-zero = `{ $column }` ist in { $count ->
     } 0, und die Spalte zeigt keine Auflösung: für diese Zeilen gilt die Unsicherheit des Messgeräts
     .hint = Unsicherheiten mit mehr Nachkommastellen exportieren
 
-key-of-text-table = `{ $key }` hat für ein Blatt einer Arbeitsmappe keine Bedeutung
+key-of-text-table = `{ $key }` hat für ein Blatt einer Arbeitsmappe oder ein Topic einer Aufzeichnung keine Bedeutung
     .hint = `{ $key }` entfernen: Zellen einer Arbeitsmappe werden gelesen, wie sie sind
 
 measurements-undescribed = an den { $set ->

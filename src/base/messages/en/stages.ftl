@@ -1837,11 +1837,11 @@ uncertainty-zero = `{ $column }` is 0 in { $count ->
     }, and its resolution is unknown: the uncertainty of the instrument is used instead
     .hint = export uncertainties with more decimals
 
-# Means: A key for delimited text is stated for a sheet of a workbook.
-# Matters: Cells of a workbook have a type and no delimiter; the key has no effect.
+# Means: A key for delimited text is stated for a sheet of a workbook or a topic of a recording.
+# Matters: Their cells have no delimiter and no encoding, and numbers of a recording no marks.
 # Do: Remove the key.
-# Example: `decimal = "comma"` with `sheet`
-key-of-text-table = `{ $key }` has no effect on a sheet of a workbook
+# Example: `delimiter = ";"` with `sheet`
+key-of-text-table = `{ $key }` has no effect on a sheet of a workbook or a topic of a recording
     .hint = remove `{ $key }`: it applies to delimited text only
 
 # Means: Errors of the identified robot exceed 2 % of the spread of the measured positions.

@@ -920,7 +920,7 @@ uncertainty-zero = `{ $column }` est 0 dans { $count ->
     }, et la colonne ne montre aucune résolution : l’incertitude de l’instrument s’applique à ces lignes
     .hint = exporter les incertitudes avec plus de décimales
 
-key-of-text-table = `{ $key }` est sans objet pour une feuille de classeur
+key-of-text-table = `{ $key }` est sans objet pour une feuille de classeur ou un topic d’un enregistrement
     .hint = supprimer `{ $key }` : les cellules d’un classeur sont lues telles quelles
 
 measurements-undescribed = aux poses { $set ->

@@ -1,4 +1,4 @@
-//! Parts of a dialect beside the delimiter: encoding, marks, header, angles, missing values.
+//! Parts of a form beside its marks: encoding, header, missing values.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -10,7 +10,7 @@ use std::fmt;
 
 /// Character encoding. Default: the encoding of the byte-order mark, otherwise UTF-8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[schemars(transform = super::accept_aliases)]
+#[schemars(transform = crate::schema::accept_aliases)]
 pub enum Encoding {
     /// UTF-8, with a byte-order mark or without.
     #[serde(rename = "utf-8", alias = "utf8", alias = "ascii")]
@@ -36,105 +36,6 @@ impl Encoding {
             Self::Utf16Le => "utf-16le",
             Self::Utf16Be => "utf-16be",
             Self::Windows1252 => "windows-1252",
-        }
-    }
-}
-
-/// Mark between groups of three digits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[schemars(transform = super::accept_aliases)]
-pub enum Thousands {
-    /// Comma: `1,234.5`.
-    #[serde(rename = ",", alias = "comma")]
-    #[schemars(extend("aliases" = ["comma"]))]
-    Comma,
-    /// Point: `1.234,5`.
-    #[serde(rename = ".", alias = "point")]
-    #[schemars(extend("aliases" = ["point"]))]
-    Point,
-    /// Apostrophe: `1'234.5`.
-    #[serde(rename = "'", alias = "apostrophe")]
-    #[schemars(extend("aliases" = ["apostrophe"]))]
-    Apostrophe,
-    /// Blank: `1 234.5`, also with a no-break, narrow or thin blank.
-    #[serde(rename = " ", alias = "blank")]
-    #[schemars(extend("aliases" = ["blank"]))]
-    Blank,
-}
-
-impl Thousands {
-    /// Spelling in campaign.toml.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Comma => ",",
-            Self::Point => ".",
-            Self::Apostrophe => "'",
-            Self::Blank => " ",
-        }
-    }
-
-    /// `true` if the character is this mark.
-    pub fn is(self, c: char) -> bool {
-        match self {
-            Self::Comma => c == ',',
-            Self::Point => c == '.',
-            Self::Apostrophe => matches!(c, '\'' | '\u{2019}'),
-            Self::Blank => matches!(c, ' ' | '\u{a0}' | '\u{202f}' | '\u{2009}'),
-        }
-    }
-}
-
-/// Unit of angles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum AngleUnit {
-    /// Degree.
-    Deg,
-    /// Radian.
-    Rad,
-    /// Gon: 400 in a full turn.
-    Gon,
-}
-
-impl AngleUnit {
-    /// Size of the unit (rad).
-    pub fn in_rad(self) -> f64 {
-        match self {
-            Self::Deg => std::f64::consts::PI / 180.0,
-            Self::Rad => 1.0,
-            Self::Gon => std::f64::consts::PI / 200.0,
-        }
-    }
-
-    /// Spelling in campaign.toml.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Deg => "deg",
-            Self::Rad => "rad",
-            Self::Gon => "gon",
-        }
-    }
-}
-
-/// Type of three coordinates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum CoordinateType {
-    /// Cartesian: x, y, z.
-    Cartesian,
-    /// Cylindrical: radius, azimuth, z.
-    Cylindrical,
-    /// Spherical: azimuth, zenith or elevation, distance.
-    Spherical,
-}
-
-impl CoordinateType {
-    /// Spelling in campaign.toml.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Cartesian => "cartesian",
-            Self::Cylindrical => "cylindrical",
-            Self::Spherical => "spherical",
         }
     }
 }
@@ -229,7 +130,7 @@ impl Missing {
     }
 
     /// Reason for leaving out a row, if its cell in this column means "not measured".
-    pub(crate) fn reason(&self, column: &str, cell: &str) -> Option<Phrase> {
+    pub fn reason(&self, column: &str, cell: &str) -> Option<Phrase> {
         self.says(cell).then(|| match cell {
             "" => phrase!("row-cell-empty", column),
             _ => phrase!("row-not-measured", column, cell),

@@ -1,11 +1,10 @@
 //! Filters of rows by the cells of their columns, for tables of every kind.
 
-use crate::dialect::{Cells, Decimal, Thousands};
 use crate::lexer::{Row, column_index, parsed};
+use crate::{Cells, Form};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place};
 use etalon_base::{error, phrase};
-use std::collections::BTreeMap;
 
 /// Place of a header, or of a file without one.
 fn header_place(file: &str, header: Option<&Row>) -> Place {
@@ -13,32 +12,25 @@ fn header_place(file: &str, header: Option<&Row>) -> Place {
 }
 
 /// Returns the error that the filters of a file leave no row.
-pub(crate) fn no_row_selected(file: &str, header: Option<&Row>) -> Message {
+pub fn no_row_selected(file: &str, header: Option<&Row>) -> Message {
     error!("no-row-selected").at(header_place(file, header))
 }
 
 /// Rows that are left out by the cells of their columns.
-#[derive(Default)]
-pub(crate) struct Filter<'a> {
+pub struct Filter<'a> {
     /// Column, its name, its cells, and whether a row with one of them is read.
     cells: Vec<(usize, &'a str, &'a Cells, bool)>,
-    decimal: Decimal,
-    thousands: Option<Thousands>,
+    form: &'a Form,
 }
 
 impl<'a> Filter<'a> {
-    /// Returns the filter that `only` and `without` state, of numbers with these marks.
+    /// Returns the filter that `only` and `without` of a form state.
     ///
     /// # Errors
     /// Columns that the file lacks, at its header.
-    pub fn new(
-        file: &str,
-        [only, without]: [&'a BTreeMap<String, Cells>; 2],
-        header: Option<&Row>,
-        (decimal, thousands): (Decimal, Option<Thousands>),
-    ) -> Result<Self, Vec<Message>> {
+    pub fn new(file: &str, form: &'a Form, header: Option<&Row>) -> Result<Self, Vec<Message>> {
         let (mut cells, mut wrong) = (Vec::new(), Vec::new());
-        for (stated, read) in [(only, true), (without, false)] {
+        for (stated, read) in [(&form.only, true), (&form.without, false)] {
             for (name, of) in stated {
                 match column_index(name, header) {
                     Ok(column) => cells.push((column, name.as_str(), of, read)),
@@ -46,12 +38,12 @@ impl<'a> Filter<'a> {
                 }
             }
         }
-        if wrong.is_empty() { Ok(Self { cells, decimal, thousands }) } else { Err(wrong) }
+        if wrong.is_empty() { Ok(Self { cells, form }) } else { Err(wrong) }
     }
 
     /// Returns the reason for leaving out a row.
     pub fn refuses(&self, row: &Row) -> Option<Phrase> {
-        let number = |text: &str| parsed(text, self.decimal, self.thousands);
+        let number = |text: &str| parsed(text, self.form.decimal(), self.form.thousands);
         let fails = |(column, _, cells, read): &&(usize, &str, &Cells, bool)| {
             cells.contain(row.field(*column), number) != *read
         };

@@ -13,7 +13,7 @@ const DEEPEST: usize = 40;
 
 /// Expression of numbers and columns of a row.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Expression {
+pub enum Expression {
     /// Number.
     Number(f64),
     /// Column of this index.

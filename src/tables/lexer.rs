@@ -2,7 +2,7 @@
 //! place; clouds of points take labels and numbers directly from the scanner. Lines are also
 //! written here.
 
-use crate::dialect::{Decimal, Delimiter, Dialect, Thousands};
+use crate::{Decimal, Delimiter, Form, Thousands};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
@@ -10,9 +10,11 @@ use std::borrow::Cow;
 
 /// A row of fields, which borrow from its line.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Row<'t> {
+pub struct Row<'t> {
     /// Line in the file, from 1.
     pub line: usize,
+    /// Number among the data rows, from 1; 0 before the data.
+    pub number: usize,
     /// Text of the line before it is split.
     pub text: &'t str,
     /// The fields.
@@ -22,12 +24,17 @@ pub(crate) struct Row<'t> {
 impl<'t> Row<'t> {
     /// A row whose fields are already cut.
     pub fn new(line: usize, text: &'t str, fields: impl Iterator<Item = &'t str>) -> Self {
-        Self { line, text, fields: fields.map(Cow::Borrowed).collect() }
+        Self { line, number: 0, text, fields: fields.map(Cow::Borrowed).collect() }
     }
 
     /// Field of this index; empty beyond the last field.
     pub fn field(&self, index: usize) -> &str {
         self.fields.get(index).map_or("", Cow::as_ref)
+    }
+
+    /// `true` if the row has this word alone, in its first field.
+    pub fn ends(&self, word: &str) -> bool {
+        self.field(0) == word && self.fields[1..].iter().all(|field| field.is_empty())
     }
 
     /// Its line.
@@ -51,7 +58,7 @@ impl<'t> Row<'t> {
 }
 
 /// Index of a column by its heading, or by `$3`.
-pub(crate) fn column_index(name: &str, header: Option<&Row>) -> std::result::Result<usize, Message> {
+pub fn column_index(name: &str, header: Option<&Row>) -> std::result::Result<usize, Message> {
     let by_heading = header.and_then(|row| row.fields.iter().position(|field| field.trim() == name));
     let by_number = || name.strip_prefix('$')?.parse::<usize>().ok()?.checked_sub(1);
     by_heading.or_else(by_number).ok_or_else(|| {
@@ -60,27 +67,27 @@ pub(crate) fn column_index(name: &str, header: Option<&Row>) -> std::result::Res
     })
 }
 
-/// Rows of a text in a dialect, with the errors of rows that cannot be split. Empty lines and
+/// Rows of a text in a form, with the errors of rows that cannot be split. Empty lines and
 /// comments are not rows.
-pub(super) fn split<'t>(file: &str, text: &'t str, dialect: &Dialect) -> (Vec<Row<'t>>, Problems) {
+pub fn split<'t>(file: &str, text: &'t str, form: &Form) -> (Vec<Row<'t>>, Problems) {
     let mut problems = Problems::default();
-    let rows = each_row(file, text, dialect).filter_map(|row| row.map_err(|message| problems.0.push(message)).ok());
+    let rows = each_row(file, text, form).filter_map(|row| row.map_err(|message| problems.0.push(message)).ok());
     (rows.collect(), problems)
 }
 
 /// Rows of a text one after the other: all rows together would need several times the memory of the
 /// text.
-pub(super) fn each_row<'t>(
+pub fn each_row<'t>(
     file: &str,
     text: &'t str,
-    dialect: &Dialect,
+    form: &Form,
 ) -> impl Iterator<Item = std::result::Result<Row<'t>, Message>> {
-    lines(text, dialect).map(|(number, line)| row(file, number, line, dialect))
+    lines(text, form).map(|(number, line)| row(file, number, line, form))
 }
 
 /// Lines with their numbers, from 1; empty lines and comments are left out.
-pub(super) fn lines<'t>(text: &'t str, dialect: &Dialect) -> impl Iterator<Item = (usize, &'t str)> + Clone {
-    let is_comment = |line: &str| dialect.comment.as_ref().is_some_and(|c| line.trim_start().starts_with(c.as_str()));
+pub fn lines<'t>(text: &'t str, form: &Form) -> impl Iterator<Item = (usize, &'t str)> + Clone {
+    let is_comment = |line: &str| form.comment.as_ref().is_some_and(|c| line.trim_start().starts_with(c.as_str()));
     let is_blank = |line: &str| match line.as_bytes().first() {
         Some(b'!'..0x80) => false,
         _ => line.trim().is_empty(),
@@ -90,17 +97,11 @@ pub(super) fn lines<'t>(text: &'t str, dialect: &Dialect) -> impl Iterator<Item 
 }
 
 /// The fields of a line.
-pub(super) fn row<'t>(
-    file: &str,
-    number: usize,
-    line: &'t str,
-    dialect: &Dialect,
-) -> std::result::Result<Row<'t>, Message> {
-    let mut row = Row { line: number, text: line, fields: Vec::new() };
-    if !dialect.widths.is_empty() {
-        row.fields = fixed(line, &dialect.widths);
-    } else if let Err(stray) = fields(line, dialect.delimiter.unwrap_or(Delimiter::Tab), &mut row.fields) {
-        // a sheet was written with tabs
+pub fn row<'t>(file: &str, number: usize, line: &'t str, form: &Form) -> std::result::Result<Row<'t>, Message> {
+    let mut row = Row { line: number, number: 0, text: line, fields: Vec::new() };
+    if !form.widths.is_empty() {
+        row.fields = fixed(line, &form.widths);
+    } else if let Err(stray) = fields(line, form.delimiter(), &mut row.fields) {
         let column = line[..stray.at].chars().count() + 1;
         return Err(error!("quote-unmatched", fault = stray.fault).at(row.place(file).at(column, 1)));
     }
@@ -143,8 +144,10 @@ fn fields<'t>(line: &'t str, delimiter: Delimiter, fields: &mut Vec<Cow<'t, str>
 
 /// Content of a column of a plain line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum PlainColumn {
+pub enum PlainColumn {
+    /// Column that is not read.
     Skipped,
+    /// Label of the point.
     Label,
     /// Coordinate of this index.
     Coordinate(usize),
@@ -153,7 +156,7 @@ pub(super) enum PlainColumn {
 /// Returns label and coordinates of a line that has just these columns, each coordinate a number of
 /// digits and a mark: most lines of an export are plain. `None` for any other line, which the
 /// reader of rows takes.
-pub(super) fn plain_line<'t>(
+pub fn plain_line<'t>(
     line: &'t str,
     delimiter: Delimiter,
     decimal: Decimal,
@@ -181,19 +184,19 @@ pub(super) fn plain_line<'t>(
 }
 
 /// Whole numbers up to here are exact.
-pub(super) const WHOLE: f64 = 9e15;
+pub const WHOLE: f64 = 9e15;
 
 /// Maximum length of a number (characters): the smallest double written out is shorter.
 const LONGEST: usize = 1100;
 
 /// A number in the stated decimal mark, without other text.
-pub(crate) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
+pub fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
     marked(field, decimal, None)
 }
 
 /// Name of a pose. A text of digits and a decimal mark alone (`7`, `7.0`) is a number, and must be
 /// whole.
-pub(crate) fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<PoseName, Message> {
+pub fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<PoseName, Message> {
     let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | '\u{2212}');
     match number(field, decimal) {
         Ok(value) if value.fract() != 0.0 || value.abs() > WHOLE => {
@@ -207,7 +210,7 @@ pub(crate) fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<Po
 
 /// Reads a number in the stated decimal and thousands marks, correctly rounded. Exponents may be
 /// `e+003`, `E001` or Fortran's `D+01`; the minus may be U+2212.
-pub(super) fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> std::result::Result<f64, Message> {
+pub fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> std::result::Result<f64, Message> {
     if field.len() > LONGEST {
         let start: String = field.chars().take(40).collect();
         return Err(error!("number-too-long", start, characters = field.len(), most = LONGEST));
@@ -216,7 +219,7 @@ pub(super) fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>
 }
 
 /// A finite number in the stated marks; `None` for any other text.
-pub(crate) fn parsed(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Option<f64> {
+pub fn parsed(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Option<f64> {
     if field.len() > LONGEST {
         return None;
     }
@@ -283,7 +286,7 @@ fn wrong(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Message
 }
 
 /// Maximum length of a line of a cloud of points.
-pub(super) const LONGEST_LINE: usize = 4096;
+pub const LONGEST_LINE: usize = 4096;
 /// Powers of ten that are exact.
 const TENS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
@@ -293,8 +296,10 @@ const TENS: [f64; 23] = [
 const WHOLE_TENS: [u64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
 
 /// Scanner of delimited text: takes cells and numbers of a line one after the other.
-pub(super) struct Scanner<'a> {
+pub struct Scanner<'a> {
+    /// Text.
     pub bytes: &'a [u8],
+    /// Index of the next byte.
     pub at: usize,
     /// None: blanks and tabs.
     pub delimiter: Option<u8>,
@@ -531,7 +536,7 @@ impl<'a> Scanner<'a> {
 
 /// Line feeds in a text: counted in bytes, which take an eighth of the registers that words would.
 #[inline(always)]
-pub(super) fn line_feeds(text: &[u8]) -> usize {
+pub fn line_feeds(text: &[u8]) -> usize {
     // at most 255: a check of each sum would keep the loop from the vector registers
     let few = |bytes: &[u8]| bytes.iter().fold(0u8, |count, b| count.wrapping_add(u8::from(*b == b'\n')));
     text.chunks(255).map(|bytes| usize::from(few(bytes))).sum()
@@ -573,11 +578,7 @@ fn eight(bytes: &[u8]) -> (u64, usize) {
 }
 
 /// One line; if it would be read as a comment, its first field is quoted.
-pub(crate) fn line(
-    fields: &[String],
-    delimiter: Delimiter,
-    comment: Option<&str>,
-) -> std::result::Result<String, Message> {
+pub fn line(fields: &[String], delimiter: Delimiter, comment: Option<&str>) -> std::result::Result<String, Message> {
     let joined = |quote_first: bool| {
         let field = |(i, field): (usize, &String)| match delimiter.byte() {
             Some(byte) => quoted_between(field, char::from(byte), quote_first && i == 0),
@@ -608,7 +609,7 @@ fn quoted_between(field: &str, separator: char, quote: bool) -> String {
 }
 
 /// A field between blanks.
-pub(crate) fn blank(field: &str, quote: bool) -> String {
+pub fn blank(field: &str, quote: bool) -> String {
     if quote || field.is_empty() || field.contains(char::is_whitespace) {
         format!("\"{field}\"")
     } else {
@@ -616,8 +617,14 @@ pub(crate) fn blank(field: &str, quote: bool) -> String {
     }
 }
 
+/// A number with all its digits and the stated decimal mark.
+pub fn written_out(value: f64, decimal: Decimal) -> String {
+    let text = value.to_string();
+    if decimal == Decimal::Comma { text.replace('.', ",") } else { text }
+}
+
 /// A number with the stated decimal mark.
-pub(crate) fn written(value: f64, digits: usize, decimal: Decimal) -> String {
+pub fn written(value: f64, digits: usize, decimal: Decimal) -> String {
     let text = format!("{value:.digits$}");
     if decimal == Decimal::Comma { text.replace('.', ",") } else { text }
 }
@@ -637,8 +644,7 @@ mod tests {
             ("# \"head\n\"P 1\" | 1.5|\"-2\"", Delimiter::Bar),
         ] {
             let comment = Some("#".to_owned());
-            let (rows, problems) =
-                split("f", text, &Dialect { delimiter: Some(delimiter), comment, ..Dialect::default() });
+            let (rows, problems) = split("f", text, &Form { delimiter: Some(delimiter), comment, ..Form::default() });
             let found: Vec<_> = rows.iter().map(|row| (row.line, &row.fields[..])).collect();
             assert!(problems.0.is_empty() && found == [(2, &expected.map(Cow::from)[..])], "{delimiter:?}: {rows:?}");
             let borrowed = |row: &Row| row.fields.iter().all(|f| matches!(f, Cow::Borrowed(_)));
@@ -648,8 +654,8 @@ mod tests {
 
     #[test]
     fn quotes_that_do_not_match_are_reported_on_their_line_and_hide_no_row() {
-        let dialect = Dialect { delimiter: Some(Delimiter::Comma), ..Dialect::default() };
-        let (rows, problems) = split("f", "\"a,1\n\"b \"\"c\"\"\",2\n\"d\" e,3\n1.5\" ball,4\n", &dialect);
+        let form = Form::default();
+        let (rows, problems) = split("f", "\"a,1\n\"b \"\"c\"\"\",2\n\"d\" e,3\n1.5\" ball,4\n", &form);
         let lines: Vec<_> = problems.0.iter().map(|m| m.place.as_ref().map(|p| (p.line, p.column))).collect();
         assert_eq!(lines, [Some((Some(1), Some(1))), Some((Some(3), Some(5)))]);
         let fields: Vec<&str> = rows.iter().flat_map(|r| &r.fields).map(Cow::as_ref).collect();

@@ -1,7 +1,7 @@
 //! Guesses of the dialect of a text: every delimiter with every pair of marks gets a score.
 
-use super::lexer::{Row, parsed, split};
-use crate::dialect::{ColumnRole, Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands, two_commas};
+use crate::lexer::{Row, parsed, split};
+use crate::{Decimal, Delimiter, Form, Header, Missing, Thousands, two_commas};
 use etalon_base::message::Message;
 use etalon_base::phrase;
 use std::borrow::Cow;
@@ -30,9 +30,9 @@ const MARKS: [(Decimal, Option<Thousands>); 8] = [
 ];
 
 /// Returns the error about two commas in a text; the hint states the marks that split its rows.
-pub(crate) fn two_commas_in(text: &str) -> Message {
-    let guess = guesses(text, None).into_iter().next().map(|guess| guess.dialect);
-    match guess.and_then(|dialect| Some((dialect.delimiter?, dialect.decimal))) {
+pub fn two_commas_in(text: &str) -> Message {
+    let guess = guesses(text, None).into_iter().next().map(|guess| guess.form);
+    match guess.and_then(|form| Some((form.delimiter?, form.decimal()))) {
         Some((delimiter, decimal)) if (delimiter, decimal) != (Delimiter::Comma, Decimal::Comma) => {
             two_commas().hint(phrase!("state-delimiter", delimiter = delimiter.name(), decimal = decimal.name()))
         }
@@ -40,11 +40,11 @@ pub(crate) fn two_commas_in(text: &str) -> Message {
     }
 }
 
-/// One dialect of a text, with its evidence.
+/// One form of a text, with its evidence.
 #[derive(Clone, Debug)]
-pub(super) struct Guess<'t> {
-    /// Dialect without columns.
-    pub dialect: Dialect,
+pub struct Guess<'t> {
+    /// Form of the text.
+    pub form: Form,
     /// Number of rows before the data.
     pub header: usize,
     /// Last row before the data, or the last comment before the data if it has a word for each
@@ -78,7 +78,7 @@ impl Guess<'_> {
 
 /// Returns the dialects whose score is within 1 % of the best, best first. The text may be the
 /// cells of a sheet.
-pub(super) fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> {
+pub fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> {
     let sample = &text[..text.split_inclusive('\n').take(SAMPLE).map(str::len).sum()];
     let starts = |mark: &&str| sample.lines().any(|line| line.trim_start().starts_with(*mark));
     let comment = COMMENTS.into_iter().find(starts);
@@ -91,51 +91,44 @@ pub(super) fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> 
     let all =
         delimiters.iter().flat_map(|delimiter| MARKS.map(|(decimal, thousands)| (*delimiter, decimal, thousands)));
     let mut guesses: Vec<Guess> = all
-        .map(|(delimiter, decimal, thousands)| Dialect {
+        .map(|(delimiter, decimal, thousands)| Form {
             delimiter,
             sheet: sheet.map(str::to_owned),
-            decimal,
+            decimal: Some(decimal),
             thousands,
             comment: comment.map(str::to_owned),
             end: end.map(str::to_owned),
-            ..Dialect::default()
+            ..Form::default()
         })
-        .filter(|dialect| Dialect { columns: some_columns(), ..dialect.clone() }.check().is_empty())
-        .filter_map(|dialect| guess(sample, dialect))
+        .filter(|form| form.ambiguous_marks(form.delimiter).is_none())
+        .filter_map(|form| guess(sample, form))
         .collect();
     guesses.sort_by(|a, b| b.score.total_cmp(&a.score));
     let best = guesses.first().map_or(0.0, |g| g.score);
     guesses.retain(|g| g.score > 0.99 * best);
     if sample.len() < text.len() {
         let more = &text[..text.split_inclusive('\n').take(MOST).map(str::len).sum()];
-        guesses = guesses
-            .into_iter()
-            .filter_map(|g| guess(more, Dialect { header: Header::default(), ..g.dialect }))
-            .collect();
+        guesses = guesses.into_iter().filter_map(|g| guess(more, Form { header: None, ..g.form })).collect();
         guesses.sort_by(|a, b| b.score.total_cmp(&a.score));
     }
     guesses
 }
 
-/// Columns that make a dialect complete enough to check its marks and delimiter.
-fn some_columns() -> Columns {
-    vec![ColumnRole::X, ColumnRole::Y].into()
-}
-
-fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
-    let (all, _) = split("", sample, &dialect);
+fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
+    let (all, _) = split("", sample, &form);
     let missing = Missing::default();
     // a formula of a workbook without a value stands for a number
     let is_gap = |field: &str| missing.says(field) || field.starts_with('=');
-    let is_number = |field: &Cow<str>| parsed(field, dialect.decimal, dialect.thousands).is_some();
-    let is_plain = |field: &Cow<str>| parsed(field, dialect.decimal, None).is_some();
+    let (decimal, thousands) = (form.decimal(), form.thousands);
+    let is_number = |field: &Cow<str>| parsed(field, decimal, thousands).is_some();
+    let is_plain = |field: &Cow<str>| parsed(field, decimal, None).is_some();
     let numbers = |row: &Row| row.fields.iter().filter(|f| is_number(f)).count();
     let header = all.iter().position(|row| numbers(row) >= 2)?;
-    let end = dialect.end.as_ref().and_then(|end| all.iter().position(|row| row.field(0) == end));
+    let end = form.end.as_ref().and_then(|end| all.iter().position(|row| row.field(0) == end));
     let data = &all[header..end.unwrap_or(all.len()).max(header)];
     // trailing empty fields do not count
     let width = |row: &Row| row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1);
-    let of_sheet = dialect.sheet.is_some();
+    let of_sheet = form.sheet.is_some();
     // a sheet omits trailing empty cells
     let columns = if of_sheet { data.iter().map(width).max() } else { most_common(data.iter().map(width)) }?;
     let fits = |row: &Row| {
@@ -145,7 +138,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let good: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();
     let first = good.first()?.line;
     let used: Vec<&Cow<str>> = good.iter().flat_map(|row| &row.fields).filter(|f| is_number(f)).collect();
-    let mark = if dialect.decimal == Decimal::Point { '.' } else { ',' };
+    let mark = if decimal == Decimal::Point { '.' } else { ',' };
     let fractions = used.iter().filter(|f| f.contains(mark)).count();
     let three = |field: &&&Cow<str>| {
         // a group of thousands does not follow a zero
@@ -156,8 +149,8 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     };
     let threes = used.iter().filter(three).count();
     // a dialect that splits decimal numbers in two finds whole numbers only: prefer fractions
-    let grouped = dialect.thousands.is_some() && used.iter().any(|field| !is_plain(field));
-    let plain = if dialect.thousands.is_some() && !grouped { 0.95 } else { 1.0 };
+    let grouped = thousands.is_some() && used.iter().any(|field| !is_plain(field));
+    let plain = if thousands.is_some() && !grouped { 0.95 } else { 1.0 };
     // a number in other marks contradicts these marks
     let contradicted = good.iter().flat_map(|row| &row.fields).filter(|f| has_marks(f) && !is_number(f)).count();
     let plain = plain * used.len() as f64 / (used.len() + contradicted).max(1) as f64;
@@ -172,12 +165,12 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let numeric = (0..columns)
         .map(|c| good.iter().filter_map(move |row| row.fields.get(c)))
         .map(|fields| fields.clone().all(holds) && fields.clone().any(is_number));
-    dialect.header = Header::Rows(header);
+    form.header = Some(Header::Rows(header));
     let numeric: Vec<bool> = numeric.collect();
     let mut names = header.checked_sub(1).map(|i| all[i].clone());
     let worded = names.as_ref().is_some_and(|row| row.fields.len() >= numeric.len());
-    let comment = dialect.comment.as_deref().filter(|_| !worded);
-    let named = comment.and_then(|comment| named_by_comment(sample, &dialect, comment, (first, numeric.len())));
+    let comment = form.comment.as_deref().filter(|_| !worded);
+    let named = comment.and_then(|comment| named_by_comment(sample, &form, comment, (first, numeric.len())));
     let commented = named.is_some();
     names = named.or(names);
     Some(Guess {
@@ -192,7 +185,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
         fractions,
         threes,
         score,
-        dialect,
+        form,
     })
 }
 
@@ -208,17 +201,17 @@ fn has_marks(field: &str) -> bool {
 /// Returns the last comment before the data, if it has a word for each column.
 fn named_by_comment<'t>(
     text: &'t str,
-    dialect: &Dialect,
+    form: &Form,
     comment: &str,
     (first, columns): (usize, usize),
 ) -> Option<Row<'t>> {
     let lines: Vec<(usize, &str)> = text.lines().take(first.saturating_sub(1)).enumerate().collect();
     let (at, line) = lines.into_iter().rev().find(|(_, line)| !line.trim().is_empty())?;
     let words = line.trim_start().strip_prefix(comment)?;
-    let plain = Dialect { comment: None, ..dialect.clone() };
+    let plain = Form { comment: None, ..form.clone() };
     let (mut rows, _) = split("", words, &plain);
     let mut row = rows.pop().filter(|row| row.fields.len() == columns)?;
-    let is_number = |field: &Cow<str>| parsed(field, dialect.decimal, dialect.thousands).is_some();
+    let is_number = |field: &Cow<str>| parsed(field, form.decimal(), form.thousands).is_some();
     let worded =
         row.fields.iter().any(|field| field.contains(char::is_alphabetic)) && !row.fields.iter().any(is_number);
     row.line = at + 1;
@@ -234,11 +227,11 @@ fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> {
 
 /// Returns the names of all columns, if the header has a name for each. A unit in brackets behind a
 /// blank belongs to the name before it.
-pub(super) fn names(guess: &Guess) -> Option<Vec<String>> {
+pub fn names(guess: &Guess) -> Option<Vec<String>> {
     let fields: Vec<&str> = guess.names.as_ref()?.fields.iter().map(AsRef::as_ref).collect();
     let columns = guess.numeric.len();
     let mut names: Vec<String> = Vec::new();
-    if guess.dialect.delimiter == Some(Delimiter::Blank) && fields.len() > columns {
+    if guess.form.delimiter == Some(Delimiter::Blank) && fields.len() > columns {
         for field in fields {
             match names.last_mut().filter(|_| field.starts_with(['[', '('])) {
                 Some(name) => name.extend([" ", field]),
@@ -260,7 +253,7 @@ pub(super) fn names(guess: &Guess) -> Option<Vec<String>> {
 }
 
 /// `true` for a date or a time of day.
-pub(super) fn is_time(cell: &str) -> bool {
+pub fn is_time(cell: &str) -> bool {
     let digits = cell.bytes().filter(u8::is_ascii_digit).count();
     digits >= 4
         && cell.bytes().all(|b| b.is_ascii_digit() || matches!(b, b':' | b'-' | b'.' | b'/' | b' ' | b'T' | b'Z'))

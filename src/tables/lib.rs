@@ -1,0 +1,21 @@
+//! Tables: the form that a file has, and its rows. Every section of a campaign and every command
+//! with a table states its form by the same keys, and reads it by the same rules.
+
+mod expression;
+pub mod filter;
+mod form;
+mod from_row;
+pub mod guess;
+pub mod lexer;
+mod marks;
+pub mod schema;
+pub mod sheet;
+mod source;
+mod text;
+
+pub use expression::Expression;
+pub use form::{Form, TableLayout, is_topic};
+pub use from_row::FromRow;
+pub use marks::{Decimal, Delimiter, Thousands, two_commas};
+pub use source::{Cells, ColumnSource, Constant};
+pub use text::{Encoding, Header, Missing, NOT_MEASURED};
