@@ -24,7 +24,7 @@ const REPEATABILITY: [[f64; 7]; 5] = [
 
 fn repeatability(draws: u64) -> Vec<Entry> {
     let drawn = campaigns("prexyt-repeatability", &Changes::default(), draws, |folder, found| {
-        let poses = found.tested.poses.as_ref().expect("tested").poses.clone();
+        let poses = found.results.tested.poses.as_ref().expect("tested").poses.clone();
         (poses, visits(folder))
     });
     let of = |p: &Iso9283Pose| {
@@ -235,7 +235,7 @@ const WITHIN: [f64; 3] = [0.018, 0.018, 0.005];
 fn geometric(draws: u64) -> Vec<Entry> {
     let drawn: Vec<GeometricDocument> =
         campaigns("prexyt-geometric", &Changes::default(), draws.min(40), |_, found| {
-            found.report().geometric.cloned().expect("geometric")
+            found.results.geometric.clone().expect("geometric")
         });
     let predicted = after_from_before();
     let mut first = 0;

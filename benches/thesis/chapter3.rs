@@ -327,7 +327,7 @@ fn three_sigma(sample: &str, draws: u64) -> Vec<Spread> {
         Changes { cycles: Some(1), unmodelled, campaign: vec![("validation = \"9-59\"\n", "")], ..Changes::default() };
     let values = |seed: u64| {
         campaign(sample, &changes, seed, |_, found| {
-            let parameters = &found.identified.as_ref().expect("identified").parameters.parameters;
+            let parameters = &found.results.identified.as_ref().expect("identified").parameters.parameters;
             parameters.iter().take(13).map(|p| p.value).collect::<Vec<f64>>()
         })
     };

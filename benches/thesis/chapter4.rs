@@ -546,7 +546,7 @@ fn experiment(selection: &str, cycles: i64, seed: u64) -> Found {
         once: Some(("exports/plate.txt", 1 + seed / 5)),
     };
     campaign("dextar", &changes, 50_000 + seed, |_, found| {
-        let found = found.identified.as_ref().expect("identified");
+        let found = found.results.identified.as_ref().expect("identified");
         let mut means: BTreeMap<i64, [f64; 2]> = BTreeMap::new();
         for e in found.errors.iter().filter(|e| e.set == etalon::documents::PoseSet::Validation) {
             let mean = means.entry(e.pose.number().expect("number")).or_default();

@@ -22,7 +22,9 @@ pub fn run(py: Python<'_>, folder: PathBuf, reports: bool) -> PyResult<(bool, Pa
     let outcome = py.detach(|| {
         let campaign = Campaign::read(&folder)?;
         let outcome = run_for(&campaign, wanted, Durability::Now)?;
-        Ok((outcome.met, campaign.output()?, outcome.messages))
+        let results = outcome.results;
+        let messages: Vec<Message> = results.messages().cloned().collect();
+        Ok((results.verdict.passes(), campaign.output()?, messages))
     });
     let (met, output, messages) = outcome.map_err(refused)?;
     Ok((met, output, json(&messages)?))

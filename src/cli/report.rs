@@ -2,6 +2,7 @@
 
 use super::{Verdict, print_written};
 use crate::run::documents::{self, Documents};
+use crate::run::results;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Problems, Result};
@@ -115,14 +116,14 @@ impl ReportCommand {
 
 fn write_report(folder: &Path, branding: &Branding, certificate: bool) -> Result<Vec<String>> {
     let documents = Documents::open(&documents::output_folder(folder)?)?;
-    let mut run = documents::Run::read(&documents)?;
-    run.campaign.report = branding.over(run.campaign.report)?;
+    let mut results = results::read(&documents)?;
+    results.campaign.report = branding.over(results.campaign.report)?;
     let exported = documents.manifest.files.contains_key(CERTIFICATE);
     let exported = exported.then(|| documents.bytes(CERTIFICATE)).transpose()?;
     let attached = |renderer: Renderer| renderer.with_certificate(CERTIFICATE, exported.as_deref());
     let files = match certificate {
-        true => attached(Renderer::certificate(&run.report())?).certificate_files()?,
-        false => attached(Renderer::campaign(&run.report())?).files()?,
+        true => attached(Renderer::certificate(&results)?).certificate_files()?,
+        false => attached(Renderer::campaign(&results)?).files()?,
     };
     documents.write(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
 }

@@ -6,7 +6,7 @@ use crate::run::pipeline::{self, Outcome};
 use etalon_base::message::printable;
 use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
-use etalon_documents::to_json;
+use etalon_documents::{Results, to_json};
 use std::path::PathBuf;
 
 /// Run a campaign from its exports to the report.
@@ -45,8 +45,9 @@ impl Run {
     }
 
     fn answer(&self, campaign: &Campaign, outcome: Outcome) -> anyhow::Result<Verdict> {
-        let Outcome { identified, tested, met, renderer, messages, .. } = outcome;
-        remark(&messages);
+        let Outcome { results, renderer, .. } = outcome;
+        remark(&results.messages().cloned().collect::<Vec<_>>());
+        let Results { identified, tested, verdict, .. } = &results;
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
             say(phrase!("no-controller-files"));
         }
@@ -54,7 +55,7 @@ impl Run {
             let folder = shell_word(&self.campaign);
             phrase!("next-recommend", command = format!("`etalon recommend {folder}`"))
         });
-        let data = match (self.json, &identified, &tested.poses, &tested.streams) {
+        let data = match (self.json, identified, &tested.poses, &tested.streams) {
             (false, ..) => {
                 let report = campaign.output()?.join("report.html");
                 let shown = renderer.map_or_else(String::new, |renderer| renderer.terminal());
@@ -65,6 +66,7 @@ impl Run {
             (true, None, None, Some(streams)) => to_json(streams)?,
             (true, None, None, None) => to_json(&tested.compliance)?,
         };
+        let met = verdict.passes();
         let verdict = print_after_writing(data, Verdict::new(met));
         next.filter(|_| met).inspect(|next| next_step(self.json, next));
         Ok(verdict)

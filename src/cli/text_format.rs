@@ -170,7 +170,12 @@ impl TextFormat {
     /// `true` if a form of text is stated.
     pub fn stated(&self) -> bool {
         let TextForm { delimiter, widths, decimal, sheet, named, .. } = &self.form;
-        self.in_order() || delimiter.is_some() || !widths.is_empty() || decimal.is_some() || sheet.is_some() || !named.is_empty()
+        self.in_order()
+            || delimiter.is_some()
+            || !widths.is_empty()
+            || decimal.is_some()
+            || sheet.is_some()
+            || !named.is_empty()
     }
 
     /// `true` if the text of a file depends on an encoding or a sheet.

@@ -273,12 +273,20 @@ impl Judged<'_> {
         let worst = reasons.first().map_or(Acceptance::Pass, Reason::acceptance);
         // reservations about results that no limit judges give no verdict
         let verdict = (!limits.is_empty() || !worst.is_accepted()).then_some(worst);
-        VerdictDocument {
+        let exit_code = u8::from(verdict.is_some_and(|verdict| !verdict.is_accepted()));
+        VerdictDocument { exit_code, verdict, reasons, limits, ..VerdictDocument::default() }
+    }
+}
+
+/// Verdict without limits and reservations: nothing was judged.
+impl Default for VerdictDocument {
+    fn default() -> Self {
+        Self {
             schema: "etalon/verdict/1".to_owned(),
-            exit_code: u8::from(verdict.is_some_and(|verdict| !verdict.is_accepted())),
-            verdict,
-            reasons,
-            limits,
+            verdict: None,
+            exit_code: 0,
+            reasons: Vec::new(),
+            limits: Vec::new(),
             actions: Vec::new(),
         }
     }

@@ -103,7 +103,7 @@ pub fn write(
     into: &mut impl Write,
 ) -> anyhow::Result<()> {
     let words = Words::new(presentation.language);
-    let rows = rows(document, figures, (folder, &words));
+    let rows = rows(document, figures, folder, &words);
     let (order, checks) = (order(figures), check_names(document));
     let page = html::batch(&contents(document, figures, &rows, &words), presentation, &words)?;
     let (before, after) = page.rsplit_once(DATA).unwrap_or((&page, ""));
@@ -331,7 +331,7 @@ impl Row<'_> {
     }
 }
 
-fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, (folder, words): (&Path, &Words)) -> Vec<Row<'a>> {
+fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, folder: &Path, words: &Words) -> Vec<Row<'a>> {
     let quantities = figures.quantities.len();
     let row = |(entry, values): (&'a BatchEntry, &Vec<BatchValue>)| {
         let mut figures = vec![None; quantities];
@@ -590,7 +590,7 @@ mod tests {
         let outliers = |large: &str| {
             let campaigns = (0..20).map(|i| entry(i, if i == 7 { large } else { "small" })).collect();
             let document = BatchDocument::new(campaigns);
-            rows(&document, &figures, (Path::new("."), &Words::default())).iter().filter(|r| r.is_outlier(0)).count()
+            rows(&document, &figures, Path::new("."), &Words::default()).iter().filter(|r| r.is_outlier(0)).count()
         };
         assert_eq!((outliers("small"), outliers("large")), (1, 0));
     }

@@ -1,4 +1,4 @@
-//! Report of a campaign. Sections are created once from the documents, and rendered as a page
+//! Reports. Sections are created once from the documents, and rendered as a page
 //! without network access, as a PDF to be signed, as a workbook, and on the terminal.
 //!
 //! Every renderer is a pure function: it reads only its arguments and writes equal bytes for equal
@@ -8,6 +8,7 @@
 
 pub mod batch;
 pub mod branding;
+mod campaign;
 mod html;
 mod model;
 pub(crate) mod number;
@@ -25,163 +26,16 @@ use etalon_base::date::source_date_epoch;
 use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
-    AccuracyDocument, CampaignReference, CampaignSummary, CellDocument, Characteristics, CompareDocument,
-    ControllersDocument, Evidence, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged,
-    ParametersDocument, PlanDocument, PointError, Presentation, Provenance, RecommendationDocument, SelftestDocument,
-    UncertaintyDocument, VerdictDocument, VerificationDocument, VerificationPlanDocument,
+    AccuracyDocument, CampaignReference, CellDocument, Characteristics, CompareDocument, ParametersDocument,
+    PlanDocument, Presentation, Provenance, RecommendationDocument, Results, SelftestDocument, UncertaintyDocument,
+    VerificationDocument, VerificationPlanDocument,
 };
-use model::{Contents, Section, Verdict};
+use model::{Contents, Dates, Layout, Section, Verdict};
 use serde::Serialize;
 use words::{Words, isolated, tr};
 
 /// Template of report.pdf for typst.
 const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
-
-/// Documents of a report.
-pub struct Report<'a> {
-    /// Statements of the campaign about itself.
-    pub campaign: &'a CampaignSummary,
-    /// Imported and rejected rows.
-    pub import: &'a ImportDocument,
-    /// Fitted elements.
-    pub features: &'a FeaturesDocument,
-    /// Frames made from the elements.
-    pub frames: &'a FramesDocument,
-    /// Identification; absent if a campaign only tests by ISO 9283.
-    pub identified: Option<Identified<'a>>,
-    /// Results of the geometric method, if requested by the campaign.
-    pub geometric: Option<&'a GeometricDocument>,
-    /// Controller files with formats that leave identified parameters out.
-    pub controllers: Option<&'a ControllersDocument>,
-    /// Characteristics of ISO 9283.
-    pub tested: &'a Characteristics,
-}
-
-/// Documents of an identification.
-#[derive(Clone, Copy)]
-pub struct Identified<'a> {
-    /// Identified parameters.
-    pub parameters: &'a ParametersDocument,
-    /// Errors before and after calibration.
-    pub accuracy: &'a AccuracyDocument,
-    /// Errors of single points for the figures.
-    pub errors: &'a [PointError],
-}
-
-impl<'a> Report<'a> {
-    /// Verdict on everything that the report judges, with its reasons and next steps. Creates no
-    /// report.
-    pub fn judgement(&self) -> VerdictDocument {
-        let judged = Judged {
-            parameters: self.identified.map(|i| i.parameters),
-            accuracy: self.identified.map(|i| i.accuracy),
-            tested: self.tested,
-            controllers: self.controllers,
-            conditions: Some(&self.campaign.conditions),
-        };
-        let errors = self.identified.map_or(&[][..], |i| i.errors);
-        Evidence { judged, campaign: self.campaign, errors, messages: self.messages() }.verdict()
-    }
-
-    /// `true` if the verdict allows the answer to be loaded. Creates no report.
-    pub fn passes(&self) -> bool {
-        self.judgement().passes()
-    }
-
-    /// Warnings and errors of all documents.
-    pub fn messages(&self) -> Vec<&'a Message> {
-        let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
-        let geometric = self.geometric.iter().flat_map(|g| &g.messages);
-        let controllers = self.controllers.iter().flat_map(|c| &c.messages);
-        identified
-            .chain(controllers)
-            .chain(&self.import.messages)
-            .chain(geometric)
-            .chain(self.tested.messages())
-            .collect()
-    }
-
-    /// Origin of the numbers.
-    fn provenance(&self) -> Provenance {
-        let imported = || {
-            let version = env!("CARGO_PKG_VERSION").to_owned();
-            Provenance { version, inputs: self.import.inputs(), seed: None }
-        };
-        self.identified.map_or_else(imported, |i| i.parameters.provenance.clone())
-    }
-
-    /// Sections with title, verdict and further contents.
-    fn contents(&self, words: &Words) -> Contents {
-        let subtitle = match self.identified {
-            Some(i) => match sections::conditions::robot_name(self) {
-                Some(name) => tr!(words, "calibration-report-of-robot", robot = isolated(&one_line(&name))),
-                None => model_title(i.parameters, words),
-            },
-            None if self.tested.is_empty() && self.geometric.is_some() => tr!(words, "geometry-alone-title"),
-            None => sections::verdict::title(self.tested, words),
-        };
-        Contents {
-            title: self.campaign.name.clone(),
-            subtitle,
-            synthetic: self.campaign.synthetic.iter().cloned().collect(),
-            date: self.campaign.date.clone(),
-            issued: self.campaign.issue.issued.clone(),
-            built: None,
-            draft: sections::checklist::mark(self, words),
-            version: self.provenance().version,
-            verdict: self.verdict(words),
-            sections: sections::all(self, words),
-            signed: true,
-            compact: false,
-            number: self.campaign.issue.number.clone(),
-            statement: tr!(words, "results-relate-to-item"),
-            brief: true,
-        }
-    }
-
-    /// Verdict in the first box.
-    fn verdict(&self, words: &Words) -> Verdict {
-        sections::verdict::verdict(self, words)
-    }
-
-    /// Documents attached to the PDF.
-    fn attachments(&self, words: &Words) -> Result<Vec<Attachment>> {
-        let mut all = Vec::new();
-        if let Some(i) = self.identified {
-            let description = tr!(words, "attached-parameters");
-            all.push(Attachment::new("parameters.json", "data", description, i.parameters));
-            all.push(Attachment::new("accuracy.json", "data", tr!(words, "attached-accuracy"), i.accuracy));
-        }
-        all.extend(
-            self.geometric.map(|d| Attachment::new("geometric.json", "data", tr!(words, "attached-geometric"), d)),
-        );
-        all.extend(
-            self.controllers
-                .map(|d| Attachment::new("controllers.json", "data", tr!(words, "attached-controllers"), d)),
-        );
-        let Characteristics { poses, streams, compliance } = self.tested;
-        all.extend(
-            poses.as_ref().map(|d| Attachment::new("iso9283.json", "data", tr!(words, "attached-characteristics"), d)),
-        );
-        all.extend(
-            streams
-                .as_ref()
-                .map(|d| Attachment::new("iso9283-streams.json", "data", tr!(words, "attached-streams"), d)),
-        );
-        all.extend(
-            compliance
-                .as_ref()
-                .map(|d| Attachment::new("iso9283-compliance.json", "data", tr!(words, "attached-compliance"), d)),
-        );
-        all.push(Attachment::new("campaign.json", "source", tr!(words, "attached-campaign"), self.campaign));
-        all.into_iter().collect()
-    }
-}
-
-/// Title of the calibration of a robot without a name.
-fn model_title(document: &ParametersDocument, words: &Words) -> String {
-    tr!(words, "calibration-report-of-model", model = words.model(&document.robot))
-}
 
 /// Lines for a controller in the report of a cell.
 #[derive(Clone, Copy, Debug)]
@@ -204,7 +58,7 @@ impl Head<'_> {
     /// Adds date, synthetic mark, campaign and files to the contents of an answer.
     fn on(self, mut contents: Contents, provenance: Option<&Provenance>, words: &Words) -> Contents {
         let Self { label, campaign } = self;
-        contents.date = campaign.and_then(|c| c.date.clone());
+        contents.dates.date = campaign.and_then(|c| c.date.clone());
         contents.synthetic = campaign.and_then(|c| c.synthetic.clone()).into_iter().collect();
         let mut origin = match provenance {
             Some(provenance) => sections::provenance::section_from_provenance(provenance, &[], words),
@@ -289,15 +143,17 @@ impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
         // commands refuse another value of the variable
         let built = source_date_epoch().unwrap_or_default();
-        let contents = Contents { built, ..contents.explained(&words).in_language(&words) };
+        let mut contents = contents.explained(&words).in_language(&words);
+        contents.dates.built = built;
         Self { contents, attachments, presentation, words }
     }
 
     /// Creates the report of a campaign.
-    pub fn campaign(report: &Report) -> Result<Self> {
-        let presentation = report.campaign.report.clone();
+    pub fn campaign(results: &Results) -> Result<Self> {
+        let presentation = results.campaign.report.clone();
         let words = Words::new(presentation.language);
-        Ok(Self::new(report.contents(&words), report.attachments(&words)?, presentation, words))
+        let contents = campaign::contents(results, &words);
+        Ok(Self::new(contents, campaign::attachments(results, &words)?, presentation, words))
     }
 
     /// Creates the report of a comparison of campaigns.
@@ -312,7 +168,7 @@ impl Renderer {
             title: tr!(words, "what-changed"),
             subtitle: lead(document, &words),
             synthetic: synthetic.collect(),
-            date: document.campaigns.iter().rev().find_map(|c| c.date.clone()),
+            dates: Dates { date: document.campaigns.iter().rev().find_map(|c| c.date.clone()), ..Dates::default() },
             version: document.provenance.version.clone(),
             verdict: verdict(document, &words),
             sections: sections(document, &words),
@@ -439,17 +295,17 @@ impl Renderer {
     }
 
     /// Creates the certificate of a campaign for the customer: a draft until all fields are stated.
-    pub fn certificate(report: &Report) -> Result<Self> {
-        let presentation = report.campaign.report.clone();
+    pub fn certificate(results: &Results) -> Result<Self> {
+        let presentation = results.campaign.report.clone();
         let words = Words::new(presentation.language);
-        let contents = sections::certificate::contents(report, report.contents(&words), &words);
-        Ok(Self::new(contents, report.attachments(&words)?, presentation, words))
+        let contents = sections::certificate::contents(results, campaign::contents(results, &words), &words);
+        Ok(Self::new(contents, campaign::attachments(results, &words)?, presentation, words))
     }
 
     /// Creates the report of an identification without a campaign.
     pub fn identification(document: &ParametersDocument) -> Self {
         let words = Words::default();
-        let title = model_title(document, &words);
+        let title = campaign::model_title(document, &words);
         let verdict = sections::verdict::identification_verdict(document, &words);
         let parameters = sections::parameters::section_from_document(document, &words);
         let sections = vec![
@@ -487,7 +343,7 @@ impl Renderer {
             verdict: verdict(document, &words),
             sections: sections(document, &words),
             statement: tr!(words, "selftest-statement"),
-            signed: true,
+            layout: Layout { signed: true, ..Layout::default() },
             ..Contents::default()
         };
         let attached = Attachment::new("selftest.json", "data", tr!(words, "attached-selftest"), document)?;

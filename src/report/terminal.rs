@@ -7,14 +7,18 @@ use etalon_base::message::printable_character;
 
 /// Text for the terminal.
 pub(super) fn terminal(contents: &Contents, words: &Words) -> String {
-    let mut page = Page { words, brief: contents.brief, text: String::new(), section: None, heading: None };
+    let mut page = Page { words, brief: contents.layout.brief, text: String::new(), section: None, heading: None };
     page.line(&contents.title);
     contents.verdict.sentences.iter().for_each(|sentence| page.line(sentence));
     page.steps(contents);
     for section in contents.sections.iter().filter(|s| s.on_terminal) {
         (page.section, page.heading) = (Some(section.title.as_str()), None);
         page.blocks(&section.blocks);
-        section.data.iter().filter(|table| !contents.brief && table.off_page).for_each(|table| page.table(table));
+        section
+            .data
+            .iter()
+            .filter(|table| !contents.layout.brief && table.off_page)
+            .for_each(|table| page.table(table));
     }
     page.text
 }

@@ -5,19 +5,19 @@
 //! files of its folder have the hashes of its manifest; after a power failure, the others are run
 //! again.
 
-use crate::run::documents::{Documents, Run};
+use crate::run::documents::Documents;
 use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
+use crate::run::results;
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::files;
 use etalon_base::folder::{self, Durability};
-use etalon_base::message::{Message, Problems, Rank, Result};
+use etalon_base::message::{Problems, Rank, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchQuantity,
-    CampaignSummary, Characteristics, Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Reason, Role,
-    VerdictDocument,
+    Acceptance, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchQuantity, IdentifiedDocuments,
+    Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Reason, Results, Role,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -67,7 +67,7 @@ pub fn batch<W: Write + Send>(
 ) -> Result<Batch> {
     let one = |folder: &PathBuf| {
         let mut entry = BatchEntry { campaign: folder.display().to_string(), ..BatchEntry::default() };
-        let (rows, output) = campaign(folder, (wanted, since), &mut entry).unwrap_or_else(|problems| {
+        let (rows, output) = campaign(folder, wanted, since, &mut entry).unwrap_or_else(|problems| {
             (entry.ended, entry.message) = (BatchEnd::Failed, Some(problems.to_string()));
             Default::default()
         });
@@ -118,7 +118,8 @@ fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) ->
 /// Results of one campaign, and its output folder if it was written; completes `entry`.
 fn campaign(
     folder: &Path,
-    (wanted, since): (Wanted, Option<SystemTime>),
+    wanted: Wanted,
+    since: Option<SystemTime>,
     entry: &mut BatchEntry,
 ) -> Result<(Vec<Row>, Option<PathBuf>)> {
     let campaign = Campaign::read(folder)?;
@@ -132,27 +133,22 @@ fn campaign(
     let last = if wanted == Wanted::Reports { "report.html" } else { "import.json" };
     let recent = |documents: &Documents| since.is_none_or(|since| documents.written().is_ok_and(|at| at >= since));
     // documents of another version are written again
-    let run = current(&campaign, last).filter(recent).and_then(|documents| Run::read(&documents).ok());
-    if let Some(run) = run {
-        let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
-        let report = run.report();
-        describe(entry, &run.campaign, report.passes(), identified.map(|i| i.0));
-        let judgement = report.judgement();
-        entry.verdict = judgement.verdict;
-        entry.checks = checks(&judgement, identified.map(|i| i.0), report.messages().into_iter());
-        return Ok((rows(identified, &run.tested), None));
-    }
-    let found = pipeline::run_for(&campaign, wanted, Durability::Later)?;
-    entry.computed = true;
-    let identified = found.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
-    describe(entry, &found.summary, found.met, identified.map(|i| i.0));
-    entry.verdict = found.judgement.verdict;
-    entry.checks = checks(&found.judgement, identified.map(|i| i.0), found.messages.iter());
-    Ok((rows(identified, &found.tested), Some(output)))
+    let stored = current(&campaign, last).filter(recent).and_then(|documents| results::read(&documents).ok());
+    let (results, written) = match stored {
+        Some(results) => (results, None),
+        None => (pipeline::run_for(&campaign, wanted, Durability::Later)?.results, Some(output)),
+    };
+    entry.computed = written.is_some();
+    describe(entry, &results);
+    entry.verdict = results.verdict.verdict;
+    entry.checks = checks(&results);
+    Ok((rows(&results), written))
 }
 
-fn describe(entry: &mut BatchEntry, campaign: &CampaignSummary, met: bool, parameters: Option<&ParametersDocument>) {
-    entry.ended = if met { BatchEnd::Done } else { BatchEnd::NotMet };
+fn describe(entry: &mut BatchEntry, results: &Results) {
+    let campaign = &results.campaign;
+    let parameters = results.identified.as_ref().map(|i| &i.parameters);
+    entry.ended = if results.verdict.passes() { BatchEnd::Done } else { BatchEnd::NotMet };
     (entry.name, entry.date) = (campaign.name.clone(), campaign.date.clone());
     entry.valid_until = campaign.valid_until.clone();
     entry.robot = campaign.robot.clone().or_else(|| parameters.map(|p| p.robot.clone()));
@@ -172,11 +168,7 @@ fn nominal(document: &ParametersDocument) -> String {
 }
 
 /// Checks of a result, in the order of reading.
-fn checks<'a>(
-    judgement: &VerdictDocument,
-    parameters: Option<&ParametersDocument>,
-    messages: impl Iterator<Item = &'a Message>,
-) -> Vec<BatchCheck> {
+fn checks(results: &Results) -> Vec<BatchCheck> {
     let check =
         |name: &str, verdict| BatchCheck { name: name.to_owned(), verdict, value: None, limit: None, unit: None };
     let pass = |passed| if passed { Acceptance::Pass } else { Acceptance::Fail };
@@ -186,16 +178,16 @@ fn checks<'a>(
         unit: Some(l.unit.clone()),
         ..check(l.name.into(), l.acceptance)
     };
-    let mut all: Vec<BatchCheck> = judgement.limits.iter().map(limit).collect();
-    if let Some(parameters) = parameters {
+    let mut all: Vec<BatchCheck> = results.verdict.limits.iter().map(limit).collect();
+    if let Some(IdentifiedDocuments { parameters, .. }) = &results.identified {
         all.push(check("solver", pass(parameters.solver.termination.is_success())));
         all.push(check("robot", pass(parameters.is_plausible())));
     }
-    let others = || judgement.reasons.iter().filter(|r| is_precondition(r));
+    let others = || results.verdict.reasons.iter().filter(|r| is_precondition(r));
     if let Some(verdict) = others().map(Reason::acceptance).max() {
         all.push(BatchCheck { value: Some(others().count() as f64), ..check("preconditions", verdict) });
     }
-    let decide = messages.filter(|m| m.rank == Rank::Decide).count();
+    let decide = results.messages().filter(|m| m.rank == Rank::Decide).count();
     let verdict = if decide > 0 { Acceptance::Conditional } else { Acceptance::Pass };
     all.push(BatchCheck { value: Some(decide as f64), ..check("warnings", verdict) });
     all
@@ -214,9 +206,9 @@ fn is_precondition(reason: &Reason) -> bool {
     )
 }
 
-fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &Characteristics) -> Vec<Row> {
+fn rows(results: &Results) -> Vec<Row> {
     let mut rows = Vec::new();
-    if let Some((parameters, accuracy)) = identified {
+    if let Some(IdentifiedDocuments { parameters, accuracy, .. }) = &results.identified {
         rows.extend(parameters.parameters.iter().map(|p| Row {
             kind: "parameter",
             item: p.name.clone(),
@@ -263,7 +255,7 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
         let row = |kind, value| Row { kind, item: p.pose.to_string(), unit: "mm".to_owned(), value, ..Row::default() };
         PoseCharacteristic::ALL.iter().filter_map(|c| Some(row(c.symbol, (c.value)(p)?))).collect::<Vec<_>>()
     };
-    rows.extend(tested.poses.iter().flat_map(|tested| &tested.poses).flat_map(of_pose));
+    rows.extend(results.tested.poses.iter().flat_map(|tested| &tested.poses).flat_map(of_pose));
     rows
 }
 

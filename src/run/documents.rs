@@ -10,11 +10,9 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, CellDocument, Characteristics, ControllersDocument, FeaturesDocument,
-    FieldDocument, FramesDocument, GeometricDocument, ImportDocument, ManifestDocument, ParametersDocument, PointError,
+    AccuracyDocument, CellDocument, FieldDocument, ManifestDocument, ParametersDocument, PointError,
 };
 use etalon_formats::table;
-use etalon_report::Report;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -164,75 +162,6 @@ impl Documents {
         match Self::open(&self.folder) {
             Ok(now) if now.manifest == self.manifest => Ok(()),
             _ => Err(error!("folder-replaced", folder = self.folder.display().to_string()).into()),
-        }
-    }
-}
-
-/// The documents of a run, read back: all that its report is made from.
-pub struct Run {
-    /// Statements of the campaign about itself.
-    pub campaign: CampaignSummary,
-    /// Read and rejected input.
-    pub import: ImportDocument,
-    /// Result of the identification, if there is one.
-    pub identified: Option<Identified>,
-    /// Characteristics of ISO 9283.
-    pub tested: Characteristics,
-    features: FeaturesDocument,
-    frames: FramesDocument,
-    geometric: Option<GeometricDocument>,
-    controllers: Option<ControllersDocument>,
-}
-
-/// The documents of an identification.
-pub struct Identified {
-    /// Document `parameters.json`.
-    pub parameters: ParametersDocument,
-    /// Document `accuracy.json`.
-    pub accuracy: AccuracyDocument,
-    errors: Vec<PointError>,
-}
-
-impl Run {
-    /// Reads them.
-    pub fn read(documents: &Documents) -> Result<Self> {
-        let identified = |parameters| -> Result<Identified> {
-            let accuracy: AccuracyDocument = documents.json("accuracy.json")?;
-            let errors = documents.errors(&accuracy)?;
-            Ok(Identified { parameters, accuracy, errors })
-        };
-        Ok(Self {
-            campaign: documents.json("campaign.json")?,
-            import: documents.json("import.json")?,
-            features: documents.json("features.json")?,
-            frames: documents.json("frames.json")?,
-            // a campaign that only tests has none
-            identified: documents.parameters()?.map(identified).transpose()?,
-            geometric: documents.optional("geometric.json")?,
-            controllers: documents.optional("controllers.json")?,
-            tested: Characteristics {
-                poses: documents.optional("iso9283.json")?,
-                streams: documents.optional("iso9283-streams.json")?,
-                compliance: documents.optional("iso9283-compliance.json")?,
-            },
-        })
-    }
-
-    /// Its report.
-    pub fn report(&self) -> Report<'_> {
-        Report {
-            campaign: &self.campaign,
-            import: &self.import,
-            features: &self.features,
-            frames: &self.frames,
-            identified: self.identified.as_ref().map(|i| etalon_report::Identified {
-                parameters: &i.parameters,
-                accuracy: &i.accuracy,
-                errors: &i.errors,
-            }),
-            geometric: self.geometric.as_ref(),
-            controllers: self.controllers.as_ref(),
-            tested: &self.tested,
         }
     }
 }

@@ -6,6 +6,7 @@ pub mod documents;
 mod names;
 pub mod output;
 pub mod pipeline;
+pub mod results;
 pub mod selftest;
 mod statements;
 pub mod summary;

@@ -1,9 +1,7 @@
 //! The output folder of a campaign: documents are collected first and written when all of them are
 //! whole.
 
-use crate::run::documents::{self, Documents, PARAMETERS};
-use crate::stages::calibrate::identification::Identified;
-use crate::stages::evaluate::error_table;
+use crate::run::documents::{self, Documents};
 use crate::stages::gather::Gathered;
 use crate::stages::join::Joined;
 use etalon_base::error;
@@ -11,7 +9,7 @@ use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
 use etalon_base::message::Result;
 use etalon_campaign::Campaign;
-use etalon_documents::{FieldDocument, ImportDocument, ManifestDocument, Source, to_json};
+use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
 use etalon_formats::table;
 use polars::prelude::DataFrame;
 use serde::Serialize;
@@ -40,7 +38,7 @@ impl Output {
     }
 
     /// Adds a file whose name no template of a campaign may use.
-    fn own(&mut self, name: &str, bytes: Vec<u8>) {
+    pub(super) fn own(&mut self, name: &str, bytes: Vec<u8>) {
         debug_assert!(documents::is_file_of_run(name), "{name} is missing in the files of a run");
         self.bytes(name, bytes);
     }
@@ -93,23 +91,6 @@ impl Output {
             self.own(&format!("{stem}.csv"), bytes);
         }
         Ok(())
-    }
-
-    /// Adds parameters and errors, if there are any.
-    pub fn identified(&mut self, found: Option<&Identified>) -> Result<()> {
-        let Some(found) = found else { return Ok(()) };
-        self.json(PARAMETERS, &found.parameters)?;
-        if let Some(field) = &found.field {
-            let parameters_sha256 = self.sha256(PARAMETERS).unwrap_or_default().to_owned();
-            let synthetic = found.parameters.synthetic.clone();
-            let field = FieldDocument { parameters_sha256, synthetic, ..field.clone() };
-            self.json(FieldDocument::NAME, &field)?;
-            for (name, bytes) in etalon_controllers::field_code(&field)? {
-                self.own(name, bytes);
-            }
-        }
-        self.table("residuals", &mut error_table::to_table(&found.errors, &found.accuracy.joints)?)?;
-        self.json("accuracy.json", &found.accuracy)
     }
 
     /// Adds the files of a report.

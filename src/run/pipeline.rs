@@ -3,23 +3,25 @@
 use crate::run::controller_formats::ControllerFormats;
 use crate::run::documents::PARAMETERS;
 use crate::run::output::Output;
+use crate::run::results;
 use crate::run::summary::summary;
-use crate::run::walk::{Mode, Walk};
+use crate::run::walk::{Inputs, Mode, Walk};
 use crate::stages::calibrate::controller_files;
-use crate::stages::calibrate::identification::Identified;
+use crate::stages::calibrate::identification::{Identified, IdentifiedSolution};
 use crate::stages::gather::{self, Gathered};
 use crate::stages::join::Joined;
 use crate::stages::kinds;
 use crate::stages::table_file::TableFile;
+use etalon_base::files;
 use etalon_base::folder::Durability;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_controllers::{Description, ExportInput, Exporter};
 use etalon_documents::{
-    CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
-    VerdictDocument, WrittenFile,
+    CampaignSummary, ControllersDocument, FieldDocument, IdentifiedDocuments, Results, VerdictDocument, WrittenFile,
+    to_json,
 };
-use etalon_report::{Renderer, Report};
+use etalon_report::Renderer;
 use etalon_robots::Robot;
 
 /// Files that a run writes.
@@ -32,41 +34,28 @@ pub enum Wanted {
     Documents,
 }
 
-/// Results of a run in memory.
+/// Results of a run, written to its output folder.
 #[derive(Debug)]
 pub struct Outcome {
-    /// Parameters and errors, if the campaign identifies parameters.
-    pub identified: Option<Identified>,
-    /// Characteristics of ISO 9283, if the campaign tests them.
-    pub tested: Characteristics,
-    /// `true` if every limit is met, and the result can be that of a robot.
-    pub met: bool,
-    /// The verdict with its reasons.
-    pub judgement: VerdictDocument,
+    /// Results.
+    pub results: Results,
+    /// Solution of the identification, if the campaign identifies parameters.
+    pub solution: Option<IdentifiedSolution>,
     /// The report, if requested.
     pub renderer: Option<Renderer>,
-    /// Statements of the campaign about itself.
-    pub summary: CampaignSummary,
-    /// Everything that the report warns of.
-    pub messages: Vec<Message>,
     /// Files written, in order.
     pub written: Vec<String>,
 }
 
-/// Everything that a campaign gives, before any of it is written.
+/// Results of a run before any of them is written, with the data of its other files.
 pub struct Evaluated {
+    /// Results.
+    pub results: Results,
+    /// Solution of the identification, if the campaign identifies parameters.
+    pub solution: Option<IdentifiedSolution>,
     gathered: Gathered,
-    features: FeaturesDocument,
-    frames: FramesDocument,
     joined: Option<Joined>,
-    geometric: Option<GeometricDocument>,
-    controllers: Option<ControllersDocument>,
     formats: ControllerFormats,
-    summary: CampaignSummary,
-    /// Parameters and errors, if the campaign identifies parameters.
-    pub identified: Option<Identified>,
-    /// Characteristics of ISO 9283, if the campaign tests them.
-    pub tested: Characteristics,
 }
 
 /// Runs a campaign from its exports to the report. Nothing is written until all results are
@@ -86,26 +75,44 @@ pub fn run_for(campaign: &Campaign, wanted: Wanted, durability: Durability) -> R
 pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     let mut walk = Walk::sound(campaign, Mode::Run)?;
     walk.on(campaign).map_err(|problems| {
-        let first = walk.gathered.document.messages.iter().filter(|m| !problems.0.contains(m));
+        let first = walk.inputs.gathered.document.messages.iter().filter(|m| !problems.0.contains(m));
         Problems(first.chain(&problems.0).cloned().collect())
     })?;
-    let (Some(features), Some(frames), Some(presentation), Some(robot)) =
-        (walk.features, walk.frames, walk.presentation, walk.robot)
+    let Walk { problems, inputs, robot, features, frames, joined, geometric, identified, tested, .. } = walk;
+    let Inputs { mut gathered, mut formats, presentation, .. } = inputs;
+    let (Some(features), Some(frames), Some(presentation), Some(robot)) = (features, frames, presentation, robot)
     else {
-        return Err(walk.problems);
+        return Err(problems);
     };
-    let Walk { mut gathered, mut formats, joined, geometric, identified, tested, .. } = walk;
     gathered.document.sources.append(&mut formats.sources);
     // formats that leave parameters out hold what is identified without them
     let temperature_range_c = gather::temperature_range(&gathered.points);
-    let mut summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };
-    let again = |found| identified_again(campaign, robot.as_ref(), found, (&summary, &formats.all()));
+    let summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };
+    let again = |found| identified_again(campaign, robot.as_ref(), found, &summary, &formats.all());
     let controllers = identified.as_ref().and_then(again);
-    if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
-        let given = given(campaign, robot.as_ref(), found, &summary);
-        summary.controller_files = written(&ExportInput { controllers: controllers.as_ref(), ..given }, &formats);
+    let (identified, solution) = identified.map(|found| (found.documents, found.solution)).unzip();
+    let mut results = Results {
+        campaign: summary,
+        import: std::mem::take(&mut gathered.document),
+        features,
+        frames,
+        identified: identified.map(with_hash).transpose()?,
+        geometric,
+        controllers,
+        tested,
+        verdict: VerdictDocument::default(),
+    };
+    results.campaign.controller_files = written(campaign, robot.as_ref(), &results, &formats);
+    Ok(Evaluated { results: results.judged(), solution, gathered, joined, formats })
+}
+
+/// States in the residual field to which parameters it belongs.
+fn with_hash(mut found: IdentifiedDocuments) -> Result<IdentifiedDocuments> {
+    if let Some(field) = found.field {
+        let parameters_sha256 = files::sha256(&to_json(&found.parameters)?);
+        found.field = Some(FieldDocument { parameters_sha256, synthetic: found.parameters.synthetic.clone(), ..field });
     }
-    Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, formats, summary, identified, tested })
+    Ok(found)
 }
 
 /// Contents of the files of these formats in place of the identified parameters: identified again
@@ -114,14 +121,19 @@ pub(super) fn identified_again(
     campaign: &Campaign,
     robot: &dyn Robot,
     found: &Identified,
-    (summary, formats): (&CampaignSummary, &[(&str, &dyn Exporter)]),
+    summary: &CampaignSummary,
+    formats: &[(&str, &dyn Exporter)],
 ) -> Option<ControllersDocument> {
-    let given = given(campaign, robot, found, summary);
-    found.parameters.is_plausible().then(|| controller_files::identify_again(&given, robot, found, formats)).flatten()
+    let given = given(campaign, robot, &found.documents, summary);
+    let is_plausible = found.documents.parameters.is_plausible();
+    is_plausible.then(|| controller_files::identify_again(&given, robot, &found.solution, formats)).flatten()
 }
 
 /// Controller files that are not refused.
-fn written(given: &ExportInput, formats: &ControllerFormats) -> Vec<WrittenFile> {
+fn written(campaign: &Campaign, robot: &dyn Robot, results: &Results, formats: &ControllerFormats) -> Vec<WrittenFile> {
+    let Some(found) = results.plausible() else { return Vec::new() };
+    let given =
+        ExportInput { controllers: results.controllers.as_ref(), ..given(campaign, robot, found, &results.campaign) };
     let is_written = |(name, exporter): &(&str, &dyn Exporter)| {
         given.statement(*exporter).is_ok_and(|statement| statement.refusal(name).is_none())
     };
@@ -133,35 +145,6 @@ fn written(given: &ExportInput, formats: &ControllerFormats) -> Vec<WrittenFile>
     formats.all().into_iter().filter(is_written).map(file).collect()
 }
 
-impl Evaluated {
-    /// Its report, from the documents alone.
-    pub fn report(&self) -> Report<'_> {
-        Report {
-            campaign: &self.summary,
-            import: &self.gathered.document,
-            features: &self.features,
-            frames: &self.frames,
-            identified: self.identified.as_ref().map(|found| etalon_report::Identified {
-                parameters: &found.parameters,
-                accuracy: &found.accuracy,
-                errors: &found.errors,
-            }),
-            geometric: self.geometric.as_ref(),
-            controllers: self.controllers.as_ref(),
-            tested: &self.tested,
-        }
-    }
-
-    /// Everything that the report warns of.
-    pub fn messages(&self) -> impl Iterator<Item = &Message> {
-        let messages = self.gathered.document.messages.iter();
-        let messages = messages.chain(self.identified.iter().flat_map(|found| &found.parameters.messages));
-        let messages = messages.chain(self.geometric.iter().flat_map(|g| &g.messages));
-        let messages = messages.chain(self.controllers.iter().flat_map(|c| &c.messages));
-        messages.chain(self.tested.messages())
-    }
-}
-
 /// Writes every document, the report and the files for controllers.
 fn write(
     campaign: &Campaign,
@@ -170,62 +153,58 @@ fn write(
     found: Evaluated,
     mut out: Output,
 ) -> Result<Outcome> {
-    let messages = found.messages().cloned().collect();
-    let verdict = found.report().judgement();
-    let met = verdict.passes();
-    let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
-    let Evaluated { mut gathered, features, frames, joined, geometric, controllers, formats, summary, .. } = found;
-    let (identified, tested) = (found.identified, found.tested);
-    let tables = wanted == Wanted::Reports;
-    if tables {
+    let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.results)).transpose()?;
+    let Evaluated { results, solution, mut gathered, joined, formats } = found;
+    if wanted == Wanted::Reports {
         out.gathered(campaign, &mut gathered)?;
+        out.observations(campaign, joined)?;
     }
-    out.json("campaign.json", &summary)?;
-    out.json("import.json", &gathered.document)?;
-    out.json("features.json", &features)?;
-    out.json("frames.json", &frames)?;
-    out.observations(campaign, joined.filter(|_| tables))?;
-    out.identified(identified.as_ref())?;
-    out.json("verdict.json", &verdict)?;
-    out.optional("geometric.json", geometric.as_ref())?;
-    out.optional("controllers.json", controllers.as_ref())?;
-    out.optional("iso9283.json", tested.poses.as_ref())?;
-    out.optional("iso9283-streams.json", tested.streams.as_ref())?;
-    out.optional("iso9283-compliance.json", tested.compliance.as_ref())?;
-    if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
-        let targets = |table: &TableFile| kinds::targets(&table.table, &campaign.robot.branches());
-        let targets = gathered.observations.as_ref().map(targets).transpose()?;
-        let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
-        let sha256 = out.sha256(PARAMETERS).map(str::to_owned);
-        let given = ExportInput {
-            controllers: controllers.as_ref(),
-            parameters_sha256: sha256.as_deref(),
-            ..given(campaign, robot.as_ref(), found, &summary)
-        };
-        for (name, exporter) in formats.all() {
-            // refused files are among the messages
-            let Ok(statement) = given.statement(exporter) else { continue };
-            if statement.refusal(name).is_none() {
-                given.check()?;
-                out.bytes(exporter.file_name(), exporter.write_stated(&given, &statement)?);
-            }
-        }
-    }
+    results::write(&results, &mut out)?;
+    write_controller_files(campaign, &results, gathered.observations.as_ref(), &formats, &mut out)?;
     let renderer = renderer.map(|renderer| {
         renderer.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
     });
     if let Some(renderer) = &renderer {
         out.reports(renderer.files()?);
     }
-    let written = out.write(campaign, &gathered.document.sources, durability)?;
-    Ok(Outcome { written, identified, tested, met, judgement: verdict, renderer, summary, messages })
+    let written = out.write(campaign, &results.import.sources, durability)?;
+    Ok(Outcome { results, solution, renderer, written })
+}
+
+/// Adds the controller files that are not refused.
+fn write_controller_files(
+    campaign: &Campaign,
+    results: &Results,
+    observations: Option<&TableFile>,
+    formats: &ControllerFormats,
+    out: &mut Output,
+) -> Result<()> {
+    let Some(found) = results.plausible() else { return Ok(()) };
+    let targets = |table: &TableFile| kinds::targets(&table.table, &campaign.robot.branches());
+    let targets = observations.map(targets).transpose()?;
+    let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
+    let sha256 = out.sha256(PARAMETERS).map(str::to_owned);
+    let given = ExportInput {
+        controllers: results.controllers.as_ref(),
+        parameters_sha256: sha256.as_deref(),
+        ..given(campaign, robot.as_ref(), found, &results.campaign)
+    };
+    for (name, exporter) in formats.all() {
+        // refused files are among the messages
+        let Ok(statement) = given.statement(exporter) else { continue };
+        if statement.refusal(name).is_none() {
+            given.check()?;
+            out.bytes(exporter.file_name(), exporter.write_stated(&given, &statement)?);
+        }
+    }
+    Ok(())
 }
 
 /// Input of controller files before parameters are identified again for them.
 fn given<'a>(
     campaign: &'a Campaign,
     robot: &'a dyn Robot,
-    found: &'a Identified,
+    found: &'a IdentifiedDocuments,
     summary: &'a CampaignSummary,
 ) -> ExportInput<'a> {
     ExportInput {

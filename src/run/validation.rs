@@ -3,7 +3,7 @@
 use super::pipeline::identified_again;
 use super::summary::summary;
 use super::walk::{self, Observed};
-use crate::stages::calibrate::identification::{Identified, identify, identify_chosen};
+use crate::stages::calibrate::identification::{identify, identify_chosen};
 use crate::stages::calibrate::recommendation;
 use crate::stages::calibrate::selection::{CampaignData, select};
 use crate::stages::uncertainty::monte_carlo::{Draws, Trials};
@@ -13,8 +13,8 @@ use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::{Campaign, Identify};
 use etalon_controllers::Exporter;
 use etalon_documents::{
-    CampaignReference, CampaignSummary, ControllersDocument, ParameterStatus, Presentation, Provenance,
-    RecommendationDocument, UncertaintyDocument,
+    CampaignReference, CampaignSummary, ControllersDocument, IdentifiedDocuments, ParameterStatus, Presentation,
+    Provenance, RecommendationDocument, UncertaintyDocument,
 };
 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is
@@ -47,7 +47,7 @@ pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> R
 /// The recommended parameters of a campaign, identified like those of a run.
 pub struct Recommended {
     /// Parameters with their errors; what is not recommended is at nominal.
-    pub found: Identified,
+    pub found: IdentifiedDocuments,
     /// Contents of formats in place of these parameters.
     pub controllers: Option<ControllersDocument>,
     /// Statements of the campaign about itself.
@@ -68,10 +68,10 @@ pub fn identify_recommended(
     let held = recommended.parameters.into_iter().filter(|p| p.status == ParameterStatus::Fixed).map(|p| p.name);
     let data = CampaignData { campaign, stated, joined: &joined, frames: &frames };
     let mut found = identify_chosen(data, robot.as_mut(), held)?;
-    found.parameters.provenance.inputs = gathered.document.inputs();
+    found.documents.parameters.provenance.inputs = gathered.document.inputs();
     let summary = summary(campaign, Presentation::default());
-    let controllers = identified_again(campaign, robot.as_ref(), &found, (&summary, formats));
-    Ok(Recommended { found, controllers, summary, messages })
+    let controllers = identified_again(campaign, robot.as_ref(), &found, &summary, formats);
+    Ok(Recommended { found: found.documents, controllers, summary, messages })
 }
 
 /// Distributions of the results of a campaign; `report` is called with the draws made and the most

@@ -47,9 +47,23 @@ pub(super) struct Walk {
     mode: Mode,
     /// Errors that have not ended the walk.
     pub problems: Problems,
+    pub inputs: Inputs,
+    pub robot: Option<Box<dyn Robot>>,
+    pub features: Option<FeaturesDocument>,
+    pub frames: Option<FramesDocument>,
+    pub tested: Characteristics,
+    pub joined: Option<Joined>,
+    /// Travel of the joints in the calibration poses, for a check.
+    joints: Vec<JointTravel>,
+    pub identified: Option<Identified>,
+    pub geometric: Option<GeometricDocument>,
+}
+
+/// Contents of the files that a campaign names.
+#[derive(Default)]
+pub(super) struct Inputs {
     /// Points, joint values, and the list of inputs, with warnings.
     pub gathered: Gathered,
-    pub robot: Option<Box<dyn Robot>>,
     /// Tables and recordings of tests by ISO 9283.
     tests: TestData,
     /// Measurements of the geometric calibration, if the campaign has one.
@@ -62,14 +76,6 @@ pub(super) struct Walk {
     is_read: bool,
     /// Features and frames are stated, and every label that they name is present.
     is_named: bool,
-    pub features: Option<FeaturesDocument>,
-    pub frames: Option<FramesDocument>,
-    pub tested: Characteristics,
-    pub joined: Option<Joined>,
-    /// Travel of the joints in the calibration poses, for a check.
-    joints: Vec<JointTravel>,
-    pub identified: Option<Identified>,
-    pub geometric: Option<GeometricDocument>,
 }
 
 /// A campaign as far as its observations.
@@ -92,7 +98,9 @@ pub fn observed(campaign: &Campaign) -> Result<Observed> {
     let mut walk = Walk::sound(campaign, Mode::Observe)?;
     walk.on(campaign)?;
     match (walk.robot, walk.frames, walk.joined) {
-        (Some(robot), Some(frames), Some(joined)) => Ok(Observed { gathered: walk.gathered, robot, frames, joined }),
+        (Some(robot), Some(frames), Some(joined)) => {
+            Ok(Observed { gathered: walk.inputs.gathered, robot, frames, joined })
+        }
         _ => Err(walk.problems),
     }
 }
@@ -119,7 +127,7 @@ pub fn checked(campaign: &Campaign) -> Checked {
     let mut walk = Walk::gather(campaign, Mode::Check);
     let ended = walk.on(campaign);
     walk.problems.keep(ended);
-    Checked { inputs: walk.gathered.document, problems: walk.problems, joints: walk.joints }
+    Checked { inputs: walk.inputs.gathered.document, problems: walk.problems, joints: walk.joints }
 }
 
 impl Walk {
@@ -133,26 +141,26 @@ impl Walk {
     /// Exports and logs become points and joint values, and all that is stated is checked on them.
     fn gather(campaign: &Campaign, mode: Mode) -> Self {
         let mut walk = Self { mode, ..Self::default() };
-        let problems = &mut walk.problems;
-        walk.formats = ControllerFormats::read(campaign, problems);
+        let (problems, inputs) = (&mut walk.problems, &mut walk.inputs);
+        inputs.formats = ControllerFormats::read(campaign, problems);
         statements::check(campaign, problems);
         statements::values(campaign, problems);
         statements::conditions(campaign, problems);
-        walk.presentation = problems.keep(presentation(campaign));
+        inputs.presentation = problems.keep(presentation(campaign));
         let before = problems.0.len();
         statements::frames(campaign, problems);
         let (gathered, more) = gather::recover(campaign);
         let whole = |keys: &[&str]| !keys.iter().any(|key| campaign.unread.affects(&[key]));
-        walk.is_read = more.0.is_empty() && whole(&["export", "log", "join"]);
+        inputs.is_read = more.0.is_empty() && whole(&["export", "log", "join"]);
         // a label that is missing may be in a file that did not read
         let opened =
             gathered.document.sources.iter().filter(|s| s.kind == SourceKind::Export && s.rows_read > 0).count();
         let complete = opened == campaign.file.exports.len();
         let not_exported = names::labels(campaign, &gathered, complete, problems);
-        walk.is_named = complete && problems.0.len() == before && whole(&["feature", "frame"]);
-        let usable = walk.is_named && walk.is_read;
+        inputs.is_named = complete && problems.0.len() == before && whole(&["feature", "frame"]);
+        let usable = inputs.is_named && inputs.is_read;
         if let (Some(definition), true) = (&campaign.file.geometric, usable && whole(&["geometric"])) {
-            walk.measured = problems.keep(geometric::gather(campaign, definition, &gathered.points));
+            inputs.measured = problems.keep(geometric::gather(campaign, definition, &gathered.points));
         }
         let (tests, wrong) = iso9283::read(campaign);
         if usable && whole(&["repeatability"]) {
@@ -182,9 +190,10 @@ impl Walk {
                 names::targets(campaign, robot.as_ref(), &gathered, problems);
             }
             // without its joints a log cannot be joined, nor can points without their targets
-            walk.is_read &= problems.0.len() == before;
+            inputs.is_read &= problems.0.len() == before;
         }
-        Self { gathered, tests, ..walk }
+        (inputs.gathered, inputs.tests) = (gathered, tests);
+        walk
     }
 
     /// Continues through the stages in their order.
@@ -197,39 +206,41 @@ impl Walk {
         self.place(campaign)?;
         // tests: attained poses, recorded motions and loads become characteristics of ISO 9283
         if let (Mode::Run, Some(frames)) = (self.mode, &self.frames) {
-            self.tested = iso9283::evaluate(campaign, &self.tests, &self.gathered, frames)?;
-            self.gathered.document.sources.append(&mut self.tests.sources);
+            self.tested = iso9283::evaluate(campaign, &self.inputs.tests, &self.inputs.gathered, frames)?;
+            self.inputs.gathered.document.sources.append(&mut self.inputs.tests.sources);
         }
         // join: measurements meet joint values
         self.join(campaign)?;
-        let document = &mut self.gathered.document;
+        let document = &mut self.inputs.gathered.document;
         document.messages.extend(self.features.iter().flat_map(|features| features.messages.clone()));
         // select: observations of the poses that are stated; a run does so when it identifies
         if self.mode == Mode::Check {
             self.select(campaign);
         }
         if let Some(joined) = &mut self.joined {
-            self.gathered.document.messages.append(&mut joined.messages);
-            self.gathered.document.unmatched = std::mem::take(&mut joined.unmatched);
+            let document = &mut self.inputs.gathered.document;
+            document.messages.append(&mut joined.messages);
+            document.unmatched = std::mem::take(&mut joined.unmatched);
         }
         // identify: observations become parameters, and errors before and after
         let (Mode::Run, Some(robot)) = (self.mode, &mut self.robot) else { return Ok(()) };
         if let (Some(stated), Some(joined), Some(frames)) = (&campaign.file.identify, &self.joined, &self.frames) {
             let mut identified = identify(CampaignData { campaign, stated, joined, frames }, robot.as_mut())?;
-            identified.parameters.provenance.inputs = self.gathered.document.inputs();
+            identified.documents.parameters.provenance.inputs = self.inputs.gathered.document.inputs();
             self.identified = Some(identified);
         }
         // geometry: balls, a shaft and an arm give the same parameters without a model
-        let measured = self.measured.take();
-        self.geometric = geometric::calibrate(campaign, robot.as_ref(), measured, self.identified.as_ref())?;
+        let measured = self.inputs.measured.take();
+        let solution = self.identified.as_ref().map(|identified| &identified.solution);
+        self.geometric = geometric::calibrate(campaign, robot.as_ref(), measured, solution)?;
         Ok(())
     }
 
     fn place(&mut self, campaign: &Campaign) -> Result<()> {
         let reads = |p: &Point| p.xyz_mm.iter().all(|v| v.is_finite());
         // what is placed and joined has no coordinate that does not read
-        let unreadable: Vec<Point> = self.gathered.points.extract_if(.., |p| !reads(p)).collect();
-        let points = &self.gathered.points;
+        let unreadable: Vec<Point> = self.inputs.gathered.points.extract_if(.., |p| !reads(p)).collect();
+        let points = &self.inputs.gathered.points;
         let affected = |name: &str| unreadable.iter().any(|p| matches_pattern(name, &p.label));
         let mut whole = Cow::Borrowed(campaign);
         if self.mode == Mode::Check {
@@ -242,7 +253,7 @@ impl Walk {
         }
         self.features = self.mode.keep(&mut self.problems, frames::fit_features(&whole, points))?;
         if let Some(features) = &self.features
-            && self.is_named
+            && self.inputs.is_named
             && !gather::used_labels(campaign).into_iter().any(affected)
         {
             let planar = self.robot.as_ref().is_some_and(|robot| robot.dimension() == 2);
@@ -257,13 +268,15 @@ impl Walk {
     }
 
     fn join(&mut self, campaign: &Campaign) -> Result<()> {
-        let (Some(robot), true, true) = (&self.robot, self.is_read, campaign.identifies()) else { return Ok(()) };
+        let (Some(robot), true, true) = (&self.robot, self.inputs.is_read, campaign.identifies()) else {
+            return Ok(());
+        };
         if statements::lacks_standstills(campaign) {
             return Ok(());
         }
         let joined = match &self.frames {
-            Some(frames) => join::joined(campaign, &self.gathered, frames, robot.as_ref()).map(Some),
-            None => join::counts(campaign, &self.gathered, robot.as_ref()).map(|()| None),
+            Some(frames) => join::joined(campaign, &self.inputs.gathered, frames, robot.as_ref()).map(Some),
+            None => join::counts(campaign, &self.inputs.gathered, robot.as_ref()).map(|()| None),
         };
         self.joined = self.mode.keep(&mut self.problems, joined)?.flatten();
         Ok(())
@@ -272,21 +285,21 @@ impl Walk {
     /// Checks the set-up and the selections of poses; without a join, poses are selected from all
     /// points.
     fn select(&mut self, campaign: &Campaign) {
-        let mut poses: BTreeSet<PoseName> = self.gathered.all_points().filter_map(|p| p.pose).collect();
+        let mut poses: BTreeSet<PoseName> = self.inputs.gathered.all_points().filter_map(|p| p.pose).collect();
         if let (Some(robot), Some(joined)) = (&mut self.robot, &self.joined) {
             let shown = self.problems.keep(preview(campaign, robot.as_mut(), joined)).unwrap_or_default();
             let (errors, warnings): (Vec<_>, Vec<_>) =
                 shown.messages.into_iter().partition(|message| message.severity == Severity::Error);
             self.joints = shown.joints;
             self.problems.0.extend(errors);
-            self.gathered.document.messages.extend(warnings);
+            self.inputs.gathered.document.messages.extend(warnings);
             let first = joined.observations.first();
             poses = first.and_then(|(_, first)| first.poses().ok()).unwrap_or_default();
         }
         // a join by time may find no pose before the log is read; without any pose the cause is
         // reported already
         let without = poses.is_empty() && self.problems.0.iter().any(|m| m.severity == Severity::Error);
-        if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) && !without {
+        if !campaign.unread.affects(&["identify"]) && (self.inputs.is_read || !poses.is_empty()) && !without {
             self.problems.keep(check_selections(campaign, &poses, &poses));
         }
     }

@@ -61,11 +61,11 @@ fn run(scratch: &Scratch) -> Result<Outcome, Problems> {
 fn by_time_with_the_stated_offset() {
     let outcome =
         run(&timed("by = \"time\"\nclock_offset_s = 1000.0\ntolerance_s = 1.0", 1000.0, None, false)).unwrap();
-    assert_eq!(outcome.identified.as_ref().unwrap().accuracy.sets[0].poses, 8);
+    assert_eq!(outcome.results.identified.as_ref().unwrap().accuracy.sets[0].poses, 8);
     assert!(
-        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
+        outcome.results.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
         "{:?}",
-        outcome.identified.as_ref().unwrap().accuracy.sets
+        outcome.results.identified.as_ref().unwrap().accuracy.sets
     );
 }
 
@@ -82,9 +82,9 @@ fn a_wrong_offset_finds_no_partner() {
 #[test]
 fn points_without_a_log_row_are_counted() {
     let outcome = run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, Some(20), false)).unwrap();
-    let said = outcome.messages.iter().any(|m| m.is("points-without-row", &[("count", &2), ("log", &"log")]));
-    assert!(said, "{:?}", outcome.messages);
-    assert_eq!(outcome.identified.as_ref().unwrap().accuracy.sets[1].poses, 50);
+    let said = outcome.results.messages().any(|m| m.is("points-without-row", &[("count", &2), ("log", &"log")]));
+    assert!(said, "{:?}", outcome.results.import.messages);
+    assert_eq!(outcome.results.identified.as_ref().unwrap().accuracy.sets[1].poses, 50);
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn every_key_without_a_partner_is_listed_with_its_line() {
     let kept = log.lines().enumerate().filter(|(i, _)| !(10..21).contains(i)).map(|(_, l)| l.to_owned() + "\n");
     std::fs::write(scratch.path().join("encoders.csv"), kept.collect::<String>() + "9,1,0,0,0\n").unwrap();
     let outcome = run(&scratch).unwrap();
-    assert!(outcome.messages.iter().any(|m| m.is("keys-unmatched", &[("count", &11), ("of", &"points")])));
+    assert!(outcome.results.messages().any(|m| m.is("keys-unmatched", &[("count", &11), ("of", &"points")])));
     let listed = unmatched(&scratch);
     let export = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
     let lines: Vec<&str> = export.lines().collect();
@@ -216,9 +216,9 @@ fn two_files_of_one_target_number_their_rows_apart() {
     scratch.replace("campaign.toml", stated, &exports);
     scratch.replace("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"pose\"");
     let outcome = pipeline::evaluate(&Campaign::read(&scratch.path()).unwrap()).unwrap();
-    let found = outcome.identified.as_ref().unwrap();
+    let found = outcome.results.identified.as_ref().unwrap();
     assert_eq!((found.parameters.residuals.count, found.accuracy.sets[1].poses), (8 * 4, 51));
-    assert!(outcome.report().passes());
+    assert!(outcome.results.verdict.passes());
     // without the offset they collide, and the message states the remedy
     scratch.replace("campaign.toml", "row + 30", "row");
     let problems = pipeline::evaluate(&Campaign::read(&scratch.path()).unwrap()).err().unwrap().to_string();
@@ -265,13 +265,17 @@ fn the_rate_of_the_clocks_comes_from_the_standstills_within_that_of_crystals() {
     let alone = run(&drifting(60e-6, offset)).unwrap_err();
     assert!(alone.0.iter().any(|m| m.is("clock-offset-none", &[])), "{alone}");
     let outcome = run(&drifting(60e-6, &both)).unwrap_or_else(|e| panic!("{e}"));
-    let said = outcome.messages.iter().find(|m| m.is("clock-rate-from-standstills", &[("log", &"log")]));
-    println!("{}", said.unwrap_or_else(|| panic!("{:?}", outcome.messages)));
-    let errors = &outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
+    let said = outcome.results.messages().find(|m| m.is("clock-rate-from-standstills", &[("log", &"log")]));
+    println!("{}", said.unwrap_or_else(|| panic!("{:?}", outcome.results.import.messages)));
+    let errors = &outcome.results.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
     assert!(errors.after.max < 1e-9, "{errors:?}");
     // equal rates: the offset alone is used, and that is said
     let outcome = run(&drifting(0.0, &both)).unwrap_or_else(|e| panic!("{e}"));
-    assert!(outcome.messages.iter().any(|m| m.is("clock-rate-insignificant", &[])), "{:?}", outcome.messages);
+    assert!(
+        outcome.results.messages().any(|m| m.is("clock-rate-insignificant", &[])),
+        "{:?}",
+        outcome.results.import.messages
+    );
     // no crystal drifts so far
     let wrong = run(&drifting(400e-6, &both)).unwrap_err();
     assert!(wrong.0.iter().any(|m| m.is("clock-rate-none", &[])), "{wrong}");

@@ -13,7 +13,7 @@ use etalon::standards::iso9283::pose::repeatability::pose_repeatability;
 const SAMPLE: &str = "prexyt-repeatability";
 
 fn test(scratch: &Scratch) -> Iso9283Document {
-    documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap().tested.poses.unwrap()
+    documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap().results.tested.poses.unwrap()
 }
 
 /// The sample measured again, its truth changed.
@@ -189,5 +189,5 @@ fn only_a_test_of_repeatability_may_leave_out_what_identifying_needs() {
     assert!(said.contains("`log` is missing") && said.contains("`join` is missing"), "{said}");
     let scratch = copy_sample(SAMPLE);
     let campaign = Campaign::read(&scratch.path()).unwrap();
-    assert!(!campaign.identifies() && documents_of(&campaign).unwrap().identified.is_none());
+    assert!(!campaign.identifies() && documents_of(&campaign).unwrap().results.identified.is_none());
 }

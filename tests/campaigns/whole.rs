@@ -18,7 +18,7 @@ fn off_by(sample: &str, noise_um: f64, sigmas: f64) -> Vec<String> {
     etalon::simulate::simulate(&campaign, &truth).unwrap();
     let outcome = documents_of(&campaign).unwrap();
     let mut off = Vec::new();
-    for p in &outcome.identified.as_ref().unwrap().parameters.parameters {
+    for p in &outcome.results.identified.as_ref().unwrap().parameters.parameters {
         let error = (p.value - truth.parameters[&p.name]).abs();
         assert_eq!(p.status, ParameterStatus::Identified, "{}", p.name);
         let u = if noise_um == 0.0 { 1e-9 } else { p.standard_uncertainty.unwrap() };

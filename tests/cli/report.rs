@@ -1,7 +1,17 @@
 //! `etalon report`: the same page again, in another language, with another dress.
 
 use super::{etalon, text};
+use crate::support::program;
+use crate::support::samples::{Ran, ran};
 use crate::support::scratch::copy_sample;
+use etalon::campaign::Campaign;
+use etalon::documents::{Language, Results};
+use etalon::report::Renderer;
+use etalon::run::documents::Documents;
+use etalon::run::{pipeline, results};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
 
 #[test]
 fn the_report_is_made_again_as_the_campaign_dresses_it_and_as_the_command_does() {
@@ -49,4 +59,36 @@ fn the_report_is_made_again_as_the_campaign_dresses_it_and_as_the_command_does()
     let again = etalon(scratch.root(), &["report", "--write-templates", "campaign/own"]);
     assert_eq!(again.status.code(), Some(2));
     assert!(text(&again.stderr).contains("error[file-exists]"));
+}
+
+/// SHA-256 of the files of a folder.
+fn hashes(folder: &Path) -> BTreeMap<String, String> {
+    let files = std::fs::read_dir(folder).unwrap().flatten().filter(|entry| entry.path().is_file());
+    let hash = |path: &Path| etalon::base::files::sha256(&std::fs::read(path).unwrap());
+    files.map(|entry| (entry.file_name().into_string().unwrap(), hash(&entry.path()))).collect()
+}
+
+/// The page of results in a language.
+fn page(results: &Results, language: Language) -> Vec<u8> {
+    let mut results = results.clone();
+    results.campaign.report.language = language;
+    Renderer::campaign(&results).unwrap().file("html").unwrap()
+}
+
+#[test]
+fn every_stored_folder_gives_the_verdict_and_the_report_of_its_run() {
+    for Ran { name, folder } in ran() {
+        let out = folder.join("out");
+        let written = hashes(&out);
+        let output = Command::new(program()).arg("report").arg(&out).output().unwrap();
+        assert!(output.status.success(), "{name}: {}", text(&output.stderr));
+        assert_eq!(hashes(&out), written, "{name}");
+        let computed = pipeline::evaluate(&Campaign::read(folder).unwrap()).unwrap().results;
+        let stored = results::read(&Documents::open(&out).unwrap()).unwrap();
+        assert_eq!(stored.verdict, computed.verdict, "{name}");
+        for language in [Language::En, Language::Fr, Language::De] {
+            assert!(page(&stored, language) == page(&computed, language), "{name}, {language:?}");
+        }
+    }
+    assert!(ran().len() >= 18, "{} samples", ran().len());
 }

@@ -1,10 +1,10 @@
 //! One form for every table: the same cells give the same numbers, and the same refusals at the same places, in an export, a log and a table
 //! of observations.
 
+use super::recordings::{mat, npy, variable};
 use super::source;
 use etalon::base::message::{Problems, SourceText};
 use etalon::formats::table::{integers, numbers};
-use super::recordings::{mat, npy, variable};
 use etalon::formats::{Export, Format, Log, TableReading, file_text, log, observations_with};
 use etalon::tables::Form;
 use std::io::Write as _;
@@ -154,7 +154,8 @@ fn workbook(rows: &Numbers) -> Vec<u8> {
         let cell = |(place, value): (&str, &Option<f64>)| {
             value.map_or(String::new(), |value| format!("<c r=\"{place}{line}\"><v>{value}</v></c>"))
         };
-        cells += &format!("<row r=\"{line}\">{}</row>", ["A", "B", "C"].into_iter().zip(row).map(cell).collect::<String>());
+        cells +=
+            &format!("<row r=\"{line}\">{}</row>", ["A", "B", "C"].into_iter().zip(row).map(cell).collect::<String>());
     }
     let relation = |kind: &str, target: &str| {
         format!(
@@ -217,24 +218,16 @@ fn files(rows: &Numbers) -> Vec<(&'static str, Vec<u8>)> {
 /// Reads a file in every section that takes a table.
 fn in_every_section(keys: &str, bytes: &[u8]) -> [Read; 3] {
     let form: Form = toml::from_str(keys).unwrap();
-    let text = file_text(Path::new("t.csv"), bytes, None, &Format::from(form)).unwrap_or_else(|e| panic!("{keys}: {e}"));
+    let text =
+        file_text(Path::new("t.csv"), bytes, None, &Format::from(form)).unwrap_or_else(|e| panic!("{keys}: {e}"));
     let keys = format!("{keys}\nheader = 1");
     [of_export(&text, &keys), of_log(&text, &keys), of_observations(&text, &keys)]
 }
 
 #[test]
 fn numbers_are_the_same_from_every_kind_of_file() {
-    let numbers = [
-        0.1 + 0.2,
-        -1.0 / 3.0,
-        1e-300,
-        5e-324,
-        -1.797e308,
-        123_456_789.123_456_79,
-        9_007_199_254_740_993.0,
-        -0.0,
-        3.0,
-    ];
+    let numbers =
+        [0.1 + 0.2, -1.0 / 3.0, 1e-300, 5e-324, -1.797e308, 123_456_789.123_456_79, 9_007_199_254_740_993.0, -0.0, 3.0];
     let rows: Vec<[Option<f64>; 3]> = numbers.iter().map(|value| [Some(*value), Some(1.0), Some(2.5)]).collect();
     let right = Read::Numbers((2..).zip(numbers).collect());
     for (keys, bytes) in files(&rows) {

@@ -26,7 +26,7 @@ fn all<T, D: From<T>>(results: Vec<T>) -> Vec<D> {
 }
 
 /// Results of all kinds of tests in a campaign.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Characteristics {
     /// Attained poses: iso9283.json.
     pub poses: Option<Iso9283Document>,

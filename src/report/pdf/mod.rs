@@ -50,9 +50,9 @@ pub(super) fn pdf(
     let is_own = own.is_some();
     let template = Bytes::from_string(own.unwrap_or_else(|| TYPESET.1.to_owned()));
     let attached = Bytes::new(serde_json::to_vec(attachments).map_err(fail)?);
-    let stated = [&contents.issued, &contents.date];
+    let stated = [&contents.dates.issued, &contents.dates.date];
     let stated = stated.into_iter().flatten().find_map(|date| day(date));
-    let date = stated.or(contents.built).unwrap_or(UNDATED);
+    let date = stated.or(contents.dates.built).unwrap_or(UNDATED);
     let typeset = |letters| {
         let mut data = data.clone();
         printable(&mut data, letters);

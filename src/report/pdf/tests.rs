@@ -1,12 +1,14 @@
 //! Input of the typesetter, and unusual input that it must handle.
 
 use super::*;
+use crate::campaign::{attachments, contents};
 use crate::tests::demo::{Documents, point};
 use crate::tests::page::with_text;
 
 fn typeset_report(documents: &Documents) -> Vec<u8> {
-    let (words, report) = (Words::default(), documents.report());
-    pdf(&report.contents(&words), &report.attachments(&words).unwrap(), &documents.campaign.report, &words).unwrap()
+    let (words, results) = (Words::default(), documents.results());
+    pdf(&contents(&results, &words), &attachments(&results, &words).unwrap(), &documents.campaign.report, &words)
+        .unwrap()
 }
 
 /// Text that `pdftotext` reads; `None` if it is not installed.
@@ -28,7 +30,7 @@ fn the_demo_is_typeset_and_its_bytes_are_the_same_twice() {
     if let Some(folder) = std::env::var_os("ETALON_REPORT_DEMO") {
         let folder = std::path::PathBuf::from(folder);
         let paper =
-            paper(&documents.report().contents(&Words::default()), &documents.campaign.report, &Words::default())
+            paper(&contents(&documents.results(), &Words::default()), &documents.campaign.report, &Words::default())
                 .unwrap();
         std::fs::write(folder.join("report.pdf"), pdf).unwrap();
         std::fs::write(folder.join("report.json"), serde_json::to_vec(&paper).unwrap()).unwrap();

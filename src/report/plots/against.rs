@@ -50,14 +50,15 @@ pub(crate) fn pictures(data: &Data, words: &Words) -> [Vec<Figure>; 2] {
     });
     let quantities = points::by_quantity(data.errors);
     let single = quantities.len() == 1;
-    let drawn: Vec<OfQuantity> = quantities.into_iter().map(|of| OfQuantity::new(of, single)).collect();
+    let drawn: Vec<OfQuantity> =
+        quantities.into_iter().map(|(quantity, errors)| OfQuantity::new(quantity, errors, single)).collect();
     let trend = |along: &Along| {
         data.trends.iter().find(|t| t.against == along.key && t.p_value < SIGNIFICANCE).map(|t| t.p_value)
     };
     let (mut significant, mut others) = (Vec::new(), Vec::new());
     for along in joints.chain(reach) {
         let p = trend(&along);
-        let figures = drawn.iter().filter_map(|of| picture(data, &along, (of, p), words));
+        let figures = drawn.iter().filter_map(|of| picture(data, &along, of, p, words));
         match p {
             Some(p) => significant.extend(figures.map(|figure| (p, figure))),
             None => others.extend(figures),
@@ -77,13 +78,13 @@ struct OfQuantity<'a> {
 }
 
 impl<'a> OfQuantity<'a> {
-    fn new((quantity, errors): (ErrorQuantity, Vec<&'a PointError>), single: bool) -> Self {
+    fn new(quantity: ErrorQuantity, errors: Vec<&'a PointError>, single: bool) -> Self {
         let up = Axis::from_zero("mm", largest(points::readable(&errors).into_iter().map(points::after_mm)));
         Self { quantity, errors, up, single }
     }
 }
 
-fn picture(data: &Data, along: &Along, (of, p): (&OfQuantity, Option<f64>), words: &Words) -> Option<Figure> {
+fn picture(data: &Data, along: &Along, of: &OfQuantity, p: Option<f64>, words: &Words) -> Option<Figure> {
     let OfQuantity { quantity, errors, up, single } = of;
     let known: Vec<&PointError> =
         errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
@@ -103,7 +104,7 @@ fn picture(data: &Data, along: &Along, (of, p): (&OfQuantity, Option<f64>), word
         chart.svg.mark(points::look(p), at, 2.4, &points::tooltip(p, words));
     }
     points::legend(&mut chart.svg, &drawn, words);
-    chart.limit(data.limits, *quantity, (false, words));
+    chart.limit(data.limits, *quantity, false, words);
     let description = tr!(words, "errors-against-description");
     let judged = match p.map(number::p_value) {
         Some(probability) if *single => format!(" {}", tr!(words, "trend-in-picture", probability)),

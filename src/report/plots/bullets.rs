@@ -32,7 +32,7 @@ pub(crate) fn limits(all: &[&LimitVerdict], words: &Words) -> Option<Figure> {
     let end = (1.05 * largest(positive.iter().map(|l| reach(l)))).clamp(LEAST, MOST);
     let mut svg = Svg::new(words, NARROW, ROW_HEIGHT * positive.len() as f64);
     for (i, l) in positive.iter().enumerate() {
-        limit(&mut svg, l, (ROW_HEIGHT * i as f64, end), words);
+        limit(&mut svg, l, ROW_HEIGHT * i as f64, end, words);
     }
     svg.legend(Look::new(Shape::Square, "value"), &tr!(words, "bullet-value"));
     svg.legend(Look::new(Shape::Square, "zone-pass"), &tr!(words, "bullet-accepted"));
@@ -44,7 +44,7 @@ pub(crate) fn limits(all: &[&LimitVerdict], words: &Words) -> Option<Figure> {
 }
 
 /// One limit at the height `top`, on a scale from zero to `end` times the limit.
-fn limit(svg: &mut Svg, l: &LimitVerdict, (top, end): (f64, f64), words: &Words) {
+fn limit(svg: &mut Svg, l: &LimitVerdict, top: f64, end: f64, words: &Words) {
     let at = |share: f64| SIDE + (NARROW - 2.0 * SIDE) * (share / end).clamp(0.0, 1.0);
     let y = top + 20.0;
     let u = l.expanded_uncertainty.unwrap_or(0.0) / l.limit;

@@ -62,7 +62,7 @@ fn picture(
     for (look, name) in points::sets(&drawn) {
         chart.svg.legend(look, &tr!(words, "after-named", name = words.tr(&name)));
     }
-    chart.limit(limits, quantity, (false, words));
+    chart.limit(limits, quantity, false, words);
     let (description, rule) = match logarithmic {
         true => (tr!(words, "errors-by-pose-logarithmic", unit), tr!(words, "error-axis-logarithmic", factor = RATIO)),
         false => (tr!(words, "errors-by-pose-linear", unit), tr!(words, "error-axis-linear", factor = RATIO)),

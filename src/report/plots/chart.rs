@@ -103,14 +103,15 @@ pub(crate) struct Chart {
 impl Chart {
     /// Draws the axes with their names, the horizontal axis first.
     pub fn new(words: &Words, width: f64, axes: [Axis; 2], names: [impl AsRef<str>; 2]) -> Self {
-        Self::with_room(words, RIGHT, (axes, width), names)
+        Self::with_room(words, RIGHT, axes, width, names)
     }
 
     /// Draws the axes with the given margin at the right.
     pub fn with_room(
         words: &Words,
         room: f64,
-        ([across, up], width): ([Axis; 2], f64),
+        [across, up]: [Axis; 2],
+        width: f64,
         names: [impl AsRef<str>; 2],
     ) -> Self {
         let names = [names[0].as_ref(), names[1].as_ref()];
@@ -164,7 +165,7 @@ impl Chart {
     /// Draws the limit of single errors of a quantity, on the horizontal axis if `across`. Limits
     /// of a mean or a root mean square are not drawn: the marks are single errors. The name is in
     /// the legend so that it covers no marks.
-    pub fn limit(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, (across, words): (bool, &Words)) {
+    pub fn limit(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, across: bool, words: &Words) {
         let axis = if across { &self.frame.across } else { &self.frame.up };
         let drawn = |l: &&LimitVerdict| l.name.individually_limited_error() == Some(quantity) && axis.contains(l.limit);
         let Some(limit) = limits.iter().find(drawn) else { return };
@@ -209,7 +210,7 @@ mod tests {
         let limits: Vec<_> = names.iter().copied().map(limit).collect();
         let axis = || Axis::from_zero("mm", 0.1);
         let mut chart = Chart::new(&Words::default(), NARROW, [axis(), axis()], ["a", "b"]);
-        chart.limit(&limits, ErrorQuantity::Position, (across, &Words::default()));
+        chart.limit(&limits, ErrorQuantity::Position, across, &Words::default());
         chart.figure("p", String::new(), String::new()).svg
     }
 

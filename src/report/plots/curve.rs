@@ -18,7 +18,7 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let regular = |p: &CurvePoint| p.condition < REGULAR;
     let condition = Axis::from_zero("", largest(points.iter().map(|p| p.condition).filter(|c| *c < REGULAR)));
     let axes = [Axis::over("", configurations, 0.03), index];
-    let mut chart = Chart::with_room(words, ROOM, (axes, NARROW), [tr!(words, "configurations"), plan.index.clone()]);
+    let mut chart = Chart::with_room(words, ROOM, axes, NARROW, [tr!(words, "configurations"), plan.index.clone()]);
     chart.second(&condition, &tr!(words, "condition-number"));
     if let Some(knee) = plan.greedy.knee_configurations {
         chart.upright("knee", knee as f64);

@@ -25,7 +25,7 @@ pub(crate) fn picture(all: &[ParameterInfluence], words: &Words) -> Option<Figur
     let labels = shown_rows.iter().enumerate().map(|(i, p)| (i as f64, shortened_to(LETTERS, &p.name))).collect();
     let axes = [Axis::both_ways(shown, reach), Axis::rows(shown_rows.len(), labels, 0.5)];
     let name = tr!(words, "effect-at-worst-pose", unit = shown.unit);
-    let mut chart = Chart::with_room(words, ROOM, (axes, WIDE), [name.as_str(), ""]);
+    let mut chart = Chart::with_room(words, ROOM, axes, WIDE, [name.as_str(), ""]);
     for (i, p) in shown_rows.iter().enumerate() {
         if let Some(tolerance) = p.tolerance_mm.filter(|t| t.is_finite()) {
             chart.bar_along(Look::new(Shape::Square, "zone-pass"), i, [-tolerance, tolerance], "");

@@ -11,7 +11,7 @@ const BINS: usize = 12;
 pub(crate) fn histograms(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
     let all = points::by_quantity(errors);
     let both = all.iter().flat_map(|of_one| [false, true].map(|after| (of_one, after)));
-    both.filter_map(|((quantity, errors), after)| histogram((*quantity, errors), limits, after, words)).collect()
+    both.filter_map(|((quantity, errors), after)| histogram(*quantity, errors, limits, after, words)).collect()
 }
 
 /// Number of points of a set in each bin.
@@ -23,7 +23,8 @@ struct Counts {
 }
 
 fn histogram(
-    (quantity, errors): (ErrorQuantity, &[&PointError]),
+    quantity: ErrorQuantity,
+    errors: &[&PointError],
     limits: &[LimitVerdict],
     after: bool,
     words: &Words,
@@ -69,7 +70,7 @@ fn histogram(
         }
         chart.svg.legend(look, &set.name);
     }
-    chart.limit(limits, quantity, (true, words));
+    chart.limit(limits, quantity, true, words);
     let name = words.tr(&quantity.phrase());
     let title = match after {
         true => tr!(words, "error-sizes-after", quantity = name),
@@ -109,7 +110,7 @@ mod tests {
             (0..100).map(|i| point(i, [0.0; 3], [0.1; 3], [f64::from(i as i32) * 1e-4, 0.0, 0.0])).collect();
         errors.iter_mut().skip(60).for_each(|p| p.set = PoseSet::Validation);
         let picture =
-            histogram((ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>()), &[], true, &Words::default())
+            histogram(ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>(), &[], true, &Words::default())
                 .unwrap();
         let total = |column: usize| picture.rows.iter().map(|r| r[column].parse::<usize>().unwrap()).sum::<usize>();
         assert_eq!((total(2), total(3), picture.rows.len()), (60, 40, 10));
@@ -121,7 +122,7 @@ mod tests {
         for after in [[0.0; 3], [0.5; 3]] {
             let errors = vec![point(1, [0.0; 3], [0.1; 3], after); 4];
             let picture =
-                histogram((ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>()), &[], true, &Words::default())
+                histogram(ErrorQuantity::Position, &errors.iter().collect::<Vec<_>>(), &[], true, &Words::default())
                     .unwrap();
             assert_eq!(picture.svg.matches("4 points of calibration, 100.0 %").count(), 1);
         }

@@ -19,7 +19,7 @@ pub(crate) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figur
     let labels = all.iter().enumerate().map(|(i, (pose, _))| (i as f64, pose.chars().take(LETTERS).collect()));
     let axes = [Axis::from_zero("", largest), Axis::rows(all.len(), labels.collect(), 0.5)];
     let names = [tr!(words, "cooks-distance"), tr!(words, "pose")];
-    let mut chart = Chart::with_room(words, ROOM, (axes, NARROW), names);
+    let mut chart = Chart::with_room(words, ROOM, axes, NARROW, names);
     for (i, (pose, distance)) in all.iter().enumerate() {
         let tip = tr!(words, "cooks-distance-tooltip", pose, distance = number::significant(*distance, 2));
         chart.bar_along(CALIBRATION, i, [0.0, *distance], &tip);

@@ -11,21 +11,16 @@ pub(super) const LETTERS: usize = 14;
 /// Number of characters at the end of a long name.
 const LAST: usize = 5;
 
-/// One figure for each unit.
-pub(crate) fn pictures(parameters: &[&ParameterEntry], group: (usize, &str), words: &Words) -> Vec<Figure> {
+/// One figure for each unit; `key` is the number of the group in the ids of its figures.
+pub(crate) fn pictures(parameters: &[&ParameterEntry], key: usize, group: &str, words: &Words) -> Vec<Figure> {
     let mut units: Vec<&str> = parameters.iter().map(|p| p.unit.as_str()).collect();
     units.sort_unstable();
     units.dedup();
-    units.into_iter().enumerate().filter_map(|(i, unit)| picture(parameters, unit, group, i, words)).collect()
+    let picture = |(i, unit)| picture(parameters, unit, group, &format!("intervals-{key}-{i}"), words);
+    units.into_iter().enumerate().filter_map(picture).collect()
 }
 
-fn picture(
-    parameters: &[&ParameterEntry],
-    unit: &str,
-    (key, group): (usize, &str),
-    index: usize,
-    words: &Words,
-) -> Option<Figure> {
+fn picture(parameters: &[&ParameterEntry], unit: &str, group: &str, id: &str, words: &Words) -> Option<Figure> {
     let change = |p: &ParameterEntry| p.value - p.nominal;
     let expanded = |p: &ParameterEntry| 2.0 * p.standard_uncertainty.unwrap_or(0.0);
     let drawable = |p: &&&ParameterEntry| {
@@ -45,7 +40,7 @@ fn picture(
     };
     let labels = all.iter().enumerate().map(|(i, p)| (i as f64, shortened(&p.name))).collect();
     let axes = [Axis::both_ways(shown, reach), Axis::rows(all.len(), labels, 0.5)];
-    let mut chart = Chart::with_room(words, ROOM, (axes, NARROW), [along.as_str(), ""]);
+    let mut chart = Chart::with_room(words, ROOM, axes, NARROW, [along.as_str(), ""]);
     chart.upright("axis", 0.0);
     let mut halves: Vec<String> = all.iter().map(|p| number::significant(expanded(p) * shown.factor, 2)).collect();
     number::one_notation(halves.iter_mut().collect());
@@ -68,7 +63,7 @@ fn picture(
     }
     let description = tr!(words, "intervals-description");
     let caption = tr!(words, "intervals-caption");
-    Some(Figure { caption, ..chart.figure(&format!("intervals-{key}-{index}"), title, description) })
+    Some(Figure { caption, ..chart.figure(id, title, description) })
 }
 
 /// Shortens a long name by its middle.
@@ -94,7 +89,7 @@ mod tests {
     fn every_identified_parameter_is_drawn_once_in_its_unit() {
         let parameters = Documents::demo().parameters.parameters;
         let all: Vec<_> = parameters.iter().collect();
-        let pictures = pictures(&all, (0, "Robot"), &Words::default());
+        let pictures = pictures(&all, 0, "Robot", &Words::default());
         let identified = parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
         assert_eq!(pictures.iter().map(|p| p.svg.matches("<circle").count()).sum::<usize>(), identified);
         assert!(pictures.iter().any(|p| p.title.contains("(deg)")) && pictures.len() == 3);

@@ -10,14 +10,10 @@ const DECADES: f64 = 4.0;
 /// Shares of the points of the deciding set, by size of their error; one figure for each quantity.
 pub(crate) fn pictures(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
     let all = points::by_quantity(errors).into_iter();
-    all.filter_map(|(quantity, errors)| picture((quantity, &errors), limits, words)).collect()
+    all.filter_map(|(quantity, errors)| picture(quantity, &errors, limits, words)).collect()
 }
 
-fn picture(
-    (quantity, errors): (ErrorQuantity, &[&PointError]),
-    limits: &[LimitVerdict],
-    words: &Words,
-) -> Option<Figure> {
+fn picture(quantity: ErrorQuantity, errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Option<Figure> {
     let deciding = errors.iter().map(|e| e.set).max()?;
     let of: Vec<&&PointError> = errors.iter().filter(|e| e.set == deciding).collect();
     let sizes = |after: bool| -> Vec<f64> {
@@ -49,7 +45,7 @@ fn picture(
         }
         chart.svg.legend(Look::new(Shape::Square, class), &words.tr(name));
     }
-    chart.limit(limits, quantity, (true, words));
+    chart.limit(limits, quantity, true, words);
     let title = tr!(words, "errors-overlaid-title", quantity = words.tr(&quantity.phrase()));
     let set = words.tr(&deciding.phrase());
     let description = tr!(words, "errors-overlaid-description", count = of.len(), set);

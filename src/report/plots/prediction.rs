@@ -17,9 +17,9 @@ pub(crate) fn pictures(map: &PredictionMap, planar: bool, words: &Words) -> Vec<
     let small = |n: &&MapNode| n.at_mm.iter().chain([&n.before_mm, &n.p95_mm]).all(|v| v.abs() < DRAWABLE_MM);
     let nodes: Vec<&MapNode> = map.nodes.iter().filter(small).collect();
     let common = scale(nodes.iter().flat_map(|n| [size(false)(n), size(true)(n)]));
-    let drawn = if nodes.is_empty() { &[][..] } else { Seen::planes(planar) };
-    let pair =
-        |&seen| [false, true].map(|identified| picture((&nodes, map.spacing_mm), seen, identified, &common, words));
+    let grid = Grid { nodes, spacing_mm: map.spacing_mm };
+    let drawn = if grid.nodes.is_empty() { &[][..] } else { Seen::planes(planar) };
+    let pair = |&seen| [false, true].map(|identified| picture(&grid, seen, identified, &common, words));
     drawn.iter().flat_map(pair).collect()
 }
 
@@ -27,13 +27,15 @@ fn size(identified: bool) -> fn(&MapNode) -> f64 {
     if identified { |n| n.standard_uncertainty_mm } else { |n| n.before_mm }
 }
 
-fn picture(
-    (nodes, spacing_mm): (&[&MapNode], f64),
-    seen: Seen,
-    identified: bool,
-    common: &Axis,
-    words: &Words,
-) -> Figure {
+/// Nodes of a map that can be drawn.
+struct Grid<'a> {
+    nodes: Vec<&'a MapNode>,
+    /// Distance between neighbouring nodes (mm).
+    spacing_mm: f64,
+}
+
+fn picture(grid: &Grid, seen: Seen, identified: bool, common: &Axis, words: &Words) -> Figure {
+    let Grid { nodes, spacing_mm } = grid;
     let size = size(identified);
     let own = scale(nodes.iter().map(|n| size(n)));
     let mut map = Workspace::new(seen, &nodes.iter().map(|n| n.at_mm).collect::<Vec<_>>(), words);
@@ -59,7 +61,7 @@ fn picture(
         true => tr!(words, "prediction-expected-title", plane = name),
     };
     let largest = length(super::axis::largest(nodes.iter().map(|n| size(n))));
-    let spacing = number::stated(spacing_mm);
+    let spacing = number::stated(*spacing_mm);
     let mut description = tr!(
         words,
         "prediction-description",

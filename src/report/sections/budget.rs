@@ -1,7 +1,6 @@
 //! Uncertainty budget: contribution of each source to the uncertainty of all parameters and errors
 //! (GUM 5.1.2).
 
-use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, term};
 use crate::number;
 use crate::plots::shares;
@@ -9,12 +8,12 @@ use crate::words::{Words, names, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
-    AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, ParameterEntry, ParametersDocument,
+    AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, ParameterEntry, ParametersDocument, Results,
     UncertaintySource as Source,
 };
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let (parameters, accuracy) = (report.identified?.parameters, report.identified?.accuracy);
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let (parameters, accuracy) = (&results.identified.as_ref()?.parameters, &results.identified.as_ref()?.accuracy);
     if parameters.budget.is_empty() {
         return None;
     }

@@ -3,17 +3,16 @@
 //! data cannot be certified.
 
 use super::{accuracy, checklist, conditions, errors, limits, messages, repeatability};
-use crate::Report;
-use crate::model::{Block, Contents, Section, Verdict};
+use crate::model::{Block, Contents, Layout, Section, Verdict};
 use crate::words::{Words, tr};
 use etalon_base::message::{Message, Rank};
-use etalon_documents::AccuracyDocument;
+use etalon_documents::{AccuracyDocument, Results};
 
 /// Contents of the certificate, from the contents of the report.
-pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Contents {
-    let missing = checklist::missing(report, words);
+pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Contents {
+    let missing = checklist::missing(results, words);
     let is_draft = !missing.is_empty();
-    let (title, draft) = match (report.identified.is_some(), report.campaign.synthetic.is_some(), is_draft) {
+    let (title, draft) = match (results.identified.is_some(), results.campaign.synthetic.is_some(), is_draft) {
         (true, true, _) => (tr!(words, "calibration-of-synthetic-data"), Some(tr!(words, "synthetic-mark"))),
         (false, true, _) => (tr!(words, "test-of-synthetic-data"), Some(tr!(words, "synthetic-mark"))),
         (true, false, true) => (tr!(words, "calibration-certificate-draft"), Some(tr!(words, "draft-mark"))),
@@ -22,14 +21,14 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
         (false, false, false) => (tr!(words, "test-certificate"), None),
     };
     let mut facts = Section::new("conditions", tr!(words, "item-customer-traceability"));
-    facts.push(Block::facts(conditions::certificate_facts(report, words)));
+    facts.push(Block::facts(conditions::certificate_facts(results, words)));
     let sections = [
         checklist::section_from_missing(&missing, words),
         Some(facts),
-        errors_section(report, words),
-        characteristics_section(report, words),
-        limits::section(report, words),
-        Some(warnings(report, words)),
+        errors_section(results, words),
+        characteristics_section(results, words),
+        limits::section(results, words),
+        Some(warnings(results, words)),
     ];
     Contents {
         subtitle: format!("{}. {}", whole.title, whole.subtitle),
@@ -46,14 +45,14 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
             to_complete: None,
             ..whole.verdict
         },
-        compact: true,
+        layout: Layout { compact: true, ..whole.layout },
         ..whole
     }
 }
 
 /// Errors before and after at the deciding poses.
-fn errors_section(report: &Report, words: &Words) -> Option<Section> {
-    let identified = report.identified?;
+fn errors_section(results: &Results, words: &Words) -> Option<Section> {
+    let identified = results.identified.as_ref()?;
     let set = identified.accuracy.sets.iter().rfind(|s| s.count > 0)?;
     let accuracy = AccuracyDocument {
         sets: vec![set.clone()],
@@ -71,17 +70,17 @@ fn errors_section(report: &Report, words: &Words) -> Option<Section> {
 }
 
 /// AP and RP of each pose, with measurement point, load and velocity.
-fn characteristics_section(report: &Report, words: &Words) -> Option<Section> {
-    let poses = repeatability::named(report.tested.poses.as_ref()?, words);
+fn characteristics_section(results: &Results, words: &Words) -> Option<Section> {
+    let poses = repeatability::named(results.tested.poses.as_ref()?, words);
     let mut section = Section::new("characteristics", tr!(words, "iso9283-characteristics"));
     section.table(tr!(words, "accuracy-of-position"), "", accuracy::positions(&poses, words));
     section.table(tr!(words, "repeatability-title"), "", repeatability::intervals(&poses, words));
-    section.whole().map(|section| super::with_measurement_point(section, report, words))
+    section.whole().map(|section| super::with_measurement_point(section, results, words))
 }
 
 /// Warnings that a reader of the results should know.
-fn warnings(report: &Report, words: &Words) -> Section {
-    let known: Vec<&Message> = report.messages().into_iter().filter(|m| m.rank != Rank::Routine).collect();
+fn warnings(results: &Results, words: &Words) -> Section {
+    let known: Vec<&Message> = results.messages().filter(|m| m.rank != Rank::Routine).collect();
     messages::section_from_messages(&known, words)
 }
 
@@ -92,8 +91,8 @@ mod tests {
     use crate::tests::demo_iso9283;
 
     fn certificate_contents(documents: &Documents) -> Contents {
-        let (words, report) = (Words::default(), documents.report());
-        contents(&report, report.contents(&words), &words)
+        let (words, results) = (Words::default(), documents.results());
+        contents(&results, crate::campaign::contents(&results, &words), &words)
     }
 
     /// States every field.

@@ -1,10 +1,10 @@
 //! Checklist before a report is signed: missing fields of ISO/IEC 17025:2017 (7.8.2.1, 7.8.4.1,
 //! 7.8.6.2) and ISO 9283:1998 (6), with the keys that state them.
 
-use crate::Report;
 use crate::model::{Columns, Section, Table, Text};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
+use etalon_documents::Results;
 
 /// A field that is not stated.
 pub(super) struct Missing {
@@ -22,8 +22,8 @@ const CALIBRATION: &str = "ISO/IEC 17025:2017, 7.8.4.1";
 const CONFORMITY: &str = "ISO/IEC 17025:2017, 7.8.6.2";
 const TEST: &str = "ISO 9283:1998, 6";
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    section_from_missing(&missing(report, words), words)
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    section_from_missing(&missing(results, words), words)
 }
 
 /// Section of missing fields; `None` if all are stated.
@@ -38,18 +38,18 @@ pub(super) fn section_from_missing(missing: &[Missing], words: &Words) -> Option
 }
 
 /// Fields that are not stated, in the order of the clauses.
-pub(super) fn missing(report: &Report, words: &Words) -> Vec<Missing> {
-    let mut all = general(report, words);
-    if !report.tested.is_empty() {
-        all.extend(test_fields(report, words));
+pub(super) fn missing(results: &Results, words: &Words) -> Vec<Missing> {
+    let mut all = general(results, words);
+    if !results.tested.is_empty() {
+        all.extend(test_fields(results, words));
     }
     let missing = all.into_iter().filter(|(.., stated)| !stated);
     missing.map(|(field, key, clause, _)| Missing { field, key, clause }).collect()
 }
 
 /// Mark across a report that is a draft, or of synthetic data.
-pub(crate) fn mark(report: &Report, words: &Words) -> Option<String> {
-    match (report.campaign.synthetic.is_some(), missing(report, words).is_empty()) {
+pub(crate) fn mark(results: &Results, words: &Words) -> Option<String> {
+    match (results.campaign.synthetic.is_some(), missing(results, words).is_empty()) {
         (true, _) => Some(tr!(words, "synthetic-mark")),
         (false, false) => Some(tr!(words, "draft-mark")),
         (false, true) => None,
@@ -60,8 +60,8 @@ fn is_stated(text: &Option<String>) -> bool {
     text.as_ref().is_some_and(|text| !text.trim().is_empty())
 }
 
-fn general(report: &Report, words: &Words) -> Vec<Field> {
-    let (c, given, issue) = (report.campaign, &report.campaign.conditions, &report.campaign.issue);
+fn general(results: &Results, words: &Words) -> Vec<Field> {
+    let (c, given, issue) = (&results.campaign, &results.campaign.conditions, &results.campaign.issue);
     let mut all = vec![
         (tr!(words, "laboratory"), "conditions.laboratory", REPORT, is_stated(&given.laboratory)),
         (tr!(words, "report-number"), "report.number", REPORT, is_stated(&issue.number)),
@@ -90,15 +90,15 @@ fn general(report: &Report, words: &Words) -> Vec<Field> {
         (tr!(words, "traceability"), "conditions.traceability", CALIBRATION, is_stated(&given.traceability)),
         (tr!(words, "temperature"), "temperature_c", CALIBRATION, c.temperature_c.is_some()),
     ];
-    if !super::limits::limits(report.identified.as_ref(), report.tested).is_empty() {
+    if !super::limits::limits(results.identified.as_ref(), &results.tested).is_empty() {
         all.push((tr!(words, "decision-rule"), "limits.decision_rule", CONFORMITY, c.decision_rule.is_some()));
     }
     all
 }
 
 /// Conditions of a test.
-fn test_fields(report: &Report, words: &Words) -> Vec<Field> {
-    let given = &report.campaign.conditions;
+fn test_fields(results: &Results, words: &Words) -> Vec<Field> {
+    let given = &results.campaign.conditions;
     let velocity = given.velocities_percent.is_some() || given.velocities_mm_s.is_some();
     vec![
         (tr!(words, "controller"), "conditions.controller", TEST, is_stated(&given.controller)),

@@ -1,19 +1,20 @@
 //! Checks of the model by its residuals: reliability of readings, influential poses, trends.
 
-use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_yes, term};
 use crate::number;
 use crate::plots::against::SIGNIFICANCE;
 use crate::plots::influence;
 use crate::words::{Words, tr};
 use etalon_base::phrase;
-use etalon_documents::{InfluenceEntry, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary};
+use etalon_documents::{
+    InfluenceEntry, ReliabilitySummary, ResidualTrend, Results, RobustParameter, RobustPose, RobustSummary,
+};
 
 /// Maximum number of parameters in the table of a robust fit.
 const SHOWN: usize = 10;
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let (parameters, accuracy) = (report.identified?.parameters, report.identified?.accuracy);
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let (parameters, accuracy) = (&results.identified.as_ref()?.parameters, &results.identified.as_ref()?.accuracy);
     let mut section = Section::new("checks", tr!(words, "checks-of-the-model"));
     if let Some(found) = &parameters.reliability {
         section.push(Block::text(readings(found, words)));

@@ -3,23 +3,22 @@
 
 use super::checklist;
 use super::limits::name;
-use crate::Report;
 use crate::model::{Block, Cell, Section};
 use crate::number;
 use crate::words::{Words, tr};
-use etalon_documents::{CampaignSummary, DecisionRule, ErrorQuantity, Iso9283Document};
+use etalon_documents::{CampaignSummary, DecisionRule, ErrorQuantity, Iso9283Document, Results};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let campaign = report.campaign;
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let campaign = &results.campaign;
     let mut section = Section::new("conditions", tr!(words, "robot-instrument-conditions"));
-    let (identity, conditions) = (identity(report, words), facts(report, words));
+    let (identity, conditions) = (identity(results, words), facts(results, words));
     for (what, said) in identity.iter().chain(&conditions) {
         section.summarise(what, said.clone(), "");
     }
     section.summarise(tr!(words, "instrument-expanded-uncertainty"), campaign.expanded_uncertainty_um, "µm");
     section.summarise(tr!(words, "coverage-factor"), campaign.coverage_factor, "");
     section.summarise(tr!(words, "temperature"), campaign.temperature_c, "°C");
-    let to_complete: Vec<String> = checklist::missing(report, words).into_iter().map(|m| m.field).collect();
+    let to_complete: Vec<String> = checklist::missing(results, words).into_iter().map(|m| m.field).collect();
     for (heading, facts) in [(None, identity), (Some(tr!(words, "conditions")), conditions)] {
         section.blocks.extend(heading.map(Block::heading));
         let not_stated = tr!(words, "not-stated");
@@ -41,8 +40,8 @@ fn stated(all: Vec<(String, Option<String>)>, words: &Words) -> Vec<(String, Cel
 }
 
 /// Identification of report, customer and item (ISO/IEC 17025:2017, 7.8.2.1).
-fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
-    let (c, given, issue) = (report.campaign, &report.campaign.conditions, &report.campaign.issue);
+fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
+    let (c, given, issue) = (&results.campaign, &results.campaign.conditions, &results.campaign.issue);
     let rule = c.decision_rule.map(|rule| name(rule, words));
     let default = || tr!(words, "rule-not-stated", rule = name(DecisionRule::default(), words));
     let all = vec![
@@ -51,7 +50,7 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "laboratory"), given.laboratory.clone()),
         (tr!(words, "measurement-place"), given.place.clone()),
         (tr!(words, "customer"), issue.customer.clone()),
-        (tr!(words, "robot"), robot_name(report)),
+        (tr!(words, "robot"), robot_name(results)),
         (tr!(words, "manufacturer"), given.robot_maker.clone()),
         (tr!(words, "type"), given.robot_type.clone()),
         (tr!(words, "serial-number"), given.robot_serial_number.clone()),
@@ -59,7 +58,7 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "date-of-receipt"), given.robot_received.clone()),
         (tr!(words, "measurement-dates"), c.date.clone()),
         (tr!(words, "date-of-issue"), issue.issued.clone()),
-        (tr!(words, "method"), Some(method(report, words))),
+        (tr!(words, "method"), Some(method(results, words))),
         (tr!(words, "decision-rule"), rule.or_else(|| Some(default()))),
         (tr!(words, "results-of-external-providers"), issue.external_results.clone()),
         (tr!(words, "authorised-by"), issue.authorised_by.clone()),
@@ -71,8 +70,8 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
 
 /// Statements of a certificate on report, customer, item, place, dates and traceability, including
 /// those that are missing.
-pub(super) fn certificate_facts(report: &Report, words: &Words) -> Vec<(String, Cell)> {
-    let conditions = facts(report, words);
+pub(super) fn certificate_facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
+    let conditions = facts(results, words);
     let traced = [
         tr!(words, "instrument"),
         tr!(words, "instrument-uncertainty"),
@@ -80,23 +79,23 @@ pub(super) fn certificate_facts(report: &Report, words: &Words) -> Vec<(String, 
         tr!(words, "traceability"),
         tr!(words, "temperature"),
     ];
-    identity(report, words)
+    identity(results, words)
         .into_iter()
         .chain(conditions.into_iter().filter(|(what, _)| traced.contains(what)))
         .collect()
 }
 
 /// Name of the robot in the campaign, which differs from its model.
-pub(crate) fn robot_name(report: &Report) -> Option<String> {
-    report.campaign.conditions.robot.clone().or_else(|| report.campaign.robot.clone())
+pub(crate) fn robot_name(results: &Results) -> Option<String> {
+    results.campaign.conditions.robot.clone().or_else(|| results.campaign.robot.clone())
 }
 
 /// Method by which the results were obtained.
-fn method(report: &Report, words: &Words) -> String {
-    let model = report.identified.map(|i| words.model(&i.parameters.robot));
+fn method(results: &Results, words: &Words) -> String {
+    let model = results.identified.as_ref().map(|i| words.model(&i.parameters.robot));
     let identified = model.map(|model| tr!(words, "method-identification", model));
-    let tested = (!report.tested.is_empty()).then(|| tr!(words, "method-iso9283"));
-    let program = format!("etalon {}", report.provenance().version);
+    let tested = (!results.tested.is_empty()).then(|| tr!(words, "method-iso9283"));
+    let program = format!("etalon {}", results.provenance().version);
     identified.into_iter().chain(tested).chain([program]).collect::<Vec<_>>().join("; ")
 }
 
@@ -112,8 +111,8 @@ fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
 }
 
 /// Statements of a campaign on the conditions.
-fn facts(report: &Report, words: &Words) -> Vec<(String, Cell)> {
-    let (c, given, tested) = (report.campaign, &report.campaign.conditions, report.tested);
+fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
+    let (c, given, tested) = (&results.campaign, &results.campaign.conditions, &results.tested);
     let text = |text: &Option<String>| text.clone();
     let in_unit = |value: Option<f64>, unit: &str| value.map(|v| words.number(&format!("{v} {unit}")));
     let centre = given.load_centre_mm.map(|[x, y, z]| words.number(&format!("x {x}, y {y}, z {z} mm")));
@@ -135,7 +134,7 @@ fn facts(report: &Report, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "environment"), text(&given.environment)),
         (tr!(words, "warm-up-before-the-test"), in_unit(given.warm_up_minutes, "min")),
         (tr!(words, "instrument"), text(&c.instrument)),
-        (tr!(words, "instrument-uncertainty"), uncertainty(report, words)),
+        (tr!(words, "instrument-uncertainty"), uncertainty(results, words)),
         (tr!(words, "instrument-calibration"), text(&given.instrument_calibration)),
         (tr!(words, "traceability"), text(&given.traceability)),
     ];
@@ -155,10 +154,10 @@ fn facts(report: &Report, words: &Words) -> Vec<(String, Cell)> {
 
 /// Stated uncertainty of the instrument: of a coordinate, or of a reading if no position was
 /// measured.
-fn uncertainty(report: &Report, words: &Words) -> Option<String> {
-    let c = report.campaign;
+fn uncertainty(results: &Results, words: &Words) -> Option<String> {
+    let c = &results.campaign;
     let u = c.expanded_uncertainty_um.map(number::stated)?;
-    let sets = report.identified.map_or(&[][..], |i| &i.accuracy.sets);
+    let sets = results.identified.as_ref().map_or(&[][..], |i| &i.accuracy.sets);
     let positions = sets.is_empty() || sets.iter().any(|s| s.error_statistics(ErrorQuantity::Position).is_some());
     let of_coordinate = match (c.coverage_factor.map(number::stated), positions) {
         (Some(k), true) => tr!(words, "instrument-uncertainty-with-k", uncertainty = u, k),
@@ -204,9 +203,9 @@ mod tests {
     fn reports_of_tests_and_calibrations_list_what_is_not_stated() {
         let mut documents = Documents::demo();
         documents.tested = Default::default();
-        let calibration = facts(&documents.report(), &Words::default());
+        let calibration = facts(&documents.results(), &Words::default());
         documents.tested = crate::tests::demo_iso9283::tested();
-        let test = facts(&documents.report(), &Words::default());
+        let test = facts(&documents.results(), &Words::default());
         for what in
             ["controller", "mounting", "load", "warm-up before the test", "deviations from the method", "traceability"]
         {
@@ -216,7 +215,7 @@ mod tests {
         assert_eq!(fact(&test, "poses and cycles").as_deref(), Some("2 poses, 30 visits each"));
         assert_eq!(fact(&calibration, "operator").as_deref(), Some("N. N."));
         let documents = Documents::demo();
-        let identity = identity(&documents.report(), &Words::default());
+        let identity = identity(&documents.results(), &Words::default());
         for what in ["report number", "customer", "robot", "serial number", "date of issue", "authorised by"] {
             assert_eq!(fact(&identity, what).as_deref(), Some("not stated"), "{what}");
         }
@@ -230,7 +229,7 @@ mod tests {
         (c.load_kg, c.load_centre_mm) = (Some(0.5), Some([0.0, 1.5, 30.0]));
         (c.velocities_percent, c.velocities_mm_s) = (Some(vec![100.0, 50.0]), Some(vec![400.0]));
         c.deviations = Some(vec![]);
-        let all = facts(&documents.report(), &Words::default());
+        let all = facts(&documents.results(), &Words::default());
         assert_eq!(fact(&all, "load").as_deref(), Some("0.5 kg"));
         assert_eq!(fact(&all, "load centre, from the mechanical interface").as_deref(), Some("x 0, y 1.5, z 30 mm"));
         assert_eq!(fact(&all, "velocities").as_deref(), Some("100, 50 % of the rated velocity; 400 mm/s"));
@@ -240,7 +239,7 @@ mod tests {
             set.errors.retain(|e| e.quantity == ErrorQuantity::Position);
             set.errors.iter_mut().for_each(|e| e.quantity = ErrorQuantity::Distance);
         }
-        let distances = facts(&documents.report(), &Words::default());
+        let distances = facts(&documents.results(), &Words::default());
         assert_eq!(fact(&distances, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per reading (k = 2)"));
     }
 }

@@ -1,14 +1,13 @@
 //! Controller files of formats that omit identified parameters: their values, and errors with these
 //! values.
 
-use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text, significant};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
-use etalon_documents::{ControllerErrors, ControllerFiles, WrittenParameter};
+use etalon_documents::{ControllerErrors, ControllerFiles, Results, WrittenParameter};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.controllers.filter(|document| !document.files.is_empty())?;
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let document = results.controllers.as_ref().filter(|document| !document.files.is_empty())?;
     let mut section = Section::new("controllers", tr!(words, "controller-files"));
     section.push(Block::note(tr!(words, "formats-without-all-parameters")));
     let rows: Vec<(&ControllerFiles, &ControllerErrors)> =

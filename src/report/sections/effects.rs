@@ -1,14 +1,13 @@
 //! Effects of the identified parameters at the measured points.
 
-use crate::Report;
 use crate::model::{Block, Columns, Section, Table};
 use crate::plots::forest;
 use crate::words::{Words, tr};
 use etalon_base::phrase;
-use etalon_documents::ParameterInfluence;
+use etalon_documents::{ParameterInfluence, Results};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let all = &report.identified?.accuracy.parameter_influences;
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let all = &results.identified.as_ref()?.accuracy.parameter_influences;
     let mut section = Section::new("effects", tr!(words, "effects-section"));
     section.figures(forest::picture(all, words));
     let columns = Columns::<ParameterInfluence>::new()

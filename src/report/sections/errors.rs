@@ -6,30 +6,29 @@ use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, overlay, prediction};
 use crate::words::{Words, tr};
-use crate::{Identified, Report};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument,
-    PlacedApart, PointError, PoseSet, Statistics, ToolAccuracy,
+    AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, IdentifiedDocuments, MapNode,
+    ParametersDocument, PlacedApart, PointError, PoseSet, Results, Statistics, ToolAccuracy,
 };
 use std::collections::BTreeMap;
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let Identified { accuracy, errors, parameters } = report.identified?;
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let IdentifiedDocuments { accuracy, errors, parameters, .. } = results.identified.as_ref()?;
     let robust = parameters.robust.as_ref();
     let outliers = robust.map(|found| (&found.poses[..], found.critical_residual));
     let flagged = outliers.into_iter().flat_map(|(poses, critical)| {
         poses.iter().filter(move |p| p.residual_over_sigma > critical).map(|p| (p.pose, p.residual_over_sigma))
     });
-    with_flagged((accuracy, false), errors, &flagged.collect(), words).whole()
+    with_flagged(accuracy, false, errors, &flagged.collect(), words).whole()
 }
 
 /// Section of these errors.
 pub(crate) fn section_from_errors(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
-    with_flagged((accuracy, true), errors, &Flagged::new(), words)
+    with_flagged(accuracy, true, errors, &Flagged::new(), words)
 }
 
 /// Calibration poses that disagree with the others, with their residual over σ.
@@ -37,7 +36,8 @@ type Flagged = BTreeMap<PoseName, f64>;
 
 /// Section of the errors, of all sets if `whole`, otherwise of the set that decides.
 fn with_flagged(
-    (accuracy, whole): (&AccuracyDocument, bool),
+    accuracy: &AccuracyDocument,
+    whole: bool,
     errors: &[PointError],
     flagged: &Flagged,
     words: &Words,
@@ -110,8 +110,8 @@ fn push_set(section: &mut Section, accuracy: &AccuracyDocument, set: &AccuracySe
 }
 
 /// Annex with the errors of the sets that do not decide, and at the tool point.
-pub(super) fn other_sets(report: &Report, words: &Words) -> Option<Section> {
-    let accuracy = report.identified?.accuracy;
+pub(super) fn other_sets(results: &Results, words: &Words) -> Option<Section> {
+    let accuracy = &results.identified.as_ref()?.accuracy;
     let mut section = Section::new("other-errors", tr!(words, "errors-that-do-not-decide"));
     for set in accuracy.sets.iter().filter(|set| !is_deciding(accuracy, set)) {
         push_set(&mut section, accuracy, set, words);
@@ -195,12 +195,12 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
 const TRENDS: usize = 1;
 
 /// Figures of the errors.
-pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
-    let identified = report.identified?;
-    let errors = identified.errors;
+pub(super) fn pictures(results: &Results, words: &Words) -> Option<Section> {
+    let identified = results.identified.as_ref()?;
+    let errors = identified.errors.as_slice();
     let mut section = Section::new("pictures", tr!(words, "pictures"));
     let drawable = points::drawable(errors);
-    let planar = points::planar(&drawable, report.frames.world.planar);
+    let planar = points::planar(&drawable, results.frames.world.planar);
     if drawable.is_empty() {
         section.push(Block::text(tr!(words, "no-error-to-draw")));
         return section.whole();
@@ -211,7 +211,7 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
         let note = tr!(words, "errors-not-drawn", count = undrawn);
         section.push(Block::note(note));
     }
-    let accuracy = identified.accuracy;
+    let accuracy = &identified.accuracy;
     let maps = map::maps(&drawable, planar, words);
     let expected = accuracy.map.iter().flat_map(|map| prediction::pictures(map, planar, words)).collect();
     let vectors = arrows::arrows(&drawable, planar, words);
@@ -237,7 +237,7 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     let data = against::Data {
         errors: &drawable,
         joints: &accuracy.joints,
-        base_mm: base_mm(identified.parameters),
+        base_mm: base_mm(&identified.parameters),
         limits: &accuracy.limits,
         trends: &accuracy.trends,
     };

@@ -1,15 +1,14 @@
 //! Residual field: its gain at held-out poses, and where it holds.
 
-use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, significant};
 use crate::number;
 use crate::plots::held_out;
 use crate::words::{Words, tr};
 use etalon_base::phrase;
-use etalon_documents::{FieldDependence, FieldHeldOut, FieldRange, FieldSummary};
+use etalon_documents::{FieldDependence, FieldHeldOut, FieldRange, FieldSummary, Results};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    section_from_summary(report.identified?.accuracy.field.as_ref()?, words)
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    section_from_summary(results.identified.as_ref()?.accuracy.field.as_ref()?, words)
 }
 
 /// Section of a search for a field, or of a field that was given for a validation.

@@ -1,21 +1,20 @@
 //! Goodness of fit, observability by the poses, and termination of the solver.
 
-use crate::Report;
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
 use crate::number::{derived, significant};
 use crate::plots::{points, residuals as plots, singular};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
 use etalon_documents::{
-    ObservabilitySummary, ParametersDocument, ResidualKind, ResidualSummary, SeriesScatter, SingularValueEntry,
-    UncertaintyFrom,
+    ObservabilitySummary, ParametersDocument, ResidualKind, ResidualSummary, Results, SeriesScatter,
+    SingularValueEntry, UncertaintyFrom,
 };
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let identified = report.identified?;
-    let drawable = points::drawable(identified.errors);
-    let planar = points::planar(&drawable, report.frames.world.planar);
-    Some(section_from_document(identified.parameters, plots::pictures(&drawable, planar, words), words))
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let identified = results.identified.as_ref()?;
+    let drawable = points::drawable(&identified.errors);
+    let planar = points::planar(&drawable, results.frames.world.planar);
+    Some(section_from_document(&identified.parameters, plots::pictures(&drawable, planar, words), words))
 }
 
 /// Section of a fit, with figures of its residuals.

@@ -1,15 +1,14 @@
 //! World frame and features, in the coordinates of the exports.
 
-use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, shown, term};
 use crate::number::fixed as number;
 use crate::words::{Words, names, tr};
 use etalon_base::phrase;
 use etalon_base::pose::Vector;
-use etalon_documents::{Feature, FramePose, Uncontrolled, WorldFrame};
+use etalon_documents::{Feature, FramePose, Results, Uncontrolled, WorldFrame};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let (features, world) = (&report.features.features, &report.frames.world);
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let (features, world) = (&results.features.features, &results.frames.world);
     let mut section = Section::new("frames", tr!(words, "frames-and-features"));
     section.push(Block::heading(tr!(words, "world-frame-title")));
     section.push(Block::facts(frame(world, words)));
@@ -19,7 +18,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::text(tr!(words, "the-campaign-fits-no-features")));
     }
     section.push(Block::Table(elements(features, words)));
-    let open = &report.frames.not_controlled;
+    let open = &results.frames.not_controlled;
     if !open.is_empty() {
         section.push(Block::heading(tr!(words, "not-controlled-by-the-data")));
         section.push(Block::Table(uncontrolled(open, words)));

@@ -1,6 +1,5 @@
 //! Geometric calibration beside the identification: its results, and its accuracy.
 
-use crate::Report;
 use crate::model::{Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty};
 use crate::number;
 use crate::plots::workspace::{Workspace, XY};
@@ -8,17 +7,17 @@ use crate::words::{Words, names, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
-    BarVerdict, GeometricDocument, GeometricQuantity, LeadResult, Linearity, MeanError, PoseRow, PoseTable,
+    BarVerdict, GeometricDocument, GeometricQuantity, LeadResult, Linearity, MeanError, PoseRow, PoseTable, Results,
 };
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.geometric?;
-    let title = match report.identified {
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let document = results.geometric.as_ref()?;
+    let title = match &results.identified {
         Some(_) => tr!(words, "geometry-beside-identification"),
         None => tr!(words, "geometry-alone"),
     };
     let mut section = Section::new("geometric", title);
-    if report.identified.is_some() {
+    if results.identified.is_some() {
         section.push(Block::strong(sentence(document, words)));
     }
     section.push(Block::note(Text::worded(&document.definition, document.definition_phrase.as_ref(), words)));

@@ -1,16 +1,15 @@
 //! Imported rows, and all rows that were rejected or unmatched.
 
-use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text, term};
 use crate::words::{Words, isolated, names, tr};
 use etalon_base::message::one_line;
 use etalon_base::phrase;
-use etalon_documents::{Refused, Source, Unmatched};
+use etalon_documents::{Refused, Results, Source, Unmatched};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let mut section = Section::new("import", tr!(words, "import"));
-    section.push(Block::Table(sources(&report.import.sources, words)));
-    for source in report.import.sources.iter().filter(|s| !s.refused.is_empty()) {
+    section.push(Block::Table(sources(&results.import.sources, words)));
+    for source in results.import.sources.iter().filter(|s| !s.refused.is_empty()) {
         let file = isolated(&one_line(&source.file));
         let title = tr!(words, "refused-rows", refused = source.refused.len(), total = file);
         let columns = Columns::<Refused>::new()
@@ -27,8 +26,8 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         .sheet(phrase!("checklist-key"), "", |u| u.key.as_str())
         .sheet(phrase!("reason"), "", |u| u.reason.as_str());
     section
-        .push(Block::Table(Table::new(words, &report.import.unmatched, columns).on(phrase!("sheet-without-partner"))));
-    section.push(super::messages::routine(&report.import.messages, words));
+        .push(Block::Table(Table::new(words, &results.import.unmatched, columns).on(phrase!("sheet-without-partner"))));
+    section.push(super::messages::routine(&results.import.messages, words));
     section.whole()
 }
 

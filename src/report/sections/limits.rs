@@ -3,14 +3,15 @@
 use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_term, term};
 use crate::number;
 use crate::words::{Words, names, tr};
-use crate::{Identified, Report};
 use etalon_base::phrase;
-use etalon_documents::{Acceptance, Characteristics, Conformity, DecisionRule, LimitVerdict};
+use etalon_documents::{
+    Acceptance, Characteristics, Conformity, DecisionRule, IdentifiedDocuments, LimitVerdict, Results,
+};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     section_from_verdicts(
-        &limits(report.identified.as_ref(), report.tested),
-        report.campaign.decision_rule.is_none(),
+        &limits(results.identified.as_ref(), &results.tested),
+        results.campaign.decision_rule.is_none(),
         words,
     )
 }
@@ -78,7 +79,10 @@ fn rule(rule: DecisionRule, default: bool, words: &Words) -> String {
 }
 
 /// All judged limits of the campaign.
-pub(super) fn limits<'a>(identified: Option<&'a Identified>, tested: &'a Characteristics) -> Vec<&'a LimitVerdict> {
+pub(super) fn limits<'a>(
+    identified: Option<&'a IdentifiedDocuments>,
+    tested: &'a Characteristics,
+) -> Vec<&'a LimitVerdict> {
     identified.iter().flat_map(|i| &i.accuracy.limits).chain(tested.limits()).collect()
 }
 

@@ -1,25 +1,25 @@
 //! Warnings and errors, with place and remedy.
 
-use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text};
 use crate::words::{Words, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Rank, Severity, one_line};
 use etalon_base::phrase;
+use etalon_documents::Results;
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let elsewhere = |m: &&Message| {
         m.rank == Rank::Routine
-            && report
+            && results
                 .import
                 .messages
                 .iter()
-                .chain(report.identified.iter().flat_map(|i| &i.parameters.messages))
+                .chain(results.identified.iter().flat_map(|i| &i.parameters.messages))
                 .any(|o| o == *m)
     };
-    let (_, here): (Vec<&Message>, Vec<&Message>) = report.messages().into_iter().partition(elsewhere);
+    let (_, here): (Vec<&Message>, Vec<&Message>) = results.messages().partition(elsewhere);
     let mut section = section_from_messages(&here, words);
-    section.data = vec![table(&report.messages(), words)];
+    section.data = vec![table(&results.messages().collect::<Vec<_>>(), words)];
     Some(section)
 }
 

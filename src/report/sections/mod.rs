@@ -34,13 +34,12 @@ mod streams;
 mod test_poses;
 pub(super) mod verdict;
 
-use super::Report;
 use super::model::{Block, Section};
 use super::words::{Words, tr};
-use etalon_documents::Characteristics;
+use etalon_documents::{Characteristics, Results};
 
 /// Creates a section from the documents; `None` if they contain nothing for it.
-type Make = fn(&Report, &Words) -> Option<Section>;
+type Make = fn(&Results, &Words) -> Option<Section>;
 
 /// Evidence before and after the characteristics of ISO 9283, in the order of reading.
 const BEFORE: [Make; 4] = [conditions::section, limits::section, errors::section, errors::pictures];
@@ -78,26 +77,26 @@ const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
 ];
 
 /// Sections of all documents: evidence, then annexes.
-pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
-    let made = |all: &[Make]| all.iter().filter_map(|make| make(report, words)).collect::<Vec<_>>();
+pub(super) fn all(results: &Results, words: &Words) -> Vec<Section> {
+    let made = |all: &[Make]| all.iter().filter_map(|make| make(results, words)).collect::<Vec<_>>();
     let mut sections = made(&BEFORE);
     let of_test =
-        tested(report.tested, words).into_iter().map(|section| with_measurement_point(section, report, words));
+        tested(&results.tested, words).into_iter().map(|section| with_measurement_point(section, results, words));
     sections.extend(of_test);
     sections.extend(made(&AFTER));
     // the geometric method is the evidence of a campaign that identifies nothing else
-    let geometric = geometric::section(report, words);
-    sections.extend(geometric.map(|s| if report.identified.is_some() { s.annex() } else { s }));
+    let geometric = geometric::section(results, words);
+    sections.extend(geometric.map(|s| if results.identified.is_some() { s.annex() } else { s }));
     sections.extend(made(&ANNEXES).into_iter().map(Section::annex));
     sections.sort_by_key(|section| section.annex);
     sections
 }
 
 /// A section of characteristics, with the name of the measured point (ISO 9283:1998, 12).
-fn with_measurement_point(mut section: Section, report: &Report, words: &Words) -> Section {
-    let stated = &report.campaign.conditions.measurement_point;
+fn with_measurement_point(mut section: Section, results: &Results, words: &Words) -> Section {
+    let stated = &results.campaign.conditions.measurement_point;
     let point = stated.clone().unwrap_or_else(|| tr!(words, "not-stated"));
-    let conditions = &report.campaign.conditions;
+    let conditions = &results.campaign.conditions;
     let listed = |all: &Vec<f64>, unit: &str| {
         format!("{} {unit}", all.iter().map(f64::to_string).collect::<Vec<_>>().join(", "))
     };

@@ -2,17 +2,17 @@
 //! before signing.
 
 use super::checklist;
-use crate::Report;
 use crate::model::{Step, Text, ToComplete, Verdict, sentence};
 use crate::plots::bullets;
 use crate::words::{Words, tr};
-use etalon_documents::{Action, LimitVerdict, VerdictDocument};
+use etalon_documents::{Action, LimitVerdict, Results};
 
 /// Verdict with the contents of page one.
-pub(crate) fn complete(report: &Report, judgement: &VerdictDocument, verdict: Verdict, words: &Words) -> Verdict {
+pub(crate) fn complete(results: &Results, verdict: Verdict, words: &Words) -> Verdict {
+    let judgement = &results.verdict;
     let steps = judgement.actions.iter().map(|a| step(a, words)).collect();
     let limits: Vec<&LimitVerdict> = judgement.limits.iter().collect();
-    let to_complete = Some(to_complete(report, words)).filter(|t| !t.fields.is_empty());
+    let to_complete = Some(to_complete(results, words)).filter(|t| !t.fields.is_empty());
     Verdict { steps, to_complete, ..with_figures(verdict, &limits, words) }
 }
 
@@ -39,7 +39,7 @@ fn step(action: &Action, words: &Words) -> Step {
 }
 
 /// Fields without which the report is a draft.
-fn to_complete(report: &Report, words: &Words) -> ToComplete {
-    let fields: Vec<String> = checklist::missing(report, words).into_iter().map(|m| m.field).collect();
+fn to_complete(results: &Results, words: &Words) -> ToComplete {
+    let fields: Vec<String> = checklist::missing(results, words).into_iter().map(|m| m.field).collect();
     ToComplete { title: tr!(words, "to-complete-count", count = fields.len()), fields }
 }

@@ -1,16 +1,15 @@
 //! Parameters with the significant digits of their uncertainties, covariances and correlations.
 
-use crate::Report;
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, shown, significant, term, with_uncertainty};
 use crate::number;
 use crate::plots::{correlation, intervals, sketch};
 use crate::words::{Words, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
+use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument, Results, Role};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    Some(section_from_document(report.identified?.parameters, words))
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    Some(section_from_document(&results.identified.as_ref()?.parameters, words))
 }
 
 /// Section of these parameters.
@@ -32,7 +31,7 @@ pub(crate) fn section_from_document(document: &ParametersDocument, words: &Words
     section.push(Block::Table(matrix(phrase!("sheet-correlation"), document, words, correlated)));
     // without a nominal value there is no change to draw
     let drawn = groups.iter().enumerate().filter(|(_, (_, of))| has_nominal(of));
-    let figures: Vec<Figure> = drawn.flat_map(|(i, (title, of))| intervals::pictures(of, (i, title), words)).collect();
+    let figures: Vec<Figure> = drawn.flat_map(|(i, (title, of))| intervals::pictures(of, i, title, words)).collect();
     section.figures(figures);
     if let Some(figure) = correlation::picture(document, words) {
         let title = figure.title.clone();

@@ -1,13 +1,12 @@
 //! Origin of the numbers: program, seed, and all inputs with their checksums.
 
-use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
-use etalon_documents::{Provenance, Source};
+use etalon_documents::{Provenance, Results, Source};
 
-pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    Some(section_from_provenance(&report.provenance(), &report.import.sources, words))
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    Some(section_from_provenance(&results.provenance(), &results.import.sources, words))
 }
 
 /// Section of the provenance; `sources` adds information about inputs that this campaign read.

@@ -6,12 +6,11 @@ use super::repeatability::quarter_sentence;
 use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
 use crate::words::{Words, names, tr};
-use crate::{Identified, Report};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, Figure,
-    Iso9283Document, Iso9283Variation, Judged, LimitVerdict, ParametersDocument, PoseCharacteristic, PoseSet, Reason,
-    SeriesScatter, ToolAccuracy, VerdictDocument,
+    IdentifiedDocuments, Iso9283Document, Iso9283Variation, Judged, LimitVerdict, ParametersDocument,
+    PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy, VerdictDocument,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -25,21 +24,21 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
 
 /// Verdict on all judged items: plausibility of the result, characteristics of ISO 9283,
 /// instrument, and all limits of the campaign.
-pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
-    let (identified, tested) = (report.identified.as_ref(), report.tested);
-    let judgement = report.judgement();
+pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
+    let (identified, tested) = (results.identified.as_ref(), &results.tested);
+    let judgement = &results.verdict;
     let limits: Vec<&LimitVerdict> = judgement.limits.iter().collect();
-    let set = identified.and_then(|i| headline_set(i.accuracy));
-    let mut sentences: Vec<String> = identified.and_then(|i| alarm(i.parameters, words)).into_iter().collect();
-    sentences.extend(named(&judgement, words));
+    let set = identified.and_then(|i| headline_set(&i.accuracy));
+    let mut sentences: Vec<String> = identified.and_then(|i| alarm(&i.parameters, words)).into_iter().collect();
+    sentences.extend(named(judgement, words));
     sentences.extend((limits.is_empty() && judgement.verdict.is_none()).then(|| counted(&limits, words)));
-    sentences.extend(identified.zip(set).into_iter().flat_map(|(i, set)| errors(i.accuracy, set, words)));
+    sentences.extend(identified.zip(set).into_iter().flat_map(|(i, set)| errors(&i.accuracy, set, words)));
     sentences.extend(identified.and_then(|i| unexplained(i, words)));
     sentences.extend(identified.and_then(|i| Some(series(i.parameters.residuals.between_series?, words))));
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() && !limits.is_empty()).then(|| counted(&limits, words)));
-    sentences.extend(reservations(&judgement, words));
+    sentences.extend(reservations(judgement, words));
     let point = identified
         .map(|i| words.worded(&i.accuracy.point, i.accuracy.point_phrase.as_ref()))
         .filter(|point| !point.is_empty());
@@ -50,7 +49,7 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
         None => tr!(words, "errors-before-after", set = words.tr(&s.name.phrase())),
     });
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| at_tool(tool, words));
-    let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| before_after(i.accuracy, set, words));
+    let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| before_after(&i.accuracy, set, words));
     let verdict = Verdict {
         class: Grade::from_verdict(judgement.verdict),
         met: judgement.passes(),
@@ -59,7 +58,7 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
         headlines: headlines(shown.into_iter().chain(tool).collect()),
         ..Verdict::default()
     };
-    page_one::complete(report, &judgement, verdict, words)
+    page_one::complete(results, verdict, words)
 }
 
 /// The verdict by its name; `None` if nothing was judged.
@@ -216,7 +215,7 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
 }
 
 /// Size of the residuals relative to the measurement uncertainty.
-fn unexplained(of: &Identified, words: &Words) -> Option<String> {
+fn unexplained(of: &IdentifiedDocuments, words: &Words) -> Option<String> {
     let r = &of.parameters.residuals;
     let ratio = (r.chi_square? / r.degrees_of_freedom as f64).sqrt();
     let times = number::significant(ratio, 3);
@@ -224,7 +223,7 @@ fn unexplained(of: &Identified, words: &Words) -> Option<String> {
         Some(_) => tr!(words, "uncertainty-of-instrument-and-contact"),
         None => tr!(words, "uncertainty-of-instrument"),
     };
-    let numbers = position_rms(of.accuracy).filter(|_| ratio > 0.0).map(|rms_mm| {
+    let numbers = position_rms(&of.accuracy).filter(|_| ratio > 0.0).map(|rms_mm| {
         let Shown { unit, factor } = number::shown("mm", rms_mm);
         let [rms, expected] = [rms_mm, rms_mm / ratio].map(|mm| number::significant(mm * factor, 3));
         tr!(words, "position-residuals-explained", rms, expected, unit)
@@ -454,8 +453,8 @@ mod tests {
     use etalon_documents::Termination;
 
     fn report_verdict(documents: &Documents) -> Verdict {
-        let report = documents.report();
-        verdict(&report, &Words::default())
+        let results = documents.results();
+        verdict(&results, &Words::default())
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::demo::{Documents, point};
 use super::demo_iso9283;
+use crate::campaign::contents;
 use crate::*;
 use etalon_documents::{
     Action, ActionKind, DecisionRule, LimitQuantity, LimitVerdict, PoseSet, RobustPose, RobustSummary, WrittenFile,
@@ -12,7 +13,7 @@ fn kinds(actions: &[Action]) -> Vec<ActionKind> {
 }
 
 fn actions(documents: &Documents) -> Vec<Action> {
-    documents.report().judgement().actions
+    documents.results().verdict.actions
 }
 
 /// Measured data with one controller file, all limits met.
@@ -134,24 +135,24 @@ fn preconditions_of_a_test_are_steps_in_every_rendering() {
     documents.campaign.conditions.warm_up_minutes = Some(0.0);
     let all = actions(&documents);
     assert_eq!(kinds(&all).iter().filter(|k| **k == ActionKind::WarmUp).count(), 1, "{all:?}");
-    let renderer = Renderer::campaign(&documents.report()).unwrap();
+    let renderer = Renderer::campaign(&documents.results()).unwrap();
     let page = String::from_utf8(renderer.file("html").unwrap()).unwrap();
     let terminal = renderer.terminal();
     let text = "Warm the robot up before the test, and state";
     assert!(page.contains(text) && terminal.contains(text), "{terminal}");
     assert!(terminal.contains("To complete before signing: ") && page.contains("To complete before signing: "));
-    let json = serde_json::to_string(&documents.report().judgement()).unwrap();
+    let json = serde_json::to_string(&documents.results().verdict).unwrap();
     assert!(json.contains("action-warm-up"), "{json}");
 }
 
 #[test]
 fn a_report_is_a_draft_until_every_field_is_stated_and_says_so_on_every_page() {
     let documents = measured();
-    let page = String::from_utf8(Renderer::campaign(&documents.report()).unwrap().file("html").unwrap()).unwrap();
+    let page = String::from_utf8(Renderer::campaign(&documents.results()).unwrap().file("html").unwrap()).unwrap();
     assert!(page.contains("data-draft=\"DRAFT\""));
     let mut synthetic = measured();
     synthetic.campaign.synthetic = Some("simulated".to_owned());
-    let page = String::from_utf8(Renderer::campaign(&synthetic.report()).unwrap().file("html").unwrap()).unwrap();
+    let page = String::from_utf8(Renderer::campaign(&synthetic.results()).unwrap().file("html").unwrap()).unwrap();
     assert!(page.contains("data-draft=\"SYNTHETIC DATA\""));
 }
 
@@ -159,7 +160,7 @@ fn a_report_is_a_draft_until_every_field_is_stated_and_says_so_on_every_page() {
 fn the_evidence_comes_before_the_annexes_and_details_are_folded() {
     let documents = Documents::demo();
     let words = Words::default();
-    let contents = documents.report().contents(&words);
+    let contents = contents(&documents.results(), &words);
     let order: Vec<(&str, bool)> = contents.sections.iter().map(|s| (s.id.as_str(), s.annex)).collect();
     assert!(order.is_sorted_by_key(|(_, annex)| *annex), "{order:?}");
     for (id, annex) in [("limits", false), ("errors", false), ("budget", false), ("parameters", true), ("fit", true)] {

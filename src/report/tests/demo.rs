@@ -1,6 +1,5 @@
 //! Documents for trying the report: a campaign like the thesis', with synthetic errors.
 
-use crate::{Identified, Report};
 use etalon_base::message::{Message, Place};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector};
@@ -41,21 +40,28 @@ pub(crate) struct Documents {
 }
 
 impl Documents {
-    pub fn report(&self) -> Report<'_> {
-        Report {
-            campaign: &self.campaign,
-            import: &self.import,
-            features: &self.features,
-            frames: &self.frames,
+    pub fn results(&self) -> Results {
+        let results = Results {
+            campaign: self.campaign.clone(),
+            import: self.import.clone(),
+            features: self.features.clone(),
+            frames: self.frames.clone(),
             identified: Some(self.identified()),
             geometric: None,
             controllers: None,
-            tested: &self.tested,
-        }
+            tested: self.tested.clone(),
+            verdict: VerdictDocument::default(),
+        };
+        results.judged()
     }
 
-    pub fn identified(&self) -> Identified<'_> {
-        Identified { parameters: &self.parameters, accuracy: &self.accuracy, errors: &self.errors }
+    pub fn identified(&self) -> IdentifiedDocuments {
+        IdentifiedDocuments {
+            parameters: self.parameters.clone(),
+            accuracy: self.accuracy.clone(),
+            errors: self.errors.clone(),
+            field: None,
+        }
     }
 
     /// A campaign like the thesis': 59 poses on two circles, 5 cycles, errors of the size of table

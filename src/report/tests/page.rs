@@ -2,19 +2,20 @@
 
 use super::demo::{Documents, point};
 use super::{demo_iso9283, demo_streams, report_texts};
+use crate::campaign::contents;
 use crate::*;
 use etalon_base::message::Place;
 use etalon_base::warning;
 use etalon_documents::{Language, PoseSet, Refused, Statistics};
 
-fn html(report: &Report) -> Result<String> {
-    Ok(String::from_utf8(Renderer::campaign(report)?.file("html")?).unwrap())
+fn html(results: &Results) -> Result<String> {
+    Ok(String::from_utf8(Renderer::campaign(results)?.file("html")?).unwrap())
 }
 
 /// Page alone.
 fn page(documents: &Documents) -> String {
     let words = &Words::new(documents.campaign.report.language);
-    super::super::html::html(&documents.report().contents(words), &documents.campaign.report, words).unwrap()
+    super::super::html::html(&contents(&documents.results(), words), &documents.campaign.report, words).unwrap()
 }
 
 #[test]
@@ -83,7 +84,7 @@ fn every_id_of_a_message_leads_to_its_explanation() {
     let mut documents = Documents::demo();
     let several = [3, 4].map(|pose| warning!("few-cycles", least = 30, count = 1, poses = pose));
     documents.parameters.messages.extend(several);
-    let page = html(&documents.report()).unwrap();
+    let page = html(&documents.results()).unwrap();
     assert!(page.matches("<a href=\"#message-few-cycles\" title=\"").count() >= 1, "{page}");
     assert_eq!(page.matches("<code id=\"message-few-cycles\">").count(), 1);
     let links: Vec<&str> = page.split("<a href=\"#").skip(1).filter_map(|rest| Some(rest.split_once('"')?.0)).collect();
@@ -274,7 +275,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
 #[test]
 fn a_test_report_has_what_the_standard_asks_for() {
     let (documents, tested) = (Documents::demo(), demo_iso9283::tested());
-    let page = html(&Report { identified: None, tested: &tested, ..documents.report() }).unwrap();
+    let page = html(&Results { identified: None, tested, ..documents.results() }.judged()).unwrap();
     for what in ["operator", "mounting", "load centre", "warm-up", "deviations from the method", "SHA-256"] {
         assert!(page.contains(what), "{what}");
     }
@@ -288,8 +289,8 @@ fn in_language(language: Language) -> [String; 2] {
     let mut documents = Documents::demo();
     documents.campaign.report.language = language;
     let tested = Characteristics { streams: Some(demo_streams::streams()), ..demo_iso9283::whole() };
-    let report = Report { tested: &tested, ..documents.report() };
-    [html(&report).unwrap(), html(&Report { identified: None, ..report }).unwrap()]
+    let results = Results { tested, ..documents.results() }.judged();
+    [html(&results).unwrap(), html(&Results { identified: None, ..results }.judged()).unwrap()]
 }
 
 /// Texts of a section of a page, except for those marked as English.
@@ -357,7 +358,7 @@ fn a_laboratory_puts_its_own_template_and_logo_in_place() {
     assert_eq!(dressed.matches("<img class=\"logo\" src=\"data:image&#x2f;png;base64,iVBORw==\"").count(), 1);
     let mut broken = |text: &str| {
         documents.campaign.report.templates.insert("signatures.html".to_owned(), text.to_owned());
-        html(&documents.report()).unwrap_err().to_string()
+        html(&documents.results()).unwrap_err().to_string()
     };
     let unknown = broken("<p>\n{{ no_such_key }}</p>");
     assert!(unknown.contains("signatures.html:2") && unknown.contains("{{ no_such_key }}"), "{unknown}");

@@ -7,7 +7,7 @@ use crate::*;
 use etalon_documents::{Conformity, Iso9283Pose, Language};
 
 fn shown(documents: &Documents) -> String {
-    Renderer::campaign(&documents.report()).unwrap().terminal()
+    Renderer::campaign(&documents.results()).unwrap().terminal()
 }
 
 /// Documents with an identification, poses, loads and a recorded motion.
@@ -76,7 +76,7 @@ fn the_exit_code_follows_the_verdict_that_is_shown() {
     let mut judge = |conformity| {
         let limit = &mut documents.tested.poses.as_mut().unwrap().limits[0];
         *limit = limit.clone().with(conformity);
-        Renderer::campaign(&documents.report()).unwrap()
+        Renderer::campaign(&documents.results()).unwrap()
     };
     assert!(judge(Conformity::Conforming).passes());
     let renderer = judge(Conformity::NotConforming);

@@ -2,6 +2,7 @@
 
 use super::demo::Documents;
 use super::page::with_text;
+use crate::campaign::contents;
 use crate::*;
 use calamine::{Data, Reader, Xlsx};
 use etalon_base::phrase;
@@ -10,7 +11,7 @@ use std::io::Cursor;
 
 fn book(documents: &Documents) -> Vec<u8> {
     let words = Words::default();
-    super::super::workbook::workbook(&documents.report().contents(&words), &words).unwrap()
+    super::super::workbook::workbook(&contents(&documents.results(), &words), &words).unwrap()
 }
 
 fn read(documents: &Documents) -> Xlsx<Cursor<Vec<u8>>> {
@@ -93,7 +94,7 @@ fn sheets_of_one_name_with_other_columns_are_written() {
 fn a_workbook_has_the_language_of_its_report() {
     let sheets = |language: Language| {
         let words = Words::new(language);
-        let bytes = super::super::workbook::workbook(&Documents::demo().report().contents(&words), &words).unwrap();
+        let bytes = super::super::workbook::workbook(&contents(&Documents::demo().results(), &words), &words).unwrap();
         let mut book = only_texts_and_numbers(bytes);
         let head = book.worksheet_range(&book.sheet_names()[1]).unwrap();
         let names: Vec<String> = book.sheet_names();

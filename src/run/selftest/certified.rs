@@ -6,11 +6,10 @@ use super::embedded::CAMPAIGNS;
 use super::row::{Row, Rows, Subject, not_made};
 use super::sample::Scratch;
 use crate::run::pipeline::evaluate;
-use crate::stages::calibrate::identification::Identified;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Place, Result};
 use etalon_base::{error, phrase};
-use etalon_documents::{AccuracySet, ParameterEntry, Statistics};
+use etalon_documents::{AccuracySet, IdentifiedDocuments, ParameterEntry, Statistics};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::sync::LazyLock;
@@ -28,7 +27,7 @@ pub(super) const SUBJECT: Subject = Subject {
 };
 
 /// Results of the campaigns, computed once for all slips in the certified values.
-static FOUND: LazyLock<Vec<Result<Identified>>> =
+static FOUND: LazyLock<Vec<Result<IdentifiedDocuments>>> =
     LazyLock::new(|| CAMPAIGNS.par_iter().map(|(_, _, files)| identified(files)).collect());
 
 fn rows(data: &Data) -> Vec<Rows> {
@@ -42,11 +41,11 @@ fn rows(data: &Data) -> Vec<Rows> {
     vec![rows]
 }
 
-fn identified(files: &[(&str, &str)]) -> Result<Identified> {
+fn identified(files: &[(&str, &str)]) -> Result<IdentifiedDocuments> {
     let scratch = Scratch::with(files)?;
     let campaign = scratch.read()?;
     let missing = || error!("identify-missing").at(Place::file(campaign.path.as_str()));
-    Ok(evaluate(&campaign)?.identified.ok_or_else(missing)?)
+    Ok(evaluate(&campaign)?.results.identified.ok_or_else(missing)?)
 }
 
 /// Values with a permissible error each, of which the worst one is listed.
@@ -72,7 +71,7 @@ impl Worst {
 }
 
 /// Values, uncertainties, covariance, residuals and errors.
-fn compare(name: &str, certified: &Data, found: &Identified, rows: &mut Rows) {
+fn compare(name: &str, certified: &Data, found: &IdentifiedDocuments, rows: &mut Rows) {
     let (mut values, mut uncertainties) = (Worst::default(), Worst::default());
     let relative = certified.number("/covariance/mpe_relative");
     let (mut wrong, mut count) = (0usize, 0usize);
@@ -115,7 +114,7 @@ fn is_word(value: &impl Serialize, word: &str) -> bool {
 }
 
 /// Covariances, relative to the standard uncertainties.
-fn covariance(certified: &Data, found: &Identified) -> Worst {
+fn covariance(certified: &Data, found: &IdentifiedDocuments) -> Worst {
     let mut worst = Worst::default();
     let relative = certified.number("/covariance/mpe_relative");
     let names = certified.texts("/covariance/parameters");

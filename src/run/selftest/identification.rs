@@ -4,10 +4,11 @@
 use super::data::{Data, Slip};
 use super::row::{Rows, Subject, not_made};
 use super::sample::{Scratch, inward, positions, robot};
-use crate::run::pipeline::{Evaluated, evaluate};
+use crate::run::pipeline::evaluate;
 use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::phrase;
+use etalon_documents::Results;
 use etalon_identify::{Effects, Observation, Prior, Settings, identify};
 use etalon_robots::{Parameter, Quantity};
 
@@ -102,8 +103,8 @@ fn deviation(i: usize, parameter: &Parameter) -> f64 {
 fn campaign(truth: &Data) -> Rows {
     let mut rows = Rows::new("thesis, table 3.3");
     let evaluated = Scratch::campaign().and_then(|scratch| evaluate(&scratch.read()?));
-    let Evaluated { identified: Some(identified), .. } = (match evaluated {
-        Ok(evaluated) => evaluated,
+    let Results { identified: Some(identified), .. } = (match evaluated {
+        Ok(evaluated) => evaluated.results,
         Err(problems) => {
             rows.failed(not_made("prexyt-cmm", &problems));
             return rows;

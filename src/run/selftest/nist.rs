@@ -16,7 +16,7 @@ pub(super) fn requirement() -> Option<SelftestRequirement> {
     }
     let mut rows = Rows::new("NIST ATS");
     for (name, prefix, kind, errors) in ELEMENTS {
-        compare_element(&folder.join(name), prefix, (kind, errors), &mut rows);
+        compare_element(&folder.join(name), prefix, kind, errors, &mut rows);
     }
     Some(requirement_result("nist", phrase!("selftest-nist"), vec![rows]))
 }
@@ -34,7 +34,7 @@ const ELEMENTS: [(&str, &str, Element, Errors); 6] = [
     ("Cone", "con", Element::Cone, cone),
 ];
 
-fn compare_element(folder: &Path, prefix: &str, (kind, errors): (Element, Errors), rows: &mut Rows) {
+fn compare_element(folder: &Path, prefix: &str, kind: Element, errors: Errors, rows: &mut Rows) {
     let found = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let wanted = |path: &PathBuf| {
         path.extension().is_some_and(|e| e == "ds")

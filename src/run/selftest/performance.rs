@@ -21,7 +21,7 @@ pub const RELATIVE: f64 = 1e-9;
 pub fn performance(folder: &Path, expected: &Path) -> Result<SelftestPerformance> {
     let campaign = Campaign::read(folder)?;
     let stored = read_parameters(expected)?;
-    let Some(identified) = evaluate(&campaign)?.identified else {
+    let Some(identified) = evaluate(&campaign)?.results.identified else {
         return Err(error!("identify-missing").at(Place::file(campaign.path.as_str())).into());
     };
     let found = identified.parameters;

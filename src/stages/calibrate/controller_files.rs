@@ -1,7 +1,7 @@
 //! Controller files of formats that omit identified parameters: their values, and errors at the
 //! measured poses.
 
-use crate::stages::calibrate::identification::Identified;
+use crate::stages::calibrate::identification::IdentifiedSolution;
 use crate::stages::evaluate::accuracy::summarise;
 use etalon_base::message::{Message, Result, Severity};
 use etalon_base::phrase;
@@ -15,12 +15,12 @@ use etalon_robots::Robot;
 pub fn identify_again(
     given: &ExportInput,
     robot: &dyn Robot,
-    found: &Identified,
+    solution: &IdentifiedSolution,
     formats: &[(&str, &dyn Exporter)],
 ) -> Option<ControllersDocument> {
     let (mut files, mut messages) = (Vec::<ControllerFiles>::new(), Vec::new());
     for &(name, exporter) in formats.iter().filter(|(_, exporter)| exporter.unsuited(given).is_none()) {
-        match identify_for_format(given, robot, found, exporter) {
+        match identify_for_format(given, robot, solution, exporter) {
             Ok(None) => {}
             Ok(Some(file)) => match files.iter_mut().find(|f| f.left_out == file.left_out && f.values == file.values) {
                 Some(same) => same.formats.push(name.to_owned()),
@@ -67,16 +67,16 @@ fn judged(given: &ExportInput, formats: &[(&str, &dyn Exporter)]) -> Vec<Message
 fn identify_for_format(
     given: &ExportInput,
     robot: &dyn Robot,
-    found: &Identified,
+    solution: &IdentifiedSolution,
     exporter: &dyn Exporter,
 ) -> Result<Option<ControllerFiles>> {
     let left_out = given.left_out(exporter);
     // others that the data did not determine beside these may be determined without them
     let held: Vec<String> = given.not_held(exporter).collect();
-    let again = if left_out.is_empty() { None } else { Some(found.without(robot, &held)?) };
-    let identified = again.as_ref().unwrap_or(&found.found);
+    let again = if left_out.is_empty() { None } else { Some(solution.without(robot, &held)?) };
+    let identified = again.as_ref().unwrap_or(&solution.found);
     let tied = exporter.written(given, robot, &identified.values);
-    let values = if tied == identified.values { tied } else { found.with_frames(robot, &tied)? };
+    let values = if tied == identified.values { tied } else { solution.with_frames(robot, &tied)? };
     if again.is_none() && values == identified.values {
         return Ok(None);
     }
@@ -88,18 +88,23 @@ fn identify_for_format(
             .then(|| identified.standard_uncertainty(i).map(|u| p.quantity.outward(u)))
             .flatten(),
     });
-    let errors = errors(robot, found, &values)?;
+    let errors = errors(given, robot, solution, &values)?;
     Ok(Some(ControllerFiles { formats: Vec::new(), left_out, values: written.collect(), errors }))
 }
 
 /// Errors with nominal, identified and these values, at calibration and validation poses.
-fn errors(robot: &dyn Robot, found: &Identified, values: &[f64]) -> Result<Vec<ControllerErrors>> {
-    let written = found.errors_with(robot, values)?;
+fn errors(
+    given: &ExportInput,
+    robot: &dyn Robot,
+    solution: &IdentifiedSolution,
+    values: &[f64],
+) -> Result<Vec<ControllerErrors>> {
+    let written = solution.errors_with(robot, values)?;
     let of_set = |set: &AccuracySet| {
         let leading = set.leading()?.quantity;
         let of_set = written.iter().filter(|e| e.set == set.name && e.quantity == leading);
         let sizes = of_set.filter_map(|e| Some(norm(e.after_mm) / e.own_share()?)).collect();
         ControllerErrors::new(set, Some(&summarise(sizes)))
     };
-    Ok(found.accuracy.sets.iter().filter_map(of_set).collect())
+    Ok(given.accuracy.iter().flat_map(|accuracy| &accuracy.sets).filter_map(of_set).collect())
 }

@@ -16,7 +16,7 @@ use crate::stages::judge::set_up::check_set_up;
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule};
-use etalon_documents::{AccuracyDocument, EffectProof, FieldDocument, ParametersDocument, PointError};
+use etalon_documents::{EffectProof, FieldDocument, IdentifiedDocuments, ParametersDocument, PointError};
 use etalon_documents::{parameters_document, warning_messages};
 use etalon_identify::{Effects, Identification, Observation, Settings, Systematic, Warning};
 use etalon_robots::Robot;
@@ -25,21 +25,22 @@ use std::collections::BTreeMap;
 /// Result of the identification of a campaign.
 #[derive(Clone, Debug)]
 pub struct Identified {
-    /// Identified parameters.
-    pub parameters: ParametersDocument,
-    /// Errors before and after, summarised.
-    pub accuracy: AccuracyDocument,
-    /// Errors of every observation.
-    pub errors: Vec<PointError>,
+    /// Parameters, errors before and after, and the residual field; the hash of the parameters is
+    /// filled in when they are written.
+    pub documents: IdentifiedDocuments,
+    /// Solution that the documents describe.
+    pub solution: IdentifiedSolution,
+}
+
+/// Solution of an identification, with its input.
+#[derive(Clone, Debug)]
+pub struct IdentifiedSolution {
     /// Observations used.
     pub sets: Sets,
     /// Settings and weights of the identification.
     pub settings: Settings,
     /// Result of the solver.
     pub found: Identification,
-    /// Residual field, if one was asked for and proved; the hash of the parameters is known when
-    /// they are written.
-    pub field: Option<FieldDocument>,
     /// Input for another identification.
     pub again: Again,
 }
@@ -53,7 +54,7 @@ pub struct Again {
     targets: ValidationTargets,
 }
 
-impl Identified {
+impl IdentifiedSolution {
     /// Errors of all observations with other values of the parameters.
     ///
     /// # Errors
@@ -141,12 +142,11 @@ fn identify_selected(data: CampaignData, robot: &dyn Robot, selected: Selected) 
     let controls = located.control()?;
     findings.robust.clone_from(&controls.robust_message);
     let warnings = findings.ordered(&solution.found.warnings);
-    let Documents { parameters, accuracy, errors, field } =
-        documents(located, evaluation, prediction, controls, &warnings);
+    let documents = documents(located, evaluation, prediction, controls, &warnings);
     let Solution { basis: Basis { sets, settings, systematic }, before, found } = solution;
     let found = Identification { warnings, ..found };
     let again = Again { systematic, before, targets };
-    Ok(Identified { parameters, accuracy, errors, sets, settings, found, field, again })
+    Ok(Identified { documents, solution: IdentifiedSolution { sets, settings, found, again } })
 }
 
 /// Basis of an identification with the effects that are identified.
@@ -189,14 +189,6 @@ fn locate(
     Ok((solution, locations))
 }
 
-/// Documents of an identification.
-struct Documents {
-    parameters: ParametersDocument,
-    accuracy: AccuracyDocument,
-    errors: Vec<PointError>,
-    field: Option<FieldDocument>,
-}
-
 /// States a solution with the results of all steps, and `warnings` as its messages.
 fn documents(
     located: LocatedSolution,
@@ -204,7 +196,7 @@ fn documents(
     prediction: Prediction,
     controls: Controls,
     warnings: &[Warning],
-) -> Documents {
+) -> IdentifiedDocuments {
     let LocatedSolution { data: CampaignData { campaign, .. }, robot, locations, all, .. } = located;
     let Solution { basis: Basis { sets, settings, .. }, before, found } = located.solution;
     let Evaluation { mut accuracy, mut errors, .. } = evaluation;
@@ -225,7 +217,7 @@ fn documents(
     let base = robot.kinematics().and_then(|k| k.base_in_world(&found.values)).filter(|_| robot.platform().is_none());
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
     let field = field.map(|field| FieldDocument::new(robot, &found.values, &field, String::new()));
-    Documents { parameters, accuracy, errors, field }
+    IdentifiedDocuments { parameters, accuracy, errors, field }
 }
 
 /// States the position residuals with the parameters before and after identification.

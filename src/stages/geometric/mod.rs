@@ -4,7 +4,7 @@ mod labels;
 
 pub use labels::{Gathered, gather, label, labelled};
 
-use crate::stages::calibrate::identification::Identified;
+use crate::stages::calibrate::identification::IdentifiedSolution;
 use crate::stages::evaluate::sets::Sets;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
@@ -31,7 +31,7 @@ pub fn calibrate(
     campaign: &Campaign,
     robot: &dyn Robot,
     measured: Option<Gathered>,
-    identified: Option<&Identified>,
+    identified: Option<&IdentifiedSolution>,
 ) -> Result<Option<GeometricDocument>> {
     let (Some(definition), Some(measured)) = (&campaign.file.geometric, measured) else { return Ok(None) };
     // the model before its reduction has no d and delta of which geometry alone gives a value

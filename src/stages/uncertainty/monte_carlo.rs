@@ -99,7 +99,8 @@ impl<'a> Trials<'a> {
         frames: &FramesDocument,
         identified: &'a Identified,
     ) -> Self {
-        let settings = &identified.settings;
+        let Identified { documents, solution } = identified;
+        let settings = &solution.settings;
         let planar = robot.dimension() == 2;
         let key = |f: &FramePose| (f.pose.zip(f.cycle), f.export_T_world);
         let by_pose: BTreeMap<_, _> = frames.world.poses.iter().map(key).collect();
@@ -108,23 +109,22 @@ impl<'a> Trials<'a> {
         let mut readings = |of: &[Observation]| -> Vec<Reading> {
             of.iter().map(|o| reading(o, settings, robot.dimension(), &mut numbers)).collect()
         };
-        let [calibration, validation] =
-            [&identified.sets.calibration, &identified.sets.validation].map(|of| readings(of));
+        let [calibration, validation] = [&solution.sets.calibration, &solution.sets.validation].map(|of| readings(of));
         Self {
             points: frames::defining(campaign, points),
             calibration,
             validation,
             reading_count: numbers.len(),
             systematic: campaign.systematic(robot, Vec::new()),
-            found: &identified.found,
+            found: &solution.found,
             frames: by_pose,
             campaign,
             robot,
             settings,
             planar,
             height_mm,
-            budget: &identified.accuracy.budget,
-            model_root: identified.found.uncertainty.budget.model_root(),
+            budget: &documents.accuracy.budget,
+            model_root: solution.found.uncertainty.budget.model_root(),
             seed: 0,
         }
     }

@@ -52,7 +52,7 @@ tool_link = "dsr_link6"
 fn errors(bending: &str) -> [[f64; 3]; 2] {
     let scratch = Scratch::with(&[("campaign.toml", CAMPAIGN), ("robot.toml", &format!("{ROBOT}{bending}\n"))]);
     let found = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).expect("evaluated");
-    let set = &found.identified.as_ref().unwrap().accuracy.sets[1];
+    let set = &found.results.identified.as_ref().unwrap().accuracy.sets[1];
     assert_eq!((set.name.name(), set.poses), ("validation", 132));
     [set.errors[0].before, set.errors[0].after].map(|e| [e.mean, e.rms, e.max])
 }

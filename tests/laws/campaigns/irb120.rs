@@ -27,7 +27,7 @@ fn run(hold: &str) -> Option<(Outcome, ImportDocument)> {
 
 /// (mean, rms) of position errors on the test poses, before and after.
 fn test_errors(outcome: &Outcome) -> [(f64, f64); 2] {
-    let set = &outcome.identified.as_ref().unwrap().accuracy.sets[1];
+    let set = &outcome.results.identified.as_ref().unwrap().accuracy.sets[1];
     assert_eq!((set.name.name(), set.poses, set.count), ("validation", 294, 882));
     let position = &set.errors[0];
     [(position.before.mean, position.before.rms), (position.after.mean, position.after.rms)]
@@ -35,6 +35,7 @@ fn test_errors(outcome: &Outcome) -> [(f64, f64); 2] {
 
 fn identified(outcome: &Outcome) -> usize {
     outcome
+        .results
         .identified
         .as_ref()
         .unwrap()
@@ -73,7 +74,8 @@ fn observed(observations: Vec<Observation>) -> Observed {
 #[test]
 fn ten_poses_verify_the_parameters() {
     let Some((outcome, _)) = run("[]") else { return };
-    let found = outcome.identified.unwrap();
+    let found = outcome.solution.unwrap();
+    let parameters = outcome.results.identified.unwrap().parameters;
     let campaign = Campaign::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120")).unwrap();
     let verdicts = |by_rad: f64| {
         let groups = found.sets.validation.chunks(10).filter(|group| group.len() == 10);
@@ -81,7 +83,7 @@ fn ten_poses_verify_the_parameters() {
             let mut observations = group.to_vec();
             observations.iter_mut().for_each(|o| o.joints[3] -= by_rad);
             let mut robot = campaign.build_robot().unwrap();
-            let calibration = EarlierCalibration::new(robot.as_mut(), &found.parameters, None).unwrap();
+            let calibration = EarlierCalibration::new(robot.as_mut(), &parameters, None).unwrap();
             verify(calibration, observed(observations), BTreeMap::new()).unwrap()
         };
         groups.map(of).collect::<Vec<_>>()
@@ -104,7 +106,7 @@ fn ten_poses_verify_the_parameters() {
         let mut observations = group.to_vec();
         observations.iter_mut().enumerate().for_each(|(i, o)| change(i, o));
         let mut robot = campaign.build_robot().unwrap();
-        let calibration = EarlierCalibration::new(robot.as_mut(), &found.parameters, None).unwrap();
+        let calibration = EarlierCalibration::new(robot.as_mut(), &parameters, None).unwrap();
         verify(calibration, observed(observations), BTreeMap::new())
     };
     let exchanged = changed(&|_, o| o.targets.swap(0, 1)).unwrap_err();
@@ -138,7 +140,7 @@ fn geometric_model_with_gains() {
     assert!((before.0 - 0.70).abs() < 0.005, "{before:?}");
     assert!(after.0 <= 0.170 && after.1 <= 0.201, "{after:?}");
     let said = |m: &Message| m.is("log-correlates", &[]) && m.what.contains("r = 0.78");
-    assert!(outcome.messages.iter().any(said), "{:?}", outcome.messages);
+    assert!(outcome.results.messages().any(said), "{:?}", outcome.results.import.messages);
 }
 
 #[test]
@@ -150,6 +152,7 @@ fn with_bending_and_coupling() {
     assert!(after.0 <= 0.122 && after.1 <= 0.137, "{after:?}");
     // what base and targets take up is named: four of joint 1, two of joint 6
     let held: Vec<&str> = outcome
+        .results
         .identified
         .as_ref()
         .unwrap()
@@ -161,7 +164,7 @@ fn with_bending_and_coupling() {
         .collect();
     assert_eq!(held, ["alpha_1", "a_1", "theta_1", "d_1", "theta_6", "d_6"]);
     // the rank is plain: six singular values are rounding, and of columns of length 1 the squares add up to their number
-    let o = outcome.identified.as_ref().unwrap().parameters.observability.as_ref().unwrap();
+    let o = outcome.results.identified.as_ref().unwrap().parameters.observability.as_ref().unwrap();
     let [told, untold] = [&o.singular_values, &o.held_singular_values];
     assert!(untold.len() == 6 && untold.iter().all(|s| s.value < o.rank_cut * told[0].value), "{untold:?}");
     assert!((told.iter().map(|s| s.value.powi(2)).sum::<f64>() - 45.0).abs() < 1e-9);
@@ -178,7 +181,7 @@ fn gravity_that_points_up_is_named() {
         let bending = "bending = [2, 3]";
         scratch.replace("robot.toml", bending, &format!("{bending}\ngravity = {gravity}"));
         let found = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).expect("evaluated");
-        let said = found.messages().any(|m| m.is("compliance-negative", &[]));
+        let said = found.results.messages().any(|m| m.is("compliance-negative", &[]));
         assert_eq!(said, named, "{gravity}");
     }
 }
@@ -188,7 +191,7 @@ fn gravity_that_points_up_is_named() {
 #[test]
 fn compensated_joints_predict_the_test_error() {
     let Some((outcome, _)) = run("[]") else { return };
-    let found = outcome.identified.as_ref().unwrap();
+    let found = outcome.solution.as_ref().unwrap();
     let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
     let robot = read_robot(&sample).unwrap().build(&["SMR_1", "SMR_2", "SMR_3"].map(str::to_owned)).unwrap();
     let arm = robot.kinematics().unwrap();

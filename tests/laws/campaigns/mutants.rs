@@ -145,7 +145,7 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
     let found = pipeline::evaluate(&Campaign::read(folder.path())?)?;
     let numberless = |text: &str| text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
     let (mut results, mut held) = (BTreeMap::new(), BTreeMap::new());
-    for p in found.identified.iter().flat_map(|found| &found.parameters.parameters) {
+    for p in found.results.identified.iter().flat_map(|found| &found.parameters.parameters) {
         if let Some(u) = p.standard_uncertainty {
             results.insert(p.name.clone(), Figure { value: p.value, u, turns: p.unit == "deg" });
         }
@@ -153,7 +153,7 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
             held.insert(p.name.clone(), (p.value, p.confounded_with.clone()));
         }
     }
-    for set in found.identified.iter().flat_map(|found| &found.accuracy.sets) {
+    for set in found.results.identified.iter().flat_map(|found| &found.accuracy.sets) {
         // of errors in the plane or in space (GUM E.4.3)
         if let Some(errors) = set.error_statistics(ErrorQuantity::Position) {
             let value = errors.after.rms;
@@ -161,7 +161,7 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
             results.insert(format!("root mean square error of {}", set.name), Figure { value, u, turns: false });
         }
     }
-    for pose in found.tested.poses.iter().flat_map(|tested| &tested.poses) {
+    for pose in found.results.tested.poses.iter().flat_map(|tested| &tested.poses) {
         let of = [("AP", pose.ap_mm, &pose.ap_interval), ("RP", pose.rp_mm, &pose.rp_interval)];
         for (name, value, interval) in of {
             let (Some(value), Some(interval)) = (value, interval) else { continue };
@@ -169,9 +169,9 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
             results.insert(format!("{name} of pose {}", pose.pose), Figure { value, u, turns: false });
         }
     }
-    let warnings = found.messages().map(|m| numberless(&m.what)).collect();
+    let warnings = found.results.messages().map(|m| numberless(&m.what)).collect();
     // the report is made from whatever was found
-    let renderer = Renderer::campaign(&found.report())?;
+    let renderer = Renderer::campaign(&found.results)?;
     Ok(Outcome { met: renderer.passes(), warnings, results, held })
 }
 

@@ -176,11 +176,11 @@ fn a_log_recorded_while_moving_calibrates_by_the_means_of_its_standstills() {
     let measured: Rows = stands.iter().zip(&poses).map(|((a, b), q)| (0.4 * a + 0.6 * b, *q)).collect();
     campaign(&scratch, &rows, &measured, STANDSTILL, &format!("clock_offset_s = {CLOCK_S}\ntolerance_s = 0"));
     let outcome = run(&scratch).unwrap();
-    assert_eq!(outcome.identified.as_ref().unwrap().accuracy.sets[1].poses, 51);
+    assert_eq!(outcome.results.identified.as_ref().unwrap().accuracy.sets[1].poses, 51);
     assert!(
-        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
+        outcome.results.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
         "{:?}",
-        outcome.identified.as_ref().unwrap().accuracy.sets
+        outcome.results.identified.as_ref().unwrap().accuracy.sets
     );
     let document = document(&scratch);
     let log = document.sources.iter().find(|s| s.kind == SourceKind::Log).unwrap();
@@ -202,9 +202,9 @@ fn the_spread_of_a_standstill_is_told_and_its_mean_counts() {
     let outcome = run(&scratch).unwrap();
     // 0.001 mm of scatter, in the mean of 41 to 71 samples
     assert!(
-        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 0.001,
+        outcome.results.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 0.001,
         "{:?}",
-        outcome.identified.as_ref().unwrap().accuracy.sets
+        outcome.results.identified.as_ref().unwrap().accuracy.sets
     );
     let document = document(&scratch);
     let log = document.sources.iter().find(|s| s.kind == SourceKind::Log).unwrap();
@@ -230,11 +230,11 @@ fn the_offset_of_the_clocks_comes_from_the_standstills_and_is_said() {
     campaign(&scratch, &rows, &measured, STANDSTILL, "clock_offset_s = \"standstills\"\ntolerance_s = 0");
     let outcome = run(&scratch).unwrap();
     assert!(
-        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
+        outcome.results.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
         "{:?}",
-        outcome.identified.as_ref().unwrap().accuracy.sets
+        outcome.results.identified.as_ref().unwrap().accuracy.sets
     );
-    let said = outcome.messages.iter().find(|m| m.is("clock-from-standstills", &[("count", &59)])).unwrap();
+    let said = outcome.results.messages().find(|m| m.is("clock-from-standstills", &[("count", &59)])).unwrap();
     assert!(said.what.contains(&format!("offset {CLOCK_S:.3} s ± 0.100 s")), "{said}");
     // early and late alone: a whole move later they fit as well
     let ends = stands.iter().zip(&poses).enumerate().map(|(i, ((from, to), q))| ([from + 0.1, to - 0.1][i % 2], *q));
@@ -294,14 +294,14 @@ fn between_two_rows_joints_that_move_evenly_are_exact() {
     campaign(&scratch, &rows, &measured, "", &join);
     let outcome = run(&scratch).unwrap();
     assert_eq!(
-        outcome.identified.as_ref().unwrap().accuracy.sets[0].poses
-            + outcome.identified.as_ref().unwrap().accuracy.sets[1].poses,
+        outcome.results.identified.as_ref().unwrap().accuracy.sets[0].poses
+            + outcome.results.identified.as_ref().unwrap().accuracy.sets[1].poses,
         59
     );
     assert!(
-        outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
+        outcome.results.identified.as_ref().unwrap().accuracy.sets[1].errors[0].after.max < 1e-9,
         "{:?}",
-        outcome.identified.as_ref().unwrap().accuracy.sets
+        outcome.results.identified.as_ref().unwrap().accuracy.sets
     );
     // a tolerance below the distance to the farther row leaves points alone; on a row there is none
     let tight = copy_sample("prexyt-cmm");

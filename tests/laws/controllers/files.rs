@@ -8,11 +8,11 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
 use etalon::controllers::{self, Description, ExportInput, Exporter};
-use etalon::documents::{CampaignSummary, ControllersDocument};
+use etalon::documents::{CampaignSummary, ControllersDocument, IdentifiedDocuments};
 use etalon::robots::Robot;
 use etalon::run::pipeline::Outcome;
 use etalon::stages::calibrate::controller_files::identify_again;
-use etalon::stages::calibrate::identification::Identified;
+use etalon::stages::calibrate::identification::IdentifiedSolution;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -49,19 +49,23 @@ impl Ran {
         let campaign = Campaign::read(&scratch.path()).unwrap();
         let outcome = documents_of(&campaign).unwrap_or_else(|problems| panic!("{name}: {problems}"));
         // where joined exports name none, targets are those whose places were found
-        let found = &outcome.identified.as_ref().unwrap().parameters.parameters;
+        let found = &outcome.results.identified.as_ref().unwrap().parameters.parameters;
         let of_targets = found.iter().filter(|p| p.role == etalon::documents::Role::Target);
         let named = !campaign.file.observations.is_empty();
         let targets: Vec<String> =
             of_targets.filter_map(|p| Some(p.name.strip_suffix("_x")?.to_owned())).filter(|_| named).collect();
         let robot = campaign.build_robot_with(&targets).unwrap();
         let description = campaign.robot.description().map(|(file, text)| (file.to_owned(), text.to_owned()));
-        let summary = CampaignSummary { date: Some("2026-03-02".to_owned()), ..outcome.summary.clone() };
+        let summary = CampaignSummary { date: Some("2026-03-02".to_owned()), ..outcome.results.campaign.clone() };
         Self { name, scratch, robot, description, summary, outcome }
     }
 
-    pub fn found(&self) -> &Identified {
-        self.outcome.identified.as_ref().unwrap()
+    pub fn found(&self) -> &IdentifiedDocuments {
+        self.outcome.results.identified.as_ref().unwrap()
+    }
+
+    pub fn solution(&self) -> &IdentifiedSolution {
+        self.outcome.solution.as_ref().unwrap()
     }
 
     fn given<'a>(&'a self, controllers: Option<&'a ControllersDocument>) -> ExportInput<'a> {
@@ -79,7 +83,7 @@ impl Ran {
     /// The file of a format with the values that it holds (all parameters; base and targets as fitted to them) and its stated error.
     fn file(&self, format: &str) -> Result<File<'_>, Problems> {
         let exporter: &dyn Exporter = controllers::by_name(format).unwrap();
-        let again = identify_again(&self.given(None), self.robot.as_ref(), self.found(), &[(format, exporter)]);
+        let again = identify_again(&self.given(None), self.robot.as_ref(), self.solution(), &[(format, exporter)]);
         let given = self.given(again.as_ref());
         let statement = given.statement(exporter)?;
         let bytes = exporter.write(&given)?;

@@ -66,7 +66,7 @@ fn support(script: &str) -> std::path::PathBuf {
 
 impl File<'_> {
     fn validation(&self) -> &[Observation] {
-        &self.ran.found().sets.validation
+        &self.ran.solution().sets.validation
     }
 
     /// Root mean square error of the positions that a reader of the file gives.
@@ -139,8 +139,8 @@ impl File<'_> {
         let robot = self.ran.robot.as_ref();
         let value = |p: &etalon::robots::Parameter| p.quantity.inward(list[&p.name]);
         let values: Vec<f64> = robot.parameters().iter().map(value).collect();
-        let found = self.ran.found();
-        let errors = point_errors(robot, &found.sets, &found.again.before, &values);
+        let solution = self.ran.solution();
+        let errors = point_errors(robot, &solution.sets, &solution.again.before, &values);
         rms(errors.iter().filter(|e| e.set == PoseSet::Validation).map(|e| norm(e.after_mm)))
     }
 

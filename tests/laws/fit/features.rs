@@ -69,7 +69,7 @@ fn run(world: &str) -> (FeaturesDocument, FramesDocument, Pose) {
     let campaign = Campaign::read(&scratch.path()).unwrap();
     etalon::simulate::simulate(&campaign, &truth).unwrap();
     let outcome = crate::support::documents_of(&campaign).unwrap();
-    for p in &outcome.identified.as_ref().unwrap().parameters.parameters {
+    for p in &outcome.results.identified.as_ref().unwrap().parameters.parameters {
         assert!((p.value - truth.parameters[&p.name]).abs() < 1e-8, "{}: {}", p.name, p.value);
     }
     let rpy = truth.export_T_world.rpy_deg.map(f64::to_radians);

@@ -57,7 +57,7 @@ fn one(scratch: &Scratch, seed: usize, changes: Changes) -> Found {
     let stated = campaign.file.identify.as_ref().expect("[identify]");
     let data = CampaignData { campaign: &campaign, stated, joined: &joined, frames: &frames };
     let identified = identification::identify(data, robot).expect("found");
-    let found = &identified.found;
+    let found = &identified.solution.found;
     truth.parameters.retain(|name, _| robot.index(name).is_some());
     let values = true_values(robot, &truth.parameters).expect("truth");
     let holds = |&i: &usize| {
@@ -66,7 +66,7 @@ fn one(scratch: &Scratch, seed: usize, changes: Changes) -> Found {
     };
     let held = found.free.iter().map(holds).chain(frame_held(&frames, &truth, robot.dimension() == 2)).collect();
     let compared = Compared {
-        identified: Some((identified.parameters, identified.accuracy)),
+        identified: Some((identified.documents.parameters, identified.documents.accuracy)),
         ..crate::compare::parameters::identified(&seed.to_string(), &[], &[], &mut |_| {})
     };
     Found { held, compared }

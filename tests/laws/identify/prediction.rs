@@ -8,8 +8,8 @@ use etalon::identify::{
     CRITICAL_W, Observation, Settings, ToolPoint, UncertaintyFrom, identify_again, identify_from, reliability,
 };
 use etalon::robots::Robot;
-use etalon::run::pipeline;
-use etalon::stages::calibrate::identification::Identified;
+use etalon::run::pipeline::{self, Evaluated};
+use etalon::stages::calibrate::identification::IdentifiedSolution;
 use nalgebra::{DMatrix, DVector};
 
 const DRAWS: u64 = 4000;
@@ -17,8 +17,10 @@ const DRAWS: u64 = 4000;
 #[test]
 fn the_map_agrees_with_draws_of_the_parameters() {
     let (name, planar) = ("prexyt-cmm", true);
-    let (robot, found) = sample(name);
-    let map = found.accuracy.map.as_ref().unwrap();
+    let (robot, evaluated) = evaluated(name);
+    let found = evaluated.solution.unwrap();
+    let accuracy = evaluated.results.identified.unwrap().accuracy;
+    let map = accuracy.map.as_ref().unwrap();
     let point = ToolPoint { point_mm: map.point_mm, frame: map.frame.into(), standard_uncertainty_mm: 0.0 };
     assert!((20..=300).contains(&map.nodes.len()), "{name}: {}", map.nodes.len());
 
@@ -62,7 +64,7 @@ fn the_map_agrees_with_draws_of_the_parameters() {
 }
 
 /// Observations of a sample's poses as its identified robot makes them, with this noise.
-pub(super) fn drawn(robot: &dyn Robot, found: &Identified, trial: u64) -> Vec<Observation> {
+pub(super) fn drawn(robot: &dyn Robot, found: &IdentifiedSolution, trial: u64) -> Vec<Observation> {
     let mut noise = Noise::new(12, trial);
     let mut see = |o: &Observation| {
         let at = |k: usize| robot.position(&found.found.values, &o.joints, k);
@@ -79,11 +81,16 @@ pub(super) fn drawn(robot: &dyn Robot, found: &Identified, trial: u64) -> Vec<Ob
 
 pub(super) const U_MM: f64 = 0.01;
 
-pub(super) fn sample(name: &str) -> (Box<dyn Robot>, Identified) {
+fn evaluated(name: &str) -> (Box<dyn Robot>, Evaluated) {
     let scratch = copy_sample(name);
     let campaign = Campaign::read(&scratch.path()).unwrap();
-    let found = pipeline::evaluate(&campaign).unwrap().identified.unwrap();
-    (campaign.build_robot_with(&[]).unwrap(), found)
+    let evaluated = pipeline::evaluate(&campaign).unwrap();
+    (campaign.build_robot_with(&[]).unwrap(), evaluated)
+}
+
+pub(super) fn sample(name: &str) -> (Box<dyn Robot>, IdentifiedSolution) {
+    let (robot, evaluated) = evaluated(name);
+    (robot, evaluated.solution.unwrap())
 }
 
 #[test]

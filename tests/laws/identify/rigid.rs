@@ -169,8 +169,8 @@ fn balls_of_a_plate_are_as_far_apart_as_it_states() {
         scratch.replace("campaign.toml", "[log]", rigid);
         pipeline::run(&Campaign::read(&scratch.path()).unwrap()).map(|outcome| {
             let messages =
-                outcome.messages.iter().map(|m| m.what.clone()).filter(|m| m.contains("[[rigid]]")).collect();
-            let found = outcome.identified.unwrap().parameters.parameters;
+                outcome.results.messages().map(|m| m.what.clone()).filter(|m| m.contains("[[rigid]]")).collect();
+            let found = outcome.results.identified.unwrap().parameters.parameters;
             let l_kl = found.into_iter().find(|p| p.name == "l_kl").unwrap();
             (l_kl.standard_uncertainty.unwrap(), l_kl.value, messages)
         })

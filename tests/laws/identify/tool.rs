@@ -194,7 +194,7 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
         scratch.replace("campaign.toml", "[identify]", &format!("{tool}\n[identify]"));
         let outcome = pipeline::run(&Campaign::read(&scratch.path()).unwrap())?;
         let page = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-        Ok::<_, etalon::base::message::Problems>((outcome.identified.unwrap().accuracy, page))
+        Ok::<_, etalon::base::message::Problems>((outcome.results.identified.unwrap().accuracy, page))
     };
     let (accuracy, page) = run("").unwrap();
     assert_eq!(accuracy.point, "platform centre (from the balls)");

@@ -229,7 +229,7 @@ fn conventions_leave_the_same_errors_on_a_real_arm() {
             };
             std::fs::write(scratch.path().join("robot.toml"), toml).unwrap();
             let found = pipeline::evaluate(&Campaign::read(&scratch.path()).expect("campaign")).expect("evaluated");
-            let set = &found.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
+            let set = &found.results.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
             let (before, after) = (set.before, set.after);
             let errors = [before.mean, before.rms, before.max, after.mean, after.rms, after.max];
             println!("{convention}: {errors:?}");
@@ -269,7 +269,7 @@ fn three_reflectors_as_one_pose() {
     }
     let scratch = copy_sample("abb-irb120");
     let outcome = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap();
-    let found = outcome.identified.as_ref().unwrap();
+    let found = outcome.solution.unwrap();
     let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
     let file = read_robot(&sample).unwrap();
     let by_points = file.build(&["SMR_1", "SMR_2", "SMR_3"].map(str::to_owned)).unwrap();
@@ -317,7 +317,7 @@ fn three_reflectors_as_one_pose() {
         misses.extend(seen.map(|(seen, place)| norm(minus(*seen, flange.apply(*place)))));
     }
     let mean = misses.iter().sum::<f64>() / misses.len() as f64;
-    let by_points_mm = found.accuracy.sets[1].errors[0].after.mean;
+    let by_points_mm = outcome.results.identified.unwrap().accuracy.sets[1].errors[0].after.mean;
     println!(
         "{compared} parameters within {worst:.2} u; mean of {} test errors {mean:.4}, {:.4} mm",
         misses.len(),
