@@ -2491,7 +2491,7 @@ class Source(Record):
     dialect: str
     """Dialect of the file: format, delimiter, decimal mark, unit."""
     dialect_phrase: Phrase | None
-    """Texts of the catalogue that are `dialect` in English."""
+    """Text of the catalogue that is `dialect` in English."""
     file: str
     """File, as the campaign names it."""
     kind: str

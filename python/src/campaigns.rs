@@ -10,7 +10,7 @@ use etalon::stages::verify::validation::Validation;
 use etalon_base::folder::Durability;
 use etalon_base::message::Message;
 use etalon_campaign::Campaign;
-use etalon_documents::GivenFrames;
+use etalon_documents::FrameOrigin;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -40,9 +40,9 @@ pub fn check(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
 #[pyfunction]
 pub fn validate(py: Python<'_>, folder: PathBuf, parameters: Option<&str>, frames: &str) -> PyResult<String> {
     let frames = match frames {
-        "refit" => GivenFrames::Refit,
-        "given" => GivenFrames::Given,
-        "prior" => GivenFrames::Prior,
+        "refit" => FrameOrigin::Refit,
+        "given" => FrameOrigin::Given,
+        "prior" => FrameOrigin::Prior,
         other => {
             let message = Message::error(format!("`{other}` does not say where frames come from"));
             return Err(refused(message.expected("refit, given or prior").into()));

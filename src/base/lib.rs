@@ -20,3 +20,4 @@ pub mod pose_name;
 pub mod scalar;
 pub mod sketch;
 pub mod template;
+pub mod worded;

@@ -134,10 +134,10 @@ fn axis_lines(axis: &AxisEntry, lines: &mut Vec<Phrase>) {
     let kind = if axis.prismatic { "slides" } else { "turns" };
     let (joint, count, aside) = (&axis.joint, axis.readings, axis.set_aside.len());
     lines.push(phrase!("axes-head", joint, kind, count, aside));
-    let u = format!("{:.5}", axis.direction_standard_uncertainty_deg);
-    lines.push(phrase!("axes-direction", direction = vector(&axis.direction, 7, ""), u));
-    if let Some(u) = axis.point_standard_uncertainty_mm {
-        lines.push(phrase!("axes-point", point = vector(&axis.point_mm, 4, " mm"), u = format!("{u:.4}")));
+    let u = format!("{:.5}", axis.line.direction_standard_uncertainty_deg);
+    lines.push(phrase!("axes-direction", direction = vector(&axis.line.direction, 7, ""), u));
+    if let Some(u) = axis.line.point_standard_uncertainty_mm {
+        lines.push(phrase!("axes-point", point = vector(&axis.line.point_mm, 4, " mm"), u = format!("{u:.4}")));
     }
     for path in &axis.paths {
         let target = &path.target;
@@ -157,15 +157,17 @@ fn axis_lines(axis: &AxisEntry, lines: &mut Vec<Phrase>) {
             false => phrase!("axes-error-motions", radial, face, radial_noise, face_noise),
         });
     }
-    if let (Some(axial), Some(tilt)) = (axis.axial_error_motion_mm, axis.tilt_error_motion_deg) {
+    if let (Some(axial), Some(tilt)) =
+        (axis.error_motion.axial_error_motion_mm, axis.error_motion.tilt_error_motion_deg)
+    {
         let (axial, tilt) = (format!("{:.1}", 1000.0 * axial), format!("{tilt:.5}"));
-        let axial_noise = by_noise(axis.axial_by_noise, 1000.0, 1);
-        let tilt_noise = by_noise(axis.tilt_by_noise, 1.0, 5);
+        let axial_noise = by_noise(axis.error_motion.axial_by_noise, 1000.0, 1);
+        let tilt_noise = by_noise(axis.error_motion.tilt_by_noise, 1.0, 5);
         lines.push(phrase!("axes-axial-and-tilt", axial, tilt, axial_noise, tilt_noise));
     }
-    if let (Some(ratio), Some(rms)) = (axis.ratio, axis.motion_rms) {
+    if let (Some(ratio), Some(rms)) = (axis.motion.ratio, axis.motion.motion_rms) {
         let unit = if axis.prismatic { "mm" } else { "deg" };
-        let u = format!("{:.6}", axis.ratio_standard_uncertainty.unwrap_or_default());
+        let u = format!("{:.6}", axis.motion.ratio_standard_uncertainty.unwrap_or_default());
         lines.push(phrase!("axes-motion", ratio = format!("{ratio:.6}"), u, rms = format!("{rms:.5}"), unit));
     }
 }

@@ -31,7 +31,7 @@ impl Check {
         remark(&document.messages);
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
             let refused = source.refused.len();
-            let (file, dialect) = (printable(&source.file), printable(&source.dialect));
+            let (file, dialect) = (printable(&source.file), printable(source.dialect.english()));
             let line = phrase!("check-source", file, rows = source.rows_read, refused, dialect);
             print_text(&format!("{line}\n"))?;
         }

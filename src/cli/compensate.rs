@@ -372,11 +372,7 @@ impl Compensator<'_> {
                     document.targets.push(entry);
                 }
                 Err(reason) => {
-                    document.unreachable.push(UnreachableTarget {
-                        target: target.name.clone(),
-                        reason: reason.to_string(),
-                        reason_phrase: Some(reason),
-                    });
+                    document.unreachable.push(UnreachableTarget { target: target.name.clone(), reason: reason.into() });
                 }
             }
         }
@@ -536,7 +532,7 @@ fn freedoms(arm: &dyn Kinematics) -> Freedoms {
 }
 
 fn unreachable(target: &UnreachableTarget) -> Message {
-    warning!("target-unreachable", target = target.target, reason = target.reason_phrase)
+    warning!("target-unreachable", target = target.target, reason = target.reason)
 }
 
 /// Program that states in a comment, which begins with `mark`, if the parameters are synthetic.

@@ -24,30 +24,41 @@ pub(super) fn as_text(document: &FitDocument) -> String {
             let _ = writeln!(text, "  {name:<12} {value}{unit}{u}");
         }
     };
-    let point = document.center_mm.as_ref().or(document.point_mm.as_ref());
-    let point_name = if document.center_mm.is_some() { phrase!("fit-center") } else { phrase!("fit-point") };
+    let point = document.geometry.center_mm.as_ref().or(document.geometry.point_mm.as_ref());
+    let point_name = if document.geometry.center_mm.is_some() { phrase!("fit-center") } else { phrase!("fit-point") };
     line(point_name, point.map(vector), "mm", u.map(|u| u.point_mm));
     let direction_u = u.and_then(|u| u.direction_deg);
-    line(phrase!("fit-normal"), document.normal.as_ref().map(vector), "", direction_u);
-    line(phrase!("fit-axis"), document.axis.as_ref().map(vector), "", direction_u);
-    line(phrase!("fit-radius"), document.radius_mm.map(|r| format!("{r:.6}")), "mm", u.and_then(|u| u.radius_mm));
+    line(phrase!("fit-normal"), document.geometry.normal.as_ref().map(vector), "", direction_u);
+    line(phrase!("fit-axis"), document.geometry.axis.as_ref().map(vector), "", direction_u);
+    line(
+        phrase!("fit-radius"),
+        document.geometry.radius_mm.map(|r| format!("{r:.6}")),
+        "mm",
+        u.and_then(|u| u.radius_mm),
+    );
     line(
         phrase!("fit-minor-radius"),
-        document.minor_radius_mm.map(|r| format!("{r:.6}")),
+        document.geometry.minor_radius_mm.map(|r| format!("{r:.6}")),
         "mm",
         u.and_then(|u| u.minor_radius_mm),
     );
     line(
         phrase!("fit-apex-angle"),
-        document.apex_angle_deg.map(|a| format!("{a:.6}")),
+        document.geometry.apex_angle_deg.map(|a| format!("{a:.6}")),
         "deg",
         u.and_then(|u| u.apex_angle_deg),
     );
-    let [rms, max, form] = [document.rms_mm, document.max_mm, document.form_mm].map(|v| format!("{v:.6}"));
+    let [rms, max, form] = [document.deviations.rms_mm, document.deviations.max_mm, document.deviations.form_mm]
+        .map(|v| format!("{v:.6}"));
     let spread = phrase!("fit-spread", rms, max, form).to_string();
     line(phrase!("fit-residuals"), Some(spread), "mm", None);
-    line(phrase!("fit-flatness"), document.flatness.as_ref().map(|f| format!("{:.6}", f.flatness_mm)), "mm", None);
-    if let Some(contacts) = &document.contacts {
+    line(
+        phrase!("fit-flatness"),
+        document.deviations.flatness.as_ref().map(|f| format!("{:.6}", f.flatness_mm)),
+        "mm",
+        None,
+    );
+    if let Some(contacts) = &document.deviations.contacts {
         let numbers = |points: &[usize]| points.iter().map(usize::to_string).collect::<Vec<_>>().join(" ");
         let held =
             phrase!("fit-held-points", upper = numbers(&contacts.upper), lower = numbers(&contacts.lower)).to_string();
@@ -61,7 +72,7 @@ pub(super) fn as_text(document: &FitDocument) -> String {
     }
     if let Some(probe) = &document.probe {
         let towards = probe.towards.as_ref().map(|d| format!(" {}", vector(d))).unwrap_or_default();
-        let from = probe.side_from.as_deref().map(|f| format!(", {f}")).unwrap_or_default();
+        let from = probe.side_from.as_ref().map(|f| format!(", {f}")).unwrap_or_default();
         line(phrase!("fit-probe"), Some(format!("{:.6} mm {}{towards}{from}", probe.radius_mm, probe.side)), "", None);
         line(phrase!("fit-probe-center"), Some(vector(&probe.uncompensated_point_mm)), "mm", None);
         let radius = probe.uncompensated_minor_radius_mm.or(probe.uncompensated_radius_mm);

@@ -83,7 +83,7 @@ impl KinematicsCommand {
             Direction::Inverse => self.inverse(arm, &file, &mut document),
         }
         .map_err(|problems| file.place(problems))?;
-        let said = |u: &UnreachablePose| warning!("pose-unreachable", pose = u.pose, reason = u.reason_phrase);
+        let said = |u: &UnreachablePose| warning!("pose-unreachable", pose = u.pose, reason = u.reason);
         let families = document.poses.iter().filter(|entry| !entry.free_joints.is_empty());
         let families = families.map(|entry| warning!("pose-singular", pose = entry.pose, joints = entry.free_joints));
         remark(&document.unreachable.iter().map(said).chain(families).collect::<Vec<_>>());

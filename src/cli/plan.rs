@@ -157,7 +157,7 @@ impl PlanCommand {
         let everywhere = elsewhere.map(|(_, all)| all.observations);
         let inputs = files::sha256_by_name(self.inputs())?;
         let mut document = self.planned(robot.as_ref(), candidates, everywhere, inputs)?;
-        document.generated = generated;
+        document.choice.generated = generated;
         self.program.complete(robot.as_ref(), &mut document)?;
         if let Some(path) = &self.poses {
             files::write(path, csv(robot.as_ref(), &document).as_bytes())?;
@@ -298,34 +298,39 @@ impl PlanCommand {
             schema: "etalon/plan/1".to_owned(),
             robot: robot.model().to_owned(),
             index: self.index.0.name().to_owned(),
-            definition: definition.to_string(),
-            definition_phrase: Some(definition),
+            definition: definition.into(),
             grouped: !self.single,
-            candidates: planned.members.len(),
-            configurations: observations.len(),
-            chosen: chosen.collect(),
-            order: Some(measuring_order(robot, observations, planned)),
-            generated: None,
-            program: None,
-            value: planned.index,
-            bound: planned.bound,
-            at_most_below_percent: below,
-            // up to rounding
-            proven_optimal: below.is_some_and(|b| b < 1e-6),
-            at_most_below_percent_by_relaxation: percent(planned.relaxation_bound),
-            nodes: planned.nodes,
-            greedy: GreedySummary {
-                poses: planned.greedy.iter().map(|&c| pose(c)).collect(),
-                value: planned.greedy_index,
-                curve: curve.collect(),
-                knee_configurations: planned.knee().map(|k| k.configurations),
+            choice: PlanChoice {
+                candidates: planned.members.len(),
+                configurations: observations.len(),
+                chosen: chosen.collect(),
+                order: Some(measuring_order(robot, observations, planned)),
+                generated: None,
+                program: None,
             },
-            compared,
-            observability: planned.prediction.observability.as_ref().map(|o| observability_summary(robot, o)),
-            parameters: parameters(robot, planned, self.standard_uncertainty_um.is_some()),
-            workspace: self
-                .standard_uncertainty_um
-                .map(|_| WorkspaceUncertainty { rms_mm: planned.workspace.0, max_mm: planned.workspace.1 }),
+            optimality: PlanOptimality {
+                value: planned.index,
+                bound: planned.bound,
+                at_most_below_percent: below,
+                // up to rounding
+                proven_optimal: below.is_some_and(|b| b < 1e-6),
+                at_most_below_percent_by_relaxation: percent(planned.relaxation_bound),
+                nodes: planned.nodes,
+                greedy: GreedySummary {
+                    poses: planned.greedy.iter().map(|&c| pose(c)).collect(),
+                    value: planned.greedy_index,
+                    curve: curve.collect(),
+                    knee_configurations: planned.knee().map(|k| k.configurations),
+                },
+                compared,
+            },
+            prediction: PlanPrediction {
+                observability: planned.prediction.observability.as_ref().map(|o| observability_summary(robot, o)),
+                parameters: parameters(robot, planned, self.standard_uncertainty_um.is_some()),
+                workspace: self
+                    .standard_uncertainty_um
+                    .map(|_| WorkspaceUncertainty { rms_mm: planned.workspace.0, max_mm: planned.workspace.1 }),
+            },
             places: places(robot, observations, planned),
             study: None,
             messages,
@@ -395,8 +400,7 @@ fn study_document(
         draws: STUDY_DRAWS,
         noise_um,
         configurations,
-        point: reference_point(robot).to_string(),
-        point_phrase: Some(reference_point(robot)),
+        point: reference_point(robot).into(),
         parameters: robot.parameters().iter().enumerate().map(parameter).collect(),
         steps: studies.iter().map(step).collect(),
         places: last.places.iter().map(place).collect(),

@@ -2,7 +2,6 @@
 
 use super::{Verdict, print, say};
 use crate::simulate::study::StudyFile;
-use etalon_base::catalogue::IntoArgument;
 use etalon_base::{files, phrase};
 use etalon_campaign::read_robot;
 use etalon_documents::{Provenance, Spread, StudiesDocument, to_json};
@@ -35,8 +34,7 @@ impl StudyCommand {
         let document = StudiesDocument {
             schema: "etalon/study/1".to_owned(),
             robot: robot.model().to_owned(),
-            error: file.frame.error().to_string(),
-            error_phrase: Some(file.frame.error()),
+            error: file.frame.error().into(),
             runs: file.runs,
             draws: file.draws,
             designs,
@@ -54,8 +52,7 @@ impl StudyCommand {
 /// Answer for a terminal: errors of all sets, then their parameters.
 fn text(document: &StudiesDocument) -> String {
     let StudiesDocument { runs, draws, .. } = document;
-    let error = document.error_phrase.as_ref().map_or_else(|| document.error.argument(), |phrase| phrase.argument());
-    let mut out = format!("{}\n\n", phrase!("study-head", error, runs, draws));
+    let mut out = format!("{}\n\n", phrase!("study-head", error = document.error, runs, draws));
     let [set, noise] = [phrase!("study-set"), phrase!("study-noise")].map(|head| head.to_string());
     let shown = |s: &Spread| format!("{:.4} [{:.4}, {:.4}]", s.median, s.low, s.high);
     let heads = [phrase!("study-error"), phrase!("study-rms-before"), phrase!("study-rms"), phrase!("study-largest")];

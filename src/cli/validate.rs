@@ -8,7 +8,7 @@ use crate::run::walk::presentation;
 use crate::stages::verify::validation::{Validated, Validation};
 use etalon_base::files;
 use etalon_campaign::Campaign;
-use etalon_documents::{GivenFrames, to_json};
+use etalon_documents::{FrameOrigin, to_json};
 use etalon_report::Renderer;
 use std::path::PathBuf;
 
@@ -29,8 +29,8 @@ pub struct Validate {
     #[arg(long, value_name = "FILE", requires = "parameters")]
     field: Option<PathBuf>,
     /// Origin of base and targets.
-    #[arg(long, value_enum, default_value_t = GivenFrames::Refit)]
-    frames: GivenFrames,
+    #[arg(long, value_enum, default_value_t = FrameOrigin::Refit)]
+    frames: FrameOrigin,
     #[command(flatten)]
     reports: Reports,
     /// Print accuracy.json.

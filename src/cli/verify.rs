@@ -146,7 +146,7 @@ impl Verify {
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
         let stated_rad = self.rotation_uncertainty_deg.map(f64::to_radians);
         let without = RowDefaults {
-            length_mm: stated_mm.or(document.residuals.stated_standard_uncertainty_mm),
+            length_mm: stated_mm.or(document.residuals.test.stated_standard_uncertainty_mm),
             rotation_rad: stated_rad.or_else(|| orientation_uncertainty_rad(document)),
             order: *order,
         };

@@ -12,6 +12,7 @@ mod trend;
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result, one_line};
+use etalon_base::worded::Worded;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -72,8 +73,7 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     Ok(CompareDocument {
         schema: "etalon/compare/1".to_owned(),
         robot: identified.first().map(|i| i.0.robot.clone()),
-        conventions: conventions.iter().map(Phrase::to_string).collect(),
-        convention_phrases: conventions,
+        conventions: conventions.into_iter().map(Worded::from).collect(),
         campaigns: all.iter().map(campaign).collect(),
         trends,
         together,

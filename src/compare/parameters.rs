@@ -115,7 +115,7 @@ pub(super) fn without_evidence(
 /// unknown.
 fn between(all: &[Identified], trends: &[CompareTrend], [from, to]: [usize; 2]) -> CompareBetween {
     let robot = trends.iter().filter(|t| t.family == CompareFamily::Robot);
-    let names: Vec<&str> = robot.map(|t| t.name.as_str()).collect();
+    let names: Vec<&str> = robot.map(|t| t.name.english()).collect();
     let change = change(all, &names, [from, to]);
     let squares =
         |c: &Change| Some(c.sizes.dot(&Cholesky::new(c.correlation())?.solve(&c.sizes)) / c.sizes.len() as f64);
@@ -127,7 +127,7 @@ fn between(all: &[Identified], trends: &[CompareTrend], [from, to]: [usize; 2]) 
 /// hidden by the large uncertainties of strongly correlated parameters.
 pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<CompareTogether> {
     let robot = |t: &&CompareTrend| t.family == CompareFamily::Robot;
-    let names: Vec<&str> = trends.iter().filter(robot).map(|t| t.name.as_str()).collect();
+    let names: Vec<&str> = trends.iter().filter(robot).map(|t| t.name.english()).collect();
     let fits = |&[from, to]: &[usize; 2]| !misfits(&all[from].0) && !misfits(&all[to].0);
     pairs(all.len()).into_iter().filter(fits).filter_map(|pair| pair_together(all, &names, pair)).collect()
 }

@@ -45,7 +45,7 @@ pub(super) fn doubt(trends: &[CompareTrend]) -> Option<Message> {
     let of_path =
         |t: &&CompareTrend| [CompareFamily::PathAccuracy, CompareFamily::PathRepeatability].contains(&t.family);
     let changed = |t: &&CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
-    let names: Vec<&str> = trends.iter().filter(of_path).filter(changed).map(|t| t.name.as_str()).collect();
+    let names: Vec<&str> = trends.iter().filter(of_path).filter(changed).map(|t| t.name.english()).collect();
     (!names.is_empty()).then(|| warning!("path-change-uncertain", names))
 }
 

@@ -37,11 +37,11 @@ impl TrendName {
         values: Vec<CompareValue>,
         changes: Vec<CompareChange>,
     ) -> CompareTrend {
-        let (name, name_phrase) = match self {
-            Self::Parameter(name) => (name, None),
-            Self::Words(phrase) => (phrase.to_string(), Some(phrase)),
+        let name = match self {
+            Self::Parameter(name) => name.into(),
+            Self::Words(phrase) => phrase.into(),
         };
-        CompareTrend { family, name, name_phrase, unit: unit.to_owned(), values, changes }
+        CompareTrend { family, name, unit: unit.to_owned(), values, changes }
     }
 }
 
@@ -99,7 +99,7 @@ pub(super) fn judge(trends: &mut [CompareTrend], correlation: impl Fn(&[&str], [
     let mut families: BTreeMap<(CompareFamily, usize, usize), Vec<Named>> = BTreeMap::new();
     for CompareTrend { family, name, changes, .. } in trends {
         for change in changes.iter_mut().filter(|c| c.p.is_some()) {
-            families.entry((*family, change.from, change.to)).or_default().push((name, change));
+            families.entry((*family, change.from, change.to)).or_default().push((name.english(), change));
         }
     }
     for ((family, from, to), changes) in families {

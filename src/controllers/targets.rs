@@ -47,7 +47,7 @@ impl Target<'_> {
 
 /// Chosen poses of a plan as JSON or, for a file name that ends in `.h`, as a C header.
 pub fn targets(document: &PlanDocument, file_name: &str) -> Result<Vec<u8>> {
-    let all = document.chosen.iter().flat_map(|planned| {
+    let all = document.choice.chosen.iter().flat_map(|planned| {
         planned.configurations.iter().enumerate().map(|(k, joints)| Target {
             name: format!("P{}_{}", planned.pose, k + 1),
             pose: planned.pose,

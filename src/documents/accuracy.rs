@@ -5,10 +5,12 @@ use super::{
     CampaignReference, Effect, FieldSummary, Figure, Provenance, ReadingReliability, RelativeAccuracy, ToolFrame,
     UncertaintySource,
 };
+use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -25,16 +27,11 @@ pub struct AccuracyDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub provenance: Option<Provenance>,
     /// Definition of "before" and of "error" in this document, in words.
-    pub definition: String,
-    /// Text of the catalogue that is `definition` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub definition_phrase: Option<Phrase>,
+    #[serde(flatten, with = "AccuracyDefinition")]
+    pub definition: Worded,
     /// Point whose errors are in `sets`, in words.
-    #[serde(default)]
-    pub point: String,
-    /// Text of the catalogue that is `point` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub point_phrase: Option<Phrase>,
+    #[serde(flatten, with = "AccuracyPoint")]
+    pub point: Worded,
     /// Joints of the robot, named as columns: `q1_deg`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<String>,
@@ -51,7 +48,7 @@ pub struct AccuracyDocument {
     /// Targets and fixtures that no calibration pose shows. They are placed by their own readings
     /// at validation poses, with all identified parameters held.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub placed_apart: Vec<PlacedApart>,
+    pub placed_apart: Vec<SelfLocated>,
     /// Effects of the robot that are proved by poses left out of the identification: effects chosen
     /// by `effects = "proven"`, and effects that are not identified.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -84,7 +81,17 @@ pub struct AccuracyDocument {
     /// Origin and judgement of parameters that were given instead of being identified from these
     /// data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub given: Option<GivenSummary>,
+    pub given: Option<ParameterJudgement>,
+}
+
+worded! {
+    /// Definition of "before" and of "error" in this document, in words.
+    text AccuracyDefinition: definition, definition_phrase
+}
+
+worded! {
+    /// Point whose errors are in `sets`, in words.
+    text or empty AccuracyPoint: point, point_phrase
 }
 
 /// A target or fixture that is placed by its own readings at validation poses. The placement
@@ -92,7 +99,8 @@ pub struct AccuracyDocument {
 /// redundancy it does not count.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct PlacedApart {
+#[schemars(rename = "PlacedApart")]
+pub struct SelfLocated {
     /// Name of the target or fixture.
     pub name: String,
     /// Number of readings that locate the target.
@@ -192,9 +200,10 @@ pub struct FigureContribution {
 /// Judgement of given parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct GivenSummary {
+#[schemars(rename = "GivenSummary")]
+pub struct ParameterJudgement {
     /// Origin of base and targets.
-    pub frames: GivenFrames,
+    pub frames: FrameOrigin,
     /// Probability of errors at least this large if the given parameters, base and targets are
     /// right within their uncertainty and that of the measurement. Absent if base and targets were
     /// fitted.
@@ -209,7 +218,8 @@ pub struct GivenSummary {
 /// Origin of base and targets when parameters that were identified elsewhere are judged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum)]
 #[serde(rename_all = "snake_case")]
-pub enum GivenFrames {
+#[schemars(rename = "GivenFrames")]
+pub enum FrameOrigin {
     /// From the parameters: errors are absolute, in the world frame of the campaign.
     Given,
     /// Fitted to the calibration poses of the campaign.
@@ -225,10 +235,8 @@ pub enum GivenFrames {
 #[serde(deny_unknown_fields)]
 pub struct ToolAccuracy {
     /// Definition of "before" and "after" in this object, in words.
-    pub definition: String,
-    /// Text of the catalogue that is `definition` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub definition_phrase: Option<Phrase>,
+    #[serde(flatten, with = "ToolAccuracyDefinition")]
+    pub definition: Worded,
     /// Position of the point in `frame`.
     pub point_mm: Vector,
     /// Part to which the point is attached.
@@ -255,6 +263,11 @@ pub struct ToolAccuracy {
     pub model_mm: f64,
     /// Contribution of the uncertainty of the point's position on the tool (mm).
     pub place_mm: f64,
+}
+
+worded! {
+    /// Definition of "before" and "after" in this object, in words.
+    text ToolAccuracyDefinition: definition, definition_phrase
 }
 
 /// Expected error at the tool point with the identified parameters, on a grid. The grid covers
@@ -544,7 +557,7 @@ pub fn counted_share(redundancy: f64) -> Option<f64> {
 impl PointError {
     /// Divisor of the error in statistics: 1, or [`counted_share`] if the reading places its own
     /// target.
-    pub fn own_share(&self) -> Option<f64> {
+    pub fn statistics_divisor(&self) -> Option<f64> {
         self.own_redundancy.map_or(Some(1.0), counted_share)
     }
 }

@@ -1,6 +1,7 @@
 //! Next steps for the person who loads or repeats a calibration, each with its reason, from the
 //! documents of a campaign.
 
+use crate::worded::worded;
 use crate::{
     AccuracyDocument, CampaignSummary, ControllerErrors, EffectProof, Figure, Judged, LimitQuantity, LimitVerdict,
     PointError, PoseSet, PositionErrors, Reason, UncertaintySource, VerdictDocument,
@@ -10,6 +11,7 @@ use etalon_base::message::{Message, Rank, Severity};
 use etalon_base::phrase;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -36,15 +38,11 @@ pub struct Action {
     /// Kind of the step.
     pub action: ActionKind,
     /// Instruction, in English.
-    pub what: String,
-    /// Text of the catalogue that is `what` in English; absent if `message` has the text.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub what_phrase: Option<Phrase>,
+    #[serde(flatten, with = "ActionWhat")]
+    pub what: Worded,
     /// Reason, in English.
-    pub reason: String,
-    /// Text of the catalogue that is `reason` in English; absent if `message` has the text.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason_phrase: Option<Phrase>,
+    #[serde(flatten, with = "ActionReason")]
+    pub reason: Worded,
     /// Warning whose hint is the instruction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub message: Option<Box<Message>>,
@@ -61,6 +59,20 @@ pub struct Action {
     /// unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gain_mm: Option<f64>,
+}
+
+worded! {
+    /// Instruction, in English.
+    text ActionWhat: what,
+    /// Text of the catalogue that is `what` in English; absent if `message` has the text.
+    what_phrase
+}
+
+worded! {
+    /// Reason, in English.
+    text ActionReason: reason,
+    /// Text of the catalogue that is `reason` in English; absent if `message` has the text.
+    reason_phrase
 }
 
 /// Kind of a next step.
@@ -128,10 +140,8 @@ impl Action {
     fn new(action: ActionKind, what: Phrase, reason: Phrase) -> Self {
         Self {
             action,
-            what: what.to_string(),
-            what_phrase: Some(what),
-            reason: reason.to_string(),
-            reason_phrase: Some(reason),
+            what: what.into(),
+            reason: reason.into(),
             message: None,
             file: None,
             line: None,
@@ -287,7 +297,7 @@ impl Evidence<'_> {
     fn remedy(&self, reason: &Reason, verdict: &VerdictDocument) -> Option<Action> {
         let limit = |name: &LimitQuantity| verdict.limits.iter().find(|l| l.name == *name);
         match reason {
-            Reason::LimitNotMet { limit: name } => self.meet(limit(name)?),
+            Reason::LimitNotMet { limit: name } => self.search_cause(limit(name)?),
             Reason::LimitUndecided { limit: name } => self.decide(limit(name)?),
             Reason::NotAssessable { limit: name } => {
                 let what = phrase!("action-measure-quantity", limit = name.to_string());
@@ -322,7 +332,7 @@ impl Evidence<'_> {
     }
 
     /// Search for the cause of errors beyond a limit, which begins at the worst pose.
-    fn meet(&self, limit: &LimitVerdict) -> Option<Action> {
+    fn search_cause(&self, limit: &LimitVerdict) -> Option<Action> {
         let (value, beyond) = (limit.value?, limit.value? - limit.limit);
         let worst = limit.name.limited_error().and_then(|(quantity, _)| {
             let deciding = self.judged.accuracy?.sets.iter().rfind(|s| s.count > 0)?.name;
@@ -427,13 +437,11 @@ fn resolve(message: &Message) -> Option<Action> {
     if message.rank != Rank::Decide || message.id.is_empty() || COVERED.contains(&&*message.id) {
         return None;
     }
-    let what = message.hint.clone().unwrap_or_else(|| phrase!("action-resolve").to_string());
+    let what = message.hint.clone().map_or_else(|| phrase!("action-resolve").into(), Worded::from);
     Some(Action {
         action: ActionKind::Resolve,
         what,
-        what_phrase: message.hint.is_none().then(|| phrase!("action-resolve")),
-        reason: message.what.clone(),
-        reason_phrase: None,
+        reason: message.what.clone().into(),
         message: Some(Box::new(message.clone())),
         file: message.place.as_ref().map(|p| p.file.clone()),
         line: None,

@@ -2,8 +2,10 @@
 //! export, simulate, init.
 
 use super::{ControllerErrors, Source};
+use crate::worded::worded;
 use etalon_base::catalogue::{Arguments, Entry, Phrase};
 use etalon_base::message::{Message, Severity};
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -170,20 +172,14 @@ pub struct FormatsDocument {
     /// Readings that explain the file, the proposed one first.
     pub readings: Vec<Reading>,
     /// Reasons for the first proposal.
-    pub reasons: Vec<String>,
-    /// Texts of the catalogue that are `reasons` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub reason_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "FormatsReasons")]
+    pub reasons: Vec<Worded>,
     /// Doubts about the first proposal.
-    pub doubts: Vec<String>,
-    /// Texts of the catalogue that are `doubts` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub doubt_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "FormatsDoubts")]
+    pub doubts: Vec<Worded>,
     /// Facts that the file cannot state and the campaign must.
-    pub questions: Vec<String>,
-    /// Texts of the catalogue that are `questions` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub question_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "FormatsQuestions")]
+    pub questions: Vec<Worded>,
     /// Join with a log, if several files were named.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub join: Option<FormatsJoin>,
@@ -197,23 +193,35 @@ pub struct FormatsDocument {
     pub reproduced_mm: Option<f64>,
 }
 
+worded! {
+    /// Reasons for the first proposal.
+    list FormatsReasons: reasons, reason_phrases
+}
+
+worded! {
+    /// Doubts about the first proposal.
+    list FormatsDoubts: doubts, doubt_phrases
+}
+
+worded! {
+    /// Facts that the file cannot state and the campaign must.
+    list FormatsQuestions: questions, question_phrases
+}
+
 impl FormatsDocument {
     /// Adds a reason for the proposal.
     pub fn because(&mut self, reason: Phrase) {
-        self.reasons.push(reason.to_string());
-        self.reason_phrases.push(reason);
+        self.reasons.push(reason.into());
     }
 
     /// Adds a doubt about the proposal.
     pub fn doubt(&mut self, doubt: Phrase) {
-        self.doubts.push(doubt.to_string());
-        self.doubt_phrases.push(doubt);
+        self.doubts.push(doubt.into());
     }
 
     /// Adds a question that the campaign has to answer.
     pub fn ask(&mut self, question: Phrase) {
-        self.questions.push(question.to_string());
-        self.question_phrases.push(question);
+        self.questions.push(question.into());
     }
 }
 
@@ -244,18 +252,24 @@ pub struct FormatsColumn {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
     /// Proposed contents of the column.
-    pub taken_for: String,
-    /// Text of the catalogue that is `taken_for` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub taken_for_phrase: Option<Phrase>,
+    #[serde(flatten, with = "FormatsColumnTakenFor")]
+    pub taken_for: Worded,
     /// Evidence for the contents.
-    pub why: String,
-    /// Text of the catalogue that is `why` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub why_phrase: Option<Phrase>,
+    #[serde(flatten, with = "FormatsColumnWhy")]
+    pub why: Worded,
     /// Number of the joint, from 1, whose values the column has. Not in the file.
     #[serde(skip)]
     pub joint: Option<usize>,
+}
+
+worded! {
+    /// Proposed contents of the column.
+    text FormatsColumnTakenFor: taken_for, taken_for_phrase
+}
+
+worded! {
+    /// Evidence for the contents.
+    text FormatsColumnWhy: why, why_phrase
 }
 
 /// One reading of a delimited text, without the unit of lengths.

@@ -41,6 +41,28 @@ pub struct AxisEntry {
     pub readings: usize,
     /// Lines of readings that are set aside.
     pub set_aside: Vec<usize>,
+    /// Position and direction of the axis.
+    #[serde(flatten)]
+    pub line: AxisLine,
+    /// Standard uncertainty of a coordinate: as stated, or from the residuals.
+    pub coordinate_standard_uncertainty_mm: f64,
+    /// Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent
+    /// if it is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degrees_of_freedom: Option<usize>,
+    /// Paths of the targets.
+    pub paths: Vec<AxisPath>,
+    /// Error motion along and about the axis.
+    #[serde(flatten)]
+    pub error_motion: AxisErrorMotion,
+    /// Motion compared with the joint values.
+    #[serde(flatten)]
+    pub motion: AxisMotion,
+}
+
+/// Position and direction of an axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AxisLine {
     /// Unit direction of positive motion.
     pub direction: Vector,
     /// Point of the axis nearest to the centroid of the readings; for a prismatic joint the
@@ -54,14 +76,11 @@ pub struct AxisEntry {
     /// directions; absent for a prismatic joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point_standard_uncertainty_mm: Option<f64>,
-    /// Standard uncertainty of a coordinate: as stated, or from the residuals.
-    pub coordinate_standard_uncertainty_mm: f64,
-    /// Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent
-    /// if it is stated.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub degrees_of_freedom: Option<usize>,
-    /// Paths of the targets.
-    pub paths: Vec<AxisPath>,
+}
+
+/// Error motion along and about an axis (ISO 230-7), with the part that noise alone gives.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AxisErrorMotion {
     /// Axial error motion (ISO 230-7), peak to valley; from three targets.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub axial_error_motion_mm: Option<f64>,
@@ -74,6 +93,11 @@ pub struct AxisEntry {
     /// Tilt error motion (deg) that noise alone gives.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tilt_by_noise: Option<MotionByNoise>,
+}
+
+/// Motion of a joint compared with its joint values.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AxisMotion {
     /// Motion per unit of the joint value; absent without joint values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<f64>,

@@ -1,7 +1,7 @@
 //! Answer of `etalon batch --json`.
 
 use crate::Acceptance;
-use etalon_base::catalogue::Phrase;
+use etalon_base::worded::Worded;
 use indexmap::IndexSet;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -106,19 +106,17 @@ impl BatchEnd {
 }
 
 /// A quantity on the overview page of all campaigns.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BatchQuantity {
-    /// Name of the quantity.
-    pub name: String,
-    /// Text of the catalogue that is `name` in English; absent for a parameter.
-    pub name_phrase: Option<Phrase>,
+    /// Name of the quantity; a parameter is named by its identifier.
+    pub name: Worded,
     /// Unit of the quantity.
     pub unit: String,
 }
 
 impl Hash for BatchQuantity {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        (&self.name, &self.unit).hash(state);
+        (self.name.english(), &self.unit).hash(state);
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::UncertaintyFrom;
 use super::{Conditions, Provenance};
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
 use etalon_base::message::Message;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -16,10 +17,8 @@ pub struct CompareDocument {
     /// Model of the robot; null if no campaign identifies parameters.
     pub robot: Option<String>,
     /// Rules for judging changes, and their limitations, in words.
-    pub conventions: Vec<String>,
-    /// Texts of the catalogue that are `conventions` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub convention_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "CompareConventions")]
+    pub conventions: Vec<Worded>,
     /// Compared campaigns.
     pub campaigns: Vec<ComparedCampaign>,
     /// Every quantity over the campaigns.
@@ -33,6 +32,11 @@ pub struct CompareDocument {
     pub messages: Vec<Message>,
     /// Version, and the compared documents.
     pub provenance: Provenance,
+}
+
+worded! {
+    /// Rules for judging changes, and their limitations, in words.
+    list CompareConventions: conventions, convention_phrases
 }
 
 /// One campaign.
@@ -98,10 +102,8 @@ pub struct CompareTrend {
     /// Family with which the quantity is tested.
     pub family: CompareFamily,
     /// Name of the parameter, or the quantity in words.
-    pub name: String,
-    /// Text of the catalogue that is `name` in English; absent for a parameter.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub name_phrase: Option<Phrase>,
+    #[serde(flatten, with = "CompareTrendName")]
+    pub name: Worded,
     /// `mm`, `deg` or `1`.
     pub unit: String,
     /// One value per campaign.
@@ -109,6 +111,13 @@ pub struct CompareTrend {
     /// Changes of every campaign from the first and from the previous campaign, where both have the
     /// quantity.
     pub changes: Vec<CompareChange>,
+}
+
+worded! {
+    /// Name of the parameter, or the quantity in words.
+    text CompareTrendName: name,
+    /// Text of the catalogue that is `name` in English; absent for a parameter.
+    name_phrase
 }
 
 /// Value of the quantity in one campaign; null if absent.

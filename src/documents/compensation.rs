@@ -1,6 +1,7 @@
 //! Answer of `etalon compensate`.
 
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -56,8 +57,11 @@ pub struct UnreachableTarget {
     /// Name of the target.
     pub target: String,
     /// Limit that forbids the target, or that the target is out of reach.
-    pub reason: String,
-    /// Text of the catalogue that is `reason` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason_phrase: Option<Phrase>,
+    #[serde(flatten, with = "UnreachableTargetReason")]
+    pub reason: Worded,
+}
+
+worded! {
+    /// Limit that forbids the target, or that the target is out of reach.
+    text UnreachableTargetReason: reason, reason_phrase
 }

@@ -1,9 +1,11 @@
 //! `field.json`: the residual field of a robot, and its summary in other documents.
 
 use super::{Provenance, Role};
+use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use etalon_base::{error, phrase};
 use etalon_identify::{Component, FieldInput, FieldRefusal, FieldTrial, HeldOut, JointField};
 use etalon_robots::{Quantity, Robot};
@@ -110,17 +112,19 @@ pub struct FieldSummary {
     /// `true` if held-out poses prove the field: it is in `field.json`.
     pub accepted: bool,
     /// Reason for the refusal; absent if accepted.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
-    /// Text of the catalogue that is `reason` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason_phrase: Option<Phrase>,
+    #[serde(flatten, with = "FieldSummaryReason")]
+    pub reason: Option<Worded>,
     /// Errors at held-out poses; absent if no field was tried there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub held_out: Option<FieldHeldOut>,
     /// Dependences of an accepted field.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub components: Vec<FieldDependence>,
+}
+
+worded! {
+    /// Reason for the refusal; absent if accepted.
+    option FieldSummaryReason: reason, reason_phrase
 }
 
 /// Errors at poses that were held out: parameters and field are from the other poses.
@@ -338,23 +342,21 @@ impl FieldSummary {
         let reason = trial.refusal.map(|refusal| reason(refusal, trial.held_out.as_ref()));
         Self {
             accepted: trial.field.is_some(),
-            reason: reason.as_ref().map(Phrase::to_string),
-            reason_phrase: reason,
+            reason: reason.map(Worded::from),
             held_out: trial.held_out.as_ref().map(FieldHeldOut::new),
             components: components.map(|c| dependence(robot, c)).collect(),
         }
     }
 
-    /// Summary of a field that was given.
-    pub fn given(robot: &dyn Robot, field: &JointField) -> Self {
+    /// Summary of a field that was identified elsewhere.
+    pub fn from_field(robot: &dyn Robot, field: &JointField) -> Self {
         let components = field.components.iter().map(|c| dependence(robot, c)).collect();
-        Self { accepted: true, reason: None, reason_phrase: None, held_out: None, components }
+        Self { accepted: true, reason: None, held_out: None, components }
     }
 
     /// Summary of a field that is not searched, with the reason.
     pub fn refused(reason: Phrase) -> Self {
-        let (text, reason_phrase) = (Some(reason.to_string()), Some(reason));
-        Self { accepted: false, reason: text, reason_phrase, held_out: None, components: Vec::new() }
+        Self { accepted: false, reason: Some(reason.into()), held_out: None, components: Vec::new() }
     }
 }
 

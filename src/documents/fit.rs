@@ -1,9 +1,11 @@
 //! Answer of `etalon fit`: an element, the probe, and the values that a file states.
 
 use super::Termination;
+use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::worded::Worded;
 use etalon_base::{phrase, warning};
 use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, RobustElement, Side};
 use schemars::JsonSchema;
@@ -22,6 +24,32 @@ pub struct FitDocument {
     pub label: Option<String>,
     /// Number of points.
     pub points: usize,
+    /// Position, direction and size of the element.
+    #[serde(flatten)]
+    pub geometry: FitGeometry,
+    /// Distances of the points from the element.
+    #[serde(flatten)]
+    pub deviations: FitDeviations,
+    /// Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub set_aside: Option<Vec<usize>>,
+    /// Standard uncertainties from the residuals; absent without redundancy.
+    pub standard_uncertainty: Option<FitUncertainty>,
+    /// Probe and fit before compensation, if the points are probe centres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probe: Option<FitProbe>,
+    /// Values that the file states for the feature.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stated: Option<FitStated>,
+    /// Solver and its termination.
+    pub solver: FitSolver,
+    /// Warnings with hints.
+    pub messages: Vec<Message>,
+}
+
+/// Position, direction and size of an element; values that its kind lacks are absent.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FitGeometry {
     /// Centre of a circle, sphere or torus.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub center_mm: Option<Vector>,
@@ -46,6 +74,11 @@ pub struct FitDocument {
     /// Full angle of a cone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub apex_angle_deg: Option<f64>,
+}
+
+/// Distances of the points from an element.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FitDeviations {
     /// Root mean square of the orthogonal distances; for a circle in space by projection, of the
     /// distances within its plane.
     pub rms_mm: f64,
@@ -63,21 +96,6 @@ pub struct FitDocument {
     /// For a minimum-zone circle in space: flatness of the plane in which roundness is measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flatness: Option<FitFlatness>,
-    /// Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub set_aside: Option<Vec<usize>>,
-    /// Standard uncertainties from the residuals; absent without redundancy.
-    pub standard_uncertainty: Option<FitUncertainty>,
-    /// Probe and fit before compensation, if the points are probe centres.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub probe: Option<FitProbe>,
-    /// Values that the file states for the feature.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stated: Option<FitStated>,
-    /// Solver and its termination.
-    pub solver: FitSolver,
-    /// Warnings with hints.
-    pub messages: Vec<Message>,
 }
 
 /// Standard uncertainties (k = 1) of the quantities of a fit.
@@ -175,10 +193,8 @@ impl FitContacts {
 #[serde(deny_unknown_fields)]
 pub struct FitSolver {
     /// Algorithm.
-    pub method: String,
-    /// Text of the catalogue that is `method` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub method_phrase: Option<Phrase>,
+    #[serde(flatten, with = "FitSolverMethod")]
+    pub method: Worded,
     /// Number of steps; 0 for closed-form solutions.
     pub iterations: usize,
     /// Reason of the termination.
@@ -187,6 +203,11 @@ pub struct FitSolver {
     pub degrees_of_freedom: usize,
     /// Condition number of the Jacobian with columns scaled to unit length.
     pub condition: Option<f64>,
+}
+
+worded! {
+    /// Algorithm.
+    text FitSolverMethod: method, method_phrase
 }
 
 impl FitDocument {
@@ -206,27 +227,29 @@ impl FitDocument {
             element: fit.element.name().to_owned(),
             label,
             points: fit.points,
-            center_mm: centred.then_some(fit.geometry.point_mm),
-            point_mm: (!centred).then_some(fit.geometry.point_mm),
-            apex_mm: fit.apex_mm(),
-            normal: fit.geometry.direction.filter(|_| has_normal),
-            axis: fit.geometry.direction.filter(|_| !has_normal),
-            radius_mm: fit.geometry.radius_mm,
-            minor_radius_mm: fit.geometry.minor_radius_mm,
-            apex_angle_deg: fit.geometry.apex_angle_rad.map(f64::to_degrees),
-            rms_mm: fit.rms_mm(),
-            max_mm: fit.max_mm(),
-            form_mm: fit.form_mm(),
-            coverage_deg: fit.coverage_deg(),
-            contacts: None,
-            flatness: None,
+            geometry: FitGeometry {
+                center_mm: centred.then_some(fit.geometry.point_mm),
+                point_mm: (!centred).then_some(fit.geometry.point_mm),
+                apex_mm: fit.apex_mm(),
+                normal: fit.geometry.direction.filter(|_| has_normal),
+                axis: fit.geometry.direction.filter(|_| !has_normal),
+                radius_mm: fit.geometry.radius_mm,
+                minor_radius_mm: fit.geometry.minor_radius_mm,
+                apex_angle_deg: fit.geometry.apex_angle_rad.map(f64::to_degrees),
+            },
+            deviations: FitDeviations {
+                rms_mm: fit.rms_mm(),
+                max_mm: fit.max_mm(),
+                form_mm: fit.form_mm(),
+                coverage_deg: fit.coverage_deg(),
+                ..FitDeviations::default()
+            },
             set_aside: None,
             standard_uncertainty: uncertainty,
             probe: fit.compensation.as_ref().map(FitProbe::new),
             stated: None,
             solver: FitSolver {
-                method: fit.solver.method.to_string(),
-                method_phrase: Some(fit.solver.method.clone()),
+                method: fit.solver.method.clone().into(),
                 iterations: fit.solver.iterations,
                 termination: fit.solver.termination.into(),
                 degrees_of_freedom: fit.precision.degrees_of_freedom,
@@ -258,13 +281,16 @@ impl FitDocument {
         let residuals: Vec<f64> = points.iter().map(|p| norm(minus(*p, found.center_mm)) - found.radius_mm).collect();
         let depth = -residuals.iter().fold(0.0f64, |m, r| m.min(*r));
         let method = phrase!("method-enclosing", points = found.support.len());
+        let document = Self::from_extremes(element, label, &residuals, method, found.iterations);
         Self {
-            center_mm: Some(found.center_mm),
-            radius_mm: Some(found.radius_mm),
+            geometry: FitGeometry {
+                center_mm: Some(found.center_mm),
+                radius_mm: Some(found.radius_mm),
+                ..FitGeometry::default()
+            },
             // rounding at the farthest point is not a form deviation
-            max_mm: depth,
-            form_mm: depth,
-            ..Self::from_extremes(element, label, &residuals, method, found.iterations)
+            deviations: FitDeviations { max_mm: depth, form_mm: depth, ..document.deviations },
+            ..document
         }
     }
 
@@ -281,28 +307,29 @@ impl FitDocument {
                 _ => warning!("zone-unproved", element),
             }
         };
+        let (element, method) = (found.element.name(), phrase!("method-minimum-zone"));
+        let document = Self::from_extremes(element, label, &found.residuals_mm, method, found.iterations);
+        let flatness =
+            |plane: &MinimumZone| FitFlatness { flatness_mm: plane.form_mm, contacts: FitContacts::new(plane) };
         Self {
-            center_mm: centred.then_some(found.geometry.point_mm),
-            point_mm: (!centred).then_some(found.geometry.point_mm),
-            apex_mm: found.apex_mm(),
-            normal: found.geometry.direction.filter(|_| has_normal),
-            axis: found.geometry.direction.filter(|_| !has_normal),
-            radius_mm: found.geometry.radius_mm,
-            apex_angle_deg: found.geometry.apex_angle_rad.map(f64::to_degrees),
-            form_mm: found.form_mm,
-            flatness: found
-                .plane
-                .as_deref()
-                .map(|plane| FitFlatness { flatness_mm: plane.form_mm, contacts: FitContacts::new(plane) }),
+            geometry: FitGeometry {
+                center_mm: centred.then_some(found.geometry.point_mm),
+                point_mm: (!centred).then_some(found.geometry.point_mm),
+                apex_mm: found.apex_mm(),
+                normal: found.geometry.direction.filter(|_| has_normal),
+                axis: found.geometry.direction.filter(|_| !has_normal),
+                radius_mm: found.geometry.radius_mm,
+                minor_radius_mm: None,
+                apex_angle_deg: found.geometry.apex_angle_rad.map(f64::to_degrees),
+            },
             messages: found.warnings.iter().cloned().chain((!found.verified).then(unproved)).collect(),
-            contacts: Some(contacts),
-            ..Self::from_extremes(
-                found.element.name(),
-                label,
-                &found.residuals_mm,
-                phrase!("method-minimum-zone"),
-                found.iterations,
-            )
+            deviations: FitDeviations {
+                form_mm: found.form_mm,
+                flatness: found.plane.as_deref().map(flatness),
+                contacts: Some(contacts),
+                ..document.deviations
+            },
+            ..document
         }
     }
 
@@ -322,27 +349,19 @@ impl FitDocument {
             element: element.to_owned(),
             label,
             points: residuals.len(),
-            center_mm: None,
-            point_mm: None,
-            apex_mm: None,
-            normal: None,
-            axis: None,
-            radius_mm: None,
-            minor_radius_mm: None,
-            apex_angle_deg: None,
-            rms_mm: (squares / residuals.len().max(1) as f64).sqrt(),
-            max_mm: high.max(-low),
-            form_mm: high - low,
-            coverage_deg: None,
-            contacts: None,
-            flatness: None,
+            geometry: FitGeometry::default(),
+            deviations: FitDeviations {
+                rms_mm: (squares / residuals.len().max(1) as f64).sqrt(),
+                max_mm: high.max(-low),
+                form_mm: high - low,
+                ..FitDeviations::default()
+            },
             set_aside: None,
             standard_uncertainty: None,
             probe: None,
             stated: None,
             solver: FitSolver {
-                method: method.to_string(),
-                method_phrase: Some(method),
+                method: method.into(),
                 iterations,
                 termination: Termination::StepVanished,
                 degrees_of_freedom: 0,
@@ -365,11 +384,8 @@ pub struct FitProbe {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub towards: Option<Vector>,
     /// Statement of the file from which the side was derived.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub side_from: Option<String>,
-    /// Text of the catalogue that is `side_from` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub side_from_phrase: Option<Phrase>,
+    #[serde(flatten, with = "FitProbeSideFrom")]
+    pub side_from: Option<Worded>,
     /// Point or centre before compensation.
     pub uncompensated_point_mm: Vector,
     /// Radius before compensation.
@@ -378,6 +394,11 @@ pub struct FitProbe {
     /// Radius of the tube of a torus before compensation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncompensated_minor_radius_mm: Option<f64>,
+}
+
+worded! {
+    /// Statement of the file from which the side was derived.
+    option FitProbeSideFrom: side_from, side_from_phrase
 }
 
 impl FitProbe {
@@ -393,7 +414,6 @@ impl FitProbe {
             side: side.to_owned(),
             towards,
             side_from: None,
-            side_from_phrase: None,
             uncompensated_point_mm: compensation.point_mm,
             uncompensated_radius_mm: compensation.radius_mm,
             uncompensated_minor_radius_mm: compensation.minor_radius_mm,

@@ -1,9 +1,10 @@
 //! `features.json` and `frames.json`: fitted elements, and the world frame.
 
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -65,14 +66,17 @@ pub struct FramesDocument {
 #[serde(deny_unknown_fields)]
 pub struct Uncontrolled {
     /// Description of the error.
-    pub what: String,
-    /// Text of the catalogue that is `what` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub what_phrase: Option<Phrase>,
+    #[serde(flatten, with = "UncontrolledWhat")]
+    pub what: Worded,
     /// Labels, features or targets with the error; empty if it concerns all readings.
     pub points: Vec<String>,
     /// Keys that would control the error.
     pub keys: Vec<String>,
+}
+
+worded! {
+    /// Description of the error.
+    text UncontrolledWhat: what, what_phrase
 }
 
 /// The world frame in the coordinates of the exports.
@@ -80,10 +84,8 @@ pub struct Uncontrolled {
 #[serde(deny_unknown_fields)]
 pub struct WorldFrame {
     /// Definition of the frame, in words.
-    pub definition: String,
-    /// Text of the catalogue that is `definition` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub definition_phrase: Option<Phrase>,
+    #[serde(flatten, with = "WorldFrameDefinition")]
+    pub definition: Worded,
     /// `true` if z is dropped: observations are projected onto the xy plane of the world.
     pub planar: bool,
     /// One entry for all poses (without `pose` and `cycle`), or one entry per pose and cycle.
@@ -99,6 +101,11 @@ pub struct WorldFrame {
     pub max_mm: Option<f64>,
     /// Best-fit positions of the targets in the world, in the order of the definition.
     pub reference_mm: Vec<Vector>,
+}
+
+worded! {
+    /// Definition of the frame, in words.
+    text WorldFrameDefinition: definition, definition_phrase
 }
 
 /// Pose of a frame in the coordinates of the exports.

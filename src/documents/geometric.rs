@@ -1,10 +1,11 @@
 //! `geometric.json`: results of the geometric method, beside the identification of the same
 //! campaign.
 
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -15,10 +16,8 @@ pub struct GeometricDocument {
     /// Schema and version: `etalon/geometric/1`.
     pub schema: String,
     /// Assignment of the measured features to geometric quantities, in words.
-    pub definition: String,
-    /// Text of the catalogue that is `definition` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub definition_phrase: Option<Phrase>,
+    #[serde(flatten, with = "GeometricDefinition")]
+    pub definition: Worded,
     /// One entry per quantity, with the identified value of the same parameter.
     pub quantities: Vec<GeometricQuantity>,
     /// Covariance of the values of all quantities, in their order and units.
@@ -39,6 +38,11 @@ pub struct GeometricDocument {
     pub workspace: Vec<Region>,
     /// Remarks and warnings for the reader.
     pub messages: Vec<Message>,
+}
+
+worded! {
+    /// Assignment of the measured features to geometric quantities, in words.
+    text GeometricDefinition: definition, definition_phrase
 }
 
 /// One quantity, determined from points that were measured for it.
@@ -85,10 +89,8 @@ pub struct RepeatStatistics {
 #[serde(deny_unknown_fields)]
 pub struct GeometricStep {
     /// Fitted feature.
-    pub name: String,
-    /// Text of the catalogue that is `name` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub name_phrase: Option<Phrase>,
+    #[serde(flatten, with = "GeometricStepName")]
+    pub name: Worded,
     /// Number of residuals.
     pub count: usize,
     /// Standard deviation of a residual.
@@ -104,6 +106,11 @@ pub struct GeometricStep {
     pub enlarged_by: f64,
     /// For a circle: arc that is covered by points.
     pub coverage_deg: Option<f64>,
+}
+
+worded! {
+    /// Fitted feature.
+    text GeometricStepName: name, name_phrase
 }
 
 /// Lead of an actuator.
@@ -256,12 +263,15 @@ pub struct MethodErrors {
 #[serde(deny_unknown_fields)]
 pub struct Region {
     /// Name of the region.
-    pub name: String,
-    /// Text of the catalogue that is `name` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub name_phrase: Option<Phrase>,
+    #[serde(flatten, with = "RegionName")]
+    pub name: Worded,
     /// Area of the region.
     pub area_mm2: f64,
     /// Corners of the region in the base frame, counterclockwise; z is zero.
     pub corners_mm: Vec<Vector>,
+}
+
+worded! {
+    /// Name of the region.
+    text RegionName: name, name_phrase
 }

@@ -95,22 +95,25 @@ pub fn parameters_document(
             kind: settings.kind.into(),
             count: found.residuals.degrees_of_freedom + n,
             rms: found.residuals.rms,
-            position_rms_mm: (settings.kind == etalon_identify::ResidualKind::Targets
-                && settings.conditions.is_empty())
-            .then(|| (robot.dimension() as f64).sqrt() * found.residuals.rms),
-            position_rms_before_mm: None,
-            within_poses_rms_mm: None,
+            position: PositionResiduals {
+                position_rms_mm: (settings.kind == etalon_identify::ResidualKind::Targets
+                    && settings.conditions.is_empty())
+                .then(|| (robot.dimension() as f64).sqrt() * found.residuals.rms),
+                ..PositionResiduals::default()
+            },
             max: found.residuals.max,
             degrees_of_freedom: found.residuals.degrees_of_freedom,
             effective_degrees_of_freedom: Some(found.residuals.effective_degrees),
-            stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
-            common_standard_uncertainty_mm: settings.common_uncertainty_mm,
-            chi_square: found.residuals.chi_square,
-            chi_square_rejected: found
-                .residuals
-                .chi_square
-                .is_some_and(|c| etalon_identify::chi_square_exceeds(c, found.residuals.degrees_of_freedom)),
-            repeats: found.residuals.replicates.map(Into::into),
+            test: ResidualTest {
+                stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
+                common_standard_uncertainty_mm: settings.common_uncertainty_mm,
+                chi_square: found.residuals.chi_square,
+                chi_square_rejected: found
+                    .residuals
+                    .chi_square
+                    .is_some_and(|c| etalon_identify::chi_square_exceeds(c, found.residuals.degrees_of_freedom)),
+                repeats: found.residuals.replicates.map(Into::into),
+            },
             uncertainties_from: found.uncertainty.from.into(),
             uncertainties_enlarged_by: found.uncertainty.inflation_factor,
             conditions: found.residuals.conditions.iter().map(quantity_residuals).collect(),
@@ -120,8 +123,7 @@ pub fn parameters_document(
         robust: None,
         observability: found.identifiability.observability.as_ref().map(|o| observability_summary(robot, o)),
         solver: SolverSummary {
-            method: solver_method().to_string(),
-            method_phrase: Some(solver_method()),
+            method: solver_method().into(),
             iterations: found.iterations,
             termination: found.termination.into(),
             meaning: found.termination.to_string(),
@@ -208,8 +210,7 @@ pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> Observabil
         o5,
         condition: o.condition,
         rank: o.rank,
-        scaling: scaling.to_string(),
-        scaling_phrase: Some(scaling),
+        scaling: scaling.into(),
         singular_values: o.singular_values.iter().map(named).collect(),
         held_singular_values: o.held_singular_values.iter().map(named).collect(),
         rank_cut: RANK_TOLERANCE,

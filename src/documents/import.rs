@@ -1,7 +1,9 @@
 //! `import.json`: rows that were read, and rows that were rejected with the reasons.
 
+use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -33,10 +35,13 @@ pub struct Unmatched {
     /// Join key of the row in words: pose and cycle, row, or time.
     pub key: String,
     /// Table without a partner, or number of partners.
-    pub reason: String,
-    /// Text of the catalogue that is `reason` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason_phrase: Option<Phrase>,
+    #[serde(flatten, with = "UnmatchedReason")]
+    pub reason: Worded,
+}
+
+worded! {
+    /// Table without a partner, or number of partners.
+    text UnmatchedReason: reason, reason_phrase
 }
 
 /// A file that was read.
@@ -53,10 +58,8 @@ pub struct Source {
     #[schemars(with = "String")]
     pub kind: SourceKind,
     /// Dialect of the file: format, delimiter, decimal mark, unit.
-    pub dialect: String,
-    /// Texts of the catalogue that are `dialect` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub dialect_phrase: Option<Phrase>,
+    #[serde(flatten, with = "SourceDialect")]
+    pub dialect: Worded,
     /// Number of data rows.
     pub rows_read: usize,
     /// Rejected rows.
@@ -64,6 +67,11 @@ pub struct Source {
     /// Standstills of a log that was recorded during motion; each yields one row of joint values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub standstills: Vec<StandingInterval>,
+}
+
+worded! {
+    /// Dialect of the file: format, delimiter, decimal mark, unit.
+    text SourceDialect: dialect, dialect_phrase
 }
 
 /// Kind of a file.
@@ -90,8 +98,7 @@ pub enum SourceKind {
 impl Source {
     /// States how the file was read.
     pub fn read_as(&mut self, dialect: Phrase) {
-        self.dialect = dialect.to_string();
-        self.dialect_phrase = Some(dialect);
+        self.dialect = dialect.into();
     }
 }
 
@@ -111,16 +118,19 @@ pub struct Refused {
     /// Text of the line.
     pub text: String,
     /// Rule that rejected the row.
-    pub reason: String,
-    /// Text of the catalogue that is `reason` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason_phrase: Option<Phrase>,
+    #[serde(flatten, with = "RefusedReason")]
+    pub reason: Worded,
+}
+
+worded! {
+    /// Rule that rejected the row.
+    text RefusedReason: reason, reason_phrase
 }
 
 impl Refused {
     /// A rejected row.
     pub fn new(line: usize, text: impl Into<String>, reason: Phrase) -> Self {
-        Self { line, text: text.into(), reason: reason.to_string(), reason_phrase: Some(reason) }
+        Self { line, text: text.into(), reason: reason.into() }
     }
 }
 

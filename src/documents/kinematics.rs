@@ -1,7 +1,9 @@
 //! Answer of `etalon kinematics`.
 
+use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -46,15 +48,18 @@ pub struct UnreachablePose {
     /// Name of the pose.
     pub pose: PoseName,
     /// Limit that forbids the pose, or that the pose is out of reach.
-    pub reason: String,
-    /// Text of the catalogue that is `reason` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason_phrase: Option<Phrase>,
+    #[serde(flatten, with = "UnreachablePoseReason")]
+    pub reason: Worded,
+}
+
+worded! {
+    /// Limit that forbids the pose, or that the pose is out of reach.
+    text UnreachablePoseReason: reason, reason_phrase
 }
 
 impl UnreachablePose {
     /// A pose without solution.
     pub fn new(pose: PoseName, reason: Phrase) -> Self {
-        Self { pose, reason: reason.to_string(), reason_phrase: Some(reason) }
+        Self { pose, reason: reason.into() }
     }
 }

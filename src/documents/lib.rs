@@ -42,6 +42,7 @@ mod study;
 mod uncertainty;
 mod verdict;
 mod verification;
+mod worded;
 
 pub use accuracy::*;
 pub use actions::{Action, ActionKind, Evidence, WrittenFile};

@@ -4,11 +4,13 @@ use super::{
     ErrorQuantity, Provenance, ReferencePose, Replicates, ResidualKind, Role, Termination, UncertaintyFrom,
     UncertaintySource,
 };
+use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::phrase;
 use etalon_base::pose_name::PoseName;
 use etalon_base::sketch::Sketch;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -85,7 +87,7 @@ impl ParametersDocument {
         use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
         let from_residuals =
             matches!(self.residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion);
-        self.residuals.stated_standard_uncertainty_mm.is_some() && from_residuals
+        self.residuals.test.stated_standard_uncertainty_mm.is_some() && from_residuals
     }
 
     /// Names of the robot's parameters that are effective rather than physical, because more than
@@ -243,6 +245,38 @@ pub struct ResidualSummary {
     pub count: usize,
     /// Root mean square (mm). Pose residuals mix mm and rad (thesis, eq. 3.26).
     pub rms: f64,
+    /// Position residuals of targets.
+    #[serde(flatten)]
+    pub position: PositionResiduals,
+    /// Largest absolute residual.
+    pub max: f64,
+    /// Number of residuals minus number of identified parameters.
+    pub degrees_of_freedom: usize,
+    /// Effective degrees of freedom of the residual variance, by the scatter of the squares from
+    /// pose to pose. Squares of a smooth misfit scatter more than squares of noise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub effective_degrees_of_freedom: Option<f64>,
+    /// Test of the residuals against the stated uncertainty and against repeats.
+    #[serde(flatten)]
+    pub test: ResidualTest,
+    /// Basis of the standard uncertainties.
+    pub uncertainties_from: UncertaintyFrom,
+    /// Median ratio of the standard uncertainties to the uncertainties from the instrument alone.
+    /// Without a stated uncertainty of the instrument, to the uncertainties from independent
+    /// residuals.
+    pub uncertainties_enlarged_by: f64,
+    /// Residuals of each quantity other than positions of targets.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub conditions: Vec<QuantityResiduals>,
+    /// Scatter of the parameters between the series of the campaign (`series` in campaign.toml), as
+    /// far as it exceeds the scatter between regions of the workspace. Absent for one series.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub between_series: Option<SeriesScatter>,
+}
+
+/// Position residuals of targets.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PositionResiduals {
     /// Root mean square of the position residuals of targets (mm); absent without positions of
     /// targets, and for pose residuals.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -255,14 +289,11 @@ pub struct ResidualSummary {
     /// n − 1 for n targets. Absent where no pose shows several targets.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within_poses_rms_mm: Option<f64>,
-    /// Largest absolute residual.
-    pub max: f64,
-    /// Number of residuals minus number of identified parameters.
-    pub degrees_of_freedom: usize,
-    /// Effective degrees of freedom of the residual variance, by the scatter of the squares from
-    /// pose to pose. Squares of a smooth misfit scatter more than squares of noise.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub effective_degrees_of_freedom: Option<f64>,
+}
+
+/// Test of residuals against the stated uncertainty and against repeats.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ResidualTest {
     /// Stated standard uncertainty of one coordinate (mm): of the contact if stated separately,
     /// otherwise of the instrument.
     pub stated_standard_uncertainty_mm: Option<f64>,
@@ -278,19 +309,6 @@ pub struct ResidualSummary {
     /// Scatter of repeats against the other residuals; absent without repeated poses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub repeats: Option<Replicates>,
-    /// Basis of the standard uncertainties.
-    pub uncertainties_from: UncertaintyFrom,
-    /// Median ratio of the standard uncertainties to the uncertainties from the instrument alone.
-    /// Without a stated uncertainty of the instrument, to the uncertainties from independent
-    /// residuals.
-    pub uncertainties_enlarged_by: f64,
-    /// Residuals of each quantity other than positions of targets.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub conditions: Vec<QuantityResiduals>,
-    /// Scatter of the parameters between the series of the campaign (`series` in campaign.toml), as
-    /// far as it exceeds the scatter between regions of the workspace. Absent for one series.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub between_series: Option<SeriesScatter>,
 }
 
 /// Scatter between series.
@@ -323,7 +341,7 @@ pub struct QuantityResiduals {
 impl ResidualSummary {
     /// Residuals over the stated uncertainty, √(χ²/ν); `None` without a statement or redundancy.
     pub fn times_uncertainty(&self) -> Option<f64> {
-        let times = (self.chi_square? / self.degrees_of_freedom as f64).sqrt();
+        let times = (self.test.chi_square? / self.degrees_of_freedom as f64).sqrt();
         times.is_finite().then_some(times)
     }
 }
@@ -447,10 +465,8 @@ pub struct ObservabilitySummary {
     /// Number of separately identifiable parameters.
     pub rank: usize,
     /// Scaling of the indices.
-    pub scaling: String,
-    /// Text of the catalogue that is `scaling` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub scaling_phrase: Option<Phrase>,
+    #[serde(flatten, with = "ObservabilitySummaryScaling")]
+    pub scaling: Worded,
     /// Singular values of the Jacobian at the solution, descending, with columns scaled to unit
     /// length. The ratio of the largest to the smallest is the condition number; the squares add up
     /// to the number of parameters.
@@ -465,6 +481,11 @@ pub struct ObservabilitySummary {
     /// this to the span of the columns before it.
     #[serde(default)]
     pub rank_cut: f64,
+}
+
+worded! {
+    /// Scaling of the indices.
+    text ObservabilitySummaryScaling: scaling, scaling_phrase
 }
 
 /// Sensitivity of the residuals to one direction of the parameters; small if the direction is
@@ -484,14 +505,17 @@ pub struct SingularValueEntry {
 #[serde(deny_unknown_fields)]
 pub struct SolverSummary {
     /// Algorithm.
-    pub method: String,
-    /// Text of the catalogue that is `method` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub method_phrase: Option<Phrase>,
+    #[serde(flatten, with = "SolverSummaryMethod")]
+    pub method: Worded,
     /// Number of steps.
     pub iterations: usize,
     /// Reason of the termination.
     pub termination: Termination,
     /// Reason of the termination in words.
     pub meaning: String,
+}
+
+worded! {
+    /// Algorithm.
+    text SolverSummaryMethod: method, method_phrase
 }

@@ -1,10 +1,11 @@
 //! `plan.json`: the poses to measure, and a simulated calibration with them (thesis, chapter 4).
 
 use super::{ObservabilitySummary, Provenance};
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -20,12 +21,38 @@ pub struct PlanDocument {
     /// `O1` to `O5`, `D`, `A`, `E` or `I`.
     pub index: String,
     /// Definition of the index, with the scaling of the Jacobian; larger is better.
-    pub definition: String,
-    /// Text of the catalogue that is `definition` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub definition_phrase: Option<Phrase>,
+    #[serde(flatten, with = "PlanDefinition")]
+    pub definition: Worded,
     /// `true` if the configurations of a pose are chosen together, `false` if one by one.
     pub grouped: bool,
+    /// Candidates and the poses that are chosen from them.
+    #[serde(flatten)]
+    pub choice: PlanChoice,
+    /// Index of the chosen poses, compared with its bounds and with other choices.
+    #[serde(flatten)]
+    pub optimality: PlanOptimality,
+    /// Predictions for a calibration with the chosen poses.
+    #[serde(flatten)]
+    pub prediction: PlanPrediction,
+    /// Positions of the candidates (thesis, fig. 4.7).
+    pub places: Vec<CandidatePlace>,
+    /// Simulated calibration with the chosen poses, if true parameters are given (thesis, section
+    /// 4.6).
+    pub study: Option<StudyDocument>,
+    /// Parameters that are not separately identifiable, and other messages.
+    pub messages: Vec<Message>,
+    /// Origin of the numbers.
+    pub provenance: Provenance,
+}
+
+worded! {
+    /// Definition of the index, with the scaling of the Jacobian; larger is better.
+    text PlanDefinition: definition, definition_phrase
+}
+
+/// Candidates and the poses that are chosen from them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PlanChoice {
     /// Number of candidates.
     pub candidates: usize,
     /// Number of configurations of all candidates.
@@ -41,6 +68,11 @@ pub struct PlanDocument {
     /// Measuring program, if one is written. Joint values of `chosen` are those that it commands.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub program: Option<PlannedProgram>,
+}
+
+/// Index of the chosen poses, compared with its bounds and with other choices.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PlanOptimality {
     /// Index of the chosen poses.
     pub value: f64,
     /// Upper bound of the index for any choice of as many candidates; absent for O4, which has no
@@ -58,6 +90,11 @@ pub struct PlanDocument {
     pub greedy: GreedySummary,
     /// Poses for comparison, if stated.
     pub compared: Option<ComparedPoses>,
+}
+
+/// Predictions for a calibration with the chosen poses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PlanPrediction {
     /// Observability of the chosen poses; absent if not finite.
     pub observability: Option<ObservabilitySummary>,
     /// Parameters, with their predicted uncertainties from the chosen poses.
@@ -65,24 +102,15 @@ pub struct PlanDocument {
     /// Predicted standard uncertainty of position over all candidates; absent if the instrument's
     /// uncertainty is not stated.
     pub workspace: Option<WorkspaceUncertainty>,
-    /// Positions of the candidates (thesis, fig. 4.7).
-    pub places: Vec<CandidatePlace>,
-    /// Simulated calibration with the chosen poses, if true parameters are given (thesis, section
-    /// 4.6).
-    pub study: Option<StudyDocument>,
-    /// Parameters that are not separately identifiable, and other messages.
-    pub messages: Vec<Message>,
-    /// Origin of the numbers.
-    pub provenance: Provenance,
 }
 
 impl PlanDocument {
     /// Poses in the order of measurement; in that of `chosen` if none is stated.
     pub fn in_order(&self) -> Vec<&PlannedPose> {
-        let stated = self.order.as_ref().filter(|order| order.indices.len() == self.chosen.len());
-        match stated {
-            Some(order) => order.indices.iter().filter_map(|&i| self.chosen.get(i)).collect(),
-            None => self.chosen.iter().collect(),
+        let PlanChoice { order, chosen, .. } = &self.choice;
+        match order.as_ref().filter(|order| order.indices.len() == chosen.len()) {
+            Some(order) => order.indices.iter().filter_map(|&i| chosen.get(i)).collect(),
+            None => chosen.iter().collect(),
         }
     }
 }
@@ -273,11 +301,8 @@ pub struct StudyDocument {
     /// Number of configurations at which errors are evaluated.
     pub configurations: usize,
     /// Point whose position errors are evaluated, in words.
-    #[serde(default)]
-    pub point: String,
-    /// Text of the catalogue that is `point` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub point_phrase: Option<Phrase>,
+    #[serde(flatten, with = "StudyPoint")]
+    pub point: Worded,
     /// Nominal, true and identified parameters with all positions (thesis, table 4.1, fig. 4.8).
     pub parameters: Vec<StudiedParameter>,
     /// Position errors by the number of measured positions; the last entry is the plan (thesis,
@@ -285,6 +310,11 @@ pub struct StudyDocument {
     pub steps: Vec<StudyStep>,
     /// Largest error of each pose with all positions measured (thesis, fig. 4.9).
     pub places: Vec<StudiedPlace>,
+}
+
+worded! {
+    /// Point whose position errors are evaluated, in words.
+    text or empty StudyPoint: point, point_phrase
 }
 
 /// One parameter of a simulated calibration.

@@ -1,8 +1,9 @@
 //! Answer of `etalon recommend`: effects that the data prove, and parameters that should be loaded.
 
 use super::{CampaignReference, Effect, ParametersDocument, Statistics};
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
 use etalon_base::message::Message;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -18,10 +19,8 @@ pub struct RecommendationDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub campaign: Option<CampaignReference>,
     /// Recommendation in words.
-    pub meaning: Vec<String>,
-    /// Texts of the catalogue that are `meaning` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub meaning_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "RecommendationMeaning")]
+    pub meaning: Vec<Worded>,
     /// Number of calibration poses.
     pub poses: usize,
     /// Number of folds; each is predicted from the others.
@@ -38,6 +37,11 @@ pub struct RecommendationDocument {
     pub recommended: ParametersDocument,
     /// Warnings, with remedies.
     pub messages: Vec<Message>,
+}
+
+worded! {
+    /// Recommendation in words.
+    list RecommendationMeaning: meaning, meaning_phrases
 }
 
 /// Trial of an effect in addition to the effects accepted before.

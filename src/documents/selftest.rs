@@ -1,7 +1,8 @@
 //! Answer of `etalon selftest`: validation of an installation.
 
 use super::Provenance;
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -87,13 +88,17 @@ pub struct SelftestRequirement {
     /// Name of the requirement: `fits`, `solver`, `frames` ...
     pub id: String,
     /// Requirement, in English.
-    pub requirement: String,
-    /// Text of the catalogue that is `requirement` in English.
-    pub requirement_phrase: Phrase,
+    #[serde(flatten, with = "SelftestRequirementRequirement")]
+    pub requirement: Worded,
     /// `true` if there are tests, and all passed.
     pub pass: bool,
     /// Tests.
     pub checks: Vec<SelftestCheck>,
+}
+
+worded! {
+    /// Requirement, in English.
+    translated text SelftestRequirementRequirement: requirement, requirement_phrase
 }
 
 /// Comparison of a value with its reference. Of several values, the one with the largest deviation
@@ -102,9 +107,8 @@ pub struct SelftestRequirement {
 #[serde(deny_unknown_fields)]
 pub struct SelftestCheck {
     /// Test, in English.
-    pub test: String,
-    /// Text of the catalogue that is `test` in English.
-    pub test_phrase: Phrase,
+    #[serde(flatten, with = "SelftestCheckTest")]
+    pub test: Worded,
     /// Source of the reference value.
     pub source: String,
     /// Unit of the values; empty for pure numbers.
@@ -121,6 +125,11 @@ pub struct SelftestCheck {
     pub pass: bool,
 }
 
+worded! {
+    /// Test, in English.
+    translated text SelftestCheckTest: test, test_phrase
+}
+
 /// A slip in the reference data, with which the tests of a requirement were repeated.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -128,15 +137,19 @@ pub struct SelftestMustFail {
     /// Name of the requirement.
     pub id: String,
     /// Slip, in English.
-    pub slip: String,
-    /// Text of the catalogue that is `slip` in English.
-    pub slip_phrase: Phrase,
+    #[serde(flatten, with = "SelftestMustFailSlip")]
+    pub slip: Worded,
     /// Number of tests.
     pub checks: usize,
     /// Number of tests that failed.
     pub failed: usize,
     /// `true` if at least one test failed, as it must.
     pub pass: bool,
+}
+
+worded! {
+    /// Slip, in English.
+    translated text SelftestMustFailSlip: slip, slip_phrase
 }
 
 /// Comparison of a campaign with its stored `parameters.json`.
@@ -159,9 +172,13 @@ pub struct SelftestPerformance {
     /// Values that moved by more than rounding.
     pub moved: Vec<MovedValue>,
     /// Known differences between the documents that may be the cause, in English.
-    pub causes: Vec<String>,
-    /// Texts of the catalogue that are `causes` in English.
-    pub cause_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "SelftestPerformanceCauses")]
+    pub causes: Vec<Worded>,
+}
+
+worded! {
+    /// Known differences between the documents that may be the cause, in English.
+    translated list SelftestPerformanceCauses: causes, cause_phrases
 }
 
 /// A value that differs from its stored value.

@@ -1,7 +1,8 @@
 //! Answer of `etalon study`.
 
 use super::Provenance;
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -14,10 +15,8 @@ pub struct StudiesDocument {
     /// Model of the robot.
     pub robot: String,
     /// Definition of the errors `before` and `after`, in words.
-    pub error: String,
-    /// Text of the catalogue that is `error` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub error_phrase: Option<Phrase>,
+    #[serde(flatten, with = "StudiesError")]
+    pub error: Worded,
     /// Number of calibrations whose mean is evaluated.
     pub runs: u64,
     /// Number of such means, over which intervals are taken.
@@ -26,6 +25,11 @@ pub struct StudiesDocument {
     pub designs: Vec<StudiedDesign>,
     /// Origin of the numbers.
     pub provenance: Provenance,
+}
+
+worded! {
+    /// Definition of the errors `before` and `after`, in words.
+    text StudiesError: error, error_phrase
 }
 
 /// A set of poses measured with one noise.

@@ -217,7 +217,8 @@ impl Reason {
 
     /// Model that leaves residuals several times the uncertainty of the instrument.
     fn from_residuals(parameters: &ParametersDocument) -> Option<Self> {
-        let times = parameters.residuals.times_uncertainty().filter(|_| parameters.residuals.chi_square_rejected)?;
+        let times =
+            parameters.residuals.times_uncertainty().filter(|_| parameters.residuals.test.chi_square_rejected)?;
         (times > MISFIT).then_some(Self::ModelDoesNotFit { times })
     }
 

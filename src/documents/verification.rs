@@ -1,9 +1,10 @@
 //! Answer of `etalon verify`: verdict on whether given parameters still apply.
 
 use super::{CampaignReference, ErrorQuantity, Provenance};
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
 use etalon_base::message::{Message, Severity};
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -21,10 +22,28 @@ pub struct VerificationDocument {
     /// Verdict on the parameters.
     pub verdict: VerificationVerdict,
     /// Verdict in words.
-    pub meaning: String,
-    /// Text of the catalogue that is `meaning` in English.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub meaning_phrase: Option<Phrase>,
+    #[serde(flatten, with = "VerificationMeaning")]
+    pub meaning: Worded,
+    /// Test for changes, with the movements that may explain them.
+    #[serde(flatten)]
+    pub evidence: ChangeEvidence,
+    /// Residuals, with the values that are expected if nothing has changed.
+    #[serde(flatten)]
+    pub residuals: VerifiedResiduals,
+    /// Warnings, with remedies.
+    pub messages: Vec<Message>,
+    /// Origin of the numbers.
+    pub provenance: Provenance,
+}
+
+worded! {
+    /// Verdict in words.
+    text VerificationMeaning: meaning, meaning_phrase
+}
+
+/// Test for changes, with the movements that may explain them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ChangeEvidence {
     /// Probability of residuals at least this large if nothing has changed.
     pub p_value: f64,
     /// Significance level: the robot counts as changed if the p-value is below it.
@@ -39,6 +58,11 @@ pub struct VerificationDocument {
     pub of_changes: SumOfSquares,
     /// All other residuals.
     pub of_rest: SumOfSquares,
+}
+
+/// Residuals, with the values that are expected if nothing has changed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct VerifiedResiduals {
     /// Number of observed poses.
     pub poses: usize,
     /// Number of measured positions.
@@ -59,10 +83,6 @@ pub struct VerificationDocument {
     /// Standard deviation of the calibrated model's error of a coordinate, in addition to the
     /// measurement (mm).
     pub model_mm: f64,
-    /// Warnings, with remedies.
-    pub messages: Vec<Message>,
-    /// Origin of the numbers.
-    pub provenance: Provenance,
 }
 
 /// Residuals of the observations of one quantity.

@@ -239,7 +239,7 @@ fn counted(document: &BatchDocument, checks: &[&str], words: &Words) -> Vec<Coun
 /// value, otherwise of the calibration poses.
 fn limits_by_column(row: &Row, order: &[usize], figures: &BatchFigures) -> Vec<(usize, f64)> {
     let column = |name: &str| {
-        let named = |k: &usize| figures.quantities.get_index(order[*k]).is_some_and(|q| q.name == name);
+        let named = |k: &usize| figures.quantities.get_index(order[*k]).is_some_and(|q| q.name.english() == name);
         (0..order.len()).filter(|k| row.figures[order[*k]].is_some()).find(named)
     };
     let of = |check: &BatchCheck| {
@@ -294,7 +294,7 @@ fn order(figures: &BatchFigures) -> Vec<usize> {
         _ => 3,
     };
     let mut order: Vec<usize> = (0..figures.quantities.len()).collect();
-    order.sort_by_key(|i| figures.quantities.get_index(*i).map(|q| rank(&q.name)));
+    order.sort_by_key(|i| figures.quantities.get_index(*i).map(|q| rank(q.name.english())));
     order
 }
 
@@ -309,7 +309,7 @@ fn digits(value: BatchValue) -> String {
 
 /// Name of a quantity.
 fn named(quantity: &BatchQuantity, words: &Words) -> String {
-    words.worded(&quantity.name, quantity.name_phrase.as_ref())
+    words.worded(&quantity.name)
 }
 
 impl Row<'_> {
@@ -384,7 +384,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     let robots: BTreeSet<_> = campaigns.iter().filter_map(|c| c.robot.as_ref()).collect();
     let (order, checks) = (order(figures), check_names(document));
     let figure = |row: &Row, quantity: usize| Figure {
-        shown: row.figures[quantity].map_or_else(String::new, |(value, _)| words.number(&digits(value))),
+        shown: row.figures[quantity].map_or_else(String::new, |(value, _)| words.decimal(digits(value))),
         outlier: row.is_outlier(quantity),
     };
     let plain = |row: &&'a Row| Plain {
@@ -451,7 +451,7 @@ mod tests {
 
     /// A hundred campaigns of two robots with one outlier and one failure; names resemble markup.
     fn figure(name: &str, value: f64) -> (BatchQuantity, f64, Option<f64>) {
-        let quantity = BatchQuantity { name: name.to_owned(), name_phrase: None, unit: "mm".to_owned() };
+        let quantity = BatchQuantity { name: name.into(), unit: "mm".to_owned() };
         (quantity, value, None)
     }
 

@@ -5,8 +5,10 @@
 pub(super) mod comparison;
 pub(super) mod names;
 
+use crate::number;
 use etalon_base::catalogue::{Argument, Arguments, Phrase};
 use etalon_base::message::{one_line, printable};
+use etalon_base::worded::Worded;
 use etalon_documents::Language;
 
 /// Text of the catalogue in the language of a report: `tr!(words, "limit-band-value", value = 3)`.
@@ -89,6 +91,29 @@ impl Words {
         out + rest
     }
 
+    /// A number with a fixed number of decimals.
+    pub fn fixed(&self, value: f64, decimals: usize) -> String {
+        self.decimal(number::fixed(value, decimals))
+    }
+
+    /// A number with this many significant digits.
+    pub fn significant(&self, value: f64, digits: usize) -> String {
+        self.decimal(number::significant(value, digits))
+    }
+
+    /// A number with all its digits.
+    pub fn unrounded(&self, value: f64) -> String {
+        self.decimal(value.to_string())
+    }
+
+    /// The text of one number with the decimal mark of the language.
+    pub fn decimal(&self, number: String) -> String {
+        match self.language {
+            Language::En => number,
+            Language::Fr | Language::De => number.replacen('.', ",", 1),
+        }
+    }
+
     /// Numbers of a text that is a value, which begins with a number.
     pub fn value(&self, text: String) -> String {
         let number =
@@ -101,9 +126,9 @@ impl Words {
         names::model(key).map_or_else(|| isolated(&one_line(key)), |phrase| self.tr(&phrase))
     }
 
-    /// Text of a document by its text of the catalogue, if the document has it.
-    pub fn worded(&self, text: &str, phrase: Option<&Phrase>) -> String {
-        phrase.map_or_else(|| text.to_owned(), |phrase| self.tr(phrase))
+    /// Text of a document; English without a phrase.
+    pub fn worded(&self, text: &Worded) -> String {
+        text.phrase().map_or_else(|| text.to_string(), |phrase| self.tr(phrase))
     }
 
     /// Text of a document by its id in the catalogue; the text itself without an id.

@@ -9,10 +9,11 @@ use crate::run::documents::Documents;
 use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
 use crate::run::results;
-use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
+use etalon_base::catalogue::{Argument, IntoArgument};
 use etalon_base::files;
 use etalon_base::folder::{self, Durability};
 use etalon_base::message::{Problems, Rank, Result};
+use etalon_base::worded::Worded;
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
@@ -36,9 +37,8 @@ const STACK: usize = 8 << 20;
 #[derive(Debug, Default)]
 struct Row {
     kind: &'static str,
-    item: String,
-    /// Text of the catalogue, for results that the page shows.
-    item_phrase: Option<Phrase>,
+    /// Name in the table; results that the page shows have a phrase.
+    item: Worded,
     unit: String,
     value: f64,
     standard_uncertainty: Option<f64>,
@@ -211,7 +211,7 @@ fn rows(results: &Results) -> Vec<Row> {
     if let Some(IdentifiedDocuments { parameters, accuracy, .. }) = &results.identified {
         rows.extend(parameters.parameters.iter().map(|p| Row {
             kind: "parameter",
-            item: p.name.clone(),
+            item: p.name.as_str().into(),
             unit: p.unit.clone(),
             value: p.value,
             standard_uncertainty: p.standard_uncertainty,
@@ -223,10 +223,12 @@ fn rows(results: &Results) -> Vec<Row> {
                 let (set, quantity) = (set.name, errors.quantity);
                 let of = |(statistic, figure, value): (&str, Option<Argument>, f64)| Row {
                     kind: "error",
-                    item: format!("{set} {quantity} {statistic}"),
-                    item_phrase: figure.map(|figure| {
-                        phrase!("figure-of-set", set = set.phrase(), quantity = quantity.phrase(), figure)
-                    }),
+                    item: Worded::stored(
+                        format!("{set} {quantity} {statistic}"),
+                        figure.map(|figure| {
+                            phrase!("figure-of-set", set = set.phrase(), quantity = quantity.phrase(), figure)
+                        }),
+                    ),
                     unit: errors.unit.clone(),
                     value,
                     ..Row::default()
@@ -243,7 +245,7 @@ fn rows(results: &Results) -> Vec<Row> {
         }
         rows.extend(accuracy.limits.iter().map(|l| Row {
             kind: "limit",
-            item: l.name.to_string(),
+            item: l.name.to_string().into(),
             unit: l.unit.clone(),
             value: l.value.unwrap_or(f64::NAN),
             limit: Some(l.limit),
@@ -252,7 +254,8 @@ fn rows(results: &Results) -> Vec<Row> {
         }));
     }
     let of_pose = |p: &Iso9283Pose| {
-        let row = |kind, value| Row { kind, item: p.pose.to_string(), unit: "mm".to_owned(), value, ..Row::default() };
+        let row =
+            |kind, value| Row { kind, item: p.pose.to_string().into(), unit: "mm".to_owned(), value, ..Row::default() };
         PoseCharacteristic::ALL.iter().filter_map(|c| Some(row(c.symbol, (c.value)(p)?))).collect::<Vec<_>>()
     };
     rows.extend(results.tested.poses.iter().flat_map(|tested| &tested.poses).flat_map(of_pose));
@@ -262,17 +265,13 @@ fn rows(results: &Results) -> Vec<Row> {
 /// Results that the page shows: errors after calibration, largest AP and RP, and parameters.
 fn shown(rows: &[Row]) -> impl Iterator<Item = (BatchQuantity, f64, Option<f64>)> {
     let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
-    let errors = of("error").filter(|row| row.item_phrase.is_some()).chain(of("parameter"));
-    let quantity = |name: &str, name_phrase: Option<Phrase>, unit: &str| {
-        let (name, unit) = (name.to_owned(), unit.to_owned());
-        BatchQuantity { name, name_phrase, unit }
-    };
+    let errors = of("error").filter(|row| row.item.phrase().is_some()).chain(of("parameter"));
+    let quantity = |name: Worded, unit: &str| BatchQuantity { name, unit: unit.to_owned() };
     let largest = PoseCharacteristic::ALL.into_iter().filter_map(move |PoseCharacteristic { symbol: kind, .. }| {
         let value = of(kind).map(|row| row.value).max_by(f64::total_cmp)?;
-        Some((quantity(kind, None, "mm"), value, None))
+        Some((quantity(kind.into(), "mm"), value, None))
     });
-    let error =
-        move |row: &Row| (quantity(&row.item, row.item_phrase.clone(), &row.unit), row.value, row.standard_uncertainty);
+    let error = move |row: &Row| (quantity(row.item.clone(), &row.unit), row.value, row.standard_uncertainty);
     largest.chain(errors.map(error))
 }
 
@@ -292,7 +291,7 @@ fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
         text("date", |entry, _| entry.date.clone()),
         text("verdict", |entry, _| Some(entry.ended.name().to_owned())),
         text("kind", |_, row| Some(row.kind.to_owned())),
-        text("item", |_, row| Some(row.item.clone())),
+        text("item", |_, row| Some(row.item.english().to_owned())),
         text("unit", |_, row| Some(row.unit.clone())),
         number("value", |row| Some(row.value)),
         number("standard_uncertainty", |row| row.standard_uncertainty),

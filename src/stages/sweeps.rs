@@ -7,8 +7,8 @@ use etalon_base::pose::{Pose, Vector};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{RobotHead, screws_text, table_text};
 use etalon_documents::{
-    AxesCheck, AxesDocument, AxesParameter, AxesRobot, AxesTarget, AxisEntry, AxisPath, MotionByNoise, Provenance,
-    ZeroAxis,
+    AxesCheck, AxesDocument, AxesParameter, AxesRobot, AxesTarget, AxisEntry, AxisErrorMotion, AxisLine, AxisMotion,
+    AxisPath, MotionByNoise, Provenance, ZeroAxis,
 };
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::axes::{
@@ -581,20 +581,26 @@ fn entry(table: &SweepTable, axis: &JointAxis) -> AxisEntry {
         prismatic: slides,
         readings: sweep.readings.len(),
         set_aside: set_aside(sweep_rows(sweep, axis)),
-        direction: own.direction,
-        point_mm: own.point_mm,
-        covariance: axis.point_direction_covariance(),
-        direction_standard_uncertainty_deg: of_direction[0].max(of_direction[1]).to_degrees(),
-        point_standard_uncertainty_mm: (!slides).then(|| of_point[0].max(of_point[1])),
+        line: AxisLine {
+            direction: own.direction,
+            point_mm: own.point_mm,
+            covariance: axis.point_direction_covariance(),
+            direction_standard_uncertainty_deg: of_direction[0].max(of_direction[1]).to_degrees(),
+            point_standard_uncertainty_mm: (!slides).then(|| of_point[0].max(of_point[1])),
+        },
         coordinate_standard_uncertainty_mm: axis.standard_uncertainty_mm,
         degrees_of_freedom: axis.degrees_of_freedom.is_finite().then_some(axis.degrees_of_freedom as usize),
         paths: axis.fit.paths.iter().enumerate().map(path).collect(),
-        axial_error_motion_mm: axis.error_motion.axial_mm,
-        tilt_error_motion_deg: axis.error_motion.tilt_rad.map(f64::to_degrees),
-        axial_by_noise: axis.error_motion.noise.axial.map(|noise| by_noise(noise, 1.0)),
-        tilt_by_noise: axis.error_motion.noise.tilt.map(|noise| by_noise(noise, 1f64.to_degrees())),
-        ratio: axis.travel.map(|t| t.ratio.value),
-        ratio_standard_uncertainty: axis.travel.map(|t| t.ratio.standard_uncertainty),
-        motion_rms: axis.travel.map(|t| if slides { t.rms } else { t.rms.to_degrees() }),
+        error_motion: AxisErrorMotion {
+            axial_error_motion_mm: axis.error_motion.axial_mm,
+            tilt_error_motion_deg: axis.error_motion.tilt_rad.map(f64::to_degrees),
+            axial_by_noise: axis.error_motion.noise.axial.map(|noise| by_noise(noise, 1.0)),
+            tilt_by_noise: axis.error_motion.noise.tilt.map(|noise| by_noise(noise, 1f64.to_degrees())),
+        },
+        motion: AxisMotion {
+            ratio: axis.travel.map(|t| t.ratio.value),
+            ratio_standard_uncertainty: axis.travel.map(|t| t.ratio.standard_uncertainty),
+            motion_rms: axis.travel.map(|t| if slides { t.rms } else { t.rms.to_degrees() }),
+        },
     }
 }

@@ -65,7 +65,7 @@ fn the_blunder_is_found_by_label_by_column_by_row_and_by_time() {
         assert_eq!(refused.collect::<Vec<_>>(), [expected], "{name}");
         // hypot(1.5, 91.5) - 90
         let reason = &document.sources.iter().find_map(|s| s.refused.first()).unwrap().reason;
-        assert!(reason.contains("K-M is 1.512 mm longer than its median (tolerance 0.1 mm)"), "{reason}");
+        assert!(reason.english().contains("K-M is 1.512 mm longer than its median (tolerance 0.1 mm)"), "{reason}");
     }
 }
 
@@ -143,7 +143,7 @@ const LABELLED: &str = "format = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle
 fn exchanged_targets_are_named_and_not_the_third_one() {
     let document = imported(&[(LABELLED, exchanged(&[2, 6]))], THREE).unwrap().document;
     let refused: Vec<(usize, &str)> =
-        document.sources.iter().flat_map(|s| &s.refused).map(|r| (r.line, r.reason.as_str())).collect();
+        document.sources.iter().flat_map(|s| &s.refused).map(|r| (r.line, r.reason.english())).collect();
     let reason = phrase!("rigid-targets-exchanged", first = "K", second = "L").to_string();
     // M at pose 4 is off alone
     assert_eq!(refused.iter().map(|r| r.0).collect::<Vec<_>>(), [4, 5, 12, 16, 17]);

@@ -55,7 +55,7 @@ fn two_hands_give_the_truth_and_determine_the_torso_better_than_one() {
     let (count, worst) = (deviations.len() as f64, deviations.iter().fold(0.0f64, |m, d| m.max(d.abs())));
     let rms = (deviations.iter().map(|d| d * d).sum::<f64>() / count).sqrt();
     let residuals = &both_parameters.residuals;
-    let (chi_square, degrees) = (residuals.chi_square.unwrap(), residuals.degrees_of_freedom as f64);
+    let (chi_square, degrees) = (residuals.test.chi_square.unwrap(), residuals.degrees_of_freedom as f64);
     println!(
         "two hands: {count} deviations, rms {rms:.2} u, largest {worst:.2} u, chi-square {chi_square:.1} of {degrees}"
     );

@@ -88,8 +88,8 @@ fn sweeps_give_a_robot_that_reaches_where_the_truth_does() {
     assert!(with.messages.is_empty() && with.joint_values, "{:?}", with.messages);
     assert_eq!(with.axes.iter().map(|a| a.prismatic).collect::<Vec<_>>(), [false, false, false, true]);
     for (axis, truth) in with.axes.iter().zip(arm()) {
-        let off = norm(minus(axis.direction, truth.direction)).to_degrees();
-        assert!(off < 4.0 * axis.direction_standard_uncertainty_deg, "{} {off}", axis.joint);
+        let off = norm(minus(axis.line.direction, truth.direction)).to_degrees();
+        assert!(off < 4.0 * axis.line.direction_standard_uncertainty_deg, "{} {off}", axis.joint);
     }
     let without = document(&table(&rows(), false), &["--prismatic", "q4"]);
     assert!(without.messages.is_empty() && !without.joint_values, "{:?}", without.messages);
@@ -208,10 +208,10 @@ fn one_sweep_gives_its_axis() {
     let table = one_sweep((0..31).map(|i| 2.0 * f64::from(i) - 30.0), |_| 0.0, |q| q);
     let found = document(&table, &[]);
     let axis = &found.axes[0];
-    assert!(found.axes.len() == 1 && axis.direction_standard_uncertainty_deg > 0.0);
+    assert!(found.axes.len() == 1 && axis.line.direction_standard_uncertainty_deg > 0.0);
     let truth = Pose::from_xyz_rpy([0.0; 3], [0.2, -0.1, 0.6]).axis(2);
-    let off = norm(minus(axis.direction, truth)).to_degrees();
-    assert!(off < 5.0 * axis.direction_standard_uncertainty_deg, "{off}");
+    let off = norm(minus(axis.line.direction, truth)).to_degrees();
+    assert!(off < 5.0 * axis.line.direction_standard_uncertainty_deg, "{off}");
     for convention in ["poe", "mdh", "dh"] {
         let (code, out, err) = run(&table, &["--convention", convention, "--toml"]);
         assert!(code == Some(0) && !out.is_empty(), "{convention}: {err}");
@@ -228,7 +228,7 @@ fn run_out_is_reported() {
     let found = document(&one_sweep(angles(), run_out, |q| q), &[]);
     assert!(round.messages.is_empty(), "{:?}", round.messages);
     assert!(found.messages.iter().any(|m| m.id == "sweep-smooth"), "{:?}", found.messages);
-    let [u, of_noise] = [&found, &round].map(|d| d.axes[0].point_standard_uncertainty_mm.unwrap());
+    let [u, of_noise] = [&found, &round].map(|d| d.axes[0].line.point_standard_uncertainty_mm.unwrap());
     assert!(u > 3.0 * of_noise && found.axes[0].set_aside.is_empty(), "{u} {of_noise}");
     assert!(found.axes[0].paths[0].radial_error_motion_mm > 0.007);
 }
@@ -240,7 +240,9 @@ fn a_sweep_across_half_a_turn_is_one_motion() {
         one_sweep((0..40).map(|i| 120.0 + 3.0 * f64::from(i)), |_| 0.0, |q| if q > 180.0 { q - 360.0 } else { q });
     let found = document(&table, &[]);
     assert!(found.messages.is_empty(), "{:?}", found.messages);
-    assert!((found.axes[0].ratio.unwrap() - 1.0).abs() < 1e-4 && found.axes[0].motion_rms.unwrap() < 0.01);
+    assert!(
+        (found.axes[0].motion.ratio.unwrap() - 1.0).abs() < 1e-4 && found.axes[0].motion.motion_rms.unwrap() < 0.01
+    );
 }
 
 #[test]

@@ -44,10 +44,10 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
         .trends
         .iter()
         .filter(|t| t.family == CompareFamily::Robot && t.changes[0].significant == Some(true))
-        .map(|t| t.name.as_str())
+        .map(|t| t.name.english())
         .collect();
     assert_eq!(changed, ["s"]);
-    let s = document.trends.iter().find(|t| t.name == "s").unwrap();
+    let s = document.trends.iter().find(|t| t.name.english() == "s").unwrap();
     let change = s.changes[0];
     assert!(change.low.unwrap() < 0.0195 && change.high.unwrap() > 0.0195, "{change:?}");
     assert!(document.together[0].significant);
@@ -75,7 +75,7 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
     let back = etalon(at, &["compare", "autumn", "spring", "--json"]);
     assert!(text(&back.stderr).contains("warning[campaigns-out-of-order]"), "{}", text(&back.stderr));
     let back: CompareDocument = serde_json::from_slice(&back.stdout).unwrap();
-    let back = back.trends.iter().find(|t| t.name == "s").unwrap().changes[0];
+    let back = back.trends.iter().find(|t| t.name.english() == "s").unwrap().changes[0];
     assert!((back.change + change.change).abs() < 1e-12 && (back.p.unwrap() - change.p.unwrap()).abs() < 1e-12);
 
     refused(&etalon(at, &["compare", "spring", "spring"]), &["[campaign-twice]", "`spring`"]);

@@ -3,6 +3,7 @@
 use super::{etalon, text};
 use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
+use etalon::base::worded::Worded;
 use etalon::documents::FitDocument;
 use std::fmt::Write;
 use std::process::Output;
@@ -28,7 +29,7 @@ fn a_probe_is_stated_with_its_side() {
     for (side, radius) in [("outside", 10.0), ("inside", 15.0)] {
         let answered = run("sphere", &["--probe-radius-mm", "2.5", "--probe-side", side]);
         let document: FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
-        assert!((document.radius_mm.unwrap() - radius).abs() < 1e-9, "{side}: {document:?}");
+        assert!((document.geometry.radius_mm.unwrap() - radius).abs() < 1e-9, "{side}: {document:?}");
         let probe = document.probe.unwrap();
         assert_eq!((probe.side.as_str(), probe.radius_mm), (side, 2.5));
         assert!((probe.uncompensated_radius_mm.unwrap() - 12.5).abs() < 1e-9);
@@ -53,8 +54,11 @@ fn a_probe_is_stated_with_its_side() {
     refused("enclosing-sphere", &["--probe-radius-mm", "2.5", "--probe-side", "inside"], "not compensated");
     let up = run("plane", &["--probe-radius-mm", "2.5", "--probe-side", "-0.1,-0.1,-1"]);
     let document: FitDocument = serde_json::from_slice(&up.stdout).unwrap();
-    let (before, after) = (document.probe.unwrap().uncompensated_point_mm, document.point_mm.unwrap());
-    assert!(after[2] > before[2] || document.normal.unwrap()[2].abs() < 0.5, "the probe was below: the plane is above");
+    let (before, after) = (document.probe.unwrap().uncompensated_point_mm, document.geometry.point_mm.unwrap());
+    assert!(
+        after[2] > before[2] || document.geometry.normal.unwrap()[2].abs() < 0.5,
+        "the probe was below: the plane is above"
+    );
 }
 
 const UNITS: &str = "<FileUnits><PrimaryUnits><LinearUnit><UnitName>mm</UnitName><UnitConversion><Factor>0.001</Factor>\
@@ -86,9 +90,12 @@ fn qif_features_are_set_against_what_the_file_states() {
     let documents: Vec<FitDocument> = serde_json::from_slice(&answered.stdout).unwrap();
     let [document] = &documents[..] else { panic!("{documents:?}") };
     assert_eq!((document.label.as_deref(), document.element.as_str()), (Some("B"), "circle3d"));
-    assert!((document.radius_mm.unwrap() - 15.0).abs() < 1e-9, "{document:?}");
+    assert!((document.geometry.radius_mm.unwrap() - 15.0).abs() < 1e-9, "{document:?}");
     let probe = document.probe.as_ref().unwrap();
-    assert_eq!((probe.side.as_str(), probe.side_from.as_deref()), ("inside", Some("from the nominal diameter")));
+    assert_eq!(
+        (probe.side.as_str(), probe.side_from.as_ref().map(Worded::english)),
+        ("inside", Some("from the nominal diameter"))
+    );
     let stated = document.stated.as_ref().unwrap();
     assert!((stated.radius_less_stated_mm.unwrap() + 0.001).abs() < 1e-9, "{stated:?}");
     assert_eq!(stated.id, "4");
@@ -97,7 +104,7 @@ fn qif_features_are_set_against_what_the_file_states() {
     let fitted = |rest: &[&str]| -> Output { etalon(folder.path(), &[&["fit", "b.qif", "--json"], rest].concat()) };
     // what the user states goes over what the file says
     let outside: Vec<FitDocument> = serde_json::from_slice(&fitted(&["--probe-side", "outside"]).stdout).unwrap();
-    assert!((outside[0].radius_mm.unwrap() - 10.0).abs() < 1e-9);
+    assert!((outside[0].geometry.radius_mm.unwrap() - 10.0).abs() < 1e-9);
     for (rest, part) in [
         (&["--unit", "inch"][..], "error[unit-differs] of_file=mm"),
         (&["--radius-mm", "15"], "error[qif-with-columns]"),
@@ -188,7 +195,11 @@ fn points_that_determine_nothing_are_messages_and_never_numbers_that_are_none() 
                     // a number that is none would be written as null, where the document wants a number
                     let document: FitDocument = serde_json::from_slice(&output.stdout)
                         .unwrap_or_else(|e| panic!("{element} of {what}: {e}: {}", text(&output.stdout)));
-                    let size = [document.radius_mm, document.minor_radius_mm, document.apex_angle_deg];
+                    let size = [
+                        document.geometry.radius_mm,
+                        document.geometry.minor_radius_mm,
+                        document.geometry.apex_angle_deg,
+                    ];
                     assert!(size.into_iter().flatten().all(f64::is_finite), "{element} of {what}: {document:?}");
                 }
                 Some(2) => {
@@ -224,7 +235,7 @@ fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
             (1, label, 12),
             "{documents:?}"
         );
-        assert!((documents[0].radius_mm.unwrap() - 10.0).abs() < 1e-9, "{documents:?}");
+        assert!((documents[0].geometry.radius_mm.unwrap() - 10.0).abs() < 1e-9, "{documents:?}");
         let said = text(&answered.stderr);
         assert_eq!(said.says("warning[rows-left-out] count=1"), format == "inspec", "{said}");
     }
@@ -257,7 +268,7 @@ fn foreign_points_are_named_and_set_aside_on_request() {
     );
     let robust = run(&["--robust"]);
     assert_eq!((robust.set_aside, robust.points), (Some(vec![21]), 21));
-    assert!((robust.radius_mm.unwrap() - 12.5).abs() < 1e-9);
+    assert!((robust.geometry.radius_mm.unwrap() - 12.5).abs() < 1e-9);
     std::fs::write(folder.path().join("b.txt"), ball()).unwrap();
     assert_eq!(run(&[]).messages, []);
     assert_eq!(run(&["--robust"]).set_aside, Some(Vec::new()));
@@ -291,7 +302,7 @@ fn points_far_from_all_others_are_sound_if_one_element_explains_all() {
     let (circle, _) = fitted(ARC_AND_TWO_FAR, &["circle3d", "--robust"]);
     assert_eq!((circle.set_aside.as_deref(), circle.points), (Some(&[][..]), 60));
     // without `--robust` 99.99998 mm, standard uncertainty 0.0008 mm
-    assert!((circle.radius_mm.unwrap() - 99.99998).abs() < 1e-5, "{circle:?}");
+    assert!((circle.geometry.radius_mm.unwrap() - 99.99998).abs() < 1e-5, "{circle:?}");
     let (line, _) = fitted(CLUSTER_AND_TWO_FAR, &["line", "--robust"]);
     assert_eq!(line.set_aside.as_deref(), Some(&[][..]));
     // 0.05 mm off, 25 times the noise, where the arc and the other far point determine the circle

@@ -70,9 +70,12 @@ fn a_plate_measured_once_calibrates_from_encoders_alone_with_its_errors_kept_apa
     let read = std::fs::read_to_string(sample.path().join("out/parameters.json")).unwrap();
     let document: etalon::documents::ParametersDocument = serde_json::from_str(&read).unwrap();
     let r = &document.residuals;
-    assert_eq!((r.stated_standard_uncertainty_mm, r.common_standard_uncertainty_mm), (Some(0.005), Some(0.00135)));
+    assert_eq!(
+        (r.test.stated_standard_uncertainty_mm, r.test.common_standard_uncertainty_mm),
+        (Some(0.005), Some(0.00135))
+    );
     assert_eq!(r.uncertainties_from, etalon::documents::UncertaintyFrom::Instrument);
-    let spread = r.chi_square.unwrap() / r.degrees_of_freedom as f64;
+    let spread = r.test.chi_square.unwrap() / r.degrees_of_freedom as f64;
     assert!((0.75..1.25).contains(&spread), "{spread}");
     // table 4.4; the world is that of three measured balls, so that base parameters may be off by their errors
     let truth = [

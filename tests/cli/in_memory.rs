@@ -86,7 +86,7 @@ fn candidates_in_memory_have_the_marks_that_are_stated() {
     };
     let [first, second] =
         [plan(&table, &[]), plan(&comma, &["--delimiter=;", "--decimal=,"])].map(|plan| plan.unwrap());
-    assert_eq!(first.value, second.value);
+    assert_eq!(first.optimality.value, second.optimality.value);
     assert!(plan(&comma, &[]).is_err());
 }
 
@@ -102,7 +102,7 @@ fn a_plan_counts_with_the_stated_position_of_a_target() {
         let (stated, table) = (Table { name: "robot.toml", text }, Table { name: "candidates", text: &table });
         let options = ["--positions=12", "--starts=1", "--hold=SMR_*"].map(str::to_owned);
         let plan = in_memory::plan(&Inputs { robot: &file, stated, table }, &options).unwrap();
-        plan.parameters.iter().find(|p| p.name == "theta_3").unwrap().identifiable
+        plan.prediction.parameters.iter().find(|p| p.name == "theta_3").unwrap().identifiable
     };
     assert_eq!([&text, &stated].map(|text| identifiable(text)), [false, true]);
 }

@@ -290,7 +290,9 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
         assert!((found - expected).abs() < 1e-9, "{found} instead of {expected}");
     }
     assert!(
-        back.conventions.iter().any(|c| c == "drift of positions and orientations is compensated by reference targets")
+        back.conventions
+            .iter()
+            .any(|c| c.english() == "drift of positions and orientations is compensated by reference targets")
     );
     // without the order the drift of positions alone is compensated, and that is told
     let (half, said) = answer(&order[..2]);

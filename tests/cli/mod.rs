@@ -417,8 +417,8 @@ fn fit_answers_with_its_unit_and_uncertainty() {
     let answered = run(&["--unit", "inch", "--json"]);
     let document: etalon::documents::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
     assert_eq!((document.element.as_str(), document.points), ("sphere", 20));
-    assert!((document.radius_mm.unwrap() - 50.8).abs() < 1e-6, "{document:?}");
-    let center = document.center_mm.unwrap();
+    assert!((document.geometry.radius_mm.unwrap() - 50.8).abs() < 1e-6, "{document:?}");
+    let center = document.geometry.center_mm.unwrap();
     assert!(center.iter().zip([25.4, 50.8, 76.2]).all(|(c, e)| (c - e).abs() < 1e-6), "{center:?}");
     assert!(document.standard_uncertainty.unwrap().radius_mm.unwrap() < 1e-6);
     let listed = run(&["--unit", "inch", "--json", "--by-label"]);
@@ -433,8 +433,11 @@ fn a_minimum_zone_names_the_points_that_hold_it() {
     std::fs::write(folder.path().join("tent.txt"), "0 0 0\n30 0 0\n10 8 1\n0 20 0\n12 9 2\n").unwrap();
     let answered = etalon(folder.path(), &["fit", "plane", "tent.txt", "--unit", "mm", "--minimum-zone", "--json"]);
     let document: etalon::documents::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
-    assert!((document.form_mm - 2.0).abs() < 1e-12 && (document.max_mm - 1.0).abs() < 1e-12, "{document:?}");
-    let contacts = document.contacts.unwrap();
+    assert!(
+        (document.deviations.form_mm - 2.0).abs() < 1e-12 && (document.deviations.max_mm - 1.0).abs() < 1e-12,
+        "{document:?}"
+    );
+    let contacts = document.deviations.contacts.unwrap();
     assert!(contacts.verified && contacts.upper == [5] && contacts.lower == [1, 2, 4], "{contacts:?}");
     let shown = etalon(folder.path(), &["fit", "plane", "tent.txt", "--unit", "mm", "--minimum-zone"]);
     assert!(text(&shown.stdout).contains("points 5 and 1 2 4"), "{}", text(&shown.stdout));
@@ -443,8 +446,11 @@ fn a_minimum_zone_names_the_points_that_hold_it() {
     std::fs::write(folder.path().join("ball.txt"), format!("0 0 10.1\n0 0 -10.1\n{equator}")).unwrap();
     let answered = etalon(folder.path(), &["fit", "sphere", "ball.txt", "--unit", "mm", "--minimum-zone", "--json"]);
     let document: etalon::documents::FitDocument = serde_json::from_slice(&answered.stdout).unwrap();
-    assert!((document.form_mm - 0.2).abs() < 1e-12 && (document.radius_mm.unwrap() - 10.0).abs() < 1e-12);
-    let contacts = document.contacts.unwrap();
+    assert!(
+        (document.deviations.form_mm - 0.2).abs() < 1e-12
+            && (document.geometry.radius_mm.unwrap() - 10.0).abs() < 1e-12
+    );
+    let contacts = document.deviations.contacts.unwrap();
     assert!(contacts.verified && contacts.upper == [1, 2] && contacts.lower == [3, 4, 5], "{contacts:?}");
     let multipliers = contacts.multipliers.unwrap();
     assert!(multipliers.upper.iter().all(|l| (l - 0.5).abs() < 1e-12), "{multipliers:?}");
@@ -503,7 +509,7 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     assert!(all.status.success() && said.says("warning[instrument-too-coarse] count=2 poses=1, 2"), "{said}");
     let document: etalon::documents::Iso9283Document = serde_json::from_slice(&all.stdout).unwrap();
     assert_eq!((document.distances[0].poses, document.distances[0].cycles), ([1.into(), 2.into()], 4));
-    assert!(document.conventions.iter().any(|c| c.contains("not stated")));
+    assert!(document.conventions.iter().any(|c| c.english().contains("not stated")));
     // pose 2 has no AP to verify
     let said = text(&run(&["--expanded-uncertainty-um", "25"]).stderr);
     assert!(said.contains("warning[instrument-too-coarse]"), "{said}");

@@ -29,16 +29,22 @@ fn positions_of_a_five_bar_are_planned_twice_to_the_same_bytes_and_read_again() 
     let arguments = ["--positions", "6", "--nodes", "0", "--standard-uncertainty-um", "10", "--poses", "chosen.csv"];
     let first = plan(folder.path(), &arguments);
     assert_eq!(first, plan(folder.path(), &arguments));
-    assert_eq!(first.chosen.len(), 6);
-    assert!(first.at_most_below_percent.unwrap() < 3.0, "{first:?}");
-    assert!(first.value >= first.greedy.value && first.bound.unwrap() >= first.value);
-    assert!((first.observability.as_ref().unwrap().o1 / first.value - 1.0).abs() < 1e-6);
-    assert!(first.parameters.iter().all(|p| p.identifiable && p.standard_uncertainty.unwrap() > 0.0));
-    assert!(first.workspace.unwrap().max_mm > first.workspace.unwrap().rms_mm);
+    assert_eq!(first.choice.chosen.len(), 6);
+    assert!(first.optimality.at_most_below_percent.unwrap() < 3.0, "{first:?}");
+    assert!(
+        first.optimality.value >= first.optimality.greedy.value
+            && first.optimality.bound.unwrap() >= first.optimality.value
+    );
+    assert!((first.prediction.observability.as_ref().unwrap().o1 / first.optimality.value - 1.0).abs() < 1e-6);
+    assert!(first.prediction.parameters.iter().all(|p| p.identifiable && p.standard_uncertainty.unwrap() > 0.0));
+    assert!(first.prediction.workspace.unwrap().max_mm > first.prediction.workspace.unwrap().rms_mm);
     // the chosen poses are candidates again: all of them is the only choice, with the same index
     std::fs::rename(folder.path().join("chosen.csv"), folder.path().join("c.csv")).unwrap();
     let again = plan(folder.path(), &["--positions", "6"]);
-    assert!(again.proven_optimal && (again.value / first.value - 1.0).abs() < 1e-9, "{again:?}");
+    assert!(
+        again.optimality.proven_optimal && (again.optimality.value / first.optimality.value - 1.0).abs() < 1e-9,
+        "{again:?}"
+    );
     // too few positions are refused
     let few = ["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "1"];
     // beside nominal values one is enough
@@ -70,7 +76,11 @@ fn one_working_mode_says_what_it_cannot_tell() {
     std::fs::write(folder.path().join("c.csv"), &csv).unwrap();
     let found = plan(folder.path(), &["--positions", "7", "--nodes", "0"]);
     assert!(found.messages.iter().any(|m| m.what.contains("identifiable")), "{:?}", found.messages);
-    assert!(found.parameters.iter().filter(|p| !p.confounded_with.is_empty()).count() >= 2, "{:?}", found.parameters);
+    assert!(
+        found.prediction.parameters.iter().filter(|p| !p.confounded_with.is_empty()).count() >= 2,
+        "{:?}",
+        found.prediction.parameters
+    );
     // a candidate without its assembly mode is refused, with the way out
     std::fs::write(
         folder.path().join("c.csv"),
@@ -95,7 +105,7 @@ fn what_is_out_of_reach_is_told_and_never_chosen() {
                7,170,300,44\n8,170,0,0\n9,170.001,0,0\n10,0,-1,0\n";
     rows(&prexyt, csv);
     let found = plan(folder.path(), &["--positions", "8", "--nodes", "0"]);
-    assert_eq!(found.chosen.iter().map(|c| c.pose).collect::<Vec<_>>(), [1, 2, 3, 4, 5, 6, 7, 8]);
+    assert_eq!(found.choice.chosen.iter().map(|c| c.pose).collect::<Vec<_>>(), [1, 2, 3, 4, 5, 6, 7, 8]);
     let told = found.messages[0].to_string();
     for part in ["warning[candidates-left-out] count=2", "c.csv", "pose 9 (rho1 = 170.001 mm", "pose 10 (rho2 = -1 mm"]
     {
@@ -154,15 +164,15 @@ fn eight_poses_of_the_prexyt_are_better_than_the_corners() {
     )
     .unwrap();
     let found = plan(folder.path(), &["--positions", "8", "--nodes", "0", "--compare", "1,2,3,4,5,6,7,8"]);
-    let compared = found.compared.as_ref().unwrap();
+    let compared = found.optimality.compared.as_ref().unwrap();
     println!(
         "{:?}: {:.1} % better than set 1, at most {:.2} % below the best",
-        found.chosen.iter().map(|p| p.pose).collect::<Vec<_>>(),
+        found.choice.chosen.iter().map(|p| p.pose).collect::<Vec<_>>(),
         compared.better_by_percent,
-        found.at_most_below_percent.unwrap()
+        found.optimality.at_most_below_percent.unwrap()
     );
-    assert!(compared.better_by_percent >= 0.0 && found.at_most_below_percent.unwrap() < 10.0);
-    assert!(found.parameters.iter().all(|p| p.identifiable));
+    assert!(compared.better_by_percent >= 0.0 && found.optimality.at_most_below_percent.unwrap() < 10.0);
+    assert!(found.prediction.parameters.iter().all(|p| p.identifiable));
 }
 
 #[test]
@@ -182,16 +192,19 @@ fn an_irb120_is_planned_with_its_redundant_parameters_named() {
     let found = plan(folder.path(), &["--positions", "12", "--nodes", "0", "--starts", "1"]);
     println!(
         "{} of {} parameters, at most {:.2} % below the best",
-        found.parameters.iter().filter(|p| p.identifiable).count(),
-        found.parameters.len(),
-        found.at_most_below_percent.unwrap()
+        found.prediction.parameters.iter().filter(|p| p.identifiable).count(),
+        found.prediction.parameters.len(),
+        found.optimality.at_most_below_percent.unwrap()
     );
     assert!(
-        found.parameters.iter().any(|p| !p.identifiable && !p.confounded_with.is_empty()),
+        found.prediction.parameters.iter().any(|p| !p.identifiable && !p.confounded_with.is_empty()),
         "{:?}",
-        found.parameters
+        found.prediction.parameters
     );
-    assert!(found.value >= found.greedy.value && found.at_most_below_percent.unwrap() < 20.0);
+    assert!(
+        found.optimality.value >= found.optimality.greedy.value
+            && found.optimality.at_most_below_percent.unwrap() < 20.0
+    );
 }
 
 #[test]
@@ -207,7 +220,7 @@ fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
     let wanted = [&wanted[..], &["--report", "plan.xlsx", "--report", "plan.pdf"]].concat();
     let fixed = ["--prior", "none", "--positions", "7", "--nodes", "0", "--standard-uncertainty-um", "10"];
     let found = plan(folder.path(), &[&fixed[..], &wanted].concat());
-    let knee = found.greedy.knee_configurations.unwrap();
+    let knee = found.optimality.greedy.knee_configurations.unwrap();
     assert!((22..=28).contains(&knee), "the thesis has its knee at about 25 configurations, here it is {knee}");
     assert_eq!(found.places.iter().filter(|p| p.chosen).count(), 7);
 
@@ -238,7 +251,8 @@ fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
     let json: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(folder.path().join("t.json")).unwrap()).unwrap();
     let targets = json["targets"].as_array().unwrap();
-    let planned: Vec<_> = found.chosen.iter().flat_map(|p| p.configurations.iter().map(move |c| (p.pose, c))).collect();
+    let planned: Vec<_> =
+        found.choice.chosen.iter().flat_map(|p| p.configurations.iter().map(move |c| (p.pose, c))).collect();
     assert_eq!(targets.len(), planned.len());
     for (target, (pose, joints)) in targets.iter().zip(planned) {
         assert_eq!(target["pose"].as_i64(), pose.number());

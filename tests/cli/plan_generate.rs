@@ -87,9 +87,9 @@ fn generated_candidates_of_an_arm_obey_limits_ranges_box_and_line_of_sight() {
     let found = all_of(folder.path(), "30", &SIGHT);
     assert_eq!(found, all_of(folder.path(), "30", &SIGHT));
     let other = all_of(folder.path(), "30", &[&SIGHT[..], &["--seed", "2"]].concat());
-    assert_ne!(found.chosen, other.chosen);
+    assert_ne!(found.choice.chosen, other.choice.chosen);
     let half = 45f64.to_radians();
-    for planned in found.chosen.iter().chain(&other.chosen) {
+    for planned in found.choice.chosen.iter().chain(&other.choice.chosen) {
         let q = joints_of(&planned.configurations[0], &Q);
         for (k, (q, row)) in q.iter().zip(&ARM).enumerate() {
             let [lower, upper] = if k == 1 { [-60.0, 45.0] } else { [row[4], row[5]] };
@@ -106,11 +106,11 @@ fn generated_candidates_of_an_arm_obey_limits_ranges_box_and_line_of_sight() {
         assert!(angle <= half + 1e-9, "{} deg", angle.to_degrees());
     }
     // the first target of each candidate, by the program and by this test
-    for (place, planned) in found.places.iter().zip(&found.chosen) {
+    for (place, planned) in found.places.iter().zip(&found.choice.chosen) {
         let here = at(&joints_of(&planned.configurations[0], &Q), [30.0, 0.0, 60.0]);
         assert!(norm(minus(place.at_mm, here)) < 1e-6, "{here:?} {place:?}");
     }
-    let generated = found.generated.unwrap();
+    let generated = found.choice.generated.unwrap();
     let lost = generated.beyond_limits + generated.outside_box + generated.facing_away;
     assert_eq!(generated.draws, 30 + lost);
     assert!(generated.outside_box > 0 && generated.facing_away > 0, "{generated:?}");
@@ -156,14 +156,14 @@ fn programs_move_to_the_poses_of_the_table_in_the_order_of_the_plan() {
         let stated = if file == "m.txt" { &["--language", "krl"][..] } else { &[] };
         let found = all_of(folder.path(), "24", &[&SIGHT[..], &options, stated].concat());
         let program = std::fs::read_to_string(folder.path().join(file)).unwrap();
-        let order = found.order.as_ref().unwrap();
+        let order = found.choice.order.as_ref().unwrap();
         let (shorter, longer) = (order.motion, order.motion_as_listed);
         assert!(shorter < 0.8 * longer, "{shorter} {longer}");
         let mut sorted = order.indices.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..24).collect::<Vec<_>>());
         // the length of the motion: largest joint motion of each leg, as a share of the span of the joint
-        let q: Vec<Vec<f64>> = found.chosen.iter().map(|p| joints_of(&p.configurations[0], &Q)).collect();
+        let q: Vec<Vec<f64>> = found.choice.chosen.iter().map(|p| joints_of(&p.configurations[0], &Q)).collect();
         let span = |j: usize| {
             let all = q.iter().map(|q| q[j]);
             all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
@@ -208,10 +208,10 @@ fn joints_with_backlash_arrive_from_the_planned_direction_within_their_limits() 
     let found = all_of(folder.path(), "30", &options);
     let moved = motions(&std::fs::read_to_string(folder.path().join("m.mod")).unwrap());
     assert_eq!(moved.len(), 60, "an approach and a pose each");
-    let order = found.order.as_ref().unwrap();
+    let order = found.choice.order.as_ref().unwrap();
     let mut directions = [0usize; 2];
     for (pair, &index) in moved.chunks_exact(2).zip(&order.indices) {
-        let values = &found.chosen[index].configurations[0];
+        let values = &found.choice.chosen[index].configurations[0];
         for (k, column) in columns.iter().enumerate() {
             assert!((pair[1][k] - values[column]).abs() < 1e-4, "{pair:?} {values:?}");
             let came = pair[1][k] - pair[0][k];
@@ -239,7 +239,7 @@ fn parallel_robots_and_tables_are_drawn_too() {
     sample("delta");
     let options = ["--reflector", "A=0,0,-10", "--box", "x=-200:200,y=-200:200,z=-900:-600"];
     let found = all_of(folder.path(), "20", &options);
-    for (planned, place) in found.chosen.iter().zip(&found.places) {
+    for (planned, place) in found.choice.chosen.iter().zip(&found.places) {
         let values = &planned.configurations[0];
         assert!(
             place
@@ -260,7 +260,7 @@ fn parallel_robots_and_tables_are_drawn_too() {
     // base at x = 263, y = 75; motors 275 mm apart, four links of 230 mm
     sample("dextar");
     let found = all_of(folder.path(), "20", &["--box", "x=-120:120,y=150:330"]);
-    for (planned, place) in found.chosen.iter().zip(&found.places) {
+    for (planned, place) in found.choice.chosen.iter().zip(&found.places) {
         let [x, y] = [place.at_mm[0] - 263.0, place.at_mm[1] - 75.0];
         assert!((-120.0..=120.0).contains(&x) && (150.0..=330.0).contains(&y), "{place:?}");
         for values in &planned.configurations {
@@ -270,16 +270,16 @@ fn parallel_robots_and_tables_are_drawn_too() {
             }
         }
     }
-    assert!(found.chosen.iter().any(|planned| planned.configurations.len() > 1));
+    assert!(found.choice.chosen.iter().any(|planned| planned.configurations.len() > 1));
     sample("prexyt-cmm");
     let found = all_of(folder.path(), "20", &["--range", "rho2_mm=10:200"]);
-    for planned in &found.chosen {
+    for planned in &found.choice.chosen {
         let ends = [("rho1_mm", [0.0, 170.0]), ("rho2_mm", [10.0, 200.0]), ("rho3_mm", [0.0, 300.0])];
         assert!(ends.iter().all(|(column, [a, b])| (a..=b).contains(&&planned.configurations[0][*column])));
     }
     sample("hexapod");
     let found = all_of(folder.path(), "10", &["--reflector", "A=0,0,20"]);
-    for planned in &found.chosen {
+    for planned in &found.choice.chosen {
         assert!(planned.configurations[0].values().all(|leg| (0.0..=150.0).contains(leg)), "{planned:?}");
     }
 }
@@ -343,7 +343,7 @@ fn reflectors_are_hidden_by_stated_bodies_and_by_links_of_the_arm() {
     ];
     let found = all_of(folder.path(), "200", &[&view[..], &bodies].concat());
     let eye = [1200.0, -400.0, 300.0];
-    for planned in &found.chosen {
+    for planned in &found.choice.chosen {
         let q = joints_of(&planned.configurations[0], &Q);
         let target = at(&q, [30.0, 0.0, 60.0]);
         let of = |k: usize, p: [f64; 3]| {
@@ -359,7 +359,7 @@ fn reflectors_are_hidden_by_stated_bodies_and_by_links_of_the_arm() {
             assert!(!crosses(eye, target, ends, radius - 0.01), "{q:?}");
         }
     }
-    let generated = found.generated.unwrap();
+    let generated = found.choice.generated.unwrap();
     let hidden: Vec<(&str, bool, usize)> =
         generated.obstacles.iter().map(|o| (o.name.as_str(), o.is_link, o.hidden)).collect();
     assert!(matches!(hidden[..], [("column", false, _), ("table", false, _), ("q3", true, _), ("q2", true, _)]));
@@ -367,7 +367,7 @@ fn reflectors_are_hidden_by_stated_bodies_and_by_links_of_the_arm() {
     let lost: usize = hidden.iter().map(|(.., count)| count).sum();
     assert_eq!(generated.draws, 200 + generated.beyond_limits + lost);
     // without the bodies every draw within the limits is a candidate
-    let all = all_of(folder.path(), "60", &view[..2]).generated.unwrap();
+    let all = all_of(folder.path(), "60", &view[..2]).choice.generated.unwrap();
     assert_eq!(all.draws, 60 + all.beyond_limits);
 }
 
@@ -380,7 +380,7 @@ fn an_arm_between_instrument_and_reflector_hides_it() {
     let mut options = vec!["--reflector", "A=0,0,60", "--link", "q3=60"];
     ranges.iter().for_each(|range| options.extend(["--range", range.as_str()]));
     let in_front = all_of(folder.path(), "20", &[&options[..], &["--instrument", "3000,0,630"]].concat());
-    assert_eq!(in_front.generated.unwrap().draws, 20);
+    assert_eq!(in_front.choice.generated.unwrap().draws, 20);
     let fixed = ["plan", "--robot", "robot.toml", "--generate", "20", "--positions", "20"];
     let behind = etalon(folder.path(), &[&fixed[..], &options, &["--instrument", "-3000,0,630"]].concat());
     assert_eq!(behind.status.code(), Some(2));
@@ -534,14 +534,14 @@ fn fanuc_karel_inform_and_gcode_programs_read_back_as_the_poses_of_the_table() {
         }
         // and they are the nearest steps to the poses without a program
         let exact = all_of(folder.path(), "12", &SIGHT);
-        for (with, without) in found.chosen.iter().zip(&exact.chosen) {
+        for (with, without) in found.choice.chosen.iter().zip(&exact.choice.chosen) {
             let apart = Q.map(|q| (with.configurations[0][q] - without.configurations[0][q]).abs());
             assert!(apart.iter().all(|d| *d <= 0.5 * step + 1e-9), "{file} {apart:?}");
         }
         let said: Vec<&str> = program.lines().map(|line| line.split_once(":  ").map_or(line, |p| p.1).trim()).collect();
         let block = |stop: &[&str]| stop == waits;
         assert_eq!(said.windows(4).filter(|w| block(w)).count(), 12, "{program}");
-        let stated = found.program.unwrap();
+        let stated = found.choice.program.unwrap();
         assert_eq!((stated.file.as_str(), stated.dwell_s), (file, 4.5));
     }
 }

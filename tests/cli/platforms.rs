@@ -57,10 +57,15 @@ fn poses_of_platforms_are_planned() {
         let answered = etalon(&folder, &[&["plan", "--robot", "robot.toml"], &arguments[..]].concat());
         assert!(answered.status.success(), "{}", text_of(&answered));
         let found: PlanDocument = serde_json::from_slice(&answered.stdout).unwrap();
-        assert_eq!(found.chosen.len(), 20);
-        let held: Vec<&str> = found.parameters.iter().filter(|p| !p.identifiable).map(|p| p.name.as_str()).collect();
+        assert_eq!(found.choice.chosen.len(), 20);
+        let held: Vec<&str> =
+            found.prediction.parameters.iter().filter(|p| !p.identifiable).map(|p| p.name.as_str()).collect();
         assert!(held.len() == 12 && held.iter().any(|name| name.contains(legs)), "{name}: {held:?}");
-        assert!(found.value >= found.greedy.value && found.at_most_below_percent.unwrap() < 20.0, "{name}");
+        assert!(
+            found.optimality.value >= found.optimality.greedy.value
+                && found.optimality.at_most_below_percent.unwrap() < 20.0,
+            "{name}"
+        );
     }
 }
 

@@ -59,7 +59,13 @@ fn this_installation_passes_and_says_what_was_compared() {
 fn a_wrong_digit_a_swapped_pair_and_a_wrong_unit_each_fail_a_comparison() {
     let (_, document) = &*PASSED;
     for id in ["fits", "solver", "frames", "kinematics", "identification", "uncertainty", "standards", "formats"] {
-        let of = |kind: &str| document.must_fail.iter().filter(|m| m.id == id && m.slip_phrase.id == kind).count();
+        let of = |kind: &str| {
+            document
+                .must_fail
+                .iter()
+                .filter(|m| m.id == id && m.slip.phrase().is_some_and(|slip| slip.id == kind))
+                .count()
+        };
         let kinds = ["selftest-wrong-digit", "selftest-swapped", "selftest-wrong-unit"];
         assert!(kinds.iter().all(|kind| of(kind) > 0), "{id}");
     }
@@ -99,7 +105,7 @@ fn a_changed_program_and_a_changed_result_are_each_named() {
     let [one] = &found.moved[..] else { panic!("{:?}", found.moved) };
     assert!(one.parameter == "s" && one.quantity == "value" && one.over_uncertainty.unwrap() > 1e-6, "{one:?}");
     assert!((one.before.unwrap() - one.after.unwrap()).abs() < 1e-3);
-    let causes: Vec<&str> = found.cause_phrases.iter().map(|phrase| &*phrase.id).collect();
+    let causes: Vec<&str> = found.causes.iter().filter_map(|cause| Some(&*cause.phrase()?.id)).collect();
     assert_eq!(causes, ["selftest-other-version", "selftest-other-input"]);
     let page = std::fs::read_to_string(scratch.root().join("protocol.html")).unwrap();
     assert!(page.contains(&own) && page.contains("SHA-256 déclaré") && page.contains("class=\"box bad\""));

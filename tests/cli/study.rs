@@ -31,7 +31,7 @@ fn sets_and_instruments_side_by_side() {
     let (code, answer, said) = study(&scratch, &[]);
     assert_eq!(code, Some(0), "{said}");
     let found: StudiesDocument = serde_json::from_str(&answer).unwrap();
-    assert_eq!((found.designs.len(), found.error.contains("base frame")), (8, true));
+    assert_eq!((found.designs.len(), found.error.english().contains("base frame")), (8, true));
     let design =
         |name: &str, noise_um: f64| found.designs.iter().find(|d| d.name == name && d.noise_um == noise_um).unwrap();
     let error = |d: &StudiedDesign, quantity: &str| d.after.iter().find(|e| e.quantity == quantity).unwrap().rms.median;

@@ -84,7 +84,9 @@ fn equal_uncertainties_of_rows_are_that_of_the_instrument() {
         let weighted = found(&table(&rows, names, |_| cells.to_owned()), &[]);
         agree(&stated, &weighted, 1e-9);
         let (a, b) = (&stated.residuals, &weighted.residuals);
-        assert!((a.chi_square.unwrap() - b.chi_square.unwrap()).abs() < 1e-6 && (a.rms - b.rms).abs() < 1e-12);
+        assert!(
+            (a.test.chi_square.unwrap() - b.test.chi_square.unwrap()).abs() < 1e-6 && (a.rms - b.rms).abs() < 1e-12
+        );
         assert!(weighted.messages.iter().any(|m| m.id == "readings-weighted"));
     }
 }
@@ -97,7 +99,7 @@ fn the_error_before_identification_is_that_of_the_nominal_robot() {
     let of_robot = free.parameters.iter().filter(|p| p.role == Role::Robot);
     let hold: Vec<&str> = of_robot.flat_map(|p| ["--hold", p.name.as_str()]).collect();
     let held = found(&text, &hold).residuals;
-    let rms = |r: &ResidualSummary| [r.position_rms_before_mm.unwrap(), r.position_rms_mm.unwrap()];
+    let rms = |r: &ResidualSummary| [r.position.position_rms_before_mm.unwrap(), r.position.position_rms_mm.unwrap()];
     let ([before, after], [nominal_before, nominal]) = (rms(&free.residuals), rms(&held));
     assert!((nominal_before - nominal).abs() < 1e-6 * nominal && (before - nominal).abs() < 1e-6 * nominal);
     assert!(after < 0.1 * before, "{before} {after}");

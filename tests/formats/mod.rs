@@ -141,8 +141,7 @@ fn source() -> Source {
         sha256: String::new(),
         bytes: 0,
         kind: SourceKind::Log,
-        dialect: String::new(),
-        dialect_phrase: None,
+        dialect: "".into(),
         rows_read: 0,
         refused: Vec::new(),
         standstills: Vec::new(),
@@ -211,9 +210,9 @@ fn the_end_of_a_long_file_is_read() {
     std::fs::write(&path, &text).unwrap();
     let document = propose_file(&path).unwrap();
     assert_eq!(document.rows, 5000);
-    assert!(document.reasons[0].starts_with("5000 of 5000 rows"), "{:?}", document.reasons);
+    assert!(document.reasons[0].english().starts_with("5000 of 5000 rows"), "{:?}", document.reasons);
     text += "5000,one,two,three\n";
     std::fs::write(&path, &text).unwrap();
     let document = propose_file(&path).unwrap();
-    assert!(document.doubts.iter().any(|doubt| doubt.contains("line 5002")), "{:?}", document.doubts);
+    assert!(document.doubts.iter().any(|doubt| doubt.english().contains("line 5002")), "{:?}", document.doubts);
 }

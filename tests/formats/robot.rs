@@ -75,7 +75,7 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
     let document = proposed(at, arm.as_ref(), &text);
     assert_eq!(document.kind, "export with joints", "{}", document.toml);
     assert!(document.toml.contains("q1_deg = \"a1\"") && document.toml.contains("unit = \"mm\""), "{}", document.toml);
-    assert!(document.reasons.iter().any(|r| r.contains("reproduces `X`, `Y`, `Z` in mm with a residual of")));
+    assert!(document.reasons.iter().any(|r| r.english().contains("reproduces `X`, `Y`, `Z` in mm with a residual of")));
     assert!(!document.toml.contains("UNIT"), "{}", document.toml);
     // the second and the third column exchanged, the fifth against its direction, in rad and metres
     let text = table(
@@ -89,9 +89,9 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
     for part in ["q2_rad = \"j3\"", "q3_rad = \"j2\"", "q5_rad = { name = \"j5\", per_count = -1 }", "unit = \"m\""] {
         assert!(document.toml.contains(part), "{part}: {}", document.toml);
     }
-    assert!(document.reasons.iter().any(|r| r.contains("`j5` counts against the direction of `q5`")));
+    assert!(document.reasons.iter().any(|r| r.english().contains("`j5` counts against the direction of `q5`")));
     let columns = [1, 3, 2, 4, 5, 6].map(|k| format!("`j{k}`"));
-    let contradicted = phrase!("robot-contradicts-order", columns = columns.to_vec()).to_string();
+    let contradicted = phrase!("robot-contradicts-order", columns = columns.to_vec()).into();
     assert!(document.doubts.contains(&contradicted), "{:?}", document.doubts);
     // headings that state another unit than the values have: the lines take the one that fits, and doubt it
     let text = table(
@@ -100,7 +100,7 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
     );
     let document = proposed(at, arm.as_ref(), &text);
     assert!(document.toml.contains("unit = \"inch\""), "{}", document.toml);
-    assert!(document.doubts.iter().any(|d| d.contains("`X [mm]` states mm")), "{}", document.toml);
+    assert!(document.doubts.iter().any(|d| d.english().contains("`X [mm]` states mm")), "{}", document.toml);
     // without a header the six joints are found behind the point
     let text = table("", rows.iter().map(|(q, p)| p.iter().copied().chain(deg(q)).collect()));
     let document = proposed(at, arm.as_ref(), &text);
@@ -125,7 +125,7 @@ fn joints_and_poses_in_another_encoding_state_it_and_ask_nothing_that_headings_s
     let document = propose_file_for(&path, None).unwrap();
     assert_eq!(document.kind, "observations", "{}", document.toml);
     assert!(document.toml.contains("f.csv\"\nencoding = \"windows-1252\"\n"), "{}", document.toml);
-    assert!(!document.questions.contains(&phrase!("ask-joints").to_string()), "{:?}", document.questions);
+    assert!(!document.questions.contains(&phrase!("ask-joints").into()), "{:?}", document.questions);
     assert!(!document.toml.contains("UNIT"), "{}", document.toml);
 }
 
@@ -141,8 +141,8 @@ fn a_column_of_targets_is_found_by_the_kinematics() {
         }
     }
     let document = proposed(at, arm.as_ref(), &text);
-    assert_eq!(document.columns[0].taken_for, "name of the target", "{}", document.toml);
-    let found = phrase!("robot-finds-targets", column = "`what`").to_string();
+    assert_eq!(document.columns[0].taken_for.english(), "name of the target", "{}", document.toml);
+    let found = phrase!("robot-finds-targets", column = "`what`").into();
     assert!(document.reasons.contains(&found), "{}", document.toml);
 }
 
@@ -163,7 +163,11 @@ fn commanded_coordinates_are_named_and_the_data_of_another_robot_are_not_explain
         let _ = writeln!(text, "{}", cells.join(","));
     }
     let document = proposed(at, arm.as_ref(), &text);
-    assert!(document.doubts.iter().any(|d| d.contains("commanded or computed, not measured")), "{}", document.toml);
+    assert!(
+        document.doubts.iter().any(|d| d.english().contains("commanded or computed, not measured")),
+        "{}",
+        document.toml
+    );
     assert_eq!(document.kind, "log", "{}", document.toml);
     // measured by a robot with errors of some hundredths: no such doubt
     let mut text = head[..head.len() - 10].to_owned() + "\n";
@@ -172,7 +176,7 @@ fn commanded_coordinates_are_named_and_the_data_of_another_robot_are_not_explain
         let _ = writeln!(text, "{}", cells.join(","));
     }
     let document = proposed(at, arm.as_ref(), &text);
-    assert!(!document.doubts.iter().any(|d| d.contains("commanded")), "{}", document.toml);
+    assert!(!document.doubts.iter().any(|d| d.english().contains("commanded")), "{}", document.toml);
     assert_eq!(document.kind, "export with joints", "{}", document.toml);
     // points that have nothing to do with the joints
     let mut noise = Noise::new(1, 1);
@@ -181,12 +185,12 @@ fn commanded_coordinates_are_named_and_the_data_of_another_robot_are_not_explain
         rows(1.0).map(|((q, _), _)| q.into_iter().chain([0; 3].map(|_| noise.uniform(800.0))).collect()),
     );
     let document = proposed(at, arm.as_ref(), &text);
-    assert!(document.doubts.iter().any(|d| d.contains("`X`, `Y`, `Z`")), "{}", document.toml);
+    assert!(document.doubts.iter().any(|d| d.english().contains("`X`, `Y`, `Z`")), "{}", document.toml);
     assert!(document.toml.contains("unit = \"?\"") && document.toml.contains("q1_UNIT"), "{}", document.toml);
     // too few rows test nothing
     let few: String = text.lines().take(10).map(|line| format!("{line}\n")).collect();
     let document = proposed(at, arm.as_ref(), &few);
-    assert!(document.doubts.iter().any(|d| d.contains("the proposal cannot be tested")), "{}", document.toml);
+    assert!(document.doubts.iter().any(|d| d.english().contains("the proposal cannot be tested")), "{}", document.toml);
 }
 
 #[test]

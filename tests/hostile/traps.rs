@@ -96,7 +96,7 @@ fn trap_7_the_origin_counts_as_not_measured_unless_the_campaign_says_otherwise()
     let refused = |missing: &str| {
         let imported = campaign(&export(missing), &files).1.unwrap();
         let source = imported.document.sources.into_iter().find(|s| s.kind.name() == "export").unwrap();
-        (imported.points.len(), source.refused.into_iter().map(|r| r.reason).collect::<Vec<_>>())
+        (imported.points.len(), source.refused.into_iter().map(|r| r.reason.to_string()).collect::<Vec<_>>())
     };
     assert_eq!(refused(""), (1, vec!["not measured: 0 0 0".to_owned()]));
     assert_eq!(refused(", missing = [\"\"]"), (2, Vec::new()));
@@ -245,6 +245,6 @@ fn trap_22_exports_relative_to_different_frames_are_told() {
     let imported = campaign(&(export("a.txt") + &export("b.txt")), &files).1.unwrap();
     let told = imported.document.messages.iter().find(|m| m.id == "frames-differ").unwrap();
     assert!(told.what.contains("`A::Tool`") && told.what.contains("`A::WORLD`"), "{}", told.what);
-    let dialects: Vec<&str> = imported.document.sources.iter().map(|s| s.dialect.as_str()).collect();
+    let dialects: Vec<&str> = imported.document.sources.iter().map(|s| s.dialect.english()).collect();
     assert!(dialects.iter().any(|d| d.ends_with("relative to `A::Tool`")), "{dialects:?}");
 }

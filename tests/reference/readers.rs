@@ -53,7 +53,7 @@ fn calypso_characteristics_of_one_feature_without_z_are_told() {
     // three rows of one feature: xValue, yValue, diameter
     let (points, source) = read("exports/calypso/excerpt_chr.txt", "\"calypso\"", "mm").unwrap();
     assert!(points.is_empty());
-    let told: Vec<_> = source.refused.iter().map(|r| (r.line, r.reason.as_str())).collect();
+    let told: Vec<_> = source.refused.iter().map(|r| (r.line, r.reason.english())).collect();
     assert_eq!(told, [(2, "no point: X, Y, diameter without Z")]);
     // the column `unit` says mm
     refused(
@@ -95,7 +95,7 @@ fn trap_13_and_17_geopak_writes_angles_under_the_name_of_iges() {
     assert_eq!(points[1].1, [3.349968393187 * 25.4, -1.313496902315 * 25.4, -1.431274697897 * 25.4]);
     let told: Vec<usize> = source.refused.iter().map(|r| r.line).collect();
     let reason = phrase!("feature-of-no-point", kind = "PLANE");
-    assert_eq!((told, &source.refused[0].reason_phrase), (vec![4, 11, 14], &Some(reason)));
+    assert_eq!((told, source.refused[0].reason.phrase()), (vec![4, 11, 14], Some(&reason)));
     let features = dmis::features("f", &text(file), dmis::DirectionNotation::Angles, Unit::Inch).unwrap();
     let kinds: Vec<&str> = features.iter().map(|f| f.kind.as_str()).collect();
     assert_eq!(kinds, ["PLANE", "CIRCLE", "POINT", "LINE", "CYLNDR"]);
@@ -152,7 +152,7 @@ fn polyworks_report_has_one_control_which_is_no_point() {
     assert_eq!((control.nominal, control.measured, control.tolerance), (Some(95.0), Some(120.007), Some((2.0, -2.0))));
     let (points, source) = read(file, "\"polyworks_report\"", "mm").unwrap();
     assert!(points.is_empty());
-    assert_eq!(source.refused[0].reason, "no point: Y Distance without X, Y, Z");
+    assert_eq!(source.refused[0].reason.english(), "no point: Y Distance without X, Y, Z");
 }
 
 #[test]

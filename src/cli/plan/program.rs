@@ -67,7 +67,7 @@ impl Program {
     pub(super) fn complete(&self, robot: &dyn Robot, document: &mut PlanDocument) -> Result<()> {
         let Some(path) = &self.program else { return Ok(()) };
         let (name, language) = self.measuring_language(path)?;
-        for values in document.chosen.iter_mut().flat_map(|pose| &mut pose.configurations) {
+        for values in document.choice.chosen.iter_mut().flat_map(|pose| &mut pose.configurations) {
             for (k, joint) in robot.joints().iter().enumerate() {
                 if let Some(value) = values.get_mut(&joint.column()) {
                     *value = language.attained(*value, self.pulses.get(k).copied().unwrap_or(1.0));
@@ -75,7 +75,7 @@ impl Program {
             }
         }
         let file = path.file_name().map(|file| file.to_string_lossy().into_owned());
-        document.program = Some(PlannedProgram {
+        document.choice.program = Some(PlannedProgram {
             file: file.unwrap_or_default(),
             language: name.to_owned(),
             dwell_s: self.dwell,
@@ -115,7 +115,7 @@ fn header(robot: &dyn Robot, name: &str, document: &PlanDocument, letters: Optio
     let (joints, arm) = (robot.joints(), robot.joints().len().saturating_sub(6));
     let list = |part: &[etalon_robots::Joint]| part.iter().map(|j| j.name.as_str()).collect::<Vec<_>>().join(" ");
     let mut lines = vec![
-        format!("Measuring program of etalon {}, {} poses", document.provenance.version, document.chosen.len()),
+        format!("Measuring program of etalon {}, {} poses", document.provenance.version, document.choice.chosen.len()),
         format!("Robot: {name}"),
         "Check for collisions and reach at low speed first.".to_owned(),
         "Joint values are those of the controller: zeros and directions as in".to_owned(),

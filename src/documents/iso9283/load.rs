@@ -2,8 +2,9 @@
 
 use super::all;
 use crate::mirror::mirror;
-use etalon_base::catalogue::Phrase;
+use crate::worded::worded;
 use etalon_base::message::Message;
+use etalon_base::worded::Worded;
 use etalon_base::{phrase, warning};
 use etalon_standards::iso9283::load::{CYCLES, DirectionalCompliance};
 use schemars::JsonSchema;
@@ -16,14 +17,17 @@ pub struct Iso9283ComplianceDocument {
     /// Schema and version: `etalon/iso9283-compliance/1`.
     pub schema: String,
     /// Method, and the statement that the clause is not verified against the standard.
-    pub conventions: Vec<String>,
-    /// Texts of the catalogue that are `conventions` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub convention_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "Iso9283ComplianceConventions")]
+    pub conventions: Vec<Worded>,
     /// One per direction, in the order of the table.
     pub directions: Vec<Iso9283Compliance>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
+}
+
+worded! {
+    /// Method, and the statement that the clause is not verified against the standard.
+    list Iso9283ComplianceConventions: conventions, convention_phrases
 }
 
 mirror! {
@@ -57,8 +61,7 @@ impl Iso9283ComplianceDocument {
         let conventions = [phrase!("convention-compliance"), phrase!("convention-compliance-clause")];
         Self {
             schema: "etalon/iso9283-compliance/1".to_owned(),
-            conventions: conventions.iter().map(Phrase::to_string).collect(),
-            convention_phrases: conventions.into(),
+            conventions: conventions.map(Worded::from).into(),
             messages: (!short.is_empty()).then(warning).into_iter().collect(),
             directions: all(found),
         }

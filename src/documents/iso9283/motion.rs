@@ -3,9 +3,11 @@
 use super::pose::{misplacement, not_separable};
 use super::{Iso9283Path, Iso9283Weaving, all, degrees};
 use crate::mirror::mirror;
+use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use etalon_base::{error, phrase, warning};
 use etalon_standards::iso9283::misplacement::misplaced_motion;
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
@@ -54,10 +56,8 @@ pub struct Iso9283StreamDocument {
     pub schema: String,
     /// Thresholds, origin of times, and clauses that are not verified against the standard, in
     /// words.
-    pub conventions: Vec<String>,
-    /// Texts of the catalogue that are `conventions` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub convention_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "Iso9283StreamConventions")]
+    pub conventions: Vec<Worded>,
     /// Number of evaluated samples.
     pub samples: usize,
     /// Lines of samples that are left out because no robot moves there from the previous sample in
@@ -80,6 +80,12 @@ pub struct Iso9283StreamDocument {
     pub weaving: Option<Iso9283Weaving>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
+}
+
+worded! {
+    /// Thresholds, origin of times, and clauses that are not verified against the standard, in
+    /// words.
+    list Iso9283StreamConventions: conventions, convention_phrases
 }
 
 mirror! {
@@ -166,8 +172,7 @@ impl Iso9283StreamDocument {
         let conventions = conventions(recording, settings);
         let mut document = Self {
             schema: "etalon/iso9283-stream/1".to_owned(),
-            conventions: conventions.iter().map(Phrase::to_string).collect(),
-            convention_phrases: conventions,
+            conventions: all(conventions),
             samples: stream.len(),
             left_out: recording.left_out.clone(),
             duration_s: time_s[time_s.len() - 1] - time_s[0],

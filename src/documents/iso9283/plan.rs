@@ -2,9 +2,11 @@
 
 use super::all;
 use crate::mirror::mirror;
+use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::Vector;
+use etalon_base::worded::Worded;
 use etalon_robots::Robot;
 use etalon_standards::iso9283::plan::programme::{Item, LOADS_PERCENT, programme};
 use etalon_standards::iso9283::plan::{CommandedPose, CommandedPoses, Reachability, TestPlan, Unreached};
@@ -19,10 +21,8 @@ pub struct Iso9283PlanDocument {
     /// Schema and version: `etalon/iso9283-plan/1`.
     pub schema: String,
     /// Choices made, and clauses that are not verified against the standard, in words.
-    pub conventions: Vec<String>,
-    /// Texts of the catalogue that are `conventions` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub convention_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "Iso9283PlanConventions")]
+    pub conventions: Vec<Worded>,
     /// Side of the cube; for planar robots, of the square.
     pub side_mm: f64,
     /// Corners C1 to C8; for planar robots, C1 to C4.
@@ -38,6 +38,11 @@ pub struct Iso9283PlanDocument {
     pub programme: Vec<Iso9283Item>,
     /// Loads (% of the rated load); the first is mandatory.
     pub loads_percent: Vec<u32>,
+}
+
+worded! {
+    /// Choices made, and clauses that are not verified against the standard, in words.
+    list Iso9283PlanConventions: conventions, convention_phrases
 }
 
 /// A list of poses, or a path.
@@ -64,11 +69,14 @@ mirror! {
         /// Number of the point in the list, from 1.
         point: usize,
         /// Reason.
-        reason: String = unreached.reason.to_string(),
-        /// Text of the catalogue that is `reason` in English.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        reason_phrase: Option<Phrase> = Some(unreached.reason),
+        #[serde(flatten, with = "Iso9283UnreachedReason")]
+        reason: Worded,
     }
+}
+
+worded! {
+    /// Reason.
+    text Iso9283UnreachedReason: reason, reason_phrase
 }
 
 mirror! {
@@ -113,8 +121,7 @@ impl Iso9283PlanDocument {
         let conventions = conventions(plan.planar, reach);
         Self {
             schema: "etalon/iso9283-plan/1".to_owned(),
-            conventions: conventions.iter().map(Phrase::to_string).collect(),
-            convention_phrases: conventions,
+            conventions: all(conventions),
             side_mm: plan.layout.side_mm,
             test_plane: plan.layout.plane.map(|k| format!("C{}", k + 1)).join("-"),
             corners_mm: plan.layout.corners_mm.clone(),

@@ -2,11 +2,13 @@
 
 use super::{all, degrees};
 use crate::mirror::mirror;
+use crate::worded::worded;
 use crate::{Conformity, LimitQuantity, LimitVerdict};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use etalon_base::{error, phrase, warning};
 use etalon_standards::decision::DecisionRule;
 use etalon_standards::iso9283::misplacement::{Misplacement, TestTable, misplaced_poses};
@@ -31,10 +33,8 @@ pub struct Iso9283Document {
     pub schema: String,
     /// Meaning of angles, evaluated cycles, and clauses that are not verified against the standard,
     /// in words.
-    pub conventions: Vec<String>,
-    /// Texts of the catalogue that are `conventions` in English.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub convention_phrases: Vec<Phrase>,
+    #[serde(flatten, with = "Iso9283Conventions")]
+    pub conventions: Vec<Worded>,
     /// One entry per pose, in the order of the commanded poses.
     pub poses: Vec<Iso9283Pose>,
     /// One entry per pair of poses that were visited in the same cycles.
@@ -71,6 +71,12 @@ pub struct Iso9283Document {
     pub messages: Vec<Message>,
 }
 
+worded! {
+    /// Meaning of angles, evaluated cycles, and clauses that are not verified against the standard,
+    /// in words.
+    list Iso9283Conventions: conventions, convention_phrases
+}
+
 impl Iso9283Document {
     /// Evaluates all characteristics of attained poses. With several robots, they apply to the
     /// first robot by name, except for exchangeability.
@@ -85,8 +91,7 @@ impl Iso9283Document {
         let conventions = conventions(robots, settings);
         Ok(Self {
             schema: "etalon/iso9283/1".to_owned(),
-            conventions: conventions.iter().map(Phrase::to_string).collect(),
-            convention_phrases: conventions,
+            conventions: all(conventions),
             distances: all(distances(test)?),
             approaches: all(variations(test)?),
             approach_phrases: approach_phrases(test),
@@ -108,8 +113,7 @@ impl Iso9283Document {
 
     /// Adds a convention.
     pub fn agree(&mut self, convention: Phrase) {
-        self.conventions.push(convention.to_string());
-        self.convention_phrases.push(convention);
+        self.conventions.push(convention.into());
     }
 
     /// Keeps the characteristics of single poses only.

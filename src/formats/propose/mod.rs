@@ -31,6 +31,7 @@ use crate::dialect::{ColumnRole, Unit, quoted};
 use against::Remarks;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Result, count, printable};
+use etalon_base::worded::Worded;
 use etalon_base::{error, phrase};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
 use etalon_robots::Robot;
@@ -141,7 +142,7 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
         };
         document.toml = document.toml.split_inclusive('\n').map(with_encoding).collect();
         document.doubt(phrase!("doubt-encoding", encoding = encoding.name()));
-        document.toml.insert_str(0, &format!("# DOUBT: {}\n", document.doubts.last().map_or("", String::as_str)));
+        document.toml.insert_str(0, &format!("# DOUBT: {}\n", document.doubts.last().map_or("", Worded::english)));
     }
     Ok(document)
 }
@@ -349,10 +350,8 @@ fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
         number: i + 1,
         heading: table.columns[i].name.clone(),
         unit: table.columns[i].heading.unit.map(str::to_owned),
-        taken_for: taken.meaning.words().to_string(),
-        taken_for_phrase: Some(taken.meaning.words()),
-        why: taken.why.as_ref().map(Phrase::to_string).unwrap_or_default(),
-        why_phrase: taken.why.clone(),
+        taken_for: taken.meaning.words().into(),
+        why: taken.why.clone().map(Worded::from).unwrap_or_default(),
         joint: taken.meaning.joint_number(),
     };
     found.taken.iter().enumerate().map(column).collect()
@@ -427,7 +426,7 @@ fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
     document.doubts.iter().for_each(|doubt| remark(format!("DOUBT: {doubt}")));
     document.questions.iter().for_each(|question| remark(format!("QUESTION: {question}")));
     for column in document.columns.iter().take(SHOWN_COLUMNS) {
-        let why = if column.why.is_empty() { String::new() } else { format!(": {}", column.why) };
+        let why = if column.why.english().is_empty() { String::new() } else { format!(": {}", column.why) };
         let heading = column.heading.as_ref().map(|heading| format!(" `{heading}`")).unwrap_or_default();
         remark(format!("column {}{heading} is {}{why}", column.number, column.taken_for));
     }
@@ -504,7 +503,10 @@ mod tests {
             propose("m.csv", &(format!("X,Y,Z,{head}\n") + &rows.collect::<String>()))
         };
         let asks = |document: &FormatsDocument| {
-            document.question_phrases.iter().any(|question| question.id == "ask-quaternion-order")
+            document
+                .questions
+                .iter()
+                .any(|question| question.phrase().is_some_and(|phrase| phrase.id == "ask-quaternion-order"))
         };
         for (head, columns) in [
             ("Q0,Qx,Qy,Qz", "\"z\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
@@ -542,7 +544,8 @@ mod tests {
     fn columns_that_nothing_reads_are_in_doubt() {
         let unread = |text: &str| {
             let document = propose("m.csv", text);
-            document.doubt_phrases.into_iter().find(|doubt| doubt.id == "doubt-columns-not-read")
+            let mut doubts = document.doubts.iter().filter_map(|doubt| doubt.phrase().cloned());
+            doubts.find(|doubt| doubt.id == "doubt-columns-not-read")
         };
         for (text, columns) in [
             ("X,Y,Z,Rx,Ry,Rz\n1.5,2.5,3.5,0.1,0.2,0.3\n4.5,5.5,7.5,0.2,0.1,0.4\n", vec!["4 `Rx`", "5 `Ry`", "6 `Rz`"]),
@@ -569,10 +572,10 @@ mod tests {
         let document = propose("p.txt", "a 1 2 3\nb 4 5 6\nc 7 8\nd 9 10 11\n");
         assert_eq!(document.readings[0].share, 0.75);
         assert!(
-            document.doubts.iter().any(|d| d.contains("1 row not read this way, the first is line 3")),
+            document.doubts.iter().any(|d| d.english().contains("1 row not read this way, the first is line 3")),
             "{document:?}"
         );
-        assert!(document.doubts.iter().any(|d| d.contains("no number has a decimal mark")), "{document:?}");
+        assert!(document.doubts.iter().any(|d| d.english().contains("no number has a decimal mark")), "{document:?}");
     }
 
     #[test]
@@ -606,7 +609,7 @@ mod tests {
         ] {
             let document = propose("l.csv", text);
             assert_eq!(document.format.as_deref(), Some(format), "{document:?}");
-            assert!(document.reasons[0].contains(mark), "{document:?}");
+            assert!(document.reasons[0].english().contains(mark), "{document:?}");
             assert!(
                 document.toml.contains(&format!("[log]\nfile = \"l.csv\"\nformat = \"{format}\"\n")),
                 "{document:?}"
@@ -614,13 +617,13 @@ mod tests {
         }
         let document = propose("l.csv", "one,ten\n0,0\n1,10\n2,20\n,0\n");
         assert_eq!(document.format, None);
-        assert!(document.questions.iter().any(|question| question.contains("Galil")), "{document:?}");
+        assert!(document.questions.iter().any(|question| question.english().contains("Galil")), "{document:?}");
     }
 
     #[test]
     fn what_a_mark_means_may_be_in_doubt() {
         let doubts = propose("p.txt", "a;1,250;2,500;3,750\nb;4,125;5,500;6,250\n").doubts;
-        assert!(doubts.iter().any(|d| d.contains("it may be a thousands mark")), "{doubts:?}");
+        assert!(doubts.iter().any(|d| d.english().contains("it may be a thousands mark")), "{doubts:?}");
         let thousands = propose("p.txt", "a;1.234,50;-2.345,25;3,75\nb;4.125,00;5,50;6,25\n").toml;
         assert!(thousands.contains("decimal = \",\", thousands = \".\""), "{thousands}");
     }
@@ -660,6 +663,10 @@ mod tests {
             assert!(!plain.toml.contains("thousands"), "{}", plain.toml);
         }
         let ambiguous = propose("p.csv", "a;1,234;2,345;3,456\nb;4,567;5,678;6,789\nc;4,367;5,278;6,189\n");
-        assert!(ambiguous.doubts.iter().any(|d| d.contains("it may be a thousands mark")), "{:?}", ambiguous.doubts);
+        assert!(
+            ambiguous.doubts.iter().any(|d| d.english().contains("it may be a thousands mark")),
+            "{:?}",
+            ambiguous.doubts
+        );
     }
 }

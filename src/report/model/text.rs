@@ -1,8 +1,9 @@
 //! Texts of paragraphs and cells, in runs with marks.
 
 use crate::words::{Words, tr};
-use etalon_base::catalogue::{Entry, Phrase};
+use etalon_base::catalogue::Entry;
 use etalon_base::message::one_line;
+use etalon_base::worded::Worded;
 use serde::Serialize;
 
 /// Text of a paragraph or cell: pieces in the report's language, names, and English texts.
@@ -61,8 +62,8 @@ impl Text {
     }
 
     /// A text of a document in the language of the report; English without a catalogue entry.
-    pub fn worded(text: &str, phrase: Option<&Phrase>, words: &Words) -> Self {
-        phrase.map_or_else(|| Self::english(text), |phrase| words.tr(phrase).into())
+    pub fn worded(text: &Worded, words: &Words) -> Self {
+        text.phrase().map_or_else(|| Self::english(text.english()), |phrase| words.tr(phrase).into())
     }
 
     /// A line of a file, or a checksum.
@@ -83,9 +84,8 @@ impl Text {
     }
 
     /// Joins sentences without full stops to one sentence.
-    pub fn conventions(all: &[String], phrases: &[Phrase], words: &Words) -> Self {
-        let worded = |(i, text): (usize, &String)| Self::worded(text, phrases.get(i), words);
-        let joined = all.iter().enumerate().map(worded).reduce(|a, b| a.and("; ").and(b));
+    pub fn conventions(all: &[Worded], words: &Words) -> Self {
+        let joined = all.iter().map(|text| Self::worded(text, words)).reduce(|a, b| a.and("; ").and(b));
         joined.map_or_else(Self::default, |text| text.and("."))
     }
 

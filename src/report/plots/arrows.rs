@@ -124,7 +124,7 @@ fn scale_arrow(svg: &mut Svg, y: f64, scale: f64, longest_mm: f64) {
         let round = round_down_125(longest_mm * shown.factor);
         let right = 30.0 + round / shown.factor * scale;
         svg.arrows("arrow-scale", &[[(30.0, y), (right, y)]]);
-        svg.numbers("start", (right + 6.0, y + 4.0), &format!("{} {}", number::significant(round, 1), shown.unit));
+        svg.number("start", (right + 6.0, y + 4.0), &format!("{} {}", number::significant(round, 1), shown.unit));
     }
 }
 
@@ -145,8 +145,8 @@ fn table(drawn: &[&PointError], words: &Words) -> (String, Vec<String>, Vec<Vec<
     let row = |p: &&PointError| {
         let mut row = vec![words.tr(&p.set.phrase()), p.pose.to_string(), p.cycle.to_string(), p.target.clone()];
         let decimals = if shown.factor > 1.0 { 2 } else { 4 };
-        row.extend(p.at_mm.map(|v| words.number(&number::fixed(v, 3))));
-        row.extend(p.after_mm.map(|v| words.number(&number::fixed(v * shown.factor, decimals))));
+        row.extend(p.at_mm.map(|v| words.fixed(v, 3)));
+        row.extend(p.after_mm.map(|v| words.fixed(v * shown.factor, decimals)));
         row
     };
     (tr!(words, "numbers-of-arrows", count = drawn.len()), header, drawn.iter().map(row).collect())

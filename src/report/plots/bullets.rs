@@ -110,13 +110,14 @@ fn stated(l: &LimitVerdict, words: &Words) -> String {
 }
 
 /// Error before and after calibration with its unit.
-fn before_and_after(h: &Headline) -> String {
-    format!("{} → {} {}", h.before, h.after, h.unit)
+fn before_and_after(h: &Headline, words: &Words) -> String {
+    let [before, after] = [&h.before, &h.after].map(|number| words.decimal(number.clone()));
+    format!("{before} → {after} {}", h.unit)
 }
 
 /// Height of a row; a name that does not fit beside its numbers is above them.
-fn row(h: &Headline) -> f64 {
-    let beside = BOLD * proportional(&h.what) + width(&before_and_after(h)) + 30.0 <= NARROW;
+fn row(h: &Headline, words: &Words) -> f64 {
+    let beside = BOLD * proportional(&h.what) + width(&before_and_after(h, words)) + 30.0 <= NARROW;
     if beside { 40.0 } else { 55.0 }
 }
 
@@ -126,7 +127,7 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
     if all.is_empty() {
         return None;
     }
-    let rows = |unit: &str| all.iter().filter(|h| h.in_documents.0 == unit).map(row).sum::<f64>();
+    let rows = |unit: &str| all.iter().filter(|h| h.in_documents.0 == unit).map(|h| row(h, words)).sum::<f64>();
     let height = units.clone().map(|unit| rows(unit) + 44.0).sum();
     let mut svg = Svg::new(words, NARROW, height);
     let mut top = 0.0;
@@ -135,20 +136,20 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         let values = of_unit.iter().flat_map(|h| h.in_documents.1);
         let axis = Axis::from_zero(unit, largest(values));
         let at = |v: f64| SIDE + axis.share(v) * (NARROW - 2.0 * SIDE);
-        let bottom = top + of_unit.iter().copied().map(row).sum::<f64>() + 6.0;
+        let bottom = top + of_unit.iter().map(|h| row(h, words)).sum::<f64>() + 6.0;
         for (v, label) in axis.ticks(5) {
             svg.line("grid", (at(v), top + 18.0), (at(v), bottom));
             let half = 0.5 * width(&label) + 2.0;
             let inside = at(v).clamp(half, NARROW - half);
-            svg.numbers("mid", (inside, bottom + 14.0), &label);
+            svg.number("mid", (inside, bottom + 14.0), &label);
         }
         svg.line("axis", (SIDE, bottom), (NARROW - SIDE, bottom));
         let shown = if axis.shown().unit.is_empty() { unit } else { axis.shown().unit };
         svg.text("mid", (0.5 * NARROW, bottom + 30.0), &tr!(words, "error-in-unit", unit = shown));
         for h in of_unit {
-            let ([before, after], numbers) = (h.in_documents.1, words.number(&before_and_after(h)));
+            let ([before, after], numbers) = (h.in_documents.1, before_and_after(h, words));
             svg.text("start name-of", (SIDE, top + 14.0), &cut(&h.what, NARROW - 2.0 * SIDE, BOLD));
-            top += row(h);
+            top += row(h, words);
             let y = top - 12.0;
             svg.text("end", (NARROW - SIDE, y - 14.0), &numbers);
             svg.line("leader", (at(before), y), (at(after), y));

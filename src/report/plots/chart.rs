@@ -90,7 +90,7 @@ impl Frame {
 fn tick(svg: &mut Svg, axis: &Axis, class: &str, at: Place, label: &str) {
     match axis.is_labelled() {
         true => svg.text(class, at, label),
-        false => svg.numbers(class, at, label),
+        false => svg.number(class, at, label),
     }
 }
 

@@ -46,6 +46,7 @@ pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     }
     let title = tr!(words, "candidates-and-chosen-positions");
     let description = tr!(words, "chosen-candidates-marks");
-    let caption = tr!(words, "candidates-chosen", chosen = plan.chosen.len(), candidates = plan.candidates);
+    let caption =
+        tr!(words, "candidates-chosen", chosen = plan.choice.chosen.len(), candidates = plan.choice.candidates);
     Some(Figure { caption, ..map.figure("chosen", title, description) })
 }

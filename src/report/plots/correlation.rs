@@ -57,8 +57,7 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
     scale(&mut svg, words);
     let mut strong: Vec<(usize, usize)> = pairs().filter(|&(i, j)| r(i, j).abs() >= STRONG).collect();
     strong.sort_by(|a, b| r(b.0, b.1).abs().total_cmp(&r(a.0, a.1).abs()));
-    let said =
-        |&(i, j): &(usize, usize)| format!("{} – {} {}", names[j], names[i], words.number(&number::fixed(r(i, j), 3)));
+    let said = |&(i, j): &(usize, usize)| format!("{} – {} {}", names[j], names[i], words.fixed(r(i, j), 3));
     let listed = strong.iter().take(6).map(said).collect::<Vec<_>>().join(", ");
     let caption = match strong.len() {
         0 => tr!(words, "no-correlated-pairs"),
@@ -67,7 +66,7 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
     };
     let title = tr!(words, "correlation-title");
     let description = tr!(words, "correlation-description");
-    let number = |i: usize, j: usize| words.number(&number::fixed(r(i, j), 3));
+    let number = |i: usize, j: usize| words.fixed(r(i, j), 3);
     let row = |i: usize| std::iter::once(names[i].to_owned()).chain((0..n).map(|j| number(i, j))).collect();
     Some(Figure {
         caption: format!("{description} {caption}"),
@@ -85,7 +84,7 @@ fn scale(svg: &mut Svg, words: &Words) {
         let (right, y, fill) = (svg.width, TOP + 16.0 * i as f64, colour(r));
         let edge = Look { class: "axis", ..Look::colour(&fill) };
         svg.rect(edge, (right - 58.0, y), (13.0, 13.0), "");
-        svg.text("end", (right - 6.0, y + 11.0), &words.number(&number::fixed(r, 1)));
+        svg.text("end", (right - 6.0, y + 11.0), &words.fixed(r, 1));
     }
 }
 

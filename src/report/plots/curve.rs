@@ -12,7 +12,8 @@ const REGULAR: f64 = 1e9;
 
 /// Curve of the greedy choice; `None` with fewer than two points.
 pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
-    let points: Vec<_> = plan.greedy.curve.iter().filter(|p| p.value.is_finite() && p.condition.is_finite()).collect();
+    let points: Vec<_> =
+        plan.optimality.greedy.curve.iter().filter(|p| p.value.is_finite() && p.condition.is_finite()).collect();
     let configurations = range(points.iter().map(|p| p.configurations as f64)).filter(|_| points.len() > 1)?;
     let index = Axis::over("", range(points.iter().map(|p| p.value))?, 0.1);
     let regular = |p: &CurvePoint| p.condition < REGULAR;
@@ -20,7 +21,7 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let axes = [Axis::over("", configurations, 0.03), index];
     let mut chart = Chart::with_room(words, ROOM, axes, NARROW, [tr!(words, "configurations"), plan.index.clone()]);
     chart.second(&condition, &tr!(words, "condition-number"));
-    if let Some(knee) = plan.greedy.knee_configurations {
+    if let Some(knee) = plan.optimality.greedy.knee_configurations {
         chart.upright("knee", knee as f64);
         let at = (chart.at(knee as f64, 0.0).0, chart.frame.top - 4.0);
         chart.svg.text("mid", at, &tr!(words, "knee-at", count = knee));
@@ -62,8 +63,8 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
         vec![
             p.positions.to_string(),
             p.configurations.to_string(),
-            words.number(&significant(p.value, 5)),
-            words.number(&significant(p.condition, 4)),
+            words.significant(p.value, 5),
+            words.significant(p.condition, 4),
         ]
     };
     Some(Figure {

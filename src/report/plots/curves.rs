@@ -62,12 +62,12 @@ impl Curves {
             let at = chart.at(mark.at.0, mark.at.1);
             let ends = mark.interval.iter().flat_map(|(low, high)| [*low, *high]).map(|v| chart.at(mark.at.0, v));
             chart.svg.interval("axis", at, ends.collect::<Vec<_>>());
-            let value = words.number(&number::significant(mark.at.1, 4));
+            let value = words.significant(mark.at.1, 4);
             chart.svg.mark(VALIDATION, at, 5.5, &format!("{}: {value} {}", mark.name, self.up));
             chart.svg.text("over", (at.0 + 8.0, at.1 - 6.0), &mark.name);
         }
         let rows = self.curves.iter().flat_map(|c| {
-            let numbers = |p: &(f64, f64)| [place(p.0, 5), number::significant(p.1, 4)].map(|v| words.number(&v));
+            let numbers = |p: &(f64, f64)| [place(p.0, 5), number::significant(p.1, 4)].map(|v| words.decimal(v));
             let row = |p: &(f64, f64)| std::iter::once(c.name.clone()).chain(numbers(p)).collect::<Vec<_>>();
             c.points.iter().map(row).collect::<Vec<_>>()
         });

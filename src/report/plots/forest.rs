@@ -38,11 +38,12 @@ pub(crate) fn picture(all: &[ParameterInfluence], words: &Words) -> Option<Figur
         chart.svg.line("interval", left, right);
         // U has two digits, and the change as many decimals
         let expanded = p.standard_uncertainty_mm.map(|u| 2.0 * u * shown.factor);
-        let value = number::with_uncertainty(p.change_mm * shown.factor, expanded);
-        let half = expanded.map_or_else(|| "–".to_owned(), |u| number::with_uncertainty(u, expanded));
+        let with_uncertainty = |v: f64| words.decimal(number::with_uncertainty(v, expanded));
+        let value = with_uncertainty(p.change_mm * shown.factor);
+        let half = expanded.map_or_else(|| "–".to_owned(), with_uncertainty);
         let tip = tr!(words, "effect-tooltip", name = p.name, value, half, unit = shown.unit, pose = p.pose);
         chart.svg.mark(CALIBRATION, middle, 3.4, &tip);
-        chart.svg.numbers("end", (WIDE - 4.0, middle.1 + 4.0), &format!("{value} ± {half}"));
+        chart.svg.text("end", (WIDE - 4.0, middle.1 + 4.0), &format!("{value} ± {half}"));
     }
     chart.svg.legend(CALIBRATION, &tr!(words, "change-with-interval"));
     if shown_rows.iter().any(|p| p.tolerance_mm.is_some()) {

@@ -18,7 +18,7 @@ pub(crate) fn picture(held: &FieldHeldOut, words: &Words) -> Option<Figure> {
     let without = held.poses.iter().enumerate().map(|(i, p)| (before, i, p.pose, p.without_mm));
     let with = held.poses.iter().enumerate().map(|(i, p)| (CALIBRATION, i, p.pose, p.with_mm));
     for (look, i, pose, size_mm) in without.chain(with) {
-        let tip = format!("{pose}: {} µm", words.number(&number::significant(1e3 * size_mm, 3)));
+        let tip = format!("{pose}: {} µm", words.significant(1e3 * size_mm, 3));
         chart.svg.mark(look, chart.at(i as f64, size_mm), 2.8, &tip);
     }
     chart.svg.legend(before, &tr!(words, "without-field"));

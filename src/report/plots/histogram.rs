@@ -82,7 +82,7 @@ fn histogram(
     header.extend(sets.iter().map(|set| tr!(words, "points-of", set = set.name)));
     let row = |bin: usize| {
         [edge(bin), edge(bin + 1)]
-            .map(|v| words.number(&v))
+            .map(|v| words.decimal(v))
             .into_iter()
             .chain(sets.iter().map(move |set| set.bins[bin].to_string()))
     };

@@ -28,7 +28,7 @@ pub(crate) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figur
     // the outline of the digits separates them from the line
     for (i, (_, distance)) in all.iter().enumerate() {
         let (x, y) = chart.at(*distance, i as f64);
-        chart.svg.text("start over", (x + 5.0, y + 4.0), &words.number(&number::significant(*distance, 2)));
+        chart.svg.text("start over", (x + 5.0, y + 4.0), &words.significant(*distance, 2));
     }
     let description = tr!(words, "cooks-distance-description");
     Some(chart.figure("influence", tr!(words, "cooks-distance-of-poses"), description))

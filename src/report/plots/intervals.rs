@@ -59,7 +59,7 @@ fn picture(parameters: &[&ParameterEntry], unit: &str, group: &str, id: &str, wo
             unit = if unit == "1" { "" } else { unit }
         );
         chart.svg.mark(CALIBRATION, middle, 3.4, &tip);
-        chart.svg.numbers("end", (NARROW - 4.0, middle.1 + 4.0), &format!("± {half}"));
+        chart.svg.number("end", (NARROW - 4.0, middle.1 + 4.0), &format!("± {half}"));
     }
     let description = tr!(words, "intervals-description");
     let caption = tr!(words, "intervals-caption");

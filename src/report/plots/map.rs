@@ -142,7 +142,7 @@ pub(super) fn scales(svg: &mut Svg, shape: Shape, [common, own]: [&Axis; 2]) {
                 let (x, share) = (30.0 + pitch * i as f64, scale.share(*value));
                 let class = format!("map {letter}{}", level(share));
                 svg.mark(Look::new(shape, &class), (x, y), radius(share), "");
-                svg.numbers("start", (x + 10.0, y + 4.0), label);
+                svg.number("start", (x + 10.0, y + 4.0), label);
             }
             svg.text("end", (NARROW - 4.0, y + 4.0), scale.shown().unit);
         });

@@ -52,7 +52,7 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
             svg.mark(Look::new(Shape::Circle, &class), at, 2.6, &tip);
         }
         svg.text("mid name-of", (middle.0, middle.1 - 0.5 * cell - 4.0), &tr!(words, "pose-named", pose = p.pose));
-        let text = format!("RP {} µm", words.number(&number::fixed(1e3 * rp, 1)));
+        let text = format!("RP {} µm", words.fixed(1e3 * rp, 1));
         svg.text("mid", (middle.0, middle.1 + 0.5 * cell + 10.0), &text);
     }
     svg.legend(Look::new(Shape::Circle, "map o0"), &tr!(words, "first-cycle"));

@@ -39,7 +39,7 @@ fn picture(quantity: ErrorQuantity, errors: &[&PointError], limits: &[LimitVerdi
     let wide = (chart.frame.right - chart.frame.left) / BINS as f64;
     for (shares, class, name) in &both {
         for (i, share) in shares.iter().enumerate().filter(|(_, s)| **s > 0.0) {
-            let tip = format!("{}: {} %", words.tr(name), words.number(&number::fixed(*share, 1)));
+            let tip = format!("{}: {} %", words.tr(name), words.fixed(*share, 1));
             let x = chart.frame.left + i as f64 * wide;
             chart.bar_up(Look::new(Shape::Square, class), (x, wide), *share, &tip);
         }

@@ -28,8 +28,7 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
         Chart::new(words, NARROW, [across, up], ["", &tr!(words, "identified-minus-true-in", unit = shown.unit)]);
     let wide = (0.6 * (chart.frame.right - chart.frame.left) / all.len() as f64).min(28.0);
     for (i, p) in all.iter().enumerate() {
-        let tip =
-            format!("{}: {} {}", p.name, words.number(&number::significant(off(p) * shown.factor, 3)), shown.unit);
+        let tip = format!("{}: {} {}", p.name, words.significant(off(p) * shown.factor, 3), shown.unit);
         let x = chart.at(i as f64, 0.0).0;
         chart.bar_up(CALIBRATION, (x - 0.5 * wide, wide), off(p), &tip);
     }

@@ -137,7 +137,7 @@ pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     let (before, after) = (before_mm(p), after_mm(p));
     let shown = number::shown("mm", before.max(after));
     let places = decimals(after * shown.factor, before * shown.factor);
-    let length = |mm: f64| number::fixed(mm * shown.factor, places);
+    let length = |mm: f64| words.fixed(mm * shown.factor, places);
     let [x, y, z] = p.after_mm.map(length);
     let [before, after] = [before, after].map(|mm| format!("{} {}", length(mm), shown.unit));
     let target = isolated(&p.target);
@@ -147,11 +147,11 @@ pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     let turned = match (angle(p.before_deg), angle(p.after_deg)) {
         (Some(before), Some(after)) => {
             let places = decimals(after, before);
-            format!("; {} → {} deg", number::fixed(before, places), number::fixed(after, places))
+            format!("; {} → {} deg", words.fixed(before, places), words.fixed(after, places))
         }
         _ => String::new(),
     };
-    text + &words.number(&format!(" (x {x}, y {y}, z {z} {}){turned}", shown.unit))
+    text + &format!(" (x {x}, y {y}, z {z} {}){turned}", shown.unit)
 }
 
 /// Number of decimals (at most five) that show two significant digits of the error after

@@ -36,12 +36,12 @@ pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure>
     for (i, (s, held)) in all.iter().enumerate() {
         let at = chart.at(i as f64, s.value);
         let (look, radius) = if *held { (VALIDATION, 5.0) } else { (CALIBRATION, 4.0) };
-        let tip = format!("{}: {} {}", i + 1, words.number(&significant(s.value, 3)), s.parameters.join(", "));
+        let tip = format!("{}: {} {}", i + 1, words.significant(s.value, 3), s.parameters.join(", "));
         chart.svg.mark(look, at, radius, tip.trim_end());
     }
     let row = |(i, (s, held)): (usize, &(&SingularValueEntry, bool))| {
         let direction = if *held { tr!(words, "held") } else { tr!(words, "identified") };
-        vec![(i + 1).to_string(), words.number(&significant(s.value, 4)), direction, s.parameters.join(", ")]
+        vec![(i + 1).to_string(), words.significant(s.value, 4), direction, s.parameters.join(", ")]
     };
     let title = tr!(words, "singular-values-title");
     let description = tr!(words, "singular-values-description");

@@ -223,10 +223,10 @@ impl Svg {
         let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{at}>{}</text>", escape(text));
     }
 
-    /// Writes numbers with the decimal mark of the language; the class states their anchor.
-    pub fn numbers(&mut self, class: &str, spot: impl Into<Spot>, numbers: &str) {
-        let numbers = self.words.number(numbers);
-        self.text(class, spot, &numbers);
+    /// Writes a number with the decimal mark of the language; the class states its anchor.
+    pub fn number(&mut self, class: &str, spot: impl Into<Spot>, number: &str) {
+        let number = self.words.decimal(number.to_owned());
+        self.text(class, spot, &number);
     }
 
     /// Writes a text that reads upwards.

@@ -23,7 +23,7 @@ impl<'a> Approaches<'a> {
     }
 
     pub fn name(self, name: &str) -> String {
-        self.words.worded(name, self.phrases.get(name))
+        self.phrases.get(name).map_or_else(|| name.to_owned(), |phrase| self.words.tr(phrase))
     }
 
     fn name_or_unknown(self, name: Option<&str>) -> String {
@@ -94,7 +94,7 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, approaches: A
     let known: Vec<&str> = groups.keys().flatten().copied().collect();
     let look = |name: Option<&str>| known.iter().position(|n| Some(*n) == name).map_or(UNKNOWN, Look::group);
     let mut map = Workspace::with_unit(seen, &places, "µm", words);
-    let xyz = |place: Vector| place.map(|v| number::fixed(v, 1));
+    let xyz = |place: Vector| place.map(|v| words.fixed(v, 1));
     for (visit, place) in visits.iter().zip(&places) {
         let (from, [x, y, z]) = (approaches.name_or_unknown(visit.approach.as_deref()), xyz(*place));
         let tip = tr!(words, "visit-tooltip", pose, cycle = visit.cycle, approach = from, x, y, z);
@@ -114,7 +114,7 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, approaches: A
     }
     let row = |(visit, place): (&&Iso9283Visit, &Vector)| {
         let first = [visit.cycle.to_string(), approaches.name_or_unknown(visit.approach.as_deref())];
-        first.into_iter().chain(xyz(*place).map(|v| words.number(&v))).collect()
+        first.into_iter().chain(xyz(*place)).collect()
     };
     let name = seen.name();
     let title = tr!(words, "visits-of-pose-title", pose, plane = name);

@@ -130,7 +130,7 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
 
 /// Sentence on repeats of poses.
 fn repeats(document: &ParametersDocument, words: &Words) -> String {
-    let Some(found) = document.residuals.repeats else { return String::new() };
+    let Some(found) = document.residuals.test.repeats else { return String::new() };
     tr!(
         words,
         "lack-of-fit",

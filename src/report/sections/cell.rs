@@ -5,7 +5,6 @@ use crate::CellLines;
 use crate::model::{
     Block, Cell, Columns, Grade, Section, Step, Table, Text, Verdict, fixed, significant, term, um, with_uncertainty,
 };
-use crate::number;
 use crate::sections::messages;
 use crate::words::{Words, tr};
 use etalon_base::catalogue::Phrase;
@@ -51,16 +50,16 @@ pub(crate) fn verdict(document: &CellDocument, lines: Option<CellLines>, words: 
     let sentence = |row: &Row| {
         let frame = words.tr(&row.name);
         let Some(u_mm) = row.u_mm else { return tr!(words, "cell-verdict-unknown", frame) };
-        let um = words.number(&number::significant(1e3 * largest(u_mm), 2));
+        let um = words.significant(1e3 * largest(u_mm), 2);
         let u_deg = row.turned.and_then(|(_, u_deg)| u_deg).map(largest);
-        let deg = words.number(&u_deg.map(|deg| number::significant(deg, 2)).unwrap_or_default());
+        let deg = u_deg.map(|deg| words.significant(deg, 2)).unwrap_or_default();
         tr!(words, "cell-verdict-known", frame, um, turned = if u_deg.is_some() { "yes" } else { "no" }, deg)
     };
     let rows = rows(document);
     let mut sentences: Vec<String> = rows.iter().map(sentence).collect();
     let scale = document.axis.as_ref().and_then(|axis| Some((axis.scale, axis.scale_standard_uncertainty?)));
     sentences.extend(scale.map(|(scale, u)| {
-        let [scale, u] = [scale, COVERAGE * u].map(|v| words.number(&format!("{v:.6}")));
+        let [scale, u] = [scale, COVERAGE * u].map(|v| words.decimal(format!("{v:.6}")));
         tr!(words, "cell-verdict-axis", scale, u)
     }));
     let count = document.messages.len() + lines.map_or(0, |lines| lines.messages.len());
@@ -153,8 +152,8 @@ fn orientations<'a>(rows: Vec<&'a Row>, words: &'a Words) -> Table {
 }
 
 fn facts(axis: &CellAxisEntry, words: &Words) -> Vec<(String, Cell)> {
-    let direction = axis.direction.map(|v| words.number(&format!("{v:.7}"))).join("; ");
-    let radius = axis.radius_mm.map(|mm| words.number(&format!("{mm:.4} mm")));
+    let direction = axis.direction.map(|v| words.decimal(format!("{v:.7}"))).join("; ");
+    let radius = axis.radius_mm.map(|mm| format!("{} mm", words.decimal(format!("{mm:.4}"))));
     let scale = with_uncertainty(axis.scale, axis.scale_standard_uncertainty);
     vec![
         (tr!(words, "direction"), direction.into()),
@@ -179,8 +178,8 @@ fn residuals(document: &CellDocument, words: &Words) -> Section {
         section.push(Block::text(words.tr(&phrase!(
             "cell-residuals",
             measure = noise.measure,
-            deviation = words.number(&format!("{deviation:.5}")),
-            redundancy = words.number(&format!("{:.0}", noise.redundancy)),
+            deviation = words.decimal(format!("{deviation:.5}")),
+            redundancy = format!("{:.0}", noise.redundancy),
             source = noise.uncertainties_from
         ))));
     }

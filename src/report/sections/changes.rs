@@ -9,6 +9,7 @@ use crate::words::comparison::{Change, change, family, quantity, unit, value};
 use crate::words::{Words, isolated, tr};
 use etalon_base::message::one_line;
 use etalon_base::phrase;
+use etalon_base::worded::Worded;
 use etalon_documents::{
     CompareBetween, CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, CompareValue,
     ComparedCampaign,
@@ -128,7 +129,8 @@ fn campaigns(compare: &CompareDocument, words: &Words) -> Section {
         .both(phrase!("folder"), "", |(_, c)| c.folder.as_str());
     let mut section = Section::new("campaigns", tr!(words, "campaigns"));
     section.summarise(tr!(words, "model-of-the-robot"), compare.robot.as_deref(), "");
-    section.summarise(tr!(words, "conventions"), compare.conventions.join("; "), "");
+    let conventions: Vec<&str> = compare.conventions.iter().map(Worded::english).collect();
+    section.summarise(tr!(words, "conventions"), conventions.join("; "), "");
     section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("campaigns"))));
     section.on_terminal()
 }
@@ -144,9 +146,8 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
         .sheet(phrase!("changed"), "", |t| yes_no(words, t.significant));
     let mut section = Section::new("rules", tr!(words, "how-changes-are-judged"));
     compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
-    let phrase = |i: usize| compare.convention_phrases.get(i);
-    for (i, convention) in compare.conventions.iter().enumerate() {
-        section.push(Block::text(Text::worded(convention, phrase(i), words)));
+    for convention in &compare.conventions {
+        section.push(Block::text(Text::worded(convention, words)));
     }
     section.push(Block::Table(Table::new(words, &compare.together, columns).on(phrase!("sheet-all-together"))));
     let columns = Columns::<CompareBetween>::new()
@@ -176,7 +177,7 @@ fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
     let columns = Columns::<Row>::new()
         .sheet(phrase!("head-family"), "", |(t, ..)| family(t.family, words))
         .page(phrase!("quantity"), "", |(t, ..)| quantity(t, words))
-        .sheet(phrase!("quantity"), "", |(t, ..)| t.name.as_str())
+        .sheet(phrase!("quantity"), "", |(t, ..)| t.name.english())
         .sheet(phrase!("unit"), "", |(t, ..)| t.unit.as_str())
         .page(phrase!("campaign"), "", |(.., w)| Text::from(w.pair.clone()))
         .sheet(phrase!("campaign"), "", |(_, c, _)| c.to)
@@ -220,7 +221,7 @@ fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
         trends.iter().flat_map(|t| t.values.iter().enumerate().map(move |(i, v)| (*t, i + 1, v))).collect();
     let columns = Columns::<Row>::new()
         .sheet(phrase!("head-family"), "", |(t, ..)| family(t.family, words))
-        .sheet(phrase!("quantity"), "", |(t, ..)| t.name.as_str())
+        .sheet(phrase!("quantity"), "", |(t, ..)| t.name.english())
         .sheet(phrase!("unit"), "", |(t, ..)| t.unit.as_str())
         .sheet(phrase!("campaign"), "", |(_, i, _)| *i)
         .sheet(phrase!("value"), "", |(.., v)| v.value)

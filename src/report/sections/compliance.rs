@@ -26,6 +26,6 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         .without_empty_columns();
     let mut section = Section::new("compliance", tr!(words, "static-compliance"));
     section.table("", note, table);
-    section.push(Block::note(Text::conventions(&document.conventions, &document.convention_phrases, words)));
+    section.push(Block::note(Text::conventions(&document.conventions, words)));
     section.on_terminal().whole()
 }

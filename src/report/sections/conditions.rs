@@ -101,9 +101,9 @@ fn method(results: &Results, words: &Words) -> String {
 
 /// Stated temperature, and the range that the exports state.
 fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
-    let stated = campaign.temperature_c.map(|value| words.number(&format!("{value} °C")));
+    let stated = campaign.temperature_c.map(|value| format!("{} °C", words.unrounded(value)));
     let measured = campaign.temperature_range_c.map(|[lowest, highest]| {
-        let [lowest, highest] = [lowest, highest].map(|value| words.number(&value.to_string()));
+        let [lowest, highest] = [lowest, highest].map(|value| words.unrounded(value));
         tr!(words, "temperature-range", lowest, highest)
     });
     let all: Vec<String> = stated.into_iter().chain(measured).collect();
@@ -114,11 +114,14 @@ fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
 fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let (c, given, tested) = (&results.campaign, &results.campaign.conditions, &results.tested);
     let text = |text: &Option<String>| text.clone();
-    let in_unit = |value: Option<f64>, unit: &str| value.map(|v| words.number(&format!("{v} {unit}")));
-    let centre = given.load_centre_mm.map(|[x, y, z]| words.number(&format!("x {x}, y {y}, z {z} mm")));
-    let list = |values: &Vec<f64>| values.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+    let in_unit = |value: Option<f64>, unit: &str| value.map(|v| format!("{} {unit}", words.unrounded(v)));
+    let centre = given.load_centre_mm.map(|centre| {
+        let [x, y, z] = centre.map(|v| words.unrounded(v));
+        format!("x {x}, y {y}, z {z} mm")
+    });
+    let list = |values: &Vec<f64>| values.iter().map(|v| words.unrounded(*v)).collect::<Vec<_>>().join(", ");
     let shares = given.velocities_percent.as_ref().map(|v| tr!(words, "percent-of-rated", percent = list(v)));
-    let speeds = given.velocities_mm_s.as_ref().map(|v| words.number(&format!("{} mm/s", list(v))));
+    let speeds = given.velocities_mm_s.as_ref().map(|v| format!("{} mm/s", list(v)));
     let velocities: Vec<String> = shares.into_iter().chain(speeds).collect();
     let velocities = (!velocities.is_empty()).then(|| velocities.join("; "));
     let mut all = vec![

@@ -12,7 +12,7 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, IdentifiedDocuments, MapNode,
-    ParametersDocument, PlacedApart, PointError, PoseSet, Results, Statistics, ToolAccuracy,
+    ParametersDocument, PointError, PoseSet, Results, SelfLocated, Statistics, ToolAccuracy,
 };
 use std::collections::BTreeMap;
 
@@ -43,12 +43,8 @@ fn with_flagged(
     words: &Words,
 ) -> Section {
     let mut section = Section::new("errors", tr!(words, "errors-before-and-after"));
-    section.summarise(
-        tr!(words, "definition-of-errors"),
-        Text::worded(&accuracy.definition, accuracy.definition_phrase.as_ref(), words),
-        "",
-    );
-    section.push(Block::detail(Text::worded(&accuracy.definition, accuracy.definition_phrase.as_ref(), words)));
+    section.summarise(tr!(words, "definition-of-errors"), Text::worded(&accuracy.definition, words), "");
+    section.push(Block::detail(Text::worded(&accuracy.definition, words)));
     if accuracy.sets.is_empty() {
         section.push(Block::text(tr!(words, "no-errors-are-given")));
     }
@@ -125,24 +121,18 @@ pub(super) fn other_sets(results: &Results, words: &Words) -> Option<Section> {
 /// Heading of the errors of a set.
 fn heading(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> String {
     let name = words.tr(&set.name.phrase());
-    match accuracy.point.as_str() {
+    match accuracy.point.english() {
         "" => tr!(words, "set-summary", set = name, poses = set.poses, errors = set.count),
-        point => {
-            tr!(
-                words,
-                "set-summary-of",
-                set = name,
-                poses = set.poses,
-                errors = set.count,
-                point = words.worded(point, accuracy.point_phrase.as_ref())
-            )
+        _ => {
+            let point = words.worded(&accuracy.point);
+            tr!(words, "set-summary-of", set = name, poses = set.poses, errors = set.count, point)
         }
     }
 }
 
 /// Sentence on targets that are located by validation poses alone.
-fn placed_by_validation(placed: &[PlacedApart], words: &Words) -> String {
-    let of = |p: &PlacedApart| match p.is_assessed {
+fn placed_by_validation(placed: &[SelfLocated], words: &Words) -> String {
+    let of = |p: &SelfLocated| match p.is_assessed {
         true => tr!(
             words,
             "readings-redundancy",
@@ -188,7 +178,7 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
         largest = um(tool.expanded_max_mm),
         undetermined = um(tool.held_mm),
     )));
-    section.push(Block::detail(Text::worded(&tool.definition, tool.definition_phrase.as_ref(), words)));
+    section.push(Block::detail(Text::worded(&tool.definition, words)));
 }
 
 /// Maximum number of trends beside the other figures, the most significant first.
@@ -418,6 +408,7 @@ fn nodes(accuracy: &AccuracyDocument, words: &Words) -> Table {
 mod tests {
     use super::*;
     use crate::tests::demo::point;
+    use etalon_base::worded::Worded;
 
     fn set(name: PoseSet, errors: Vec<ErrorStatistics>) -> AccuracySet {
         AccuracySet { name, poses: 1, count: 1, errors }
@@ -448,10 +439,8 @@ mod tests {
             trends: vec![],
             parameter_influences: vec![],
             schema: String::new(),
-            point: String::new(),
-            point_phrase: None,
-            definition: String::new(),
-            definition_phrase: None,
+            point: Worded::default(),
+            definition: Worded::default(),
             sets: vec![set.clone()],
             placed_apart: Vec::new(),
             effects: Vec::new(),

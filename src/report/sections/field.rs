@@ -5,6 +5,7 @@ use crate::number;
 use crate::plots::held_out;
 use crate::words::{Words, tr};
 use etalon_base::phrase;
+use etalon_base::worded::Worded;
 use etalon_documents::{FieldDependence, FieldHeldOut, FieldRange, FieldSummary, Results};
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
@@ -14,7 +15,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
 /// Section of a search for a field, or of a field that was given for a validation.
 pub(crate) fn section_from_summary(field: &FieldSummary, words: &Words) -> Option<Section> {
     let mut section = Section::new("field", tr!(words, "residual-field"));
-    if let Some(reason) = &field.reason_phrase {
+    if let Some(reason) = field.reason.as_ref().and_then(Worded::phrase) {
         section.push(Block::text(tr!(words, "field-refused-because", reason = words.tr(reason))));
     }
     let is_used = !field.components.is_empty();

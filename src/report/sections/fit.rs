@@ -26,16 +26,12 @@ pub(crate) fn section_from_document(document: &ParametersDocument, pictures: Vec
     if let Some(o) = &document.observability {
         section.push(Block::heading(tr!(words, "observability")));
         section.push(Block::Table(indices(o, words)));
-        section.push(Block::note(Text::from(tr!(words, "scaling-label") + " ").and(Text::worded(
-            &o.scaling,
-            o.scaling_phrase.as_ref(),
-            words,
-        ))));
+        section.push(Block::note(Text::from(tr!(words, "scaling-label") + " ").and(Text::worded(&o.scaling, words))));
         section.push(Block::Table(singular_values(o, words)));
         section.figures(singular::picture(o, words));
     }
     let solver = &document.solver;
-    let method = words.worded(&solver.method, solver.method_phrase.as_ref());
+    let method = words.worded(&solver.method);
     let steps = tr!(words, "method-iterations", method, iterations = solver.iterations) + " ";
     let ended = Text::from(steps).and(words.tr(&solver.termination.phrase()));
     section.push(Block::heading(tr!(words, "solver")));
@@ -43,13 +39,13 @@ pub(crate) fn section_from_document(document: &ParametersDocument, pictures: Vec
     let r = &document.residuals;
     section.summarise(tr!(words, "model-of-the-robot"), document.robot.as_str(), "");
     section.summarise(tr!(words, "residuals"), r.count, "");
-    match r.position_rms_mm {
+    match r.position.position_rms_mm {
         Some(rms_mm) => section.summarise(tr!(words, "position-residuals-rms"), rms_mm, "mm"),
         None => section.summarise(tr!(words, "residuals-rms"), r.rms, ""),
     }
     section.summarise(tr!(words, "residuals-max"), r.max, "");
     section.summarise(tr!(words, "degrees-of-freedom"), r.degrees_of_freedom, "");
-    section.summarise(tr!(words, "chi-square"), r.chi_square, "");
+    section.summarise(tr!(words, "chi-square"), r.test.chi_square, "");
     section.summarise(tr!(words, "uncertainties-enlarged-by"), r.uncertainties_enlarged_by, "");
     section.summarise(tr!(words, "condition"), document.observability.as_ref().map(|o| o.condition), "");
     section.summarise(tr!(words, "solver"), ended, "");
@@ -85,7 +81,8 @@ fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
 fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     let three = |v: f64| significant(v, 3);
     // readings other than positions, for example distances
-    let readings = r.kind == ResidualKind::Targets && (r.position_rms_mm.is_none() || !r.conditions.is_empty());
+    let readings =
+        r.kind == ResidualKind::Targets && (r.position.position_rms_mm.is_none() || !r.conditions.is_empty());
     let count = match r.kind {
         ResidualKind::Pose => tr!(words, "pose-coordinates", count = r.count),
         ResidualKind::Targets if readings => tr!(words, "measured-values", count = r.count),
@@ -102,24 +99,29 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         }
         UncertaintyFrom::Nothing => tr!(words, "unknown-without-redundancy"),
     };
-    let beside = if r.stated_standard_uncertainty_mm.is_some() { "instrument" } else { "residuals" };
+    let beside = if r.test.stated_standard_uncertainty_mm.is_some() { "instrument" } else { "residuals" };
     let enlarged = match r.uncertainties_enlarged_by {
         1.0 => String::new(),
         by => format!(", {}", tr!(words, "uncertainty-inflation", factor = three(by), beside)),
     };
-    let own = match (r.stated_standard_uncertainty_mm.map(derived), r.common_standard_uncertainty_mm.map(derived)) {
+    let own = match (
+        r.test.stated_standard_uncertainty_mm.map(derived),
+        r.test.common_standard_uncertainty_mm.map(derived),
+    ) {
         (Some(own), Some(common)) => Some(tr!(words, "coordinate-uncertainty-in-common", uncertainty = own, common)),
         (Some(own), None) if readings => Some(tr!(words, "reading-uncertainty", uncertainty = own)),
         (own, _) => own.map(|own| tr!(words, "coordinate-uncertainty", uncertainty = own)),
     };
-    let chi_square =
-        r.chi_square.map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
+    let chi_square = r
+        .test
+        .chi_square
+        .map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
     let both = tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max));
-    let length = |mm: f64| words.number(&format!("{} mm", three(mm)));
-    let of_position = r.position_rms_mm.map(length);
-    let alone = r.position_rms_mm.is_some() && !readings;
+    let length = |mm: f64| format!("{} mm", words.decimal(three(mm)));
+    let of_position = r.position.position_rms_mm.map(length);
+    let alone = r.position.position_rms_mm.is_some() && !readings;
     let [of_both, of_max] = if alone { [None, Some(length(r.max))] } else { [Some(both), None] };
-    let before = r.position_rms_before_mm.map(length);
+    let before = r.position.position_rms_before_mm.map(length);
     vec![
         (tr!(words, "residuals"), count.into()),
         (tr!(words, "position-residuals-rms"), of_position.into()),

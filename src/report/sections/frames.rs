@@ -28,16 +28,16 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
 
 fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
     let seen = if world.planar { tr!(words, "projected-into-xy") } else { tr!(words, "in-space") };
-    let um = |v: f64| words.number(&format!("{} µm", number(1e3 * v, 2)));
+    let um = |v: f64| format!("{} µm", words.fixed(1e3 * v, 2));
     let (what, said) = match &world.poses[..] {
         [only] => (
             tr!(words, "origin-in-the-exports"),
-            words.number(&format!("{} mm", triple(only.export_T_world.translation_mm, 4))),
+            format!("{} mm", only.export_T_world.translation_mm.map(|v| words.fixed(v, 4)).join(", ")),
         ),
         poses => (tr!(words, "measured"), tr!(words, "times-for-each-cycle", count = poses.len())),
     };
     vec![
-        (tr!(words, "definition"), Text::worded(&world.definition, world.definition_phrase.as_ref(), words).into()),
+        (tr!(words, "definition"), Text::worded(&world.definition, words).into()),
         (tr!(words, "observations"), seen.into()),
         (tr!(words, "targets-from-their-places"), world.rms_mm.map(|v| format!("RMS {}", um(v))).into()),
         (tr!(words, "largest-distance"), world.max_mm.map(um).into()),
@@ -90,8 +90,8 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
 /// Errors that no reading can detect.
 fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
     let columns = Columns::<Uncontrolled>::new()
-        .page(phrase!("what-no-reading-shows"), "", |u| Text::worded(&u.what, u.what_phrase.as_ref(), words))
-        .sheet(phrase!("what-no-reading-shows"), "", |u| u.what.as_str())
+        .page(phrase!("what-no-reading-shows"), "", |u| Text::worded(&u.what, words))
+        .sheet(phrase!("what-no-reading-shows"), "", |u| u.what.english())
         .both(phrase!("points"), "", |u| Text::name(&u.points.join(", ")))
         .both(phrase!("controlled-by"), "", |u| Text::name(&u.keys.join(", ")));
     Table::new(words, all, columns).on(phrase!("sheet-not-controlled"))

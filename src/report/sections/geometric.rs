@@ -20,7 +20,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     if results.identified.is_some() {
         section.push(Block::strong(sentence(document, words)));
     }
-    section.push(Block::note(Text::worded(&document.definition, document.definition_phrase.as_ref(), words)));
+    section.push(Block::note(Text::worded(&document.definition, words)));
     section.push(Block::Table(quantities(document, words)));
     section.push(Block::note(tr!(words, "geometric-u-note")));
     for table in &document.tables {
@@ -65,7 +65,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     section.table(tr!(words, "single-balls"), "", balls);
     section.table(tr!(words, "fits"), "", fits(document, words));
     let columns = Columns::<etalon_documents::Region>::new()
-        .both(phrase!("region-of-c"), "", |r| Text::worded(&r.name, r.name_phrase.as_ref(), words))
+        .both(phrase!("region-of-c"), "", |r| Text::worded(&r.name, words))
         .both(phrase!("area"), "mm²", |r| fixed(r.area_mm2, 0))
         .both(phrase!("corners"), "", |r| r.corners_mm.len());
     let regions = Table::new(words, &document.workspace, columns).on(phrase!("sheet-geometry-workspace"));
@@ -136,8 +136,8 @@ fn quantities(document: &GeometricDocument, words: &Words) -> Table {
 fn poses(table: &PoseTable, words: &Words) -> Table {
     let command = |r: &PoseRow| {
         let [x, y] = r.command_mm;
-        let [x, y, turned] = [number::fixed(x, 3), number::fixed(y, 3), number::fixed(r.command_deg, 2)];
-        words.number(&format!("{x}, {y} mm, {turned} deg"))
+        let [x, y, turned] = [words.fixed(x, 3), words.fixed(y, 3), words.fixed(r.command_deg, 2)];
+        format!("{x}, {y} mm, {turned} deg")
     };
     let first = Columns::<PoseRow>::new()
         .sheet(phrase!("table"), "", |_| table.title.as_str())
@@ -197,7 +197,7 @@ fn linearity(document: &GeometricDocument, words: &Words) -> Table {
 /// Quality of each fit.
 fn fits(document: &GeometricDocument, words: &Words) -> Table {
     let columns = Columns::<etalon_documents::GeometricStep>::new()
-        .both(phrase!("fit"), "", |s| Text::worded(&s.name, s.name_phrase.as_ref(), words))
+        .both(phrase!("fit"), "", |s| Text::worded(&s.name, words))
         .both(phrase!("residuals"), "", |s| s.count)
         .both(phrase!("standard-deviation"), "mm", |s| fixed(s.standard_deviation_mm, 4))
         .both(phrase!("expected"), "mm", |s| fixed(s.expected_mm, 4))
@@ -217,13 +217,9 @@ fn drawing(document: &GeometricDocument, words: &Words) -> Option<Figure> {
     }
     let mut map = Workspace::new(XY, &corners, words);
     let title = tr!(words, "workspace-plane", plane = "xy");
-    let names = regions.iter().map(|r| {
-        format!(
-            "{}: {} mm²",
-            Text::worded(&r.name, r.name_phrase.as_ref(), words).plain(),
-            number::fixed(r.area_mm2, 0)
-        )
-    });
+    let names = regions
+        .iter()
+        .map(|r| format!("{}: {} mm²", Text::worded(&r.name, words).plain(), number::fixed(r.area_mm2, 0)));
     for region in &regions {
         let last = document.workspace.last().is_some_and(|l| l.name == region.name);
         for (a, b) in region.corners_mm.iter().zip(region.corners_mm.iter().cycle().skip(1)) {

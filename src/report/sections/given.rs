@@ -16,7 +16,7 @@ pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Ver
     Verdict {
         met,
         class: Grade::from_met(met),
-        sentences: vec![Text::worded(&document.meaning, document.meaning_phrase.as_ref(), words).plain()],
+        sentences: vec![Text::worded(&document.meaning, words).plain()],
         ..Verdict::default()
     }
 }
@@ -24,25 +24,29 @@ pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Ver
 /// Sections on the probability of the verdict, and on the detectable changes.
 pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Vec<Section> {
     let mut judged = Section::new("judged", tr!(words, "how-changes-are-judged")).on_terminal();
-    let p = words.number(&number::p_value(document.p_value));
-    let limit = tr!(words, "changed-below", significance = number::stated(document.significance));
-    let compared = [document.position_rms_mm, document.expected_position_rms_mm];
+    let p = words.decimal(number::p_value(document.evidence.p_value));
+    let limit = tr!(words, "changed-below", significance = number::stated(document.evidence.significance));
+    let compared = [document.residuals.position_rms_mm, document.residuals.expected_position_rms_mm];
     let Shown { unit, factor } = number::shown("mm", compared.into_iter().fold(0.0, f64::max));
     let [rms, expected] = compared.map(|mm| number::significant(mm * factor, 3));
-    let count = document.of_changes.degrees_of_freedom + document.of_rest.degrees_of_freedom;
+    let count = document.evidence.of_changes.degrees_of_freedom + document.evidence.of_rest.degrees_of_freedom;
     let mut facts = vec![
         (tr!(words, "probability-by-chance"), format!("{p}; {limit}").into()),
         (tr!(words, "position-residuals-rms"), tr!(words, "rms-expected", value = rms, expected, unit).into()),
     ];
-    for found in &document.conditions {
+    for found in &document.residuals.conditions {
         let Shown { unit, factor } = number::shown(&found.unit, found.rms.max(found.expected_rms));
         let [rms, expected] = [found.rms, found.expected_rms].map(|v| number::significant(v * factor, 3));
         let value = tr!(words, "rms-expected", value = rms, expected, unit);
         facts.push((tr!(words, "rms-of", quantity = words.tr(&found.quantity.phrase())), value.into()));
     }
-    facts.push((tr!(words, "coordinates"), tr!(words, "count-at-poses", count, poses = document.poses).into()));
+    facts.push((
+        tr!(words, "coordinates"),
+        tr!(words, "count-at-poses", count, poses = document.residuals.poses).into(),
+    ));
     judged.push(Block::facts(facts));
-    vec![judged, detected(&document.power.least, document.power.probability, document.power.naming, words)]
+    let power = &document.evidence.power;
+    vec![judged, detected(&power.least, power.probability, power.naming, words)]
 }
 
 /// Smallest detectable movements.
@@ -85,9 +89,7 @@ pub(crate) fn poses_to_verify(document: &VerificationPlanDocument, words: &Words
 /// Recommendation in sentences.
 pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> Verdict {
     let met = document.recommended.is_plausible();
-    let phrases = document.meaning_phrases.iter().map(Some).chain(std::iter::repeat(None));
-    let sentences = document.meaning.iter().zip(phrases).map(|(m, phrase)| Text::worded(m, phrase, words).plain());
-    let sentences = sentences.collect();
+    let sentences = document.meaning.iter().map(|sentence| Text::worded(sentence, words).plain()).collect();
     Verdict { met, class: Grade::from_met(met), sentences, ..Verdict::default() }
 }
 

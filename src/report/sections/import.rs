@@ -15,7 +15,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
         let columns = Columns::<Refused>::new()
             .sheet(phrase!("file"), "", |_| source.file.as_str())
             .both(phrase!("line"), "", |r| r.line)
-            .both(phrase!("reason"), "", |r| Text::worded(&r.reason, r.reason_phrase.as_ref(), words))
+            .both(phrase!("reason"), "", |r| Text::worded(&r.reason, words))
             .both(phrase!("text"), "", |r| Text::code(&r.text));
         let table = Table::new(words, &source.refused, columns).on(phrase!("sheet-refused-rows"));
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
@@ -24,7 +24,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
         .sheet(phrase!("file"), "", |u| u.file.as_str())
         .sheet(phrase!("line"), "", |u| u.line)
         .sheet(phrase!("checklist-key"), "", |u| u.key.as_str())
-        .sheet(phrase!("reason"), "", |u| u.reason.as_str());
+        .sheet(phrase!("reason"), "", |u| u.reason.english());
     section
         .push(Block::Table(Table::new(words, &results.import.unmatched, columns).on(phrase!("sheet-without-partner"))));
     section.push(super::messages::routine(&results.import.messages, words));
@@ -36,7 +36,7 @@ fn sources(sources: &[Source], words: &Words) -> Table {
         .page(phrase!("file"), "", |s| s.file.as_str())
         .page(phrase!("kind"), "", |s| term(words, names::kind(s.kind)))
         .page(phrase!("bytes"), "", |s| s.bytes)
-        .page(phrase!("read-as"), "", |s| Text::worded(&s.dialect, s.dialect_phrase.as_ref(), words))
+        .page(phrase!("read-as"), "", |s| Text::worded(&s.dialect, words))
         .page(phrase!("rows"), "", |s| s.rows_read)
         .page(phrase!("refused"), "", |s| s.refused.len());
     Table::new(words, sources, columns)

@@ -63,13 +63,13 @@ pub(super) fn section(plan: &PlanDocument, words: &Words) -> Section {
 
 fn set_up(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
     let point = |at: Vector| at.map(stated).join(", ");
-    let program = plan.program.as_ref();
+    let program = plan.choice.program.as_ref();
     let file = program.map(|p| tr!(words, "sheet-program-value", file = &p.file, language = &p.language));
     let wait = program.map(|p| match &p.trigger {
         Some(output) => tr!(words, "sheet-wait-trigger", seconds = stated(p.dwell_s), output),
         None => tr!(words, "sheet-wait-seconds", seconds = stated(p.dwell_s)),
     });
-    let generated = plan.generated.as_ref();
+    let generated = plan.choice.generated.as_ref();
     let instrument = generated.and_then(|g| g.instrument_mm).map(point);
     let mut facts: Vec<(String, Cell)> = vec![
         (tr!(words, "sheet-operator-date"), Text::from(LINE).into()),
@@ -94,7 +94,7 @@ fn set_up(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
 
 /// Steps before the first pose.
 fn steps(plan: &PlanDocument, words: &Words) -> Vec<Text> {
-    let has_reflectors = plan.generated.as_ref().is_some_and(|g| !g.reflectors.is_empty());
+    let has_reflectors = plan.choice.generated.as_ref().is_some_and(|g| !g.reflectors.is_empty());
     let reflectors = has_reflectors.then(|| tr!(words, "sheet-step-reflectors"));
     [Some(tr!(words, "sheet-step-instrument")), reflectors]
         .into_iter()
@@ -107,7 +107,7 @@ fn steps(plan: &PlanDocument, words: &Words) -> Vec<Text> {
 /// Configurations in the order of measurement. A label is that of `{target}_{pose}_{cycle}`, with
 /// the number of the configuration as cycle.
 fn rows(plan: &PlanDocument) -> Vec<Row<'_>> {
-    let reflectors = plan.generated.iter().flat_map(|g| &g.reflectors);
+    let reflectors = plan.choice.generated.iter().flat_map(|g| &g.reflectors);
     let names: Vec<&str> = reflectors.map(|reflector| reflector.name.as_str()).collect();
     let all = plan
         .in_order()

@@ -27,13 +27,13 @@ pub(crate) fn with_figures(verdict: Verdict, limits: &[&LimitVerdict], words: &W
 /// A next step in the language of the report.
 fn step(action: &Action, words: &Words) -> Step {
     let texts = action.message.as_ref().map(|m| m.texts(words.code()));
-    let what = match (&action.what_phrase, texts.as_ref().and_then(|t| t.hint.clone())) {
+    let what = match (action.what.phrase(), texts.as_ref().and_then(|t| t.hint.clone())) {
         (Some(phrase), _) => words.tr(phrase),
-        (None, hint) => hint.unwrap_or_else(|| action.what.clone()),
+        (None, hint) => hint.unwrap_or_else(|| action.what.to_string()),
     };
-    let reason = match (&action.reason_phrase, texts) {
+    let reason = match (action.reason.phrase(), texts) {
         (Some(phrase), _) => words.tr(phrase),
-        (None, texts) => texts.map_or_else(|| action.reason.clone(), |t| t.what),
+        (None, texts) => texts.map_or_else(|| action.reason.to_string(), |t| t.what),
     };
     Step { what: Text::from(sentence(&what)), reason: Text::from(sentence(&reason)), command: action.command.clone() }
 }

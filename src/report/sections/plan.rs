@@ -16,10 +16,10 @@ use std::collections::BTreeMap;
 
 /// Quality of the choice.
 pub(crate) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict {
-    let chosen = plan.chosen.len();
-    let (class, sentence) = match plan.at_most_below_percent {
-        _ if plan.proven_optimal => {
-            (Grade::Good, tr!(words, "choice-proven", chosen, candidates = plan.candidates, index = plan.index))
+    let chosen = plan.choice.chosen.len();
+    let (class, sentence) = match plan.optimality.at_most_below_percent {
+        _ if plan.optimality.proven_optimal => {
+            (Grade::Good, tr!(words, "choice-proven", chosen, candidates = plan.choice.candidates, index = plan.index))
         }
         Some(below) => (
             Grade::Open,
@@ -29,7 +29,7 @@ pub(crate) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict {
                 index = plan.index,
                 percent = significant(below, 2),
                 chosen,
-                candidates = plan.candidates
+                candidates = plan.choice.candidates
             ),
         ),
         None => (Grade::Open, tr!(words, "choice-without-bound", index = plan.index)),
@@ -59,45 +59,48 @@ pub(crate) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Section> {
 
 fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
     let list = |poses: &[PoseName]| poses.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ");
-    let configurations: usize = plan.chosen.iter().map(|p| p.configurations.len()).sum();
+    let configurations: usize = plan.choice.chosen.iter().map(|p| p.configurations.len()).sum();
     let chosen = match plan.grouped {
-        true => tr!(words, "chosen-with-all-modes", poses = plan.chosen.len(), configurations),
-        false => tr!(words, "chosen-one-by-one", poses = plan.chosen.len(), configurations),
+        true => tr!(words, "chosen-with-all-modes", poses = plan.choice.chosen.len(), configurations),
+        false => tr!(words, "chosen-one-by-one", poses = plan.choice.chosen.len(), configurations),
     };
-    let relaxed = plan.at_most_below_percent_by_relaxation;
-    let compared = plan.compared.as_ref().map(|c| {
+    let relaxed = plan.optimality.at_most_below_percent_by_relaxation;
+    let compared = plan.optimality.compared.as_ref().map(|c| {
         let (value, better) = (significant(c.value, 6), significant(c.better_by_percent, 3));
         tr!(words, "plan-better-than", poses = list(&c.poses), value, percent = better)
     });
     let um = |mm: f64| significant(1e3 * mm, 3);
-    let workspace =
-        plan.workspace.as_ref().map(|w| tr!(words, "rms-and-largest", rms = um(w.rms_mm), largest = um(w.max_mm)));
-    let greedy = &plan.greedy;
-    let order = plan.order.as_ref().map(|order| {
+    let workspace = plan
+        .prediction
+        .workspace
+        .as_ref()
+        .map(|w| tr!(words, "rms-and-largest", rms = um(w.rms_mm), largest = um(w.max_mm)));
+    let greedy = &plan.optimality.greedy;
+    let order = plan.choice.order.as_ref().map(|order| {
         let poses = list(&plan.in_order().iter().map(|p| p.pose).collect::<Vec<_>>());
         let percent = significant(100.0 * order.motion / order.motion_as_listed, 3);
         tr!(words, "order-of-poses", poses, percent)
     });
-    let order = order.filter(|_| plan.order.as_ref().is_some_and(|order| order.motion_as_listed > 0.0));
-    let generated = plan.generated.as_ref().map(|g| {
+    let order = order.filter(|_| plan.choice.order.as_ref().is_some_and(|order| order.motion_as_listed > 0.0));
+    let generated = plan.choice.generated.as_ref().map(|g| {
         let (limits, region, sight) = (g.beyond_limits, g.outside_box, g.facing_away);
         let drawn =
-            tr!(words, "candidates-drawn", candidates = plan.candidates, draws = g.draws, limits, region, sight);
+            tr!(words, "candidates-drawn", candidates = plan.choice.candidates, draws = g.draws, limits, region, sight);
         let hidden = g.obstacles.iter().map(|o| tr!(words, "candidates-hidden", count = o.hidden, obstacle = &o.name));
         std::iter::once(drawn).chain(hidden).collect::<Vec<_>>().join(", ")
     });
     vec![
-        (tr!(words, "index"), format!("{} = {}", plan.index, significant(plan.value, 6)).into()),
-        (tr!(words, "definition"), Text::worded(&plan.definition, plan.definition_phrase.as_ref(), words).into()),
+        (tr!(words, "index"), format!("{} = {}", plan.index, significant(plan.optimality.value, 6)).into()),
+        (tr!(words, "definition"), Text::worded(&plan.definition, words).into()),
         (tr!(words, "chosen"), chosen.into()),
-        (tr!(words, "report-poses"), list(&plan.chosen.iter().map(|p| p.pose).collect::<Vec<_>>()).into()),
+        (tr!(words, "report-poses"), list(&plan.choice.chosen.iter().map(|p| p.pose).collect::<Vec<_>>()).into()),
         (
             tr!(words, "candidates"),
             tr!(
                 words,
                 "candidates-and-configurations",
-                candidates = plan.candidates,
-                configurations = plan.configurations
+                candidates = plan.choice.candidates,
+                configurations = plan.choice.configurations
             )
             .into(),
         ),
@@ -112,7 +115,7 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
                 })
                 .into(),
         ),
-        (tr!(words, "branch-and-bound-nodes"), relaxed.map(|_| plan.nodes.to_string()).into()),
+        (tr!(words, "branch-and-bound-nodes"), relaxed.map(|_| plan.optimality.nodes.to_string()).into()),
         (
             tr!(words, "one-after-the-other"),
             tr!(
@@ -125,7 +128,7 @@ fn facts(plan: &PlanDocument, words: &Words) -> Vec<(String, Cell)> {
             .into(),
         ),
         (tr!(words, "compared-with"), compared.into()),
-        (tr!(words, "condition-number"), digits(plan.observability.as_ref().map(|o| o.condition), 4)),
+        (tr!(words, "condition-number"), digits(plan.prediction.observability.as_ref().map(|o| o.condition), 4)),
         (tr!(words, "predicted-target-uncertainty"), workspace.into()),
     ]
 }
@@ -156,7 +159,7 @@ fn predicted(plan: &PlanDocument, words: &Words) -> Table {
         .both(phrase!("unit"), "", |p| p.unit.as_str())
         .both(phrase!("predicted-u"), "", u)
         .both(phrase!("correlated-with"), "", |p| p.confounded_with.join(", "));
-    Table::new(words, &plan.parameters, columns).on(phrase!("parameters-title"))
+    Table::new(words, &plan.prediction.parameters, columns).on(phrase!("parameters-title"))
 }
 
 fn study(document: &StudyDocument, words: &Words) -> Section {
@@ -168,7 +171,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         identifications = document.runs,
         medians = document.draws,
         configurations = document.configurations,
-        point = words.worded(&document.point, document.point_phrase.as_ref())
+        point = words.worded(&document.point)
     )));
     let columns = Columns::<StudiedParameter>::new()
         .both(phrase!("name"), "", |p| p.name.as_str())

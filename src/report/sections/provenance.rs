@@ -25,7 +25,7 @@ pub(crate) fn section_from_provenance(provenance: &Provenance, sources: &[Source
         .both("SHA-256", "", |(_, sha256, _)| Text::code(sha256))
         .sheet(phrase!("kind"), "", |r| r.2.map(|s| s.kind.name()))
         .sheet(phrase!("bytes"), "", |r| r.2.map(|s| s.bytes))
-        .sheet(phrase!("read-as"), "", |r| r.2.map(|s| s.dialect.as_str()))
+        .sheet(phrase!("read-as"), "", |r| r.2.map(|s| s.dialect.english()))
         .sheet(phrase!("rows"), "", |r| r.2.map(|s| s.rows_read))
         .sheet(phrase!("head-refused"), "", |r| r.2.map(|s| s.refused.len()));
     section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("sheet-inputs"))));

@@ -10,6 +10,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::{Vector, centroid, minus};
 use etalon_base::pose_name::PoseName;
+use etalon_base::worded::Worded;
 use etalon_documents::{
     Characteristics, Conformity, Iso9283Approach, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane, Iso9283Pose,
     Iso9283Variation, Iso9283Visit,
@@ -19,7 +20,8 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let document = tested.poses.as_ref()?;
     let poses = named(document, words);
     let mut section = Section::new("repeatability", tr!(words, "repeatability-title"));
-    section.summarise(tr!(words, "conventions"), document.conventions.join("; "), "");
+    let conventions: Vec<&str> = document.conventions.iter().map(Worded::english).collect();
+    section.summarise(tr!(words, "conventions"), conventions.join("; "), "");
     section.figures(multiples::picture(document, words));
     let note = tr!(words, "definition-rp");
     section.table(tr!(words, "uncertainty-of-rp"), note, intervals(&poses, words));
@@ -36,7 +38,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let figures = vec![Block::Figures { figures: visits::pictures(document, words) }];
     section.push(Block::Aside { title: tr!(words, "visits-by-plane"), blocks: figures });
     let details = vec![
-        Block::note(Text::conventions(&document.conventions, &document.convention_phrases, words)),
+        Block::note(Text::conventions(&document.conventions, words)),
         Block::Table(spheres(&poses, words).detail()),
     ];
     section.push(Block::Aside { title: tr!(words, "spheres-and-conventions"), blocks: details });

@@ -75,7 +75,7 @@ fn overview(document: &SelftestDocument, words: &Words) -> Section {
         (tr!(words, "selftest-packages"), document.packages.len().into()),
     ]));
     section.push(Block::note(nist));
-    let requirement = |r: &SelftestRequirement| Text::worded(&r.requirement, Some(&r.requirement_phrase), words);
+    let requirement = |r: &SelftestRequirement| Text::worded(&r.requirement, words);
     let failed = |r: &SelftestRequirement| r.checks.iter().filter(|c| !c.pass).count();
     let columns = Columns::<SelftestRequirement>::new()
         .both(phrase!("selftest-requirement"), "", requirement)
@@ -111,7 +111,7 @@ fn failed(document: &SelftestDocument, words: &Words) -> Option<Section> {
 fn tests<'a>(checks: impl IntoIterator<Item = &'a SelftestCheck>, words: &'a Words) -> Table {
     let number = |value: Option<f64>| significant(value, 10);
     let columns = Columns::<SelftestCheck>::new()
-        .both(phrase!("selftest-test"), "", |c| Text::worded(&c.test, Some(&c.test_phrase), words))
+        .both(phrase!("selftest-test"), "", |c| Text::worded(&c.test, words))
         .both(phrase!("selftest-source"), "", |c| c.source.as_str())
         .both(phrase!("unit"), "", |c| Some(c.unit.as_str()).filter(|unit| !unit.is_empty()))
         .both(phrase!("selftest-expected"), "", move |c| number(c.expected))
@@ -144,7 +144,7 @@ fn installation(document: &SelftestDocument, words: &Words) -> Section {
 fn operation(document: &SelftestDocument, words: &Words) -> Section {
     let mut section = Section::new("operation", tr!(words, "selftest-operation"));
     for r in &document.requirements {
-        let heading = Text::worded(&r.requirement, Some(&r.requirement_phrase), words).plain();
+        let heading = Text::worded(&r.requirement, words).plain();
         section.table(heading, "", tests(&r.checks, words).on(phrase!("sheet-tests")));
     }
     section
@@ -164,7 +164,7 @@ fn slip_table<'a>(all: impl IntoIterator<Item = &'a SelftestMustFail>, words: &'
     };
     let columns = Columns::<SelftestMustFail>::new()
         .both(phrase!("selftest-requirement"), "", |m| m.id.as_str())
-        .both(phrase!("selftest-slip"), "", |m| Text::worded(&m.slip, Some(&m.slip_phrase), words))
+        .both(phrase!("selftest-slip"), "", |m| Text::worded(&m.slip, words))
         .both(phrase!("selftest-tests"), "", |m| m.checks)
         .both(phrase!("selftest-tests-failed"), "", |m| m.failed)
         .both(phrase!("selftest-result"), "", verdict);
@@ -184,8 +184,8 @@ fn performance(document: &SelftestPerformance, words: &Words) -> Section {
         .both(phrase!("after"), "", |m| significant(m.after, 15))
         .both(phrase!("selftest-over-u"), "", |m| fixed(m.over_uncertainty, 6));
     section.push(Block::Table(Table::new(words, &document.moved, columns).on(phrase!("sheet-moved-values"))));
-    for (text, phrase) in document.causes.iter().zip(&document.cause_phrases) {
-        let cause = Text::worded(text, Some(phrase), words).plain();
+    for cause in &document.causes {
+        let cause = Text::worded(cause, words).plain();
         section.push(Block::text(tr!(words, "selftest-cause", cause)));
     }
     if document.causes.is_empty() && !document.pass {

@@ -35,7 +35,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         section.push(Block::Table(corners(named, words)));
         section.figures(path_picture(i, stream.path.as_ref(), words));
         let figures = drift(i, &stream.standstills, words).into_iter().collect();
-        let conventions = Block::note(Text::conventions(&stream.conventions, &stream.convention_phrases, words));
+        let conventions = Block::note(Text::conventions(&stream.conventions, words));
         let blocks = vec![conventions, Block::Figures { figures }];
         section.push(Block::Aside { title: tr!(words, "conventions-and-drift"), blocks });
         section.push(Block::Table(standstills(named, words)));
@@ -127,13 +127,9 @@ fn path_facts(path: &Iso9283Path, words: &Words) -> Vec<(String, Cell)> {
     facts.push((tr!(words, "at-of-angles"), angles(&path.at_angles_deg)));
     facts.push((tr!(words, "rt-of-angles"), angles(&path.rt_angles_deg)));
     if let Some(v) = &path.velocity {
-        let rv = v.rv_percent.map(|rv| format!(", RV {} %", number::fixed(rv, 2))).unwrap_or_default();
-        let (mean, av, fv) =
-            (number::fixed(v.mean_mm_s, 2), number::fixed(v.av_percent, 2), number::fixed(v.fv_mm_s, 2));
-        facts.push((
-            tr!(words, "path-velocity"),
-            words.number(&format!("{mean} mm/s: AV {av} %{rv}, FV {fv} mm/s")).into(),
-        ));
+        let rv = v.rv_percent.map(|rv| format!(", RV {} %", words.fixed(rv, 2))).unwrap_or_default();
+        let (mean, av, fv) = (words.fixed(v.mean_mm_s, 2), words.fixed(v.av_percent, 2), words.fixed(v.fv_mm_s, 2));
+        facts.push((tr!(words, "path-velocity"), format!("{mean} mm/s: AV {av} %{rv}, FV {fv} mm/s").into()));
     }
     facts
 }
@@ -314,8 +310,7 @@ fn posing_times(named: &Iso9283NamedStream, words: &Words) -> Table {
 }
 
 fn corners(named: &Iso9283NamedStream, words: &Words) -> Table {
-    let at = |c: &Iso9283Corner| c.position_mm.iter().map(|v| number::fixed(*v, 2)).collect::<Vec<_>>().join(", ");
-    let at = move |c: &Iso9283Corner| words.number(&at(c));
+    let at = move |c: &Iso9283Corner| c.position_mm.iter().map(|v| words.fixed(*v, 2)).collect::<Vec<_>>().join(", ");
     let columns = Columns::<Iso9283Corner>::new()
         .sheet(phrase!("stream"), "", |_| named.name.as_str())
         .page(phrase!("corner"), "mm", at)

@@ -39,9 +39,7 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() && !limits.is_empty()).then(|| counted(&limits, words)));
     sentences.extend(reservations(judgement, words));
-    let point = identified
-        .map(|i| words.worded(&i.accuracy.point, i.accuracy.point_phrase.as_ref()))
-        .filter(|point| !point.is_empty());
+    let point = identified.map(|i| words.worded(&i.accuracy.point)).filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
             tr!(words, "errors-before-after-of", point, set = words.tr(&s.name.phrase()))
@@ -217,9 +215,9 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
 /// Size of the residuals relative to the measurement uncertainty.
 fn unexplained(of: &IdentifiedDocuments, words: &Words) -> Option<String> {
     let r = &of.parameters.residuals;
-    let ratio = (r.chi_square? / r.degrees_of_freedom as f64).sqrt();
+    let ratio = (r.test.chi_square? / r.degrees_of_freedom as f64).sqrt();
     let times = number::significant(ratio, 3);
-    let by = match r.common_standard_uncertainty_mm {
+    let by = match r.test.common_standard_uncertainty_mm {
         Some(_) => tr!(words, "uncertainty-of-instrument-and-contact"),
         None => tr!(words, "uncertainty-of-instrument"),
     };
@@ -228,7 +226,7 @@ fn unexplained(of: &IdentifiedDocuments, words: &Words) -> Option<String> {
         let [rms, expected] = [rms_mm, rms_mm / ratio].map(|mm| number::significant(mm * factor, 3));
         tr!(words, "position-residuals-explained", rms, expected, unit)
     });
-    let sentence = ratio.is_finite().then(|| match r.chi_square_rejected {
+    let sentence = ratio.is_finite().then(|| match r.test.chi_square_rejected {
         true => tr!(words, "model-leaves-residuals", ratio = times, uncertainty = by),
         false => tr!(words, "model-explains-residuals", ratio = times, uncertainty = by),
     })?;

@@ -40,8 +40,8 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     let e = set.leading().unwrap();
     assert!((first.gain_mm.unwrap() - (e.before.rms - e.after.rms)).abs() < 1e-12);
     // no controller loads a JSON file
-    assert!(first.what_phrase.as_ref().unwrap().id == "action-load-or-compensate", "{first:?}");
-    let load = first.reason_phrase.clone().unwrap();
+    assert!(first.what.phrase().unwrap().id == "action-load-or-compensate", "{first:?}");
+    let load = first.reason.phrase().cloned().unwrap();
     let unit = |key: &str| match &load.arguments[key] {
         etalon_base::catalogue::Argument::Text(text) => text.split(' ').next_back().unwrap().to_owned(),
         other => panic!("{other:?}"),
@@ -52,10 +52,10 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     documents.campaign.controller_files.push(of_controller);
     let first = &actions(&documents)[0];
     assert_eq!(first.file.as_deref(), Some("etalon.st"));
-    assert!(first.what_phrase.as_ref().unwrap().id == "action-load", "{first:?}");
+    assert!(first.what.phrase().unwrap().id == "action-load", "{first:?}");
     documents.campaign.synthetic = Some("simulated".to_owned());
     let synthetic = &actions(&documents)[0];
-    assert!(synthetic.what.contains("not into a robot"), "{synthetic:?}");
+    assert!(synthetic.what.english().contains("not into a robot"), "{synthetic:?}");
     let failed = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.01, 0.0442, Some(0.001), DecisionRule::Guarded);
     documents.accuracy.limits[0] = failed;
     let all = actions(&documents);
@@ -65,14 +65,14 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     let worst = worst.max_by(|a, b| size(a).total_cmp(&size(b))).map(|e| e.pose);
     let meet = all.iter().find(|a| a.action == ActionKind::MeetLimit).unwrap();
     if let Some(worst) = worst {
-        assert!(meet.what.contains(&format!("pose {worst}")), "{meet:?}");
+        assert!(meet.what.english().contains(&format!("pose {worst}")), "{meet:?}");
     }
     // in words, not as a key
-    let what = meet.what_phrase.as_ref().unwrap();
+    let what = meet.what.phrase().unwrap();
     let limit = etalon_base::phrase!("limit-position-max");
     assert_eq!(what.arguments["limit"], etalon_base::catalogue::Argument::Phrase(limit));
-    assert!(!meet.what.contains("position_max"), "{meet:?}");
-    let reason = meet.reason_phrase.as_ref().unwrap();
+    assert!(!meet.what.english().contains("position_max"), "{meet:?}");
+    let reason = meet.reason.phrase().unwrap();
     assert_eq!(reason.id, "action-meet-limit-reason");
     assert_eq!(reason.arguments["beyond"], etalon_base::catalogue::Argument::Text("34.2 µm".to_owned()));
 }
@@ -95,7 +95,7 @@ fn an_undecided_limit_states_the_uncertainty_that_would_decide() {
     documents.accuracy.limits[0] = open;
     let all = actions(&documents);
     let reduce = all.iter().find(|a| a.action == ActionKind::ReduceUncertainty).unwrap();
-    assert!(reduce.reason.starts_with("U = 10.0 µm; a decision needs 5.00 µm"), "{reduce:?}");
+    assert!(reduce.reason.english().starts_with("U = 10.0 µm; a decision needs 5.00 µm"), "{reduce:?}");
     assert!(!kinds(&all).contains(&ActionKind::Load), "exit code 1");
 }
 
@@ -119,7 +119,7 @@ fn outlying_poses_are_measured_again_the_worst_first_and_steps_follow_their_gain
     let again = all.iter().find(|a| a.action == ActionKind::MeasureAgain).unwrap();
     // 6.2 × 0.0711 mm
     assert_eq!(
-        (again.what.as_str(), again.reason.as_str()),
+        (again.what.english(), again.reason.english()),
         ("measure poses 7, 9 again", "pose 7 disagrees with the others: 0.441 mm, 6.2 σ")
     );
     let gains: Vec<f64> = all.iter().map(|a| a.gain_mm.unwrap_or(0.0)).collect();

@@ -3,6 +3,7 @@
 use etalon_base::message::{Message, Place};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector};
+use etalon_base::worded::Worded;
 use etalon_documents::ResidualKind;
 use etalon_documents::Termination;
 use etalon_documents::*;
@@ -127,11 +128,12 @@ impl Documents {
                 trends: vec![],
                 parameter_influences: Vec::new(),
                 schema: "etalon/accuracy/1".to_owned(),
-                point: "platform centre (from the balls)".to_owned(),
-                point_phrase: Some(etalon_base::phrase!("platform-as-measured")),
-                definition_phrase: None,
+                point: Worded::stored(
+                    "platform centre (from the balls)".to_owned(),
+                    Some(etalon_base::phrase!("platform-as-measured")),
+                ),
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
-                    .to_owned(),
+                    .into(),
                 sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
                 placed_apart: Vec::new(),
                 effects: Vec::new(),
@@ -186,8 +188,7 @@ fn import() -> ImportDocument {
         sha256: etalon_base::files::sha256(file.as_bytes()),
         bytes: 48_211,
         kind,
-        dialect: dialect.to_owned(),
-        dialect_phrase: None,
+        dialect: dialect.into(),
         rows_read: 590,
         refused,
         standstills: Vec::new(),
@@ -195,8 +196,7 @@ fn import() -> ImportDocument {
     let refused = Refused {
         line: 17,
         text: "K_12_3;412,331;n/a;20,001".to_owned(),
-        reason: "`n/a` is not a number (column y)".to_owned(),
-        reason_phrase: None,
+        reason: "`n/a` is not a number (column y)".into(),
     };
     ImportDocument {
         schema: "etalon/import/1".to_owned(),
@@ -236,8 +236,7 @@ fn frames() -> FramesDocument {
     FramesDocument {
         schema: "etalon/frames/1".to_owned(),
         world: WorldFrame {
-            definition: "plane rails, origin R_home, y axis from R_home to R_end".to_owned(),
-            definition_phrase: None,
+            definition: "plane rails, origin R_home, y axis from R_home to R_end".into(),
             planar: true,
             poses: vec![FramePose { pose: None, cycle: None, export_T_world, covariance: None }],
             common_covariance: None,
@@ -303,8 +302,7 @@ fn parameters() -> ParametersDocument {
         robust: Some(robust()),
         observability: Some(observability()),
         solver: SolverSummary {
-            method: "Levenberg-Marquardt".to_owned(),
-            method_phrase: None,
+            method: "Levenberg-Marquardt".into(),
             iterations: 6,
             termination,
             meaning: termination.to_string(),
@@ -332,8 +330,7 @@ fn observability() -> ObservabilitySummary {
         o5: 0.114,
         condition: 46.9,
         rank: 11,
-        scaling: "columns in mm and degrees, as the parameters are".to_owned(),
-        scaling_phrase: None,
+        scaling: "columns in mm and degrees, as the parameters are".into(),
         singular_values: singular_values(),
         held_singular_values: vec![SingularValueEntry { value: 3e-13, parameters: vec!["x_c".to_owned()] }],
         rank_cut: 1e-9,
@@ -342,21 +339,26 @@ fn observability() -> ObservabilitySummary {
 
 fn residuals() -> ResidualSummary {
     ResidualSummary {
-        position_rms_mm: None,
-        position_rms_before_mm: None,
-        within_poses_rms_mm: None,
+        position: etalon_documents::PositionResiduals::default(),
         kind: ResidualKind::Targets,
         count: 160,
         rms: 0.0162,
         max: 0.0431,
         degrees_of_freedom: 149,
         effective_degrees_of_freedom: None,
-        stated_standard_uncertainty_mm: Some(0.001_35),
-        common_standard_uncertainty_mm: None,
-        chi_square: Some(212.4),
-        repeats: Some(Replicates { repeats_mm: 0.0031, degrees_of_freedom: 96, lack_of_fit_mm: 0.014, p_value: 2e-9 }),
+        test: etalon_documents::ResidualTest {
+            stated_standard_uncertainty_mm: Some(0.001_35),
+            common_standard_uncertainty_mm: None,
+            chi_square: Some(212.4),
+            chi_square_rejected: true,
+            repeats: Some(Replicates {
+                repeats_mm: 0.0031,
+                degrees_of_freedom: 96,
+                lack_of_fit_mm: 0.014,
+                p_value: 2e-9,
+            }),
+        },
         uncertainties_from: etalon_documents::UncertaintyFrom::Instrument,
-        chi_square_rejected: true,
         uncertainties_enlarged_by: 1.194,
         conditions: Vec::new(),
         between_series: None,

@@ -67,8 +67,7 @@ pub(crate) fn whole() -> Characteristics {
     };
     let compliance = Iso9283ComplianceDocument {
         schema: "etalon/iso9283-compliance/1".to_owned(),
-        conventions: vec!["least squares".to_owned()],
-        convention_phrases: vec![],
+        conventions: vec!["least squares".into()],
         directions: vec![direction],
         messages: vec![],
     };
@@ -103,8 +102,7 @@ pub(crate) fn iso9283() -> Iso9283Document {
     };
     Iso9283Document {
         schema: "etalon/iso9283/1".to_owned(),
-        conventions: vec!["positions alone".to_owned()],
-        convention_phrases: vec![],
+        conventions: vec!["positions alone".into()],
         poses: vec![pose(1), pose(2)],
         distances: vec![],
         approaches: vec![Iso9283Variation {

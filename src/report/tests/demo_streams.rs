@@ -34,8 +34,7 @@ fn standing() -> Iso9283StreamDocument {
     };
     Iso9283StreamDocument {
         schema: "etalon/iso9283-stream/1".to_owned(),
-        conventions: vec!["times: as stamped in the recording".to_owned()],
-        convention_phrases: vec![],
+        conventions: vec!["times: as stamped in the recording".into()],
         samples: 3000,
         left_out: vec![],
         duration_s: 30.0,

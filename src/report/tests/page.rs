@@ -168,21 +168,21 @@ pub(crate) fn with_text(text: &str) -> Documents {
     let message = || Message::error(t()).at(Place::line(t(), 1, t())).expected(t()).hint(t());
     d.import.messages = vec![message()];
     for s in &mut d.import.sources {
-        (s.file, s.dialect, s.sha256) = (t(), t(), t());
-        s.refused = vec![Refused { line: 1, text: t(), reason: t(), reason_phrase: None }];
+        (s.file, s.dialect, s.sha256) = (t(), t().into(), t());
+        s.refused = vec![Refused { line: 1, text: t(), reason: t().into() }];
     }
     d.features.features.iter_mut().for_each(|f| (f.name, f.element) = (t(), t()));
-    d.frames.world.definition = t();
+    d.frames.world.definition = t().into();
     let p = &mut d.parameters;
     (p.robot, p.messages) = (t(), vec![message()]);
     p.parameters.iter_mut().for_each(|p| (p.name, p.unit, p.confounded_with) = (t(), t(), vec![t()]));
-    (p.solver.method, p.solver.meaning) = (t(), t());
+    (p.solver.method, p.solver.meaning) = (t().into(), t());
     if let Some(o) = &mut p.observability {
-        o.scaling = t();
+        o.scaling = t().into();
         o.singular_values.iter_mut().chain(&mut o.held_singular_values).for_each(|s| s.parameters = vec![t(), t()]);
     }
     (p.provenance.version, p.provenance.inputs) = (t(), [(t(), t())].into());
-    d.accuracy.definition = t();
+    d.accuracy.definition = t().into();
     d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| e.unit = t());
     d.accuracy.limits.iter_mut().for_each(|l| l.unit = t());
     // a single set keeps the page below the size at which titles of marks become data

@@ -21,7 +21,7 @@ pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
 
 /// Subject of a figure or row.
 pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
-    let name = trend.name_phrase.as_ref().map_or_else(|| one_line(&trend.name), |phrase| words.tr(phrase));
+    let name = trend.name.phrase().map_or_else(|| one_line(trend.name.english()), |phrase| words.tr(phrase));
     match trend.family {
         CompareFamily::Robot => tr!(words, "parameter-named", name),
         CompareFamily::SetUp => tr!(words, "set-up-parameter-named", name),

@@ -99,7 +99,7 @@ fn compare(name: &str, certified: &Data, found: &IdentifiedDocuments, rows: &mut
     covariance(certified, found).list(phrase!("selftest-certified-covariance", name), "", rows);
     let residuals = &found.parameters.residuals;
     let mut worst = Worst::default();
-    let pairs = [("rms_mm", residuals.rms), ("chi_square", residuals.chi_square.unwrap_or(f64::NAN))];
+    let pairs = [("rms_mm", residuals.rms), ("chi_square", residuals.test.chi_square.unwrap_or(f64::NAN))];
     for (key, value) in pairs {
         let expected = certified.number(&format!("/residuals/{key}"));
         worst.add(expected, value, relative * expected);

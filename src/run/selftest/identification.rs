@@ -121,7 +121,7 @@ fn campaign(truth: &Data) -> Rows {
     }
     rows.add(phrase!("selftest-truth", name = "prexyt-cmm"), "u", [0.0, largest], LARGEST);
     let residuals = &identified.parameters.residuals;
-    let (chi, degrees) = (residuals.chi_square.unwrap_or(f64::NAN), residuals.degrees_of_freedom as f64);
+    let (chi, degrees) = (residuals.test.chi_square.unwrap_or(f64::NAN), residuals.degrees_of_freedom as f64);
     // three standard deviations of chi-square over its degrees of freedom
     rows.add(phrase!("selftest-chi-square"), "", [1.0, chi / degrees], 3.0 * (2.0 / degrees).sqrt());
     rows

@@ -100,11 +100,9 @@ fn requirement(subject: &Subject, data: &Data) -> SelftestRequirement {
 fn slipped(subject: &Subject, slip: &Slip, data: &Data, already: usize) -> SelftestMustFail {
     let rows: Vec<Row> = (subject.rows)(&slip.applied(data)).into_iter().flat_map(|rows| rows.all).collect();
     let failed = rows.iter().filter(|row| !row.passes()).count();
-    let what = slip.phrase();
     SelftestMustFail {
         id: subject.id.to_owned(),
-        slip: what.to_string(),
-        slip_phrase: what,
+        slip: slip.phrase().into(),
         checks: rows.len(),
         failed,
         pass: failed > already,

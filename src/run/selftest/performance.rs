@@ -4,6 +4,7 @@
 use crate::run::documents::read_parameters;
 use crate::run::pipeline::evaluate;
 use etalon_base::message::{Place, Result};
+use etalon_base::worded::Worded;
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{MovedValue, ParameterEntry, ParametersDocument, SelftestPerformance};
@@ -35,8 +36,7 @@ pub fn performance(folder: &Path, expected: &Path) -> Result<SelftestPerformance
         relative_tolerance: RELATIVE,
         pass: moved.is_empty(),
         moved,
-        causes: causes.iter().map(ToString::to_string).collect(),
-        cause_phrases: causes,
+        causes: causes.into_iter().map(Worded::from).collect(),
     })
 }
 

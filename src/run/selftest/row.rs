@@ -73,8 +73,7 @@ pub(super) fn requirement_result(id: &str, requirement: Phrase, rows: Vec<Rows>)
     let checks: Vec<SelftestCheck> = rows.into_iter().flat_map(|rows| rows.all).map(check).collect();
     SelftestRequirement {
         id: id.to_owned(),
-        requirement: requirement.to_string(),
-        requirement_phrase: requirement,
+        requirement: requirement.into(),
         pass: !checks.is_empty() && checks.iter().all(|c| c.pass),
         checks,
     }
@@ -84,14 +83,13 @@ fn check(row: Row) -> SelftestCheck {
     let finite = |value: f64| value.is_finite().then_some(value);
     SelftestCheck {
         pass: row.passes(),
-        test: row.test.to_string(),
+        test: row.test.into(),
         source: row.source.to_owned(),
         unit: row.unit.to_owned(),
         expected: finite(row.expected),
         found: finite(row.found),
         deviation: finite(row.found - row.expected),
         permissible: row.permissible,
-        test_phrase: row.test,
     }
 }
 

@@ -103,7 +103,7 @@ fn errors(
     let of_set = |set: &AccuracySet| {
         let leading = set.leading()?.quantity;
         let of_set = written.iter().filter(|e| e.set == set.name && e.quantity == leading);
-        let sizes = of_set.filter_map(|e| Some(norm(e.after_mm) / e.own_share()?)).collect();
+        let sizes = of_set.filter_map(|e| Some(norm(e.after_mm) / e.statistics_divisor()?)).collect();
         ControllerErrors::new(set, Some(&summarise(sizes)))
     };
     Ok(given.accuracy.iter().flat_map(|accuracy| &accuracy.sets).filter_map(of_set).collect())

@@ -229,9 +229,9 @@ pub fn state_positions(
 ) {
     let residuals = &mut document.residuals;
     if residuals.kind == etalon_documents::ResidualKind::Targets {
-        let known = residuals.position_rms_mm;
-        residuals.position_rms_mm = known.or_else(|| position_rms_mm(robot, observed, after));
-        residuals.position_rms_before_mm = position_rms_mm(robot, observed, before);
-        residuals.within_poses_rms_mm = within_poses_rms_mm(robot, observed, after);
+        let known = residuals.position.position_rms_mm;
+        residuals.position.position_rms_mm = known.or_else(|| position_rms_mm(robot, observed, after));
+        residuals.position.position_rms_before_mm = position_rms_mm(robot, observed, before);
+        residuals.position.within_poses_rms_mm = within_poses_rms_mm(robot, observed, after);
     }
 }

@@ -13,6 +13,7 @@ use crate::stages::judge::set_up::check_set_up;
 use crate::stages::remedies::remedied;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
+use etalon_base::worded::Worded;
 use etalon_base::{phrase, warning};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
@@ -114,8 +115,7 @@ impl Recommendation<'_> {
             schema: "etalon/recommendation/1".to_owned(),
             robot: study.robot.model().to_owned(),
             campaign: None,
-            meaning: meaning.iter().map(Phrase::to_string).collect(),
-            meaning_phrases: meaning,
+            meaning: meaning.into_iter().map(Worded::from).collect(),
             poses: study.poses,
             folds: study.first_cut().len(),
             repeats: study.folds.len() / study.first_cut().len(),

@@ -218,8 +218,8 @@ impl TargetLocations {
     }
 
     /// Entries of `accuracy.json`.
-    pub fn documents(&self, robot: &dyn Robot) -> Vec<documents::PlacedApart> {
-        let of = |(group, r): (&Vec<usize>, &Vec<f64>)| documents::PlacedApart {
+    pub fn documents(&self, robot: &dyn Robot) -> Vec<documents::SelfLocated> {
+        let of = |(group, r): (&Vec<usize>, &Vec<f64>)| documents::SelfLocated {
             name: name(robot, group),
             readings: r.len(),
             redundancy: r.iter().sum::<f64>() / r.len().max(1) as f64,
@@ -231,7 +231,7 @@ impl TargetLocations {
     /// Marks the located parameters in the document, with the uncertainty of their readings and the
     /// residuals `found`.
     pub fn mark(&self, robot: &dyn Robot, found: &Identification, document: &mut ParametersDocument) {
-        let stated = document.residuals.stated_standard_uncertainty_mm.unwrap_or(0.0);
+        let stated = document.residuals.test.stated_standard_uncertainty_mm.unwrap_or(0.0);
         let equations = (found.residuals.degrees_of_freedom + found.free.len()) as f64;
         let shown = found.residuals.rms * (equations / found.residuals.degrees_of_freedom.max(1) as f64).sqrt();
         let unit = if stated > 0.0 { stated } else { 1.0 };

@@ -200,7 +200,8 @@ pub fn evaluate(
     let planar = robot.dimension() == 2;
     let mut sets = Vec::new();
     for name in PoseSet::ALL {
-        let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name && e.own_share().is_some()).collect();
+        let of: Vec<&PointError> =
+            errors.iter().filter(|e| e.set == name && e.statistics_divisor().is_some()).collect();
         if !of.is_empty() {
             sets.push(accuracy_set(name, &of, planar, &uncertainty));
         }
@@ -216,10 +217,8 @@ pub fn evaluate(
         schema: "etalon/accuracy/1".to_owned(),
         campaign: None,
         provenance: None,
-        definition: definition.to_string(),
-        definition_phrase: Some(definition),
-        point: point.to_string(),
-        point_phrase: Some(point),
+        definition: definition.into(),
+        point: point.into(),
         joints: robot.joints().iter().map(|joint| joint.column()).collect(),
         sets,
         validation_distance: None,
@@ -291,7 +290,7 @@ type Size<'a> = &'a dyn Fn(Vector, Option<f64>) -> Option<f64>;
 
 fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size: Size) -> ErrorStatistics {
     let of = |pick: &dyn Fn(&PointError) -> Option<f64>| {
-        summarise(errors.iter().filter_map(|e| Some(pick(e)? / e.own_share()?)).collect())
+        summarise(errors.iter().filter_map(|e| Some(pick(e)? / e.statistics_divisor()?)).collect())
     };
     ErrorStatistics {
         quantity,

@@ -37,7 +37,7 @@ pub(crate) fn search(robot: &dyn Robot, solution: &Solution, is_wrong: bool) -> 
             (trial.field, summary)
         }
     };
-    let refusal = summary.reason_phrase.as_ref().map(|reason| warning!("field-refused", reason).routine());
+    let refusal = summary.reason.as_ref().map(|reason| warning!("field-refused", reason).routine());
     let follows = field.as_ref().and_then(|field| follows_order(robot, field, &sets.calibration));
     FieldSearch { messages: refusal.into_iter().chain(follows).collect(), field, summary }
 }

@@ -100,8 +100,7 @@ impl<'a> Expected<'a> {
         let after: Statistics = summarise(sizes);
         let definition = phrase!("tool-error-definition", error = self.error());
         Ok(Some(ToolAccuracy {
-            definition: definition.to_string(),
-            definition_phrase: Some(definition),
+            definition: definition.into(),
             point_mm: self.prediction.point.point_mm,
             frame: self.prediction.point.frame.into(),
             set: judged.name,

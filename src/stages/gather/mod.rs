@@ -18,6 +18,7 @@ use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::files::Stamp;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::two_spellings;
+use etalon_base::worded::Worded;
 use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, Source, SourceKind};
@@ -251,10 +252,9 @@ fn statement(kind: SourceKind, file: &str, stamp: &Stamp) -> Source {
         bytes: stamp.size,
         kind,
         dialect: match kind {
-            SourceKind::Export | SourceKind::Log => String::new(),
-            _ => "TOML".to_owned(),
+            SourceKind::Export | SourceKind::Log => Worded::default(),
+            _ => "TOML".into(),
         },
-        dialect_phrase: None,
         rows_read: 0,
         refused: Vec::new(),
         standstills: Vec::new(),

@@ -61,8 +61,7 @@ pub fn calibrate(
         definition.ball.iter().zip(&balls).map(|(d, b)| ball(campaign, d, b)).collect();
     Ok(Some(GeometricDocument {
         schema: "etalon/geometric/1".to_owned(),
-        definition: phrase!("geometric-definition").to_string(),
-        definition_phrase: Some(phrase!("geometric-definition")),
+        definition: phrase!("geometric-definition").into(),
         quantities: quantities
             .iter()
             .map(|q| quantity(q, &found.readings, robot, identified.map(|i| &i.found)))
@@ -223,8 +222,7 @@ fn ball(campaign: &Campaign, definition: &BallDefinition, readings: &[Vector]) -
 
 fn step(name: Phrase, scatter: &Scatter, coverage_deg: Option<f64>) -> GeometricStep {
     GeometricStep {
-        name: name.to_string(),
-        name_phrase: Some(name),
+        name: name.into(),
         count: scatter.count,
         standard_deviation_mm: scatter.standard_deviation_mm,
         expected_mm: scatter.expected_mm,
@@ -271,8 +269,7 @@ fn workspace(definition: &GeometricDefinition, robot: &dyn RailTable, parameters
         (phrase!("region-of-orientations", from = -deg, to = deg), reached.within(theta)),
     ];
     let region = |(name, polygon): (Phrase, Vec<[f64; 2]>)| Region {
-        name: name.to_string(),
-        name_phrase: Some(name),
+        name: name.into(),
         area_mm2: geometric::area_mm2(&polygon),
         corners_mm: polygon.into_iter().map(|[x, y]| [x, y, 0.0]).collect(),
     };

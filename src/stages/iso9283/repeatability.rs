@@ -4,7 +4,6 @@
 use crate::stages::iso9283::{COVERAGE_FACTOR, settings};
 use crate::stages::observe::labelled_points::{LabelledPoints, PointGroup};
 use crate::stages::table_file::{CampaignTables, TableFile};
-use etalon_base::catalogue::{Argument, IntoArgument};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_base::pose_name::PoseName;
@@ -36,9 +35,7 @@ pub fn evaluate(
     let drift_set = definition.drift_set.as_ref().map(|set| *set.get_ref());
     let settings = PoseTestSettings { drift_set, ..settings(campaign) };
     let mut document = Iso9283Document::evaluate(&gathered.visits, &settings)?;
-    let frame =
-        frames.world.definition_phrase.clone().map_or_else(|| frames.world.definition.argument(), Argument::Phrase);
-    document.agree(phrase!("convention-approach", k = COVERAGE_FACTOR, frame));
+    document.agree(phrase!("convention-approach", k = COVERAGE_FACTOR, frame = frames.world.definition));
     if !gathered.visits.spatial {
         document.agree(phrase!("convention-planar"));
     }

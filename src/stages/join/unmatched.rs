@@ -26,7 +26,7 @@ impl<'a> At<'a> {
     /// The row with its key in words and the reason.
     pub fn unmatched(self, key: String, reason: &Phrase) -> Unmatched {
         let (file, line) = (self.file.to_owned(), self.line);
-        Unmatched { file, line, key, reason: reason.to_string(), reason_phrase: Some(reason.clone()) }
+        Unmatched { file, line, key, reason: reason.clone().into() }
     }
 
     /// Place of the row.

@@ -159,16 +159,14 @@ pub fn not_controlled(
         let points: Vec<String> = once_measured(world, features).into_iter().filter(|name| !nominal(name)).collect();
         if !points.is_empty() {
             all.push(Uncontrolled {
-                what: phrase!("unshown-frame-points").to_string(),
-                what_phrase: Some(phrase!("unshown-frame-points")),
+                what: phrase!("unshown-frame-points").into(),
                 points,
                 keys: ["nominal_mm", "tolerance_mm"].map(|key| format!("[frame.world] {key}")).to_vec(),
             });
         }
         if world.nominal_mm.is_empty() && world.each.is_some() {
             all.push(Uncontrolled {
-                what: phrase!("unshown-frame-targets").to_string(),
-                what_phrase: Some(phrase!("unshown-frame-targets")),
+                what: phrase!("unshown-frame-targets").into(),
                 points: world.targets.iter().flatten().map(|target| target.get_ref().clone()).collect(),
                 keys: ["nominal_mm", "tolerance_mm"].map(|key| format!("[frame.world] {key}")).to_vec(),
             });
@@ -178,8 +176,7 @@ pub fn not_controlled(
     let missing: Vec<&str> = base(robot).filter(|name| !campaign.robot.states_nominal(name)).collect();
     if !missing.is_empty() {
         all.push(Uncontrolled {
-            what: phrase!("unshown-shift").to_string(),
-            what_phrase: Some(phrase!("unshown-shift")),
+            what: phrase!("unshown-shift").into(),
             points: Vec::new(),
             keys: vec![format!("robot.toml: [nominal] {}", missing.join(", "))],
         });

@@ -158,8 +158,7 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
 /// A world frame for all poses.
 fn fixed(definition: Phrase, export_T_world: Pose) -> WorldFrame {
     WorldFrame {
-        definition: definition.to_string(),
-        definition_phrase: Some(definition),
+        definition: definition.into(),
         planar: false,
         poses: vec![for_all_poses(export_T_world)],
         common_covariance: None,
@@ -512,8 +511,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     };
     let rms = (squares / (poses.len() * names.len()) as f64).sqrt();
     Ok(WorldFrame {
-        definition: definition.to_string(),
-        definition_phrase: Some(definition),
+        definition: definition.into(),
         planar: false,
         poses,
         common_covariance: excess.filter(|_| each),

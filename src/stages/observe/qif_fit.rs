@@ -3,6 +3,7 @@
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
+use etalon_base::worded::Worded;
 use etalon_base::{error, phrase};
 use etalon_documents::{FitDocument, FitStated};
 use etalon_fit::{Element, Fit, FitSettings, Probe, Side, Source};
@@ -42,8 +43,7 @@ pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStat
     let fit = centres.compensated(probe).map_err(named)?;
     let mut document = FitDocument::new(Some(label.to_owned()), &fit).with_messages(messages);
     if let Some(probe) = &mut document.probe {
-        probe.side_from = side_from.as_ref().map(Phrase::to_string);
-        probe.side_from_phrase = side_from;
+        probe.side_from = side_from.map(Worded::from);
     }
     document.stated = Some(against(feature, &fit));
     Ok(Some(document))

@@ -224,12 +224,14 @@ impl ExpectedDeviation {
         let residuals = &document.residuals;
         let dof = residuals.degrees_of_freedom as f64;
         let conditions = model_errors(residuals);
-        let rms_mm =
-            residuals.position_rms_mm.map_or(residuals.rms, |rms_mm| rms_mm / (robot.dimension() as f64).sqrt());
+        let rms_mm = residuals
+            .position
+            .position_rms_mm
+            .map_or(residuals.rms, |rms_mm| rms_mm / (robot.dimension() as f64).sqrt());
         let shown_mm = rms_mm * (residuals.count as f64 / dof).sqrt();
         let excess = |shown_mm: f64, u: f64| (shown_mm.powi(2) - u.powi(2)).max(0.0).sqrt();
-        let between = |u: f64| residuals.within_poses_rms_mm.map(|within_mm| excess(within_mm, u));
-        let Some(u) = residuals.stated_standard_uncertainty_mm else {
+        let between = |u: f64| residuals.position.within_poses_rms_mm.map(|within_mm| excess(within_mm, u));
+        let Some(u) = residuals.test.stated_standard_uncertainty_mm else {
             if dof == 0.0 || !shown_mm.is_finite() {
                 return Err(error!("calibration-without-residuals").into());
             }
@@ -242,10 +244,10 @@ impl ExpectedDeviation {
                 conditions,
             });
         };
-        let u = u.hypot(residuals.common_standard_uncertainty_mm.unwrap_or(0.0));
+        let u = u.hypot(residuals.test.common_standard_uncertainty_mm.unwrap_or(0.0));
         // only where chi-square rejects that the instrument explains all; other quantities have a
         // model error of their own
-        let rejected = residuals.chi_square_rejected && dof > 0.0;
+        let rejected = residuals.test.chi_square_rejected && dof > 0.0;
         let model_mm = if rejected { excess(shown_mm, u) } else { 0.0 };
         let variance = if model_mm > 0.0 { estimated(residuals) } else { Variance::Stated };
         let measured_mm = stated_mm.unwrap_or(u);
@@ -332,7 +334,7 @@ fn model_errors(residuals: &ResidualSummary) -> Vec<(ErrorQuantity, f64)> {
     let of_quantity = |found: &QuantityResiduals| {
         let unit = physical_quantity(found.quantity);
         let excess = found.rms.powi(2) * rows - found.standard_uncertainty.powi(2);
-        let model = if residuals.chi_square_rejected { excess.max(0.0).sqrt() } else { 0.0 };
+        let model = if residuals.test.chi_square_rejected { excess.max(0.0).sqrt() } else { 0.0 };
         (found.quantity, unit.inward(model))
     };
     residuals.conditions.iter().map(of_quantity).collect()

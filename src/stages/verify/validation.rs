@@ -17,7 +17,7 @@ use etalon_base::pose::norm;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    AccuracyDocument, FieldDocument, FieldSummary, GivenFrames, GivenSummary, ParametersDocument, PointError,
+    AccuracyDocument, FieldDocument, FieldSummary, FrameOrigin, ParameterJudgement, ParametersDocument, PointError,
 };
 use etalon_identify::{Comparison, Corrected, IdentifiedParameters, JointField, Settings};
 use etalon_robots::{Correction, Robot, Role};
@@ -39,7 +39,7 @@ pub struct Validation<'a> {
     /// Residual field that belongs to the parameters.
     pub field: Option<&'a FieldDocument>,
     /// Origin of base and targets.
-    pub frames: GivenFrames,
+    pub frames: FrameOrigin,
 }
 
 /// Judges the parameters of a document, or nominal ones, on the `selected` observations of a
@@ -53,11 +53,11 @@ pub fn validate(
     let Validation { document, frames, .. } = judged;
     let Selected { basis, mut targets, mut messages, .. } = selected;
     let Basis { mut sets, settings, systematic } = basis;
-    if frames == GivenFrames::Given {
+    if frames == FrameOrigin::Given {
         // all places are given
         sets = std::mem::take(&mut targets).with_readings(&sets);
     }
-    if frames == GivenFrames::Prior && document.is_none() {
+    if frames == FrameOrigin::Prior && document.is_none() {
         return Err(error!("prior-of-nominal").into());
     }
     check_set_up(robot, &sets.calibration, &settings)?;
@@ -65,7 +65,7 @@ pub fn validate(
     let mut values = Values::new(robot, document, frames, &sets, &settings)?;
     let robot: &dyn Robot = robot;
     let field = judged.field.map(|field| field.field(robot)).transpose()?;
-    if let (Some(field), GivenFrames::Refit) = (&field, frames) {
+    if let (Some(field), FrameOrigin::Refit) = (&field, frames) {
         let corrected = Corrected::new(robot, field);
         let after = etalon_identify::refit_frames(&corrected, &sets.calibration, &settings, &values.after);
         values.after = after.map_err(remedied)?;
@@ -79,8 +79,8 @@ pub fn validate(
     }
     errors.extend(targets.errors(robot, &values.before, &values.after, &locations));
     let set_up = match frames {
-        GivenFrames::Given => Vec::new(),
-        GivenFrames::Refit | GivenFrames::Prior => {
+        FrameOrigin::Given => Vec::new(),
+        FrameOrigin::Refit | FrameOrigin::Prior => {
             etalon_identify::wanted_frames(robot, &sets.calibration, &settings).map_err(remedied)?
         }
     };
@@ -95,15 +95,14 @@ pub fn validate(
     let located = Judged { robot: after, sets: &sets, ..judged };
     let before = RobotValues { robot, values: &values.before };
     accuracy.relative = accuracy::relative(campaign, located, before, &systematic)?;
-    let definition = definition(accuracy.definition_phrase, document.is_some(), frames);
-    (accuracy.definition, accuracy.definition_phrase) = (definition.to_string(), Some(definition));
-    let consistency = document.filter(|_| frames != GivenFrames::Refit && sets.calibration_conditions.is_empty());
+    accuracy.definition = definition(accuracy.definition.phrase().cloned(), document.is_some(), frames).into();
+    let consistency = document.filter(|_| frames != FrameOrigin::Refit && sets.calibration_conditions.is_empty());
     let p_value = consistency.map(|document| p_value(robot, document, &sets, &settings)).transpose()?.flatten();
-    accuracy.field = field.map(|field| FieldSummary::given(robot, &field));
+    accuracy.field = field.map(|field| FieldSummary::from_field(robot, &field));
     let (squares, readings) = by_pose(&accuracy, &errors);
     messages.extend(worse_than_nominal(&squares, readings));
     let refused = messages.iter().any(|message| message.severity == Severity::Error);
-    accuracy.given = Some(GivenSummary { frames, p_value, refused });
+    accuracy.given = Some(ParameterJudgement { frames, p_value, refused });
     Ok(Validated { accuracy, messages })
 }
 
@@ -117,12 +116,12 @@ impl Values {
     fn new(
         robot: &mut dyn Robot,
         document: Option<&ParametersDocument>,
-        frames: GivenFrames,
+        frames: FrameOrigin,
         sets: &Sets,
         settings: &Settings,
     ) -> Result<Self> {
         let nominal = robot.nominal();
-        if frames == GivenFrames::Given {
+        if frames == FrameOrigin::Given {
             let Some(document) = document else {
                 return Ok(Self { before: stated(robot)?, after: nominal });
             };
@@ -135,7 +134,7 @@ impl Values {
             return Ok(Self { before: earlier.collect(), after });
         }
         let before = etalon_identify::fit_frames(robot, &sets.calibration, settings).map_err(remedied)?;
-        if let (GivenFrames::Prior, Some(document)) = (frames, document) {
+        if let (FrameOrigin::Prior, Some(document)) = (frames, document) {
             return Ok(Self { before, after: with_prior(robot, document, sets, settings)? });
         }
         let Some(document) = document else { return Ok(Self { after: before.clone(), before }) };
@@ -204,13 +203,13 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
 }
 
 /// Definition of errors for other parameters before and after.
-fn definition(of: Option<Phrase>, identified: bool, frames: GivenFrames) -> Phrase {
+fn definition(of: Option<Phrase>, identified: bool, frames: FrameOrigin) -> Phrase {
     let values = match (identified, frames) {
-        (true, GivenFrames::Refit) => phrase!("values-given-refit"),
-        (true, GivenFrames::Prior) => phrase!("values-given-prior"),
-        (true, GivenFrames::Given) => phrase!("values-given"),
-        (false, GivenFrames::Refit | GivenFrames::Prior) => phrase!("values-nominal-refit"),
-        (false, GivenFrames::Given) => phrase!("values-nominal"),
+        (true, FrameOrigin::Refit) => phrase!("values-given-refit"),
+        (true, FrameOrigin::Prior) => phrase!("values-given-prior"),
+        (true, FrameOrigin::Given) => phrase!("values-given"),
+        (false, FrameOrigin::Refit | FrameOrigin::Prior) => phrase!("values-nominal-refit"),
+        (false, FrameOrigin::Given) => phrase!("values-nominal"),
     };
     of.unwrap_or_else(|| Phrase::new("error-definition")).with("values", &values)
 }

@@ -54,7 +54,7 @@ fn the_18_blunders_and_only_those() {
     let wrong_reflector = [21, 50, 720, 135, 399];
     let refused = |needle: &str| -> BTreeSet<usize> {
         let all = import.sources.iter().flat_map(|s| &s.refused);
-        all.filter(|r| r.reason.contains(needle)).map(|r| r.line - 1).collect()
+        all.filter(|r| r.reason.english().contains(needle)).map(|r| r.line - 1).collect()
     };
     assert_eq!(refused("not measured"), BTreeSet::from(not_measured));
     assert_eq!(refused("its median"), BTreeSet::from(wrong_reflector));
@@ -91,16 +91,16 @@ fn ten_poses_verify_the_parameters() {
     let still = verdicts(0.0);
     let valid = still.iter().filter(|answer| answer.verdict == VerificationVerdict::Valid).count();
     assert!(still.len() == 29 && valid >= 26, "{valid} of {}", still.len());
-    let least = still[0].power.least.iter().find(|least| least.name == "q4").unwrap().value.unwrap();
+    let least = still[0].evidence.power.least.iter().find(|least| least.name == "q4").unwrap().value.unwrap();
     assert!((0.01..0.06).contains(&least), "{least} deg");
     let by_deg = 0.12;
-    let named = |answer: &&VerificationDocument| answer.moved.as_ref().is_some_and(|moved| moved.name == "q4");
+    let named = |answer: &&VerificationDocument| answer.evidence.moved.as_ref().is_some_and(|moved| moved.name == "q4");
     let moved = verdicts(f64::to_radians(by_deg));
     assert!(moved.iter().filter(named).count() >= 27, "{:?}", moved.iter().map(|m| &m.meaning).collect::<Vec<_>>());
-    let mean = moved.iter().filter(named).map(|m| m.moved.as_ref().unwrap().by[0].value).sum::<f64>() / 29.0;
+    let mean = moved.iter().filter(named).map(|m| m.evidence.moved.as_ref().unwrap().by[0].value).sum::<f64>() / 29.0;
     assert!((mean - by_deg).abs() < 0.02, "{mean}");
     // slips are named
-    let usual = still.iter().position(|answer| answer.p_value > 0.3).unwrap();
+    let usual = still.iter().position(|answer| answer.evidence.p_value > 0.3).unwrap();
     let group = &found.sets.validation[10 * usual..][..10];
     let changed = |change: &dyn Fn(usize, &mut Observation)| {
         let mut observations = group.to_vec();

@@ -34,7 +34,7 @@ fn samples_of_observations_are_made_again_and_explained() {
         assert!(read("campaign.toml").lines().count() <= 40, "{name}");
         ends(&scratch, "run", 0, &[]);
         let residuals = parameters(&scratch).residuals;
-        let (chi_square, degrees) = (residuals.chi_square.unwrap(), residuals.degrees_of_freedom as f64);
+        let (chi_square, degrees) = (residuals.test.chi_square.unwrap(), residuals.degrees_of_freedom as f64);
         println!("{name}: chi-square {chi_square:.1} of {degrees} degrees of freedom");
         // three standard deviations of chi-square
         assert!((chi_square - degrees).abs() < 3.0 * (2.0 * degrees).sqrt(), "{name}: {chi_square} of {degrees}");

@@ -2,6 +2,7 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
+use etalon::base::worded::Worded;
 use etalon::compare::{Compared, compare};
 use etalon::documents::*;
 use etalon::standards::iso9283::pose::accuracy::pose_accuracy;
@@ -14,20 +15,17 @@ const PAIRS: u64 = 2000;
 /// Residuals that the instrument explains.
 fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
     ResidualSummary {
-        position_rms_mm: None,
-        position_rms_before_mm: None,
-        within_poses_rms_mm: None,
+        position: etalon::documents::PositionResiduals::default(),
         kind: etalon::documents::ResidualKind::Targets,
         count: 100,
         rms: 0.001,
         max: 0.003,
         degrees_of_freedom,
         effective_degrees_of_freedom: None,
-        stated_standard_uncertainty_mm: Some(0.001),
-        common_standard_uncertainty_mm: None,
-        repeats: None,
-        chi_square: None,
-        chi_square_rejected: false,
+        test: etalon::documents::ResidualTest {
+            stated_standard_uncertainty_mm: Some(0.001),
+            ..etalon::documents::ResidualTest::default()
+        },
         uncertainties_from: etalon::documents::UncertaintyFrom::Instrument,
         uncertainties_enlarged_by: 1.0,
         conditions: Vec::new(),
@@ -46,10 +44,8 @@ fn no_errors() -> AccuracyDocument {
         trends: vec![],
         parameter_influences: Vec::new(),
         schema: "etalon/accuracy/1".to_owned(),
-        definition: String::new(),
-        definition_phrase: None,
-        point: String::new(),
-        point_phrase: None,
+        definition: Worded::default(),
+        point: Worded::default(),
         sets: Vec::new(),
         placed_apart: Vec::new(),
         effects: Vec::new(),
@@ -103,8 +99,7 @@ pub(crate) fn identified(
         robust: None,
         observability: None,
         solver: SolverSummary {
-            method: String::new(),
-            method_phrase: None,
+            method: Worded::default(),
             iterations: 1,
             termination: etalon::documents::Termination::ResidualsZero,
             meaning: String::new(),
@@ -146,7 +141,7 @@ pub(crate) fn identified(
 }
 
 fn trend<'a>(document: &'a CompareDocument, name: &str) -> &'a CompareTrend {
-    document.trends.iter().find(|t| t.name == name).unwrap_or_else(|| panic!("no {name}"))
+    document.trends.iter().find(|t| t.name.english() == name).unwrap_or_else(|| panic!("no {name}"))
 }
 
 /// By hand: u = 5 from 3 and 4; a change of 12 is 2.4 u, p = 0.0164; of 11 is 2.2 u, p = 0.0278. The largest of two independent ones is

@@ -289,7 +289,7 @@ fn arc_turn_and_shaft_are_campaigns_of_their_own() {
         (
             format!("{arc}{shaft}"),
             &["x_o", "y_o", "s"],
-            2 + whole.steps.iter().filter(|s| s.name.contains("shaft")).count(),
+            2 + whole.steps.iter().filter(|s| s.name.english().contains("shaft")).count(),
         ),
         (format!("{arc}{turn}{shaft}"), &["x_o", "y_o", "x_c", "y_c", "s", "l_kl"], 3 + 10),
     ] {

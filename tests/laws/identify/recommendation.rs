@@ -14,7 +14,7 @@ fn bending_of_the_irb120_is_recommended() {
     let folder = copy_sample("abb-irb120");
     let answer = recommend(&Campaign::read(&folder.path()).unwrap(), &mut |_, _| ()).unwrap();
     let accepted: Vec<Effect> = answer.steps.iter().filter(|s| s.accepted).filter_map(|s| s.effect).collect();
-    println!("{}", answer.meaning.join("\n"));
+    answer.meaning.iter().for_each(|sentence| println!("{sentence}"));
     // the bending first of what is not geometry; that coupling improves poses that were left out is not proven by these data
     assert!(accepted.contains(&Effect::Bending) && accepted.contains(&Effect::Geometry), "{accepted:?}");
     let loaded =

@@ -462,7 +462,7 @@ impl<'a> Calibration<'a> {
         let calibration = EarlierCalibration::new(&mut robot, &self.document, None).expect("a calibration");
         let found = verify(calibration, Observed { observations, settings }, BTreeMap::new());
         found.map_or((VerificationVerdict::Other, f64::NAN), |found| {
-            (found.verdict, found.rms_mm / found.expected_rms_mm)
+            (found.verdict, found.residuals.rms_mm / found.residuals.expected_rms_mm)
         })
     }
 }

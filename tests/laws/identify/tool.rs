@@ -197,7 +197,7 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
         Ok::<_, etalon::base::message::Problems>((outcome.results.identified.unwrap().accuracy, page))
     };
     let (accuracy, page) = run("").unwrap();
-    assert_eq!(accuracy.point, "platform centre (from the balls)");
+    assert_eq!(accuracy.point.english(), "platform centre (from the balls)");
     for said in [
         "Errors of platform centre (from the balls) before → after",
         "tool point, RMS: nominal → expected",
