@@ -64,6 +64,20 @@ pub struct CellCommand {
     rotation_uncertainty_deg: Option<f64>,
     #[command(flatten)]
     bound: BoundOption,
+    #[command(flatten)]
+    data: ControllerOptions,
+    #[command(flatten)]
+    reports: Reports,
+    #[command(flatten)]
+    format: TableFormat,
+    /// Print the answer as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Options of the data of a controller.
+#[derive(Clone, Debug, clap::Args)]
+struct ControllerOptions {
     /// Print the data of a controller instead of the text.
     #[arg(long, value_name = "MAKER", conflicts_with = "json", value_parser = etalon_controllers::cell::names().collect::<Vec<_>>())]
     controller: Option<String>,
@@ -83,13 +97,6 @@ pub struct CellCommand {
     /// Write the data of an answer that must not be loaded; their header says so.
     #[arg(long, requires = "controller")]
     force: bool,
-    #[command(flatten)]
-    reports: Reports,
-    #[command(flatten)]
-    format: TableFormat,
-    /// Print the answer as JSON.
-    #[arg(long)]
-    json: bool,
 }
 
 /// Order of angles of an option.
@@ -101,19 +108,19 @@ fn order(option: &str, text: Option<&str>) -> Result<Option<AngleOrder>> {
 impl CellCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         self.check_tool_length()?;
-        self.reports.check([Some(&self.table), self.with.as_ref()].into_iter().flatten())?;
+        self.reports.check([Some(&self.table), self.data.with.as_ref()].into_iter().flatten())?;
         let document = self.solved(&self.format.read_poses(&self.table)?)?;
-        let second = self.with.as_deref().map(read_cell).transpose()?;
+        let second = self.data.with.as_deref().map(read_cell).transpose()?;
         let of_second: Vec<Message> = second.iter().flat_map(CellDocument::errors).cloned().collect();
         let fit = document.errors().next().is_none() && of_second.is_empty();
-        let lines = self.lines(&document, second)?.filter(|_| fit || self.force);
+        let lines = self.lines(&document, second)?.filter(|_| fit || self.data.force);
         if !self.json {
             remark(&document.messages);
             remark(&of_second);
             remark(lines.as_ref().map_or(&[], |lines| &lines.messages));
         }
         self.report(&document, lines.as_ref())?;
-        match (lines, self.controller.as_deref()) {
+        match (lines, self.data.controller.as_deref()) {
             _ if self.json => print(to_json(&document)?)?,
             (Some(lines), _) => print(lines.text)?,
             (None, Some(maker)) => remark(&[error!("cell-data-withheld", maker)]),
@@ -144,7 +151,7 @@ impl CellCommand {
     }
 
     fn check_tool_length(&self) -> Result<()> {
-        match self.tool_length_mm.is_none_or(|mm| mm >= 0.0 && mm.is_finite()) {
+        match self.data.tool_length_mm.is_none_or(|mm| mm >= 0.0 && mm.is_finite()) {
             true => Ok(()),
             false => Err(error!("option-not-positive", option = "--tool-length-mm").into()),
         }
@@ -152,15 +159,19 @@ impl CellCommand {
 
     /// Data of the stated controller.
     fn lines(&self, document: &CellDocument, second: Option<CellDocument>) -> Result<Option<CellText>> {
-        let Some(format) = self.controller.as_deref().and_then(controllers::by_name) else { return Ok(None) };
-        let options =
-            CellOptions { name: self.name.clone(), number: self.number, second, tool_length_mm: self.tool_length_mm };
+        let Some(format) = self.data.controller.as_deref().and_then(controllers::by_name) else { return Ok(None) };
+        let options = CellOptions {
+            name: self.data.name.clone(),
+            number: self.data.number,
+            second,
+            tool_length_mm: self.data.tool_length_mm,
+        };
         controllers::write(format, document, &options).map(Some)
     }
 
     /// Writes the reports.
     fn report(&self, document: &CellDocument, lines: Option<&CellText>) -> Result<()> {
-        let maker = self.controller.as_deref().unwrap_or_default();
+        let maker = self.data.controller.as_deref().unwrap_or_default();
         let lines = lines.map(|lines| CellLines { maker, text: &lines.text, messages: &lines.messages });
         let presentation = self.reports.over(Presentation::default())?;
         self.reports.write(&Renderer::cell(document, lines, presentation)?)

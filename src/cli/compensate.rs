@@ -52,15 +52,8 @@ pub struct Compensate {
     /// Format to write; by default a table, or the language of the given program.
     #[arg(long, value_enum)]
     format: Option<Format>,
-    /// Frame of the targets in a table.
-    #[arg(long, value_enum, default_value_t = Frame::Base)]
-    frame: Frame,
-    /// Tool centre point in the flange (or tool link, platform): x,y,z or x,y,z,qw,qx,qy,qz in mm.
-    #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
-    tool: Option<Pose>,
-    /// Frame of the targets (work object) in the robot's base: x,y,z or x,y,z,qw,qx,qy,qz in mm.
-    #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
-    object: Option<Pose>,
+    #[command(flatten)]
+    placement: FrameOptions,
     /// Joint values at the start of a program (mm or deg), followed by the assembly mode; they
     /// select the working mode of a five-bar.
     #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
@@ -77,6 +70,20 @@ pub struct Compensate {
     /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
+}
+
+/// Frames of the targets.
+#[derive(Clone, Debug, clap::Args)]
+struct FrameOptions {
+    /// Frame of the targets in a table.
+    #[arg(long, value_enum, default_value_t = Frame::Base)]
+    frame: Frame,
+    /// Tool centre point in the flange (or tool link, platform): x,y,z or x,y,z,qw,qx,qy,qz in mm.
+    #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
+    tool: Option<Pose>,
+    /// Frame of the targets (work object) in the robot's base: x,y,z or x,y,z,qw,qx,qy,qz in mm.
+    #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
+    object: Option<Pose>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -228,7 +235,7 @@ impl Compensate {
         let found = language.targets(&bytes, freedoms);
         let program = found.map_err(|problems| problems.in_text(&self.targets.display().to_string(), &text))?;
         self.check_frames(&program)?;
-        if self.frame == Frame::World {
+        if self.placement.frame == Frame::World {
             return Err(error!("program-in-world").into());
         }
         let target = |t: &ProgramTarget| Target {
@@ -246,7 +253,8 @@ impl Compensate {
     /// the origin.
     fn check_frames(&self, program: &Program) -> Result<()> {
         let place = Place::file(self.targets.display().to_string());
-        for (option, stated, names) in [("tool", self.tool, &program.tools), ("object", self.object, &program.objects)]
+        for (option, stated, names) in
+            [("tool", self.placement.tool, &program.tools), ("object", self.placement.object, &program.objects)]
         {
             let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
             let known = names.first().filter(|_| names.len() == 1).and_then(|name| program.known.get(name));
@@ -322,18 +330,24 @@ impl Compensate {
 
     /// Pose of the nominal robot's tool in the frame of the targets.
     fn nominal_pose(&self, robot: &Calibrated, joints: &[f64]) -> Result<Pose> {
-        if self.frame == Frame::World {
+        if self.placement.frame == Frame::World {
             return Err(error!("joints-in-world").into());
         }
         let flange = robot.arm.tool_pose(&robot.nominal, joints);
         let flange = flange.ok_or_else(|| error!("nominal-pose-unreachable"))?;
-        Ok(self.object.unwrap_or(Pose::identity()).inverse().then(&flange).then(&self.tool.unwrap_or(Pose::identity())))
+        Ok(self
+            .placement
+            .object
+            .unwrap_or(Pose::identity())
+            .inverse()
+            .then(&flange)
+            .then(&self.placement.tool.unwrap_or(Pose::identity())))
     }
 
     fn compensator<'a>(&self, robot: Calibrated<'a>, format: Format) -> Result<Compensator<'a>> {
         let freedoms = freedoms(robot.arm);
-        let object = self.object.unwrap_or(Pose::identity());
-        let targets_in_base = match self.frame {
+        let object = self.placement.object.unwrap_or(Pose::identity());
+        let targets_in_base = match self.placement.frame {
             Frame::Base => object,
             Frame::World => {
                 let base = robot.arm.base_in_world(&robot.identified);
@@ -346,7 +360,7 @@ impl Compensate {
             return Err(error!("mecaprol-other-robot", model = robot.arm.model()).into());
         }
         let language = commands::language(&format.name());
-        let tool = self.tool.unwrap_or(Pose::identity());
+        let tool = self.placement.tool.unwrap_or(Pose::identity());
         let frames = [targets_in_base, object];
         Ok(Compensator { robot, freedoms, frames, tool, format, language, galil, start, decimals: self.decimals })
     }

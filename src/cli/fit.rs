@@ -41,13 +41,8 @@ pub struct FitCommand {
     /// Hold the radius of a circle, sphere or cylinder.
     #[arg(long, value_name = "MM")]
     radius_mm: Option<f64>,
-    /// Radius of the probe whose centres are the points; the element is offset to the surface.
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
-    probe_radius_mm: Option<f64>,
-    /// Side of the probe: inside or outside; for a plane or line the direction to the probe, e.g.
-    /// 0,0,1.
-    #[arg(long, value_name = "SIDE", allow_hyphen_values = true)]
-    probe_side: Option<String>,
+    #[command(flatten)]
+    probe: ProbeOptions,
     /// Fit a circle in space by orthogonal distances instead of plane, projection and circle.
     #[arg(long)]
     orthogonal: bool,
@@ -62,6 +57,13 @@ pub struct FitCommand {
     /// Print JSON: an object, or a list of objects with --by-label and for QIF.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    test: TracimOptions,
+}
+
+/// Options of a test of TraCIM.
+#[derive(Clone, Debug, clap::Args)]
+struct TracimOptions {
     /// Answer a test of TraCIM (PTB): the only file is the test data, and the answer is XML.
     #[arg(long, conflicts_with_all = [
         "files", "format", "columns", "unit", "by_label", "radius_mm", "probe_radius_mm", "probe_side", "orthogonal",
@@ -73,10 +75,22 @@ pub struct FitCommand {
     customer: Option<String>,
 }
 
+/// Probe whose centres are the points.
+#[derive(Clone, Debug, clap::Args)]
+struct ProbeOptions {
+    /// Radius of the probe whose centres are the points; the element is offset to the surface.
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    probe_radius_mm: Option<f64>,
+    /// Side of the probe: inside or outside; for a plane or line the direction to the probe, e.g.
+    /// 0,0,1.
+    #[arg(long, value_name = "SIDE", allow_hyphen_values = true)]
+    probe_side: Option<String>,
+}
+
 impl FitCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        if self.tracim {
-            print_text(&fit_tracim::answer(Path::new(&self.element), self.customer.as_deref())?)?;
+        if self.test.tracim {
+            print_text(&fit_tracim::answer(Path::new(&self.element), self.test.customer.as_deref())?)?;
             return Ok(Verdict::Met);
         }
         let (documents, qif) = match self.plain()? {
@@ -146,7 +160,7 @@ impl FitCommand {
         }
         let wanted = (!self.all_features()).then(|| self.element.parse::<Element>()).transpose()?;
         let unit = self.text.stated_unit()?;
-        let probe = ProbeStated { radius_mm: self.probe_radius_mm, side: self.side()? };
+        let probe = ProbeStated { radius_mm: self.probe.probe_radius_mm, side: self.side()? };
         let mut documents = Vec::new();
         let mut seen = Vec::new();
         for (file, text) in texts {
@@ -181,7 +195,7 @@ impl FitCommand {
 
     /// Stated side of the probe, if any.
     fn side(&self) -> Result<Option<Side>, Problems> {
-        let Some(text) = self.probe_side.as_deref() else { return Ok(None) };
+        let Some(text) = self.probe.probe_side.as_deref() else { return Ok(None) };
         let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
         match (text, numbers.as_deref()) {
             ("inside", _) => Ok(Some(Side::Inside)),
@@ -193,7 +207,7 @@ impl FitCommand {
 
     /// Stated probe, if any.
     fn probe(&self) -> Result<Option<Probe>, Problems> {
-        match (self.probe_radius_mm, self.side()?) {
+        match (self.probe.probe_radius_mm, self.side()?) {
             (None, None) => Ok(None),
             (Some(radius_mm), Some(side)) => Ok(Some(Probe { radius_mm, side })),
             (Some(_), None) => Err(error!("probe-side-missing").into()),

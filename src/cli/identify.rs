@@ -43,19 +43,8 @@ pub struct IdentifyCommand {
     /// (docs/observations.md).
     #[arg(long)]
     observations: PathBuf,
-    /// Standard uncertainty (k = 1) of a measured coordinate in micrometres; by default estimated
-    /// from the residuals.
-    #[arg(long, value_name = "UM")]
-    standard_uncertainty_um: Option<f64>,
-    /// Standard uncertainty (k = 1) in micrometres common to all rows with equal coordinates: a
-    /// ball that is measured once and touched in several working modes. The other uncertainty is
-    /// then that of the contact.
-    #[arg(long, value_name = "UM", requires = "standard_uncertainty_um")]
-    common_uncertainty_um: Option<f64>,
-    /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, if the
-    /// table has no `urot_deg`.
-    #[arg(long, value_name = "DEG")]
-    rotation_uncertainty_deg: Option<f64>,
+    #[command(flatten)]
+    uncertainty: UncertaintyOptions,
     /// Order of the angles `a_deg`, `b_deg`, `c_deg` of an orientation: "zyx" (successively about
     /// the axes of the body), "fixed xyz" ...
     #[arg(long, value_name = "ORDER")]
@@ -72,6 +61,18 @@ pub struct IdentifyCommand {
     exclude_rows: Vec<String>,
     #[command(flatten)]
     format: TableFormat,
+    #[command(flatten)]
+    model: ModelOptions,
+    #[command(flatten)]
+    bound: BoundOption,
+    /// Print parameters.json instead of a table.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Options of the identified parameters.
+#[derive(Clone, Debug, clap::Args)]
+struct ModelOptions {
     /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated.
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
@@ -85,11 +86,24 @@ pub struct IdentifyCommand {
     /// pedestal.
     #[arg(long, value_parser = effects, value_name = "EFFECTS", default_value = "usual")]
     effects: Effects,
-    #[command(flatten)]
-    bound: BoundOption,
-    /// Print parameters.json instead of a table.
-    #[arg(long)]
-    json: bool,
+}
+
+/// Stated uncertainties of the measurements.
+#[derive(Clone, Debug, clap::Args)]
+struct UncertaintyOptions {
+    /// Standard uncertainty (k = 1) of a measured coordinate in micrometres; by default estimated
+    /// from the residuals.
+    #[arg(long, value_name = "UM")]
+    standard_uncertainty_um: Option<f64>,
+    /// Standard uncertainty (k = 1) in micrometres common to all rows with equal coordinates: a
+    /// ball that is measured once and touched in several working modes. The other uncertainty is
+    /// then that of the contact.
+    #[arg(long, value_name = "UM", requires = "standard_uncertainty_um")]
+    common_uncertainty_um: Option<f64>,
+    /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, if the
+    /// table has no `urot_deg`.
+    #[arg(long, value_name = "DEG")]
+    rotation_uncertainty_deg: Option<f64>,
 }
 
 impl IdentifyCommand {
@@ -114,8 +128,8 @@ impl IdentifyCommand {
     }
 
     fn check(&self) -> Result<(), Problems> {
-        check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        check_uncertainty("--common-uncertainty-um", self.common_uncertainty_um)
+        check_uncertainty("--standard-uncertainty-um", self.uncertainty.standard_uncertainty_um)?;
+        check_uncertainty("--common-uncertainty-um", self.uncertainty.common_uncertainty_um)
     }
 
     fn identified(
@@ -132,17 +146,17 @@ impl IdentifyCommand {
         messages.extend(unread(robot.as_ref(), &observed));
         let settings = Settings {
             kind: if self.pose_residuals { ResidualKind::Pose } else { ResidualKind::Targets },
-            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
-            common_uncertainty_mm: self.common_uncertainty_um.map(|u| u / 1000.0),
-            hold: self.hold.clone(),
-            prior: self.prior.into(),
-            effects: self.effects.clone(),
+            standard_uncertainty_mm: self.uncertainty.standard_uncertainty_um.map(|u| u / 1000.0),
+            common_uncertainty_mm: self.uncertainty.common_uncertainty_um.map(|u| u / 1000.0),
+            hold: self.model.hold.clone(),
+            prior: self.model.prior.into(),
+            effects: self.model.effects.clone(),
             ..Settings::default()
         };
         let order = self.orientation.as_deref().map(str::parse).transpose();
         let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
-            rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
+            rotation_rad: self.uncertainty.rotation_uncertainty_deg.map(f64::to_radians),
             order: order.map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))?,
         };
         let exclusions = self.exclusions()?;

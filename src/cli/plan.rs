@@ -73,6 +73,73 @@ pub struct PlanCommand {
     candidates: Option<PathBuf>,
     #[command(flatten)]
     format: TableFormat,
+    #[command(flatten)]
+    search: SearchOptions,
+    #[command(flatten)]
+    model: ModelOptions,
+    #[command(flatten)]
+    written: WrittenFiles,
+    #[command(flatten)]
+    generation: generation::Generation,
+    #[command(flatten)]
+    program: program::Program,
+    #[command(flatten)]
+    reports: Reports,
+    #[command(flatten)]
+    simulation: SimulationOptions,
+    /// Print plan.json instead of a table.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Options of a simulated calibration.
+#[derive(Clone, Debug, clap::Args)]
+struct SimulationOptions {
+    /// Simulate a calibration with the chosen poses, for a robot with the [parameters] of this TOML
+    /// file.
+    #[arg(long, value_name = "FILE", requires = "standard_uncertainty_um")]
+    truth: Option<PathBuf>,
+    /// Positions at which the errors of the simulation are evaluated, in the form of the
+    /// candidates; by default the candidates.
+    #[arg(long, value_name = "FILE", requires = "truth")]
+    workspace: Option<PathBuf>,
+}
+
+/// Files with the chosen configurations.
+#[derive(Clone, Debug, clap::Args)]
+struct WrittenFiles {
+    /// Write the chosen configurations to a CSV file, in the order of measurement.
+    #[arg(long, value_name = "FILE")]
+    poses: Option<PathBuf>,
+    /// Write the chosen configurations as targets of a controller: `.json` or `.h` (C header).
+    #[arg(long, value_name = "FILE")]
+    targets: Option<PathBuf>,
+}
+
+/// Options of the planned identification.
+#[derive(Clone, Debug, clap::Args)]
+struct ModelOptions {
+    /// Standard uncertainty (k = 1) of one coordinate in micrometres, for predicted uncertainties.
+    #[arg(long, value_name = "UM")]
+    standard_uncertainty_um: Option<f64>,
+    /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated.
+    #[arg(long, value_name = "NAME")]
+    hold: Vec<String>,
+    /// Effects to identify: `all`, or a list of zeros, geometry, gains, harmonics, backlash,
+    /// coupling, bending, payload, torque, expansion, drift, lateral, pedestal; by default all
+    /// effects in the robot file except gains of revolute joints of arms and payload to
+    /// pedestal.
+    #[arg(long, value_parser = super::identify::effects, value_name = "EFFECTS", default_value = "usual")]
+    effects: Effects,
+    /// Use of nominal values: as observations with their tolerances, or as starting values of plain
+    /// least squares.
+    #[arg(long, value_enum, default_value_t)]
+    prior: super::identify::PriorOption,
+}
+
+/// Options of the choice of poses.
+#[derive(Clone, Debug, clap::Args)]
+struct SearchOptions {
     /// Number of poses to choose.
     #[arg(long, value_name = "N")]
     positions: usize,
@@ -102,69 +169,31 @@ pub struct PlanCommand {
     /// Seed of the random starts, and of generated candidates.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Standard uncertainty (k = 1) of one coordinate in micrometres, for predicted uncertainties.
-    #[arg(long, value_name = "UM")]
-    standard_uncertainty_um: Option<f64>,
-    /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated.
-    #[arg(long, value_name = "NAME")]
-    hold: Vec<String>,
-    /// Effects to identify: `all`, or a list of zeros, geometry, gains, harmonics, backlash,
-    /// coupling, bending, payload, torque, expansion, drift, lateral, pedestal; by default all
-    /// effects in the robot file except gains of revolute joints of arms and payload to
-    /// pedestal.
-    #[arg(long, value_parser = super::identify::effects, value_name = "EFFECTS", default_value = "usual")]
-    effects: Effects,
-    /// Use of nominal values: as observations with their tolerances, or as starting values of plain
-    /// least squares.
-    #[arg(long, value_enum, default_value_t)]
-    prior: super::identify::PriorOption,
-    /// Write the chosen configurations to a CSV file, in the order of measurement.
-    #[arg(long, value_name = "FILE")]
-    poses: Option<PathBuf>,
-    /// Write the chosen configurations as targets of a controller: `.json` or `.h` (C header).
-    #[arg(long, value_name = "FILE")]
-    targets: Option<PathBuf>,
-    #[command(flatten)]
-    generation: generation::Generation,
-    #[command(flatten)]
-    program: program::Program,
-    #[command(flatten)]
-    reports: Reports,
-    /// Simulate a calibration with the chosen poses, for a robot with the [parameters] of this TOML
-    /// file.
-    #[arg(long, value_name = "FILE", requires = "standard_uncertainty_um")]
-    truth: Option<PathBuf>,
-    /// Positions at which the errors of the simulation are evaluated, in the form of the
-    /// candidates; by default the candidates.
-    #[arg(long, value_name = "FILE", requires = "truth")]
-    workspace: Option<PathBuf>,
-    /// Print plan.json instead of a table.
-    #[arg(long)]
-    json: bool,
 }
 
 impl PlanCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        let written = [self.poses.as_ref(), self.targets.as_ref(), self.program.file()].into_iter().flatten();
+        check_positive("--standard-uncertainty-um", self.model.standard_uncertainty_um)?;
+        let written =
+            [self.written.poses.as_ref(), self.written.targets.as_ref(), self.program.file()].into_iter().flatten();
         files::refuse_overwriting(written, self.inputs())?;
         self.reports.check(self.inputs())?;
         let robot_file = read_robot(&self.robot)?;
         let (robot, candidates, generated) = self.candidates(&robot_file)?;
         self.program.check(robot.as_ref())?;
         let elsewhere = |path: &PathBuf| read_candidates(&robot_file, &self.format.read_poses(path)?);
-        let elsewhere = self.workspace.as_ref().map(elsewhere).transpose()?;
+        let elsewhere = self.simulation.workspace.as_ref().map(elsewhere).transpose()?;
         let everywhere = elsewhere.map(|(_, all)| all.observations);
         let inputs = files::sha256_by_name(self.inputs())?;
         let mut document = self.planned(robot.as_ref(), candidates, everywhere, inputs)?;
         document.choice.generated = generated;
         self.program.complete(robot.as_ref(), &mut document)?;
-        if let Some(path) = &self.poses {
+        if let Some(path) = &self.written.poses {
             files::write(path, csv(robot.as_ref(), &document).as_bytes())?;
         }
         let name = robot_file.name.as_deref().unwrap_or(robot.model());
         self.program.write(robot.as_ref(), name, &document)?;
-        if let Some(path) = &self.targets {
+        if let Some(path) = &self.written.targets {
             files::write(path, &etalon_controllers::targets(&document, &path.display().to_string())?)?;
         }
         let renderer = Renderer::plan(&document, self.reports.over(Presentation::default())?)?;
@@ -177,7 +206,7 @@ impl PlanCommand {
 
     /// The robot with its candidates: those of a table, or generated ones.
     fn candidates(&self, file: &RobotFile) -> Result<generation::Drawn> {
-        if let Some(drawn) = self.generation.candidates(file, self.seed)? {
+        if let Some(drawn) = self.generation.candidates(file, self.search.seed)? {
             return Ok(drawn);
         }
         // clap demands one of both
@@ -188,7 +217,7 @@ impl PlanCommand {
 
     /// The answer from candidates in memory. Nothing is written.
     pub(super) fn in_memory(&self, given: &Inputs) -> anyhow::Result<PlanDocument> {
-        check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
+        check_positive("--standard-uncertainty-um", self.model.standard_uncertainty_um)?;
         let file = self.format.parse_poses(given.table.name, given.table.text)?;
         let (robot, candidates) = read_candidates(given.robot, &file)?;
         self.planned(robot.as_ref(), candidates, None, given.inputs())
@@ -204,13 +233,13 @@ impl PlanCommand {
         let Candidates { observations, limit_violations } = candidates;
         let settings = self.settings();
         let request = Request {
-            positions: self.positions,
-            criterion: self.index.0,
-            single: self.single,
-            start: self.start.clone(),
-            starts: self.starts.map(|starts| starts as u64),
-            seed: self.seed,
-            nodes: self.nodes,
+            positions: self.search.positions,
+            criterion: self.search.index.0,
+            single: self.search.single,
+            start: self.search.start.clone(),
+            starts: self.search.starts.map(|starts| starts as u64),
+            seed: self.search.seed,
+            nodes: self.search.nodes,
         };
         let planned = plan(robot, &observations, &settings, &request, &progress)
             .map_err(|error| Problems(limit_violations.iter().cloned().chain(remedied(error).0).collect()))?;
@@ -224,16 +253,19 @@ impl PlanCommand {
 
     /// Input files.
     fn inputs(&self) -> impl Iterator<Item = &PathBuf> + Clone {
-        std::iter::once(&self.robot).chain(&self.candidates).chain(&self.truth).chain(&self.workspace)
+        std::iter::once(&self.robot)
+            .chain(&self.candidates)
+            .chain(&self.simulation.truth)
+            .chain(&self.simulation.workspace)
     }
 
     /// Settings of the planned identification.
     fn settings(&self) -> Settings {
         Settings {
-            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
-            hold: self.hold.clone(),
-            prior: self.prior.into(),
-            effects: self.effects.clone(),
+            standard_uncertainty_mm: self.model.standard_uncertainty_um.map(|u| u / 1000.0),
+            hold: self.model.hold.clone(),
+            prior: self.model.prior.into(),
+            effects: self.model.effects.clone(),
             ..Settings::default()
         }
     }
@@ -245,9 +277,11 @@ impl PlanCommand {
         [observations, everywhere]: [&[Observation]; 2],
         planned: &Plan,
     ) -> anyhow::Result<Option<StudyDocument>> {
-        let (Some(path), Some(noise_um)) = (&self.truth, self.standard_uncertainty_um) else { return Ok(None) };
+        let (Some(path), Some(noise_um)) = (&self.simulation.truth, self.model.standard_uncertainty_um) else {
+            return Ok(None);
+        };
         let truth = true_values(robot, &read_true_parameters(path)?)?;
-        let setting = Setting { truth, everywhere, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
+        let setting = Setting { truth, everywhere, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.search.seed };
         let studies = study(robot, planned, observations, &self.settings(), &setting).map_err(remedied)?;
         Ok(study_document(robot, &studies, &setting.truth, noise_um, everywhere.len()))
     }
@@ -278,10 +312,10 @@ impl PlanCommand {
             pose: pose(c),
             configurations: planned.members[c].iter().map(configuration).collect(),
         });
-        let compared = (!self.compare.is_empty()).then(|| {
-            let value = index_of_poses(planned, observations, self.index.0, &self.compare);
+        let compared = (!self.search.compare.is_empty()).then(|| {
+            let value = index_of_poses(planned, observations, self.search.index.0, &self.search.compare);
             let better_by_percent = 100.0 * (planned.index / value - 1.0);
-            ComparedPoses { poses: self.compare.clone(), value, better_by_percent }
+            ComparedPoses { poses: self.search.compare.clone(), value, better_by_percent }
         });
         let percent = |bound: Option<f64>| bound.map(|b| (100.0 * (1.0 - planned.index / b)).max(0.0));
         let below = planned.at_most_below_percent();
@@ -293,13 +327,13 @@ impl PlanCommand {
         });
         let mut messages = etalon_documents::warning_messages(&planned.sensitivity.messages);
         messages.extend(planned.prediction.messages.clone());
-        let definition = self.index.0.definition();
+        let definition = self.search.index.0.definition();
         Ok(PlanDocument {
             schema: "etalon/plan/1".to_owned(),
             robot: robot.model().to_owned(),
-            index: self.index.0.name().to_owned(),
+            index: self.search.index.0.name().to_owned(),
             definition: definition.into(),
-            grouped: !self.single,
+            grouped: !self.search.single,
             choice: PlanChoice {
                 candidates: planned.members.len(),
                 configurations: observations.len(),
@@ -326,15 +360,20 @@ impl PlanCommand {
             },
             prediction: PlanPrediction {
                 observability: planned.prediction.observability.as_ref().map(|o| observability_summary(robot, o)),
-                parameters: parameters(robot, planned, self.standard_uncertainty_um.is_some()),
+                parameters: parameters(robot, planned, self.model.standard_uncertainty_um.is_some()),
                 workspace: self
+                    .model
                     .standard_uncertainty_um
                     .map(|_| WorkspaceUncertainty { rms_mm: planned.workspace.0, max_mm: planned.workspace.1 }),
             },
             places: places(robot, observations, planned),
             study: None,
             messages,
-            provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: Some(self.seed) },
+            provenance: Provenance {
+                version: env!("CARGO_PKG_VERSION").to_owned(),
+                inputs,
+                seed: Some(self.search.seed),
+            },
         })
     }
 }

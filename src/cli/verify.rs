@@ -12,7 +12,8 @@ use crate::stages::kinds::{self, RowDefaults};
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::orientations::AngleOrder;
 use crate::stages::table_file::TableFile;
-use crate::stages::verify::earlier_parameters::{orientation_uncertainty_rad, unknown_geometry, unknown_quantity};
+use crate::stages::verify::earlier_parameters::unknown_geometry;
+use crate::stages::verify::expected_deviation::{orientation_uncertainty_rad, unknown_quantity};
 use crate::stages::verify::verification::{EarlierCalibration, plan, verify};
 use etalon_base::error;
 use etalon_base::files;
@@ -46,13 +47,8 @@ pub struct Verify {
     /// calibration observed (docs/observations.md).
     #[arg(required_unless_present = "candidates")]
     observations: Option<PathBuf>,
-    /// Candidates, instead of observations, from which the poses that detect the smallest changes
-    /// are chosen: a table as for `etalon plan`.
-    #[arg(long, value_name = "FILE", conflicts_with = "observations")]
-    candidates: Option<PathBuf>,
-    /// Number of candidates to choose.
-    #[arg(long, value_name = "N", default_value_t = 8, requires = "candidates")]
-    positions: usize,
+    #[command(flatten)]
+    choice: ChoiceOptions,
     /// Robot file.
     #[arg(long, value_name = "FILE")]
     robot: PathBuf,
@@ -86,6 +82,18 @@ pub struct Verify {
     json: bool,
 }
 
+/// Options of the choice of poses to measure.
+#[derive(Clone, Debug, clap::Args)]
+struct ChoiceOptions {
+    /// Candidates, instead of observations, from which the poses that detect the smallest changes
+    /// are chosen: a table as for `etalon plan`.
+    #[arg(long, value_name = "FILE", conflicts_with = "observations")]
+    candidates: Option<PathBuf>,
+    /// Number of candidates to choose.
+    #[arg(long, value_name = "N", default_value_t = 8, requires = "candidates")]
+    positions: usize,
+}
+
 /// Observations to verify.
 struct ObservedTable {
     file: TableFile,
@@ -96,7 +104,8 @@ struct ObservedTable {
 impl Verify {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        let given = [Some(&self.robot), Some(&self.parameters), self.observations.as_ref(), self.candidates.as_ref()];
+        let given =
+            [Some(&self.robot), Some(&self.parameters), self.observations.as_ref(), self.choice.candidates.as_ref()];
         self.reports.check(given.into_iter().flatten())?;
         let robot_file = read_robot(&self.robot)?;
         let (document, run) = read_parameters_and_run(&self.parameters)?;
@@ -197,7 +206,7 @@ impl Verify {
 
     /// Chooses candidates to measure.
     fn plan(&self, robot_file: &RobotFile, document: &ParametersDocument) -> anyhow::Result<Verdict> {
-        let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
+        let Some(candidates) = &self.choice.candidates else { return Ok(Verdict::Met) };
         let table = self.format.read_other(candidates)?;
         let (mut robot, Candidates { observations, limit_violations }) = read_candidates(robot_file, &table)?;
         let described = robot_file.description_paths();
@@ -205,7 +214,7 @@ impl Verify {
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
         let calibration =
             EarlierCalibration::new(robot.as_mut(), document, stated_mm)?.with_bound(self.bound.stated()?);
-        let mut found = plan(calibration, observations, self.positions, inputs, &mut progress)?;
+        let mut found = plan(calibration, observations, self.choice.positions, inputs, &mut progress)?;
         found.messages.extend(limit_violations);
         if !self.json {
             remark(&found.messages);

@@ -124,9 +124,9 @@ pub trait Exporter {
     ///
     /// # Errors
     ///
-    /// Fails if parameters must not reach a controller ([`ExportInput::check`]), or if the format cannot
-    /// hold them. Unless forced, fails for a file with which the robot is less accurate than with
-    /// nominal parameters.
+    /// Fails if parameters must not reach a controller ([`ExportInput::check`]), or if the format
+    /// cannot hold them. Unless forced, fails for a file with which the robot is less accurate than
+    /// with nominal parameters.
     fn write(&self, given: &ExportInput) -> Result<Vec<u8>> {
         given.check()?;
         self.write_stated(given, &given.statement(self)?)

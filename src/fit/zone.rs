@@ -10,8 +10,8 @@ use etalon_base::pose::Vector;
 pub struct MinimumZone {
     /// Line in the plane, plane, circle, sphere, cylinder or cone.
     pub element: Element,
-    /// Position, direction and size, in the middle of the zone. The point of a line, plane, cylinder
-    /// or cone is the foot of the centroid.
+    /// Position, direction and size, in the middle of the zone. The point of a line, plane,
+    /// cylinder or cone is the foot of the centroid.
     pub geometry: ElementGeometry,
     /// Width of the zone.
     pub form_mm: f64,

@@ -3,7 +3,7 @@
 //! script the page shows the worst campaigns as a plain table.
 
 use super::html;
-use super::number::{apart, decimals, quantile, significant, stated, with_uncertainty};
+use super::number::{decimals, distinct_from_limit, quantile, significant, stated, with_uncertainty};
 use super::words::{Words, names, tr};
 use etalon_base::message::one_line;
 use etalon_documents::{
@@ -272,7 +272,7 @@ fn cause(entry: &BatchEntry, words: &Words) -> String {
         let unit = c.unit.as_deref().unwrap_or_default();
         match (c.value, c.limit) {
             (Some(value), Some(limit)) => {
-                let value = apart(value, limit, decimals(limit, 3).unwrap_or(4));
+                let value = distinct_from_limit(value, limit, decimals(limit, 3).unwrap_or(4));
                 tr!(words, "value-and-limit", quantity = name, value, limit = stated(limit), unit)
             }
             (Some(count), None) => format!("{name}: {count}"),

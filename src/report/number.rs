@@ -64,7 +64,7 @@ pub(crate) fn with_uncertainty(value: f64, u: Option<f64>) -> String {
 }
 
 /// `value` with at least `decimals` decimals, and as many as distinguish it from its limit.
-pub(super) fn apart(value: f64, limit: f64, decimals: usize) -> String {
+pub(super) fn distinct_from_limit(value: f64, limit: f64, decimals: usize) -> String {
     let alike = |n: &usize| value != limit && fixed(value, *n) == fixed(limit, *n);
     fixed(value, (decimals..9).find(|n| !alike(n)).unwrap_or(9))
 }
@@ -124,18 +124,18 @@ pub(super) fn round_down_125(value: f64) -> f64 {
 
 /// Unit of displayed lengths, and conversion factor from mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shown {
+pub(super) struct DisplayUnit {
     pub unit: &'static str,
     pub factor: f64,
 }
 
 /// Displays lengths below 1 mm in µm; degrees and other units are unchanged.
-pub(super) fn shown(unit: &str, largest: f64) -> Shown {
+pub(super) fn display_unit(unit: &str, largest: f64) -> DisplayUnit {
     match unit {
-        "mm" if largest < 1.0 => Shown { unit: "µm", factor: 1000.0 },
-        "mm" => Shown { unit: "mm", factor: 1.0 },
-        "deg" => Shown { unit: "deg", factor: 1.0 },
-        _ => Shown { unit: "", factor: 1.0 },
+        "mm" if largest < 1.0 => DisplayUnit { unit: "µm", factor: 1000.0 },
+        "mm" => DisplayUnit { unit: "mm", factor: 1.0 },
+        "deg" => DisplayUnit { unit: "deg", factor: 1.0 },
+        _ => DisplayUnit { unit: "", factor: 1.0 },
     }
 }
 
@@ -178,8 +178,8 @@ mod tests {
         let cases =
             [(0.0, "p < 0.001"), (9.9e-4, "p < 0.001"), (0.001, "p = 0.0010"), (0.0123, "p = 0.012"), (1.0, "p = 1.0")];
         cases.iter().for_each(|(p, text)| assert_eq!(p_value(*p), *text));
-        assert_eq!(apart(0.005_44, 0.005_40, 4), "0.00544");
-        assert_eq!(apart(0.0054, 0.0054, 4), "0.0054");
+        assert_eq!(distinct_from_limit(0.005_44, 0.005_40, 4), "0.00544");
+        assert_eq!(distinct_from_limit(0.0054, 0.0054, 4), "0.0054");
     }
 
     #[test]

@@ -69,7 +69,7 @@ impl<'a> Page<'a> {
                 }
                 Block::Facts { rows } => {
                     self.titles();
-                    rows.iter().for_each(|f| self.line(&format!("{}: {}", f.what, f.said.shown().plain())));
+                    rows.iter().for_each(|f| self.line(&format!("{}: {}", f.what, f.said.display().plain())));
                 }
                 Block::Table(table) if table.detail && self.brief => {}
                 Block::Table(table) => self.table(table),
@@ -95,7 +95,8 @@ impl<'a> Page<'a> {
     fn table(&mut self, table: &Table) {
         self.titles();
         let laid = table.laid();
-        let rows: Vec<Vec<String>> = laid.rows.iter().map(|row| row.iter().map(|cell| shown(cell)).collect()).collect();
+        let rows: Vec<Vec<String>> =
+            laid.rows.iter().map(|row| row.iter().map(|cell| terminal_text(cell)).collect()).collect();
         let groups: Vec<&str> = laid.groups.iter().flat_map(|(title, count)| vec![*title; *count]).collect();
         let kept: Vec<usize> = (0..laid.header.len()).filter(|i| rows.iter().any(|row| !row[*i].is_empty())).collect();
         let wide = |i: &usize| rows.iter().map(|row| letters(&row[*i])).chain([letters(laid.header[*i])]).max();
@@ -182,10 +183,10 @@ fn wrapped(text: &str, width: usize) -> Vec<&str> {
 }
 
 /// Text of a cell, in capitals instead of bold letters.
-fn shown(cell: &Cell) -> String {
+fn terminal_text(cell: &Cell) -> String {
     match cell {
         Cell::Term { shown, strong: true, .. } => shown.to_uppercase(),
-        cell => cell.shown().plain(),
+        cell => cell.display().plain(),
     }
 }
 

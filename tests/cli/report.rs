@@ -78,7 +78,13 @@ fn page(results: &Results, language: Language) -> Vec<u8> {
 #[test]
 fn every_stored_folder_gives_the_verdict_and_the_report_of_its_run() {
     for Ran { name, folder } in ran() {
-        let out = folder.join("out");
+        // other tests look at the folder of the run
+        let copy = tempfile::tempdir().unwrap();
+        let out = copy.path().join("out");
+        std::fs::create_dir(&out).unwrap();
+        for entry in std::fs::read_dir(folder.join("out")).unwrap().flatten() {
+            std::fs::copy(entry.path(), out.join(entry.file_name())).unwrap();
+        }
         let written = hashes(&out);
         let output = Command::new(program()).arg("report").arg(&out).output().unwrap();
         assert!(output.status.success(), "{name}: {}", text(&output.stderr));

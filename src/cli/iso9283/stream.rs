@@ -48,6 +48,13 @@ pub(super) struct StreamOptions {
     /// Write the standstills as a table of poses for `etalon iso9283 FILE`.
     #[arg(long, value_name = "FILE", requires = "stream")]
     write_poses: Option<PathBuf>,
+    #[command(flatten)]
+    path_options: PathOptions,
+}
+
+/// Options of a commanded path, and of a weave about it.
+#[derive(Clone, Debug, clap::Args)]
+struct PathOptions {
     /// Commanded path: the columns of the recording without time, with one row per point.
     #[arg(long, value_name = "FILE", requires = "stream")]
     path: Option<PathBuf>,
@@ -75,7 +82,8 @@ impl StreamOptions {
     pub fn run(&self, file: &Path, commanded: Option<&Path>, seed: u64, json: bool) -> anyhow::Result<Verdict> {
         let stated = self.stated();
         stated.check(|key| format!("--{}", key.replace('_', "-")))?;
-        let inputs = [Some(file), commanded, self.path.as_deref()].into_iter().flatten().map(Path::to_owned);
+        let inputs =
+            [Some(file), commanded, self.path_options.path.as_deref()].into_iter().flatten().map(Path::to_owned);
         files::refuse_overwriting(&self.write_poses, &inputs.collect::<Vec<_>>())?;
         let recording = self.recording(file)?;
         // columns or a format in the form of another program are those of the recording alone
@@ -83,7 +91,8 @@ impl StreamOptions {
         let read = |path: &Path| if is_own { self.form().read(path) } else { TableFile::read(path) };
         let poses = commanded.map(|path| poses(&read(path)?)).transpose()?;
         let of = file.display().to_string();
-        let path = self.path.as_deref().map(|path| stated_path(&read(path)?, &of, &recording)).transpose()?;
+        let path =
+            self.path_options.path.as_deref().map(|path| stated_path(&read(path)?, &of, &recording)).transpose()?;
         let settings = stated.settings(poses, path, seed);
         let document = Iso9283StreamDocument::evaluate(&recording, &settings)?;
         if let Some(path) = &self.write_poses {
@@ -127,13 +136,13 @@ impl StreamOptions {
             still_s: self.still_s,
             near_mm: self.near_mm,
             band_mm: self.band_mm,
-            path: self.path.is_some(),
-            path_points: self.path_points,
-            velocity_mm_s: self.velocity_mm_s,
-            central_percent: self.central_percent,
-            weave_stroke_mm: self.weave_stroke_mm,
-            weave_hz: self.weave_hz,
-            weave_across: &self.weave_across,
+            path: self.path_options.path.is_some(),
+            path_points: self.path_options.path_points,
+            velocity_mm_s: self.path_options.velocity_mm_s,
+            central_percent: self.path_options.central_percent,
+            weave_stroke_mm: self.path_options.weave_stroke_mm,
+            weave_hz: self.path_options.weave_hz,
+            weave_across: &self.path_options.weave_across,
         }
     }
 

@@ -80,7 +80,7 @@ pub(crate) fn with_uncertainty(
         _ => from_residuals(solved, &settings.series, instrument.as_deref(), chi_square),
     };
     let (between_series, unseen) = found.between_series(&settings.series);
-    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning, .. } = found;
+    let Found { mut covariance, from, degrees: effective_degrees, warning, .. } = found;
     let mut warnings: Vec<Warning> = warning.into_iter().chain(unseen).map(Into::into).collect();
     let replicates = (apart && settings.conditions.is_empty())
         .then(|| budget::replicates(robot, observations, &values, dof))
@@ -90,14 +90,14 @@ pub(crate) fn with_uncertainty(
         budget = Budget::new(solved, instrument.as_deref(), total, settings, replicates.as_ref());
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise
         // above
-        let unseen = problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument;
+        let unseen = problem.is_whitened() && from == UncertaintyFrom::Instrument;
         let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
         budget.carry_frames(frames, solved, unseen, total);
         budget.carry(systematic.errors(&observed)?, solved, total);
     }
     let plain = instrument.or_else(|| independent(problem, solution));
     let inflation_factor = inflation(plain.as_deref(), covariance.as_deref(), n);
-    let verdict = chi_square.and_then(|chi| judge_chi_square(chi, dof, inflation_factor, uncertainty_from));
+    let verdict = chi_square.and_then(|chi| judge_chi_square(chi, dof, inflation_factor, from));
     warnings.extend(verdict.map(Into::into));
 
     let lengths = lengths(problem, solution);
@@ -126,13 +126,7 @@ pub(crate) fn with_uncertainty(
         },
         values,
         free: problem.free.clone(),
-        uncertainty: ParameterUncertainty {
-            covariance,
-            from: uncertainty_from,
-            effective_degrees,
-            inflation_factor,
-            budget,
-        },
+        uncertainty: ParameterUncertainty { covariance, from, effective_degrees, inflation_factor, budget },
         identifiability: Identifiability {
             groups,
             weak,

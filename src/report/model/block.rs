@@ -116,7 +116,7 @@ impl Block {
         match self {
             Self::Table(table) => {
                 for i in table.on_page() {
-                    number::one_notation(table.rows.iter_mut().filter_map(|row| row[i].shown_mut()).collect());
+                    number::one_notation(table.rows.iter_mut().filter_map(|row| row[i].display_mut()).collect());
                 }
             }
             Self::Figures { figures } => {
@@ -163,7 +163,7 @@ impl Block {
             Self::Heading { .. } => false,
             Self::Text { text, .. } => text.plain().is_empty(),
             Self::Facts { rows } => rows.is_empty(),
-            Self::Table(table) => !table.is_shown(),
+            Self::Table(table) => !table.is_visible(),
             Self::Figures { figures } => figures.is_empty(),
             Self::Notice { lines, .. } => lines.is_empty(),
             Self::Aside { blocks, .. } => blocks.iter().all(Self::is_empty),

@@ -36,13 +36,13 @@ impl Cell {
 
     /// Applies the decimal mark of a language.
     pub(super) fn numbers(&mut self, words: &Words) {
-        if let Some(shown) = self.shown_mut() {
+        if let Some(shown) = self.display_mut() {
             *shown = words.number(shown);
         }
     }
 
     /// Numbers as shown on a page.
-    pub(super) fn shown_mut(&mut self) -> Option<&mut String> {
+    pub(super) fn display_mut(&mut self) -> Option<&mut String> {
         match self {
             Self::Number { value, shown } => {
                 if shown.is_empty() {
@@ -60,7 +60,7 @@ impl Cell {
     }
 
     /// Text on a page.
-    pub fn shown(&self) -> Text {
+    pub fn display(&self) -> Text {
         match self {
             Self::Missing => Text::default(),
             Self::Number { value, shown } if shown.is_empty() => number::significant(*value, 6).into(),
@@ -72,18 +72,19 @@ impl Cell {
 
     /// Text in a workbook, for cells without a number.
     pub fn plain(&self) -> String {
-        self.shown().plain()
+        self.display().plain()
     }
 }
 
 impl Serialize for Cell {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         #[derive(Serialize)]
-        struct Shown {
+        struct Displayed {
             text: Text,
             strong: bool,
         }
-        Shown { text: self.shown(), strong: matches!(self, Self::Term { strong: true, .. }) }.serialize(serializer)
+        Displayed { text: self.display(), strong: matches!(self, Self::Term { strong: true, .. }) }
+            .serialize(serializer)
     }
 }
 
@@ -143,26 +144,26 @@ impl<T: Into<Cell>> From<Option<T>> for Cell {
 
 /// A number with a fixed number of decimals.
 pub(crate) fn fixed(value: impl Into<Option<f64>>, decimals: usize) -> Cell {
-    shown(value, |v| number::fixed(v, decimals))
+    number_cell(value, |v| number::fixed(v, decimals))
 }
 
 /// A number with its significant digits.
 pub(crate) fn significant(value: impl Into<Option<f64>>, digits: usize) -> Cell {
-    shown(value, |v| number::significant(v, digits))
+    number_cell(value, |v| number::significant(v, digits))
 }
 
 /// A number to the second digit of its standard uncertainty.
 pub(crate) fn with_uncertainty(value: impl Into<Option<f64>>, u: Option<f64>) -> Cell {
-    shown(value, |v| number::with_uncertainty(v, u))
+    number_cell(value, |v| number::with_uncertainty(v, u))
 }
 
 /// A length in mm, shown in µm.
 pub(crate) fn um(mm: impl Into<Option<f64>>) -> Cell {
-    shown(mm, |mm| number::fixed(1e3 * mm, 1))
+    number_cell(mm, |mm| number::fixed(1e3 * mm, 1))
 }
 
 /// A number with its text.
-pub(crate) fn shown(value: impl Into<Option<f64>>, text: impl Fn(f64) -> String) -> Cell {
+pub(crate) fn number_cell(value: impl Into<Option<f64>>, text: impl Fn(f64) -> String) -> Cell {
     value.into().map_or(Cell::Missing, |value| Cell::Number { value, shown: text(value) })
 }
 

@@ -13,7 +13,7 @@ pub(crate) enum Title<'a> {
 }
 
 impl Title<'_> {
-    pub(super) fn shown(&self, words: &Words) -> String {
+    pub(super) fn translated(&self, words: &Words) -> String {
         match self {
             Self::Symbol(symbol) => (*symbol).to_owned(),
             Self::Text(phrase) => words.tr(phrase),
@@ -98,7 +98,7 @@ impl<'a, T> Columns<'a, T> {
 
     /// Adds a column of lengths in mm, shown in µm.
     pub fn micrometres<V: Into<Option<f64>>>(self, title: impl Into<Title<'a>>, mm: impl Fn(&'a T) -> V + 'a) -> Self {
-        self.both(title, "mm", move |record| um(mm(record))).shown_in("µm")
+        self.both(title, "mm", move |record| um(mm(record))).in_unit("µm")
     }
 
     /// Adds a workbook column for each existing coordinate.
@@ -118,7 +118,7 @@ impl<'a, T> Columns<'a, T> {
     /// Adds the columns of another table with these titles to the page.
     pub fn page_columns(mut self, table: Self, titles: &[&str]) -> Self {
         let english = Words::default();
-        let shown = table.0.into_iter().filter(|c| titles.contains(&c.title.shown(&english).as_str()));
+        let shown = table.0.into_iter().filter(|c| titles.contains(&c.title.translated(&english).as_str()));
         self.0.extend(shown.map(|c| Column { on: On::Page, ..c }));
         self
     }
@@ -130,7 +130,7 @@ impl<'a, T> Columns<'a, T> {
     }
 
     /// Shows the last column in another unit.
-    pub fn shown_in(mut self, unit: &'a str) -> Self {
+    pub fn in_unit(mut self, unit: &'a str) -> Self {
         self.0.iter_mut().rev().take(1).for_each(|c| c.shown_in = unit);
         self
     }

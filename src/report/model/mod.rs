@@ -14,7 +14,7 @@ mod verdict;
 
 pub(crate) use block::{Block, Fact, Figure, Tone};
 pub(crate) use cell::{
-    Cell, fixed, numbers, shown, significant, strong_term, strong_yes, term, um, with_uncertainty, yes_no,
+    Cell, fixed, number_cell, numbers, significant, strong_term, strong_yes, term, um, with_uncertainty, yes_no,
 };
 pub(crate) use columns::Columns;
 pub(crate) use contents::{Contents, Dates, Layout};

@@ -48,7 +48,7 @@ impl Section {
     /// Adds a block unless it is empty.
     pub fn push(&mut self, block: Block) {
         match block {
-            Block::Table(table) if !table.is_shown() && !table.is_empty() => self.data.push(table),
+            Block::Table(table) if !table.is_visible() && !table.is_empty() => self.data.push(table),
             Block::Aside { title, blocks } => {
                 let mut inner = Self::default();
                 blocks.into_iter().for_each(|block| inner.push(block));
@@ -65,7 +65,7 @@ impl Section {
     /// Adds a table with heading and note, if it has rows.
     pub fn table(&mut self, heading: impl Into<String>, note: impl Into<Text>, table: Table) {
         let heading = heading.into();
-        if table.is_shown() {
+        if table.is_visible() {
             if !heading.is_empty() {
                 self.push(Block::heading(heading));
             }

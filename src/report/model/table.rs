@@ -55,7 +55,7 @@ impl Table {
         let titled = |c: &Column<T>| {
             let behind = |unit: &str| if unit.is_empty() { String::new() } else { format!(", {unit}") };
             let in_workbook = |words: &Words| {
-                let [group, title] = [&c.group, &c.title].map(|title| title.shown(words));
+                let [group, title] = [&c.group, &c.title].map(|title| title.translated(words));
                 let before = if group.is_empty() { String::new() } else { format!("{group}, ") };
                 let unit = if c.unit.is_empty() { String::new() } else { format!(" [{}]", c.unit) };
                 format!("{before}{title}{unit}")
@@ -63,8 +63,8 @@ impl Table {
             Titled {
                 on: c.on,
                 decisive: c.decisive,
-                group: c.group.shown(words),
-                title: c.title.shown(words) + &behind(c.shown_in),
+                group: c.group.translated(words),
+                title: c.title.translated(words) + &behind(c.shown_in),
                 sheet: in_workbook(words),
                 key: in_workbook(&english),
                 unit: c.unit.to_owned(),
@@ -136,7 +136,7 @@ impl Table {
     }
 
     /// `true` if a page shows any part of the table.
-    pub(super) fn is_shown(&self) -> bool {
+    pub(super) fn is_visible(&self) -> bool {
         !self.off_page && !self.rows.is_empty() && !self.on_page().is_empty()
     }
 

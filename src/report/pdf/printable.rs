@@ -21,7 +21,7 @@ pub(super) enum Letters {
 pub(super) fn printable(value: &mut Value, letters: Letters) {
     match value {
         Value::String(text) => {
-            if let Some(shown) = shown(text, letters) {
+            if let Some(shown) = printable_text(text, letters) {
                 *text = shown;
             }
             if text.len() > LONG {
@@ -32,7 +32,7 @@ pub(super) fn printable(value: &mut Value, letters: Letters) {
         Value::Object(values) => values.iter_mut().for_each(|(key, value)| match (key.as_str(), value) {
             ("svg", Value::String(svg)) => {
                 let drawn = without_tooltips(svg);
-                *svg = styled(&shown(&drawn, letters).unwrap_or(drawn));
+                *svg = styled(&printable_text(&drawn, letters).unwrap_or(drawn));
             }
             (_, value) => printable(value, letters),
         }),
@@ -42,7 +42,7 @@ pub(super) fn printable(value: &mut Value, letters: Letters) {
 
 /// Bytes of an SVG figure, with characters replaced that cannot be shown.
 pub(super) fn printable_picture(svg: Vec<u8>, letters: Letters) -> Vec<u8> {
-    let replaced = std::str::from_utf8(&svg).ok().and_then(|text| shown(text, letters));
+    let replaced = std::str::from_utf8(&svg).ok().and_then(|text| printable_text(text, letters));
     replaced.map_or(svg, String::into_bytes)
 }
 
@@ -77,7 +77,7 @@ fn breakable(text: &str) -> String {
 
 /// Replaces characters that cannot be shown; `None` if nothing changes. Marks of writing direction
 /// are removed, so that a name cannot affect its surroundings.
-fn shown(text: &str, letters: Letters) -> Option<String> {
+fn printable_text(text: &str, letters: Letters) -> Option<String> {
     let fine = |c: char| c == '\n' || ('\u{20}'..'\u{7f}').contains(&c);
     if text.chars().all(fine) {
         return None;
@@ -142,9 +142,12 @@ mod tests {
             ("\u{4e2d}\u{1f600}\u{e000}\0", Some("\u{fffd}\u{fffd}\u{fffd}\u{fffd}")),
         ];
         for (text, expected) in cases {
-            assert_eq!(shown(text, Letters::Known).as_deref(), expected, "{text}");
+            assert_eq!(printable_text(text, Letters::Known).as_deref(), expected, "{text}");
         }
-        assert_eq!(shown("µ Σ ≤ 5\u{302} \u{627}", Letters::Single).as_deref(), Some("µ Σ ≤ 5\u{fffd} \u{fffd}"));
+        assert_eq!(
+            printable_text("µ Σ ≤ 5\u{302} \u{627}", Letters::Single).as_deref(),
+            Some("µ Σ ≤ 5\u{fffd} \u{fffd}")
+        );
         assert!(has_glyph('\u{fffd}'));
     }
 }

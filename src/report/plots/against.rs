@@ -91,7 +91,7 @@ fn picture(data: &Data, along: &Along, of: &OfQuantity, p: Option<f64>, words: &
     // many figures: half of the marks of others
     let drawn = points::thin(&points::readable(&known), points::MARKS / 2, points::after_mm);
     let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
-    let (unit, of, against) = (up.shown().unit, words.tr(&quantity.phrase()), along.name.clone());
+    let (unit, of, against) = (up.display_unit().unit, words.tr(&quantity.phrase()), along.name.clone());
     let (title, name) = match quantity {
         ErrorQuantity::Position => {
             (tr!(words, "position-error-against", quantity = against), tr!(words, "position-error-in", unit))
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn quantities_are_apart_and_a_trend_is_that_of_all_together() {
+    fn quantities_are_separate_and_a_trend_is_that_of_all_together() {
         let mut errors: Vec<_> = (0..18).map(|i| point(i, [0.0; 3], [0.1; 3], [0.01; 3])).collect();
         for (i, p) in errors.iter_mut().enumerate() {
             p.joints = vec![i as f64];

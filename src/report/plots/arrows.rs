@@ -88,7 +88,7 @@ impl<'a> Plane<'a> {
             false => tr!(words, "error-vectors-before", plane = name.clone()),
         };
         let description = tr!(words, "arrows-description", factor = times.clone());
-        let shown = number::shown("mm", *longest_mm);
+        let shown = number::display_unit("mm", *longest_mm);
         let longest = format!("{} {}", number::significant(longest_mm * shown.factor, 3), shown.unit);
         let few = match drawn.len() < self.errors.len() {
             true => {
@@ -120,7 +120,7 @@ impl<'a> Plane<'a> {
 /// per mm.
 fn scale_arrow(svg: &mut Svg, y: f64, scale: f64, longest_mm: f64) {
     if longest_mm > 0.0 {
-        let shown = number::shown("mm", longest_mm);
+        let shown = number::display_unit("mm", longest_mm);
         let round = round_down_125(longest_mm * shown.factor);
         let right = 30.0 + round / shown.factor * scale;
         svg.arrows("arrow-scale", &[[(30.0, y), (right, y)]]);
@@ -137,7 +137,7 @@ fn enlargement(drawn: &[&PointError], seen: Seen, longest_mm: f64) -> f64 {
 }
 
 fn table(drawn: &[&PointError], words: &Words) -> (String, Vec<String>, Vec<Vec<String>>) {
-    let shown = number::shown("mm", largest(drawn.iter().map(|p| points::after_mm(p))));
+    let shown = number::display_unit("mm", largest(drawn.iter().map(|p| points::after_mm(p))));
     let column = |axis: &str| tr!(words, "error-in", quantity = axis, unit = shown.unit);
     let mut header = vec![tr!(words, "set"), tr!(words, "pose"), tr!(words, "cycle"), tr!(words, "target")];
     header.extend(["x", "y", "z"].map(|axis| tr!(words, "quantity-in-unit", quantity = axis, unit = "mm")));

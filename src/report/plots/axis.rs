@@ -1,6 +1,6 @@
 //! Axes with round ticks: steps of 1, 2 or 5 times a power of ten.
 
-use crate::number::{self, Shown};
+use crate::number::{self, DisplayUnit};
 
 /// Scale of an axis. Values are in the unit of the documents; ends and labels are in the displayed
 /// unit.
@@ -8,7 +8,7 @@ use crate::number::{self, Shown};
 pub(crate) struct Axis {
     low: f64,
     high: f64,
-    shown: Shown,
+    shown: DisplayUnit,
     logarithmic: bool,
     /// Labels instead of round numbers.
     labels: Option<Vec<(f64, String)>>,
@@ -48,42 +48,42 @@ impl Axis {
     /// Linear axis.
     pub fn linear(low: f64, high: f64) -> Self {
         let (low, high) = if high > low { (low, high) } else { (low - 1.0, low + 1.0) };
-        Self { low, high, shown: number::shown("", 0.0), logarithmic: false, labels: None }
+        Self { low, high, shown: number::display_unit("", 0.0), logarithmic: false, labels: None }
     }
 
     /// Linear axis with ends in the displayed unit.
-    pub fn linear_in(shown: Shown, low: f64, high: f64) -> Self {
+    pub fn linear_in(shown: DisplayUnit, low: f64, high: f64) -> Self {
         Self { shown, ..Self::linear(low, high) }
     }
 
     /// Linear axis over values in a unit, with free margins relative to their range.
     pub fn over(unit: &str, (low, high): (f64, f64), margin: f64) -> Self {
-        let shown = number::shown(unit, low.abs().max(high.abs()));
+        let shown = number::display_unit(unit, low.abs().max(high.abs()));
         let margin = margin * (high - low).max(1e-9 * high.abs().max(low.abs()));
         Self::linear_in(shown, (low - margin) * shown.factor, (high + margin) * shown.factor)
     }
 
     /// Linear axis from zero to the first round tick at or above `largest`.
     pub fn from_zero(unit: &str, largest: f64) -> Self {
-        Self::from_zero_in(number::shown(unit, largest), largest)
+        Self::from_zero_in(number::display_unit(unit, largest), largest)
     }
 
     /// Linear axis from zero in a chosen unit.
-    pub fn from_zero_in(shown: Shown, largest: f64) -> Self {
+    pub fn from_zero_in(shown: DisplayUnit, largest: f64) -> Self {
         let largest = if largest > 0.0 && largest.is_finite() { largest * shown.factor } else { 1.0 };
         let step = step(largest, 5);
         Self::linear_in(shown, 0.0, step * (largest / step - 1e-9).ceil().max(1.0))
     }
 
     /// Linear axis symmetrical about zero.
-    pub fn both_ways(shown: Shown, largest: f64) -> Self {
+    pub fn both_ways(shown: DisplayUnit, largest: f64) -> Self {
         let high = Self::from_zero_in(shown, largest).high;
         Self::linear_in(shown, -high, high)
     }
 
     /// Logarithmic axis over whole decades, at most `most` of them below `largest`.
     pub fn decades(unit: &str, (smallest, largest): (f64, f64), most: u8) -> Self {
-        let shown = number::shown(unit, largest);
+        let shown = number::display_unit(unit, largest);
         let high = (largest * shown.factor).log10().ceil();
         let low = (smallest * shown.factor).log10().floor().clamp(high - f64::from(most.max(1)), high - 1.0);
         Self { low, high, shown, logarithmic: true, labels: None }
@@ -118,7 +118,7 @@ impl Axis {
     }
 
     /// Displayed unit and its factor.
-    pub fn shown(&self) -> Shown {
+    pub fn display_unit(&self) -> DisplayUnit {
         self.shown
     }
 
@@ -174,10 +174,10 @@ mod tests {
     }
 
     #[test]
-    fn labels_are_in_the_unit_shown() {
+    fn labels_are_in_the_displayed_unit() {
         let axis = Axis::from_zero("mm", 0.0439);
         assert_eq!(
-            (labels(&axis, 5), axis.shown().unit),
+            (labels(&axis, 5), axis.display_unit().unit),
             (["0", "10", "20", "30", "40", "50"].map(str::to_owned).to_vec(), "µm")
         );
         assert!((axis.share(0.025) - 0.5).abs() < 1e-12 && axis.contains(0.05) && !axis.contains(0.051));

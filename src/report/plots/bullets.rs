@@ -5,7 +5,7 @@
 use super::layer::*;
 use super::svg::{proportional, width};
 use crate::model::Headline;
-use crate::number::Shown;
+use crate::number::DisplayUnit;
 use crate::sections::limits::judged;
 use etalon_documents::Conformity;
 
@@ -71,7 +71,7 @@ fn limit(svg: &mut Svg, l: &LimitVerdict, top: f64, end: f64, words: &Words) {
         }
     }
     svg.line("limit", (at(1.0), y - 4.0), (at(1.0), y + BAR + 4.0));
-    let verdict = judged(l, words).shown().plain();
+    let verdict = judged(l, words).display().plain();
     let room = NARROW - 2.0 * SIDE - width(&verdict) - 10.0;
     svg.text("start name-of", (SIDE, top + 12.0), &cut(&words.tr(&names::limit(l.name)), room, BOLD));
     svg.text("end name-of", (NARROW - SIDE, top + 12.0), &verdict);
@@ -91,14 +91,14 @@ fn cut(text: &str, room: f64, size: f64) -> String {
 
 /// Value with its uncertainty, limit, and risk.
 fn stated(l: &LimitVerdict, words: &Words) -> String {
-    let Shown { unit, factor } = number::shown(&l.unit, l.limit);
+    let DisplayUnit { unit, factor } = number::display_unit(&l.unit, l.limit);
     let allowed = number::derived(l.limit * factor);
     let Some(value) = l.value.filter(|_| l.conformity != Conformity::NotAssessable) else {
         return tr!(words, "bullet-not-measured", limit = allowed, unit);
     };
     let u = l.expanded_uncertainty.map(|u| u * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(value * factor, 3)).unwrap_or(1);
-    let reached = number::apart(value * factor, l.limit * factor, decimals);
+    let reached = number::distinct_from_limit(value * factor, l.limit * factor, decimals);
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
     match l.risk() {
         Some(risk) => {
@@ -144,7 +144,7 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
             svg.number("mid", (inside, bottom + 14.0), &label);
         }
         svg.line("axis", (SIDE, bottom), (NARROW - SIDE, bottom));
-        let shown = if axis.shown().unit.is_empty() { unit } else { axis.shown().unit };
+        let shown = if axis.display_unit().unit.is_empty() { unit } else { axis.display_unit().unit };
         svg.text("mid", (0.5 * NARROW, bottom + 30.0), &tr!(words, "error-in-unit", unit = shown));
         for h in of_unit {
             let ([before, after], numbers) = (h.in_documents.1, before_and_after(h, words));
@@ -191,7 +191,7 @@ mod tests {
 
     /// An angle to four decimals is shown to its last character; a text without end is cut.
     #[test]
-    fn the_line_of_a_limit_is_shown_whole() {
+    fn the_line_of_a_limit_is_drawn_whole() {
         let quantity = LimitQuantity::OrientationMaxDeg;
         let l = LimitVerdict::judge(quantity, 0.2525, 0.1376, Some(0.0062), DecisionRule::Guarded);
         let svg = limits(&[&l], &Words::default()).unwrap().svg;

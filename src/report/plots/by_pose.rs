@@ -40,7 +40,7 @@ fn picture(
     let is_angle = quantity == ErrorQuantity::Orientation;
     let unit = if is_angle { "deg" } else { "mm" };
     let axis = if logarithmic { Axis::decades(unit, ends, DECADES) } else { Axis::from_zero(unit, ends.1) };
-    let (low, unit) = (axis.ends().0, axis.shown().unit);
+    let (low, unit) = (axis.ends().0, axis.display_unit().unit);
     let of_quantity = || tr!(words, "error-by-pose", quantity = words.tr(&quantity.phrase()));
     let (title, name) = match quantity {
         ErrorQuantity::Orientation => {

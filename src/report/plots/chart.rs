@@ -169,7 +169,7 @@ impl Chart {
         let axis = if across { &self.frame.across } else { &self.frame.up };
         let drawn = |l: &&LimitVerdict| l.name.individually_limited_error() == Some(quantity) && axis.contains(l.limit);
         let Some(limit) = limits.iter().find(drawn) else { return };
-        let shown = axis.shown();
+        let shown = axis.display_unit();
         match across {
             true => self.upright("limit", limit.limit),
             false => self.level("limit", limit.limit),
@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn labels_keep_their_distance() {
-        let across = Axis::both_ways(crate::number::shown("deg", 0.0), 0.000_27);
+        let across = Axis::both_ways(crate::number::display_unit("deg", 0.0), 0.000_27);
         let chart = |left| Frame {
             across: across.clone(),
             up: Axis::linear(0.0, 1.0),

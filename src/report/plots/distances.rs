@@ -35,7 +35,7 @@ pub(crate) fn picture(relative: &RelativeAccuracy, words: &Words) -> Option<Figu
         return None;
     }
     let up = Axis::decades("mm", (low, high), DECADES);
-    let unit = up.shown().unit;
+    let unit = up.display_unit().unit;
     let across = Axis::over("", ends, 0.0);
     let names = [tr!(words, "distance-between-poses-in-mm"), tr!(words, "error-in-unit", unit)];
     let mut chart = Chart::new(words, WIDE, [across, up], names);

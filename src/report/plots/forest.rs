@@ -21,7 +21,7 @@ pub(crate) fn picture(all: &[ParameterInfluence], words: &Words) -> Option<Figur
     if shown_rows.is_empty() || !drawable(reach) || reach <= 0.0 {
         return None;
     }
-    let shown = number::shown("mm", reach);
+    let shown = number::display_unit("mm", reach);
     let labels = shown_rows.iter().enumerate().map(|(i, p)| (i as f64, shortened_to(LETTERS, &p.name))).collect();
     let axes = [Axis::both_ways(shown, reach), Axis::rows(shown_rows.len(), labels, 0.5)];
     let name = tr!(words, "effect-at-worst-pose", unit = shown.unit);

@@ -12,7 +12,7 @@ pub(crate) fn picture(held: &FieldHeldOut, words: &Words) -> Option<Figure> {
     }
     let most = largest(held.poses.iter().flat_map(|p| [p.without_mm, p.with_mm]));
     let axis = Axis::from_zero("mm", most);
-    let name = tr!(words, "position-error-in", unit = axis.shown().unit);
+    let name = tr!(words, "position-error-in", unit = axis.display_unit().unit);
     let mut chart = Chart::new(words, WIDE, [across(&poses), axis], [tr!(words, "pose"), name]);
     let before = Look { class: "before", ..CALIBRATION };
     let without = held.poses.iter().enumerate().map(|(i, p)| (before, i, p.pose, p.without_mm));

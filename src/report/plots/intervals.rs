@@ -31,7 +31,7 @@ fn picture(parameters: &[&ParameterEntry], unit: &str, group: &str, id: &str, wo
         return None;
     }
     let reach = largest(all.iter().map(|p| change(p).abs() + expanded(p)));
-    let shown = number::shown(unit, reach);
+    let shown = number::display_unit(unit, reach);
     let unit = if shown.unit.is_empty() { unit } else { shown.unit };
     // ratios are dimensionless
     let (title, along) = match unit {

@@ -37,7 +37,7 @@ pub(super) fn scale(lengths_mm: impl IntoIterator<Item = f64>) -> Axis {
 
 /// Largest length of a scale, with its unit.
 pub(super) fn top(scale: &Axis) -> String {
-    let shown = scale.shown();
+    let shown = scale.display_unit();
     format!("{} {}", number::significant(scale.ends().1 * shown.factor, 2), shown.unit)
 }
 
@@ -98,7 +98,7 @@ fn map(mapped: &Mapped, seen: Seen, after: bool, words: &Words) -> Figure {
 
 /// Length with three significant digits and its unit.
 pub(super) fn length(mm: f64) -> String {
-    let shown = number::shown("mm", mm);
+    let shown = number::display_unit("mm", mm);
     format!("{} {}", number::significant(mm * shown.factor, 3), shown.unit)
 }
 
@@ -144,7 +144,7 @@ pub(super) fn scales(svg: &mut Svg, shape: Shape, [common, own]: [&Axis; 2]) {
                 svg.mark(Look::new(shape, &class), (x, y), radius(share), "");
                 svg.number("start", (x + 10.0, y + 4.0), label);
             }
-            svg.text("end", (NARROW - 4.0, y + 4.0), scale.shown().unit);
+            svg.text("end", (NARROW - 4.0, y + 4.0), scale.display_unit().unit);
         });
     }
 }
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn larger_errors_stand_out_more_on_a_light_and_on_a_dark_page() {
+    fn larger_errors_have_more_contrast_on_a_light_and_on_a_dark_page() {
         let (picture, page) = (include_str!("../html/picture.css"), include_str!("../html/style.html"));
         let (light, dark) = page.split_once("prefers-color-scheme: dark").unwrap();
         let paper = palette(picture, |i| format!(".o{i} {{ fill: #"));
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn before_and_after_have_one_scale_of_colours_and_their_own_beside_it() {
+    fn before_and_after_have_one_scale_of_colours_and_one_each_beside_it() {
         let errors = [point(1, [0.0; 3], [0.35, 0.0, 0.0], [0.002, 0.0, 0.0]), point(2, [9.0; 3], [1.2; 3], [0.0; 3])];
         let errors: Vec<_> = errors.iter().collect();
         let maps = maps(&errors, false, &Words::default()).remove(0);

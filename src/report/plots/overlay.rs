@@ -33,7 +33,7 @@ fn picture(quantity: ErrorQuantity, errors: &[&PointError], limits: &[LimitVerdi
     let both =
         [(shares(&before), "bar-before", before_or_after(false)), (shares(&after), "bar-after", before_or_after(true))];
     let highest = largest(both.iter().flat_map(|(s, ..)| s.iter().copied()));
-    let unit = axis.shown().unit;
+    let unit = axis.display_unit().unit;
     let names = [tr!(words, "error-log", unit), tr!(words, "share-of-points")];
     let mut chart = Chart::new(words, NARROW, [axis, Axis::from_zero("", highest)], names);
     let wide = (chart.frame.right - chart.frame.left) / BINS as f64;

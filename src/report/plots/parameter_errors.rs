@@ -1,7 +1,7 @@
 //! Errors of identified parameters after a simulated calibration (thesis, fig. 4.8).
 
 use super::layer::*;
-use crate::number::Shown;
+use crate::number::DisplayUnit;
 use etalon_documents::{StudiedParameter, StudyDocument};
 
 /// Maximum number of legible names.
@@ -18,8 +18,8 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
     let largest = range(all.iter().map(|p| off(p).abs()))?.1;
     // errors of angles are about 1e-4 deg: 10⁻³ deg leaves room for the labels
     let shown = match unit {
-        "deg" if largest < 0.05 => Shown { unit: "10⁻³ deg", factor: 1000.0 },
-        _ => number::shown(unit, largest),
+        "deg" if largest < 0.05 => DisplayUnit { unit: "10⁻³ deg", factor: 1000.0 },
+        _ => number::display_unit(unit, largest),
     };
     let named = if all.len() > NAMED { &[][..] } else { &all[..] };
     let labels = named.iter().enumerate().map(|(i, p)| (i as f64, p.name.clone())).collect();

@@ -135,7 +135,7 @@ pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     // a common unit and number of decimals make all lengths comparable: two digits of the error
     // after
     let (before, after) = (before_mm(p), after_mm(p));
-    let shown = number::shown("mm", before.max(after));
+    let shown = number::display_unit("mm", before.max(after));
     let places = decimals(after * shown.factor, before * shown.factor);
     let length = |mm: f64| words.fixed(mm * shown.factor, places);
     let [x, y, z] = p.after_mm.map(length);

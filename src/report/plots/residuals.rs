@@ -17,7 +17,7 @@ pub(crate) fn pictures(errors: &[&PointError], planar: bool, words: &Words) -> V
     if largest <= 0.0 {
         return vec![];
     }
-    let up = Axis::both_ways(number::shown("mm", largest), largest);
+    let up = Axis::both_ways(number::display_unit("mm", largest), largest);
     [Some(by_poses(errors, axes, &up, words)), quantiles(errors, axes, &up, words)].into_iter().flatten().collect()
 }
 
@@ -25,7 +25,7 @@ fn by_poses(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Fi
     // each error has a mark for each axis
     let drawn = points::thin(&points::readable(errors), points::MARKS / axes, points::after_mm);
     let poses = by_pose::poses(&drawn);
-    let name = tr!(words, "measured-minus-predicted-in", unit = up.shown().unit);
+    let name = tr!(words, "measured-minus-predicted-in", unit = up.display_unit().unit);
     let mut chart = Chart::new(words, WIDE, [by_pose::across(&poses), up.clone()], [tr!(words, "pose"), name]);
     chart.level("axis", 0.0);
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(axes) {
@@ -58,7 +58,7 @@ fn quantiles(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> O
     let deviation = (all.iter().map(|r| (r.0 - mean).powi(2)).sum::<f64>() / (count - 1) as f64).sqrt();
     // plotting positions of Blom (1958)
     let quantile = |i: usize| normal.inverse_cdf((i as f64 + 0.625) / (count as f64 + 0.25));
-    let (across, shown) = (Axis::both_ways(number::shown("", 0.0), -quantile(0)), up.shown());
+    let (across, shown) = (Axis::both_ways(number::display_unit("", 0.0), -quantile(0)), up.display_unit());
     let (widest, reach) = (across.ends().1, up.ends().1);
     let names = [tr!(words, "normal-quantile"), tr!(words, "measured-minus-predicted-in", unit = shown.unit)];
     let mut chart = Chart::new(words, NARROW, [across, up.clone()], names);

@@ -214,7 +214,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_a_drawing_stay_apart_and_inside() {
+    fn names_of_a_drawing_do_not_overlap_and_are_inside() {
         let mut sketch = Sketch::new("sketch-arm", true);
         (0..12).for_each(|i| sketch.add(StrokeKind::Length, format!("length_{i}"), &[[0.0; 3], [100.0, 60.0, 0.0]]));
         let svg = &pictures(&[sketch], &Words::default())[0].svg;

@@ -22,7 +22,7 @@ pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], word
     }
     let ends = |v: &CompareValue| [v.low, v.high].into_iter().flatten().filter(|e| drawable(*e));
     let up = Axis::over(&trend.unit, range(points.iter().flat_map(|(_, value, v)| ends(v).chain([*value])))?, 0.08);
-    let name = match up.shown().unit {
+    let name = match up.display_unit().unit {
         "" => tr!(words, "ratio"),
         unit => tr!(words, "quantity-in-unit", quantity = tr!(words, "value"), unit),
     };

@@ -1,7 +1,7 @@
 //! Uncertainty budget: contribution of each source to the uncertainty of all parameters and errors
 //! (GUM 5.1.2).
 
-use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, term};
+use crate::model::{Block, Cell, Columns, Section, Table, number_cell, significant, term};
 use crate::number;
 use crate::plots::shares;
 use crate::words::{Words, names, tr};
@@ -84,7 +84,7 @@ fn part(u: Option<f64>, whole: Option<f64>, factor: f64) -> Cell {
     let whole = whole.map(|u| factor * u);
     let text = |u: f64| number::with_uncertainty(factor * u, whole);
     let is_zero = |u: f64| !text(u).contains(|c: char| ('1'..='9').contains(&c));
-    shown(u.filter(|u| !is_zero(*u)), text)
+    number_cell(u.filter(|u| !is_zero(*u)), text)
 }
 
 /// Source with the largest contribution to a parameter.
@@ -119,10 +119,10 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
             f.contributions.iter().find(|c| c.source == source).map(|c| c.standard_uncertainty_mm)
         };
         let cell = move |f: &FigureBudget| part(of(f), Some(f.standard_uncertainty_mm), 1e3);
-        columns.both(names::source(source), "mm", cell).shown_in("µm")
+        columns.both(names::source(source), "mm", cell).in_unit("µm")
     });
     let whole = |f: &FigureBudget| part(Some(f.standard_uncertainty_mm), Some(f.standard_uncertainty_mm), 1e3);
-    let columns = columns.both("u (k = 1)", "mm", whole).shown_in("µm");
+    let columns = columns.both("u (k = 1)", "mm", whole).in_unit("µm");
     Table::new(words, document.budget.iter().filter(|f| is_named(f)), columns)
         .on(phrase!("sheet-budget-of-errors"))
         .without_empty_columns()

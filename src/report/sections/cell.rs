@@ -133,7 +133,7 @@ fn positions(rows: &[Row], words: &Words) -> Table {
         columns = columns.both(axis, "mm", move |row| with_uncertainty(row.xyz_mm[k], u(row, k)));
     }
     for (k, axis) in ["U(x)", "U(y)", "U(z)"].into_iter().enumerate() {
-        columns = columns.both(axis, "mm", move |row| um(u(row, k).map(|u| COVERAGE * u))).shown_in("µm");
+        columns = columns.both(axis, "mm", move |row| um(u(row, k).map(|u| COVERAGE * u))).in_unit("µm");
     }
     Table::new(words, rows, columns).on(phrase!("sheet-cell-frames"))
 }

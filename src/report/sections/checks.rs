@@ -1,6 +1,6 @@
 //! Checks of the model by its residuals: reliability of readings, influential poses, trends.
 
-use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_yes, term};
+use crate::model::{Block, Cell, Columns, Section, Table, Text, number_cell, significant, strong_yes, term};
 use crate::number;
 use crate::plots::against::SIGNIFICANCE;
 use crate::plots::influence;
@@ -118,8 +118,8 @@ fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
     let u = |p: &RobustParameter| Some((p.difference / p.difference_over_u).abs()).filter(|u| u.is_finite());
     let columns = Columns::<RobustParameter>::new()
         .both(phrase!("parameter"), "", |p| p.name.as_str())
-        .both(phrase!("robust"), "", move |p| shown(p.value, |v| number::with_uncertainty(v, u(p))))
-        .both(phrase!("difference"), "", move |p| shown(p.difference, |v| number::with_uncertainty(v, u(p))))
+        .both(phrase!("robust"), "", move |p| number_cell(p.value, |v| number::with_uncertainty(v, u(p))))
+        .both(phrase!("difference"), "", move |p| number_cell(p.difference, |v| number::with_uncertainty(v, u(p))))
         .both(phrase!("unit"), "", |p| p.unit.as_str())
         .both(phrase!("difference-over-u"), "", |p| significant(p.difference_over_u, 2))
         .both(phrase!("differs"), "", beyond);
@@ -148,7 +148,7 @@ fn trends(all: &[ResidualTrend], words: &Words) -> Table {
         .both(phrase!("against"), "", name)
         .micrometres(phrase!("explained"), |t| t.explained_mm)
         .both("F", "", |t| significant(t.f, 3))
-        .both(phrase!("p-value"), "", |t| shown(t.p_value, number::probability))
+        .both(phrase!("p-value"), "", |t| number_cell(t.p_value, number::probability))
         .both(phrase!("trend"), "", verdict);
     Table::new(words, all, columns).on(phrase!("sheet-trends-of-residuals"))
 }

@@ -1,6 +1,6 @@
 //! Compliance of a robot under load.
 
-use crate::model::{Block, Columns, Section, Table, Text, shown};
+use crate::model::{Block, Columns, Section, Table, Text, number_cell};
 use crate::number::significant;
 use crate::words::{Words, tr};
 use etalon_base::phrase;
@@ -8,14 +8,14 @@ use etalon_documents::{Characteristics, Iso9283Compliance};
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.compliance.as_ref()?;
-    let per_newton = |mm: Option<f64>| shown(mm, |mm| significant(1e3 * mm, 3));
+    let per_newton = |mm: Option<f64>| number_cell(mm, |mm| significant(1e3 * mm, 3));
     let columns = Columns::<Iso9283Compliance>::new()
         .both(phrase!("direction"), "", |d| d.direction.as_str())
         .both(phrase!("compliance"), "mm/N", move |d| per_newton(Some(d.compliance_mm_n)))
-        .shown_in("µm/N")
+        .in_unit("µm/N")
         .both("u (k = 1)", "mm/N", move |d| per_newton(d.standard_uncertainty_mm_n))
-        .shown_in("µm/N")
-        .both(phrase!("force-up-to"), "N", |d| shown(d.force_n, |v| v.to_string()))
+        .in_unit("µm/N")
+        .both(phrase!("force-up-to"), "N", |d| number_cell(d.force_n, |v| v.to_string()))
         .micrometres(phrase!("displacement-up-to"), |d| d.largest_mm)
         .micrometres(phrase!("off-the-line"), |d| d.off_line_mm)
         .both(phrase!("readings"), "", |d| d.readings)

@@ -1,8 +1,10 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
 use super::relative;
-use crate::model::{Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, shown, significant, term, yes_no};
-use crate::number::{self, Shown};
+use crate::model::{
+    Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, number_cell, significant, term, yes_no,
+};
+use crate::number::{self, DisplayUnit};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, overlay, prediction};
 use crate::words::{Words, tr};
@@ -263,16 +265,16 @@ fn statistics(
     let lengths = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == "mm");
     let largest_mm = lengths.map(|e| e.before.max.max(e.after.max)).fold(0.0, f64::max);
     let cell = move |e: &ErrorStatistics, value: f64| {
-        let factor = number::shown(&e.unit, largest_mm).factor;
-        shown(value, |v| number::fixed(v * factor, decimals(accuracy, &e.unit, largest_mm)))
+        let factor = number::display_unit(&e.unit, largest_mm).factor;
+        number_cell(value, |v| number::fixed(v * factor, decimals(accuracy, &e.unit, largest_mm)))
     };
     let unit = move |e: &ErrorStatistics| {
-        let Shown { unit, .. } = number::shown(&e.unit, largest_mm);
+        let DisplayUnit { unit, .. } = number::display_unit(&e.unit, largest_mm);
         if unit.is_empty() { e.unit.clone() } else { unit.to_owned() }
     };
     let ratio = |e: &ErrorStatistics| {
         let ratio = e.before.rms / e.after.rms;
-        ratio.is_finite().then(|| shown(ratio, |r| number::significant(r, 2)))
+        ratio.is_finite().then(|| number_cell(ratio, |r| number::significant(r, 2)))
     };
     let columns = Columns::<ErrorStatistics>::new()
         .sheet(phrase!("set"), "", |_| called)
@@ -311,7 +313,7 @@ fn effects(all: &[EffectProof], words: &Words) -> Table {
 /// Number of decimals in `unit`: two digits of the smallest uncertainty or, if unknown, three
 /// digits of the smallest non-zero error after calibration.
 fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
-    let factor = number::shown(unit, largest_mm).factor;
+    let factor = number::display_unit(unit, largest_mm).factor;
     let errors = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == unit);
     let expanded = errors.clone().filter_map(|e| e.expanded_uncertainty).map(|u| u * factor).reduce(f64::min);
     if let Some(decimals) = expanded.and_then(|u| number::decimals(u, 2)) {
@@ -359,9 +361,9 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
         });
     }
     let largest = errors.iter().flat_map(|p| [before_mm(p), after_mm(p)]).fold(0.0, f64::max);
-    let Shown { unit, factor } = number::shown("mm", largest);
-    let length = move |v: Option<f64>| shown(v, |v| number::significant(v * factor, 3));
-    let angle = |v: Option<f64>| shown(v, |v| number::significant(v, 3));
+    let DisplayUnit { unit, factor } = number::display_unit("mm", largest);
+    let length = move |v: Option<f64>| number_cell(v, |v| number::significant(v * factor, 3));
+    let angle = |v: Option<f64>| number_cell(v, |v| number::significant(v, 3));
     let columns = Columns::<OfPose>::new()
         .sheet(phrase!("set"), "", |r| r.set.name())
         .both(phrase!("pose"), "", |r| r.pose)
@@ -369,10 +371,10 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
         .both(phrase!("errors"), "", |r| r.errors.len())
         .sheet(phrase!("position-before-mean"), "mm", |r| r.mean(before_mm))
         .both(phrase!("position-before-max"), "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
-        .shown_in(unit)
+        .in_unit(unit)
         .sheet(phrase!("position-after-mean"), "mm", |r| r.mean(after_mm))
         .both(phrase!("position-after-max"), "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
-        .shown_in(unit)
+        .in_unit(unit)
         .both(phrase!("orientation-before-max"), "deg", move |r| angle(r.largest(|p| p.before_deg)))
         .both(phrase!("orientation-after-max"), "deg", move |r| angle(r.largest(|p| p.after_deg)))
         .both(phrase!("residual-over"), "", move |r| significant(over_sigma(r), 2));
@@ -428,7 +430,7 @@ mod tests {
     }
 
     /// Rows of a set's table as shown on a page.
-    fn shown(all: Vec<ErrorStatistics>) -> Vec<Vec<String>> {
+    fn set_rows(all: Vec<ErrorStatistics>) -> Vec<Vec<String>> {
         let set = set(PoseSet::Validation, all);
         let document = AccuracyDocument {
             field: None,
@@ -462,19 +464,19 @@ mod tests {
 
     #[test]
     fn small_lengths_are_in_micrometres_with_the_digits_of_the_smallest() {
-        let small = &shown(vec![errors(ErrorQuantity::Position, 0.4, 0.008)])[0];
+        let small = &set_rows(vec![errors(ErrorQuantity::Position, 0.4, 0.008)])[0];
         let expected =
             ["position", "µm", "320.00", "400.00", "720.00", "800.00", "6.40", "8.00", "14.40", "16.00", "50"];
         assert_eq!(small[..], expected);
-        let large = &shown(vec![errors(ErrorQuantity::Position, 4.0, 0.008)])[0];
+        let large = &set_rows(vec![errors(ErrorQuantity::Position, 4.0, 0.008)])[0];
         assert_eq!((large[7].as_str(), large[1].as_str()), ("0.00800", "mm"));
-        assert_eq!(shown(vec![errors(ErrorQuantity::Position, 0.4, 0.0)])[0][10], "");
+        assert_eq!(set_rows(vec![errors(ErrorQuantity::Position, 0.4, 0.0)])[0][10], "");
     }
 
     #[test]
     fn numbers_in_one_unit_have_the_same_decimals_and_three_digits_after() {
         // a robot with a smaller error along x than in total: 0.1366 against a limit of 0.137
-        let rows = shown(vec![errors(ErrorQuantity::Position, 2.0, 0.1366), errors(ErrorQuantity::X, 1.0, 0.0747)]);
+        let rows = set_rows(vec![errors(ErrorQuantity::Position, 2.0, 0.1366), errors(ErrorQuantity::X, 1.0, 0.0747)]);
         assert_eq!((rows[0][7].as_str(), rows[1][7].as_str()), ("0.1366", "0.0747"));
         assert_eq!(rows[0][3], "2.0000");
     }

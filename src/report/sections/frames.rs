@@ -1,6 +1,6 @@
 //! World frame and features, in the coordinates of the exports.
 
-use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, shown, term};
+use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, number_cell, numbers, term};
 use crate::number::fixed as number;
 use crate::words::{Words, names, tr};
 use etalon_base::phrase;
@@ -58,12 +58,12 @@ fn elements(features: &[Feature], words: &Words) -> Table {
         .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-point", axis)), "mm", |f| &f.point_mm)
         .sheet_xyz(["x", "y", "z"].map(|axis| phrase!("axis-direction", axis)), "", |f| &f.direction)
         .both(phrase!("radius"), "mm", |f| fixed(f.radius_mm, 4))
-        .both(phrase!("distances-rms"), "mm", |f| shown(f.rms_mm, um))
-        .shown_in("µm")
-        .both(phrase!("distances-max"), "mm", |f| shown(f.max_mm, um))
-        .shown_in("µm")
-        .both("u (k = 1)", "mm", |f| shown(f.standard_uncertainty_mm, um))
-        .shown_in("µm")
+        .both(phrase!("distances-rms"), "mm", |f| number_cell(f.rms_mm, um))
+        .in_unit("µm")
+        .both(phrase!("distances-max"), "mm", |f| number_cell(f.max_mm, um))
+        .in_unit("µm")
+        .both("u (k = 1)", "mm", |f| number_cell(f.standard_uncertainty_mm, um))
+        .in_unit("µm")
         .sheet(phrase!("head-labels"), "", |f| f.labels.join(", "));
     Table::new(words, features, columns).on(phrase!("features"))
 }

@@ -1,7 +1,9 @@
 //! Judgement of given parameters: whether they still apply, and which of them should be loaded.
 
-use crate::model::{Block, Columns, Grade, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
-use crate::number::{self, Shown};
+use crate::model::{
+    Block, Columns, Grade, Section, Table, Text, Verdict, fixed, number_cell, numbers, significant, term,
+};
+use crate::number::{self, DisplayUnit};
 use crate::words::{Words, names, tr};
 use etalon_base::message::Severity;
 use etalon_base::phrase;
@@ -27,7 +29,7 @@ pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Ve
     let p = words.decimal(number::p_value(document.evidence.p_value));
     let limit = tr!(words, "changed-below", significance = number::stated(document.evidence.significance));
     let compared = [document.residuals.position_rms_mm, document.residuals.expected_position_rms_mm];
-    let Shown { unit, factor } = number::shown("mm", compared.into_iter().fold(0.0, f64::max));
+    let DisplayUnit { unit, factor } = number::display_unit("mm", compared.into_iter().fold(0.0, f64::max));
     let [rms, expected] = compared.map(|mm| number::significant(mm * factor, 3));
     let count = document.evidence.of_changes.degrees_of_freedom + document.evidence.of_rest.degrees_of_freedom;
     let mut facts = vec![
@@ -35,7 +37,7 @@ pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Ve
         (tr!(words, "position-residuals-rms"), tr!(words, "rms-expected", value = rms, expected, unit).into()),
     ];
     for found in &document.residuals.conditions {
-        let Shown { unit, factor } = number::shown(&found.unit, found.rms.max(found.expected_rms));
+        let DisplayUnit { unit, factor } = number::display_unit(&found.unit, found.rms.max(found.expected_rms));
         let [rms, expected] = [found.rms, found.expected_rms].map(|v| number::significant(v * factor, 3));
         let value = tr!(words, "rms-expected", value = rms, expected, unit);
         facts.push((tr!(words, "rms-of", quantity = words.tr(&found.quantity.phrase())), value.into()));
@@ -54,7 +56,7 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
     let percent = |p: f64| number::fixed(100.0 * p, 0);
     let title = tr!(words, "detected-with-probability", percent = percent(probability));
     let mut power = Section::new("power", title).on_terminal();
-    let unit = |l: &LeastDetectable| number::shown(&l.unit, l.value.or(l.named).unwrap_or(0.0));
+    let unit = |l: &LeastDetectable| number::display_unit(&l.unit, l.value.or(l.named).unwrap_or(0.0));
     let least = |l: &LeastDetectable, v: Option<f64>| {
         let shown = |v: f64| number::significant(v * unit(l).factor, 3);
         numbers(v.map_or_else(|| tr!(words, "not-by-these-poses"), shown))
@@ -127,7 +129,7 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
     let mut parameters = Section::new("parameters", tr!(words, "parameters-title")).on_terminal();
     let change = |p: &ParameterVerdict| {
         let u = (p.change / p.change_over_u).abs();
-        shown(p.change, |v| (if v > 0.0 { "+" } else { "" }).to_owned() + &number::with_uncertainty(v, Some(u)))
+        number_cell(p.change, |v| (if v > 0.0 { "+" } else { "" }).to_owned() + &number::with_uncertainty(v, Some(u)))
     };
     let columns = Columns::<ParameterVerdict>::new()
         .both(phrase!("name"), "", |p| p.name.as_str())

@@ -1,6 +1,6 @@
 //! Limits of the campaign with measured values and verdicts.
 
-use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_term, term};
+use crate::model::{Block, Cell, Columns, Section, Table, Text, number_cell, significant, strong_term, term};
 use crate::number;
 use crate::words::{Words, names, tr};
 use etalon_base::phrase;
@@ -28,7 +28,7 @@ pub(crate) fn section_from_verdicts(all: &[&LimitVerdict], default: bool, words:
         .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
         .both(phrase!("unit"), "", |l| l.unit.as_str())
         .both(phrase!("margin"), "", |l| significant(l.margin, 2))
-        .both(phrase!("risk"), "%", |l| shown(l.risk().map(|risk| 100.0 * risk), number::percent))
+        .both(phrase!("risk"), "%", |l| number_cell(l.risk().map(|risk| 100.0 * risk), number::percent))
         .both(phrase!("verdict"), "", |l| judged(l, words))
         .decisive()
         .sheet(phrase!("decision-rule"), "", |l| name(l.decision_rule, &Words::default()));
@@ -91,7 +91,7 @@ pub(super) fn limits<'a>(
 fn reached(l: &LimitVerdict) -> Option<String> {
     let least =
         l.expanded_uncertainty.and_then(|u| number::decimals(u, 2)).or(number::decimals(l.limit, 3)).unwrap_or(4);
-    Some(number::apart(l.value?, l.limit, least))
+    Some(number::distinct_from_limit(l.value?, l.limit, least))
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! Parameters with the significant digits of their uncertainties, covariances and correlations.
 
-use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, shown, significant, term, with_uncertainty};
+use crate::model::{
+    Block, Cell, Columns, Figure, Section, Table, Text, number_cell, significant, term, with_uncertainty,
+};
 use crate::number;
 use crate::plots::{correlation, intervals, sketch};
 use crate::words::{Words, tr};
@@ -64,7 +66,7 @@ pub(crate) fn groups<'a>(parameters: &'a [ParameterEntry], words: &Words) -> Vec
 
 fn change(p: &ParameterEntry) -> Cell {
     let sign = if p.value > p.nominal { "+" } else { "" };
-    shown(p.value - p.nominal, |v| sign.to_owned() + &number::with_uncertainty(v, p.standard_uncertainty))
+    number_cell(p.value - p.nominal, |v| sign.to_owned() + &number::with_uncertainty(v, p.standard_uncertainty))
 }
 
 /// Change as a multiple of its standard uncertainty; `None` if that is zero or unknown, or if the
@@ -92,7 +94,7 @@ fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
         .page(phrase!("change"), "", move |p| stated.then(|| change(p)))
         .page("u (k = 1)", "", |p| significant(p.standard_uncertainty, 2))
         .page("U = 2u", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
-        .page(phrase!("change-by-u"), "", |p| shown(change_over_u(p), number::ratio))
+        .page(phrase!("change-by-u"), "", |p| number_cell(change_over_u(p), number::ratio))
         .page(phrase!("tolerance"), "", |p| significant(p.tolerance, 3))
         .page(phrase!("status"), "", |p| status(p.status, words))
         .page(phrase!("confounded-with"), "", |p| confounded(p, words));

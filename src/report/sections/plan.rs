@@ -2,7 +2,7 @@
 //! them.
 
 use crate::model::{
-    Block, Cell, Columns, Grade, Section, Table, Text, Verdict, fixed, shown, significant as digits, term,
+    Block, Cell, Columns, Grade, Section, Table, Text, Verdict, fixed, number_cell, significant as digits, term,
 };
 use crate::number::{self, significant, stated};
 use crate::plots::{chosen, curve, map, parameter_errors, points};
@@ -182,16 +182,16 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         .both(phrase!("identified-minus-true"), "", |p| fixed(p.identified - p.actual, 5));
     let table = Table::new(words, &document.parameters, columns).on(phrase!("sheet-study-parameters"));
     section.table(tr!(words, "parameters-title"), "", table);
-    let um = |mm: f64| shown(mm, |mm| number::fixed(1e3 * mm, 2));
+    let um = |mm: f64| number_cell(mm, |mm| number::fixed(1e3 * mm, 2));
     let columns = Columns::<StudyStep>::new()
         .both(phrase!("positions"), "", |s| s.positions)
         .both(phrase!("configurations"), "", |s| s.configurations)
         .both(phrase!("rms-before"), "mm", |s| fixed(s.rms_before_mm, 3))
         .both(phrase!("max-before"), "mm", |s| fixed(s.max_before_mm, 3))
         .both(phrase!("rms-after"), "mm", move |s| um(s.rms_mm))
-        .shown_in("µm")
+        .in_unit("µm")
         .both(phrase!("max-after"), "mm", move |s| um(s.max_mm))
-        .shown_in("µm");
+        .in_unit("µm");
     let table = Table::new(words, &document.steps, columns).on(phrase!("sheet-study-positions"));
     section.table(tr!(words, "errors-by-number-of-positions"), "", table);
     let errors: Vec<PointError> = document.places.iter().map(|place| error(place, words)).collect();

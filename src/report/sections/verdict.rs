@@ -4,7 +4,7 @@ use super::limits::{judged, name};
 use super::page_one;
 use super::repeatability::quarter_sentence;
 use crate::model::{Grade, Headline, Verdict};
-use crate::number::{self, Shown};
+use crate::number::{self, DisplayUnit};
 use crate::words::{Words, names, tr};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
@@ -159,13 +159,13 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
     let (of, figure) = l.name.limited_error()?;
     let (e, after) = (set.error_statistics(of)?, l.value?);
     let before = figure.value_in(&e.before);
-    let Shown { unit, factor } = number::shown(&e.unit, before);
+    let DisplayUnit { unit, factor } = number::display_unit(&e.unit, before);
     let u = l.expanded_uncertainty.map(|u| u * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after * factor, 3)).unwrap_or(1);
-    let reached = number::apart(after * factor, l.limit * factor, decimals);
+    let reached = number::distinct_from_limit(after * factor, l.limit * factor, decimals);
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
     let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
-    let judged = judged(l, words).shown().plain();
+    let judged = judged(l, words).display().plain();
     let sentence = tr!(
         words,
         "limited-error",
@@ -194,7 +194,7 @@ fn margin(l: &LimitVerdict, factor: f64, unit: &str, words: &Words) -> String {
 /// Change of the largest error, with its uncertainty.
 fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
     let e = set.leading()?;
-    let Shown { unit, factor } = number::shown(&e.unit, e.before.max);
+    let DisplayUnit { unit, factor } = number::display_unit(&e.unit, e.before.max);
     let u = e.expanded_uncertainty.map(|u| u * factor);
     let (before, after) = (e.before.max * factor, e.after.max * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after, 3)).unwrap_or(1);
@@ -222,7 +222,7 @@ fn unexplained(of: &IdentifiedDocuments, words: &Words) -> Option<String> {
         None => tr!(words, "uncertainty-of-instrument"),
     };
     let numbers = position_rms(&of.accuracy).filter(|_| ratio > 0.0).map(|rms_mm| {
-        let Shown { unit, factor } = number::shown("mm", rms_mm);
+        let DisplayUnit { unit, factor } = number::display_unit("mm", rms_mm);
         let [rms, expected] = [rms_mm, rms_mm / ratio].map(|mm| number::significant(mm * factor, 3));
         tr!(words, "position-residuals-explained", rms, expected, unit)
     });
@@ -351,10 +351,10 @@ fn at_tool(tool: &ToolAccuracy, words: &Words) -> BeforeAfter {
 fn headlines(all: Vec<BeforeAfter>) -> Vec<Headline> {
     let largest = ["mm", "deg"].map(|unit| {
         let of_unit = all.iter().filter(|e| e.unit == unit).flat_map(|e| e.values);
-        number::shown(unit, of_unit.fold(0.0, f64::max))
+        number::display_unit(unit, of_unit.fold(0.0, f64::max))
     });
     let headline = |e: BeforeAfter| {
-        let Shown { unit, factor } = largest[usize::from(e.unit == "deg")];
+        let DisplayUnit { unit, factor } = largest[usize::from(e.unit == "deg")];
         let by_uncertainty = e.expanded_uncertainty.and_then(|u| number::decimals(u * factor, 2));
         let [before, after] = e.values.map(|v| match by_uncertainty {
             Some(decimals) => number::fixed(v * factor, decimals),

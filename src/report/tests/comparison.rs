@@ -133,7 +133,7 @@ fn hostile_names_do_no_harm_in_any_kind() {
 }
 
 #[test]
-fn many_campaigns_and_numbers_that_are_none_are_shown() {
+fn many_campaigns_and_numbers_that_are_none_are_written() {
     let mut document = demo();
     let campaign = document.campaigns[0].clone();
     document.campaigns.extend((0..12).map(|_| campaign.clone()));

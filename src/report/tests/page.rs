@@ -67,7 +67,7 @@ fn parameters_that_take_up_what_the_model_leaves_out_are_named_beside_their_tabl
 }
 
 #[test]
-fn the_page_needs_no_network_and_runs_no_script_but_its_own() {
+fn the_page_needs_no_network_and_runs_one_script_only() {
     let page = page(&Documents::demo());
     for text in ["http:", "https:", "src=", "url(", "@import", "<link", "xmlns", "javascript"] {
         assert!(!page.contains(text), "{text}");
@@ -202,7 +202,7 @@ fn no_text_leaves_its_place() {
 }
 
 #[test]
-fn long_and_right_to_left_names_are_kept_apart() {
+fn long_and_right_to_left_names_are_isolated() {
     let long = "n".repeat(200);
     assert!(page(&with_text(&long)).contains(&format!("<h1><bdi>{long}</bdi></h1>")));
     let hebrew = "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8}";
@@ -348,7 +348,7 @@ fn a_page_speaks_one_language_and_marks_what_is_english() {
 }
 
 #[test]
-fn a_laboratory_puts_its_own_template_and_logo_in_place() {
+fn a_laboratory_puts_its_template_and_logo_in_place() {
     let mut documents = Documents::demo();
     let report = &mut documents.campaign.report;
     report.logo = Some("data:image/png;base64,iVBORw==".to_owned());

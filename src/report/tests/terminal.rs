@@ -6,7 +6,7 @@ use super::{demo_iso9283, demo_streams};
 use crate::*;
 use etalon_documents::{Conformity, Iso9283Pose, Language};
 
-fn shown(documents: &Documents) -> String {
+fn terminal(documents: &Documents) -> String {
     Renderer::campaign(&documents.results()).unwrap().terminal()
 }
 
@@ -20,7 +20,7 @@ fn everything() -> Documents {
 
 #[test]
 fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
-    let shown = shown(&everything());
+    let shown = terminal(&everything());
     let parts = [
         "(limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance (ISO 14253-1).\n",
         "\n\nNext steps\n1. ",
@@ -51,7 +51,7 @@ fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
 fn missing_limits_come_first() {
     let mut documents = Documents::demo();
     documents.accuracy.limits.clear();
-    let shown = shown(&documents);
+    let shown = terminal(&documents);
     let at = |part: &str| shown.find(part).unwrap_or_else(|| panic!("{part}: {shown}"));
     assert!(at("No limits are stated: no verdict is possible.") < at("Largest "), "{shown}");
     assert!(
@@ -63,13 +63,13 @@ fn missing_limits_come_first() {
     (cause.severity, cause.rank) = (etalon_base::message::Severity::Error, etalon_base::message::Rank::Decide);
     cause.id = "tolerance-exceeded".into();
     documents.parameters.messages.push(cause);
-    let shown = self::shown(&documents);
+    let shown = self::terminal(&documents);
     assert!(!shown.contains("No limits are stated"), "{shown}");
     assert!(shown.contains("\n2. State the tolerance of the application in [limits]."), "{shown}");
 }
 
 #[test]
-fn the_exit_code_follows_the_verdict_that_is_shown() {
+fn the_exit_code_follows_the_printed_verdict() {
     let mut documents = everything();
     let conform = |p: &mut Iso9283Pose| p.ap_conformity = p.rp_conformity;
     documents.tested.poses.as_mut().unwrap().poses.iter_mut().for_each(conform);
@@ -96,12 +96,12 @@ fn the_exit_code_follows_the_verdict_that_is_shown() {
 fn a_report_speaks_its_language_on_the_terminal() {
     let mut documents = everything();
     documents.campaign.report.language = Language::De;
-    assert!(shown(&documents).contains("\nGrenzwerte\n"), "{}", shown(&documents));
+    assert!(terminal(&documents).contains("\nGrenzwerte\n"), "{}", terminal(&documents));
 }
 
 #[test]
 fn no_name_moves_the_cursor() {
-    let shown = shown(&with_text("a\u{1b}[2J\u{2068}\r\u{7}"));
+    let shown = terminal(&with_text("a\u{1b}[2J\u{2068}\r\u{7}"));
     assert!(shown.contains("a\u{fffd}[2J") && !shown.contains(|c: char| c.is_control() && c != '\n'));
     assert!(!shown.contains('\u{2068}'));
 }

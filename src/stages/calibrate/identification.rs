@@ -119,6 +119,7 @@ pub fn identify_chosen(
 /// return, and its messages go to one place, which orders them.
 fn identify_selected(data: CampaignData, robot: &dyn Robot, selected: Selected) -> Result<Identified> {
     let Selected { basis, targets, division, messages: selection } = selected;
+    // from observations to a solution
     let Proven { basis, proofs } = prove_effects(robot, data.stated, basis)?;
     let solution = Solution::new(robot, basis)?;
     let (solution, outliers) = exclude_outliers(robot, data.stated.outliers, solution)?;
@@ -128,19 +129,20 @@ fn identify_selected(data: CampaignData, robot: &dyn Robot, selected: Selected) 
     let all = targets.with_readings(&solution.basis.sets);
     let located =
         LocatedSolution { data, robot, solution: &solution, targets: &targets, locations: &locations, all: &all };
+    // from the solution to errors, verdicts and predictions
     let validation_only = locations.message(robot, &solution.basis.sets)?;
     let Judgement { errors, plausibility } = located.judge();
     let bound = located.exceeded_bound()?;
     let evaluation = located.evaluate(errors, proofs)?;
     let observations = [selection, outliers, logs.observations].concat();
     let observations = observations.into_iter().chain(commanded).chain(validation_only).collect();
-    let (logs, of_evaluation) = (logs.correlations, evaluation.messages.clone());
-    let mut findings =
-        Findings { bound, plausibility, observations, logs, evaluation: of_evaluation, ..Findings::default() };
+    let mut findings = Findings { bound, plausibility, observations, logs: logs.correlations, ..Findings::default() };
+    findings.evaluation.clone_from(&evaluation.messages);
     let prediction = located.predict(&evaluation.accuracy, findings.has_error(&solution.found.warnings))?;
     findings.field = prediction.field.iter().flat_map(|field| field.messages.clone()).collect();
     let controls = located.control()?;
     findings.robust.clone_from(&controls.robust_message);
+    // from all of them to documents
     let warnings = findings.ordered(&solution.found.warnings);
     let documents = documents(located, evaluation, prediction, controls, &warnings);
     let Solution { basis: Basis { sets, settings, systematic }, before, found } = solution;

@@ -1,6 +1,7 @@
 //! Parameters of an earlier identification against new observations.
 
 pub mod earlier_parameters;
+pub mod expected_deviation;
 pub mod predicted;
 pub mod validation;
 pub mod verification;

@@ -9,8 +9,9 @@ use crate::stages::evaluate::sets::Sets;
 use crate::stages::judge::set_up::check_set_up;
 use crate::stages::remedies::remedied;
 use crate::stages::verify::earlier_parameters::{
-    ExpectedDeviation, PoseErrors, other_nominal, parameters_from_document, robot_values, worse_than_nominal,
+    PoseErrors, other_nominal, parameters_from_document, robot_values, worse_than_nominal,
 };
+use crate::stages::verify::expected_deviation::ExpectedDeviation;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result, Severity};
 use etalon_base::pose::norm;

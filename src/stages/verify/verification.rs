@@ -5,8 +5,9 @@ use crate::stages::observe::repeats::stale;
 use crate::stages::remedies::remedied;
 use crate::stages::uncertainty::bounds::significant;
 use crate::stages::verify::earlier_parameters::{
-    ExpectedDeviation, PoseErrors, other_nominal, parameters_from_document, worse_than_nominal,
+    PoseErrors, other_nominal, parameters_from_document, worse_than_nominal,
 };
+use crate::stages::verify::expected_deviation::ExpectedDeviation;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, minus, norm};
