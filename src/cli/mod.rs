@@ -332,3 +332,14 @@ fn shell_word(path: &Path) -> String {
         false => format!("'{}'", text.replace('\'', "'\\''")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn every_option_has_one_meaning_in_its_command() {
+        Arguments::command().debug_assert();
+    }
+}

@@ -153,7 +153,7 @@ fn programs_move_to_the_poses_of_the_table_in_the_order_of_the_plan() {
     std::fs::write(folder.path().join("robot.toml"), arm("")).unwrap();
     for (file, name) in [("m.mod", "rapid"), ("m.src", "krl"), ("m.script", "urscript"), ("m.txt", "krl")] {
         let options = ["--poses", "poses.csv", "--program", file, "--dwell", "4.5"];
-        let stated = if file == "m.txt" { &["--language", "krl"][..] } else { &[] };
+        let stated = if file == "m.txt" { &["--program-language", "krl"][..] } else { &[] };
         let found = all_of(folder.path(), "24", &[&SIGHT[..], &options, stated].concat());
         let program = std::fs::read_to_string(folder.path().join(file)).unwrap();
         let order = found.choice.order.as_ref().unwrap();

@@ -21,7 +21,7 @@ pub(super) struct Program {
     program: Option<PathBuf>,
     /// Language of the program, if not by its ending.
     #[arg(long, value_name = "LANGUAGE", requires = "program", value_parser = clap::builder::PossibleValuesParser::new(names()))]
-    language: Option<String>,
+    program_language: Option<String>,
     /// Waiting time at each pose in seconds.
     #[arg(long, value_name = "SECONDS", default_value_t = 3.0)]
     dwell: f64,
@@ -106,7 +106,7 @@ impl Program {
     fn measuring_language(&self, path: &Path) -> Result<(&'static str, &'static dyn MeasuringLanguage)> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         let unknown = || error!("measuring-language-unknown", file = path.display().to_string()).into();
-        language(self.language.as_deref(), ending).ok_or_else(unknown)
+        language(self.program_language.as_deref(), ending).ok_or_else(unknown)
     }
 }
 

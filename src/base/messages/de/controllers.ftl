@@ -201,7 +201,7 @@ controller-template-failed = die Vorlage lässt sich nicht füllen: { $reason }
     .hint = diese Zeile korrigieren
 
 measuring-language-unknown = die Sprache von { $file } ist unbekannt
-    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) oder .ngc (G-code), oder `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) oder .ngc (G-code), oder `--program-language`
 
 measuring-joints-unsuited = ein Programm in { $language } bewegt sechs Drehachsen{ $external ->
         [0] { "" }

@@ -403,7 +403,7 @@ controller-template-failed = the template cannot be filled: { $reason }
 # Do: Use an ending of the language, or state it.
 # Example: `--program measure.txt`
 measuring-language-unknown = the language of { $file } is unknown
-    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) or .ngc (G-code), or `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) or .ngc (G-code), or `--program-language`
 
 # Means: The language moves arms with six revolute axes, perhaps on prismatic external axes; this robot has other joints.
 # Matters: It is unknown which axis of the controller a joint is.

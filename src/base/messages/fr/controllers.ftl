@@ -201,7 +201,7 @@ controller-template-failed = le gabarit ne peut pas être rempli : { $reason }
     .hint = corriger cette ligne
 
 measuring-language-unknown = le langage de { $file } est inconnu
-    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) ou .ngc (G-code), ou `--language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) ou .ngc (G-code), ou `--program-language`
 
 measuring-joints-unsuited = un programme en { $language } déplace six axes rotoïdes{ $external ->
         [0] { "" }
