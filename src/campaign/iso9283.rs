@@ -46,8 +46,7 @@ impl RepeatabilityDefinition {
 
 /// A test of poses from tables, in its own frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(transform = etalon_tables::schema::accept_topic)]
+#[schemars(deny_unknown_fields, transform = etalon_tables::schema::accept_topic)]
 pub struct PosesDefinition {
     /// Table of attained poses:
     /// `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]`.

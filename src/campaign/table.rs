@@ -11,8 +11,7 @@ use toml::Spanned;
 
 /// A table with the form of its text; all tables state it by these keys.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(transform = etalon_tables::schema::accept_topic)]
+#[schemars(deny_unknown_fields, transform = etalon_tables::schema::accept_topic)]
 pub struct TableKeys {
     /// File of the table, or several files whose rows follow each other.
     pub file: TableFiles,

@@ -238,8 +238,7 @@ pub struct Homing {
 
 /// A table of observations: measured quantities and joint values, row by row.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(transform = etalon_tables::schema::accept_topic)]
+#[schemars(deny_unknown_fields, transform = etalon_tables::schema::accept_topic)]
 pub struct ObservationsDefinition {
     /// File of the table: delimited text with a header, or a workbook (.xlsx).
     #[schemars(with = "String")]

@@ -174,8 +174,28 @@ impl<'t> Sheet<'t> {
     /// # Errors
     /// A cell that is not a number, or a result that is not finite, at its place.
     pub fn number(&self, row: &Row, from: &Expression, name: &str) -> result::Result<Option<f64>, Message> {
+        self.evaluate(row, from, name, &|at| number(self.form, row.field(at)))
+    }
+
+    /// Number that a column or an expression has in a row in which every cell was measured.
+    ///
+    /// # Errors
+    /// As [`Self::number`], also of a cell that means "not measured".
+    pub fn measured(&self, row: &Row, from: &Expression, name: &str) -> result::Result<f64, Message> {
+        let number = |at: usize| marked(row.field(at), self.form.decimal(), self.form.thousands).map(Some);
+        self.evaluate(row, from, name, &number).map(|value| value.unwrap_or(f64::NAN))
+    }
+
+    /// Value of an expression whose cells are read by `cell`.
+    fn evaluate(
+        &self,
+        row: &Row,
+        from: &Expression,
+        name: &str,
+        cell: &dyn Fn(usize) -> result::Result<Option<f64>, Message>,
+    ) -> result::Result<Option<f64>, Message> {
         let at = from.column().unwrap_or(usize::MAX);
-        match from.value(&|at| number(self.form, row.field(at))) {
+        match from.value(cell) {
             Ok(Some(value)) if !value.is_finite() => {
                 Err(error!("computed-not-finite", column = name, value).at(self.cell(row, at)))
             }

@@ -176,12 +176,12 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, from: &Expression, problems:
     for row in &sheet.rows {
         let value = match from {
             Expression::Column(at) if nanoseconds => {
-                seconds(row.field(*at)).map(Some).map_err(|message| message.at(sheet.cell(row, *at)))
+                seconds(row.field(*at)).map_err(|message| message.at(sheet.cell(row, *at)))
             }
-            _ => sheet.number(row, from, wanted.key.get_ref()),
+            _ => sheet.measured(row, from, wanted.key.get_ref()),
         };
         match value {
-            Ok(value) => read.push(value.unwrap_or(f64::NAN)),
+            Ok(value) => read.push(value),
             Err(message) if message.hint.is_some() => problems.0.push(message),
             Err(message) => problems.0.push(message.hint(phrase!("log-row-needs-values"))),
         }
