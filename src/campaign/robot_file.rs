@@ -469,7 +469,7 @@ impl RobotFile {
 
     /// Builds the robot with the tilt of its base and without that of its first joint across the
     /// axis, or the other way round, and these targets; `None` if the model has no such keys.
-    pub fn build_first_tilt(&self, (first, of_base): (&str, bool), targets: &[String]) -> Option<Box<dyn Robot>> {
+    pub fn build_first_tilt(&self, first: &str, of_base: bool, targets: &[String]) -> Option<Box<dyn Robot>> {
         const KEYS: [&str; 2] = ["lateral", "pedestal"];
         let (model, _) = self.description.as_ref()?;
         if !KEYS.iter().all(|key| model.keys().iter().any(|known| known.name == *key)) {

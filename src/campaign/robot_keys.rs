@@ -23,7 +23,7 @@ pub(super) fn spellings(key: &Key) -> Vec<String> {
 /// Paths of all keys; keys of a table are preceded by its name.
 pub(super) fn paths(keys: &[Key]) -> Vec<Vec<String>> {
     let of = |key: &Key| match &key.shape {
-        Shape::Table(own) => own.iter().flat_map(spellings).map(|own| vec![key.name.to_owned(), own]).collect(),
+        Shape::Table(keys) => keys.iter().flat_map(spellings).map(|inner| vec![key.name.to_owned(), inner]).collect(),
         _ => spellings(key).into_iter().map(|key| vec![key]).collect::<Vec<_>>(),
     };
     keys.iter().flat_map(of).collect()
@@ -34,7 +34,7 @@ pub(super) fn paths(keys: &[Key]) -> Vec<Vec<String>> {
 pub(super) fn essential(keys: &[Key]) -> Vec<String> {
     let of = |key: &Key| {
         let mut all = if key.essential { spellings(key) } else { Vec::new() };
-        all.extend(essential(own_keys(key)));
+        all.extend(essential(table_keys(key)));
         all
     };
     keys.iter().flat_map(of).collect()
@@ -42,12 +42,12 @@ pub(super) fn essential(keys: &[Key]) -> Vec<String> {
 
 /// Key with this name, at the top or in a table.
 pub(super) fn named<'k>(keys: &'k [Key], name: &str) -> Option<&'k Key> {
-    keys.iter().find_map(|key| if key.name == name { Some(key) } else { named(own_keys(key), name) })
+    keys.iter().find_map(|key| if key.name == name { Some(key) } else { named(table_keys(key), name) })
 }
 
 /// Keys of a table, or of a list of tables.
-fn own_keys(key: &Key) -> &[Key] {
-    if let Shape::Table(own) | Shape::Tables(_, own) = &key.shape { own } else { &[] }
+fn table_keys(key: &Key) -> &[Key] {
+    if let Shape::Table(keys) | Shape::Tables(_, keys) = &key.shape { keys } else { &[] }
 }
 
 /// A joint, by number or name.

@@ -42,12 +42,12 @@ impl UnreadKeys {
 
     /// `true` if an entry at, above or below these keys could not be read.
     pub fn affects(&self, path: &[&str]) -> bool {
-        self.0.iter().any(|keys| meet(keys, path))
+        self.0.iter().any(|keys| paths_overlap(keys, path))
     }
 
     /// Like [`Self::affects`], except for keys with the name `key`.
     pub fn affects_except(&self, path: &[&str], key: &str) -> bool {
-        self.0.iter().any(|keys| meet(keys, path) && keys.last().is_none_or(|last| last != key))
+        self.0.iter().any(|keys| paths_overlap(keys, path) && keys.last().is_none_or(|last| last != key))
     }
 
     /// `true` if an entry of this name, or an element of it, could not be read in any table.
@@ -63,7 +63,7 @@ impl UnreadKeys {
 }
 
 /// `true` if one path is the beginning of the other.
-fn meet(keys: &[String], path: &[&str]) -> bool {
+fn paths_overlap(keys: &[String], path: &[&str]) -> bool {
     keys.iter().zip(path).all(|(a, b)| a == b)
 }
 
@@ -473,7 +473,7 @@ fn remove_at(table: &mut DeTable, path: &[String]) {
         [key, rest @ ..] => match (table.get_mut(key.as_str()).map(Spanned::get_mut), rest) {
             (Some(DeValue::Table(table)), _) => remove_at(table, rest),
             (Some(DeValue::Array(array)), [i, rest @ ..]) => {
-                let element = i.parse::<usize>().ok().and_then(|i| array.iter_mut().nth(i));
+                let element = i.parse::<usize>().ok().and_then(|i| array.get_mut(i));
                 if let Some(DeValue::Table(table)) = element.map(Spanned::get_mut) {
                     remove_at(table, rest);
                 }

@@ -305,7 +305,8 @@ impl AxisTable {
         let summary = folder.and_then(|folder| folder.json::<CampaignSummary>("campaign.json").ok());
         let names = summary.map(|summary| {
             let robot = summary.robot.map(|robot| format!("robot: {robot}"));
-            let synthetic = summary.synthetic.map(|why| format!("SYNTHETIC DATA, not of a measured robot: {why}"));
+            let synthetic =
+                summary.measurements.synthetic.map(|why| format!("SYNTHETIC DATA, not of a measured robot: {why}"));
             [synthetic, Some(format!("campaign: {}", summary.name)), robot]
         });
         names.into_iter().flatten().flatten()

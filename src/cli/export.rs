@@ -1,7 +1,7 @@
 //! Command `etalon export`.
 
 use super::{Verdict, lines, print_after_writing, progress, remark, validity};
-use crate::run::controller_formats::own_format;
+use crate::run::controller_formats::template_format;
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::validation::{Recommended, identify_recommended};
 use crate::stages::verify::earlier_parameters::{check_described, check_geometry, other_nominal, unknown_geometry};
@@ -126,7 +126,7 @@ fn exporters<'a>(names: &[String], own: &'a [TemplateFormat]) -> Result<Vec<&'a 
 fn template(path: &Path, run: Option<&Documents>, to: &Path) -> Result<TemplateFormat, Problems> {
     let named = path.display().to_string();
     let (text, _) = etalon_formats::read_text(path, None, &Place::file(&*named))?;
-    let format = own_format(&named, text, Place::file(&*named))?;
+    let format = template_format(&named, text, Place::file(&*named))?;
     let file = format.file_name();
     let written = to.join(file);
     let taken = match run {

@@ -9,9 +9,18 @@ use etalon_tables::{Cells, ColumnSource, Constant, Form, Header, Missing, TableL
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Options of every table and text: marks, header, columns, missing cells, rows.
+/// Options of every table and text.
 #[derive(Debug, clap::Args)]
 pub(super) struct TextForm {
+    #[command(flatten)]
+    cells: CellForm,
+    #[command(flatten)]
+    rows: RowForm,
+}
+
+/// Options for the cells of a table: marks and encoding of a text, or a sheet.
+#[derive(Debug, clap::Args)]
+struct CellForm {
     /// Delimiter of the columns: comma, semicolon, tab, bar or blank.
     #[arg(long)]
     delimiter: Option<String>,
@@ -30,6 +39,11 @@ pub(super) struct TextForm {
     /// Sheet of a workbook (.xlsx), or topic of a recording (MCAP), that contains the table.
     #[arg(long, visible_alias = "topic", value_name = "NAME", conflicts_with_all = ["delimiter", "encoding"])]
     sheet: Option<String>,
+}
+
+/// Options for the rows and columns of a table: header, names, missing cells, and rows to read.
+#[derive(Debug, clap::Args)]
+struct RowForm {
     /// Rows before the data: a number, or words of the last one, which names the columns.
     #[arg(long, value_name = "ROWS")]
     header: Option<String>,
@@ -62,37 +76,27 @@ pub(super) struct TextForm {
 impl TextForm {
     /// Stated form.
     fn form(&self) -> Result<Form, Problems> {
+        let Self { cells, rows } = self;
         Ok(Form {
-            delimiter: stated("--delimiter", self.delimiter.as_deref())?,
-            widths: self.widths.clone(),
-            decimal: stated("--decimal", self.decimal.as_deref())?,
-            thousands: stated("--thousands", self.thousands.as_deref())?,
-            encoding: stated("--encoding", self.encoding.as_deref())?,
-            sheet: self.sheet.clone(),
-            header: self.header(),
-            comment: self.comment.clone(),
-            end: self.end.clone(),
-            missing: self.missing.clone().map(missing).transpose()?.unwrap_or_default(),
-            only: filter("only", &self.only)?,
-            without: filter("without", &self.without)?,
+            delimiter: stated("--delimiter", cells.delimiter.as_deref())?,
+            widths: cells.widths.clone(),
+            decimal: stated("--decimal", cells.decimal.as_deref())?,
+            thousands: stated("--thousands", cells.thousands.as_deref())?,
+            encoding: stated("--encoding", cells.encoding.as_deref())?,
+            sheet: cells.sheet.clone(),
+            header: rows.header(),
+            comment: rows.comment.clone(),
+            end: rows.end.clone(),
+            missing: rows.missing.clone().map(missing).transpose()?.unwrap_or_default(),
+            only: filter("only", &rows.only)?,
+            without: filter("without", &rows.without)?,
         })
-    }
-
-    /// Stated header, if any.
-    fn header(&self) -> Option<Header> {
-        let stated = self.header.as_deref().map(|text| match text.trim().parse() {
-            Ok(rows) => Header::Rows(rows),
-            Err(_) => Header::Words(vec![text.to_owned()]),
-        });
-        stated.or_else(|| self.no_header.then_some(Header::Rows(0)))
     }
 
     /// Sources of the columns by name.
     fn columns(&self) -> Result<BTreeMap<String, ColumnSource>, Problems> {
-        self.named
-            .iter()
-            .map(|text| named("column", text).map(|(name, source)| (name, parse_column_source(source))))
-            .collect()
+        let all = self.rows.named.iter();
+        all.map(|text| named("column", text).map(|(name, source)| (name, parse_column_source(source)))).collect()
     }
 
     /// Sources of the columns of one of several tables: of several headings for one column, the
@@ -103,7 +107,7 @@ impl TextForm {
         reading: &TableReading,
     ) -> Result<BTreeMap<String, ColumnSource>, Problems> {
         let mut all: BTreeMap<String, Vec<ColumnSource>> = BTreeMap::new();
-        for text in &self.named {
+        for text in &self.rows.named {
             let (name, source) = named("column", text)?;
             all.entry(name).or_default().push(parse_column_source(source));
         }
@@ -148,6 +152,17 @@ impl TextForm {
     }
 }
 
+impl RowForm {
+    /// Stated header, if any.
+    fn header(&self) -> Option<Header> {
+        let stated = self.header.as_deref().map(|text| match text.trim().parse() {
+            Ok(rows) => Header::Rows(rows),
+            Err(_) => Header::Words(vec![text.to_owned()]),
+        });
+        stated.or_else(|| self.no_header.then_some(Header::Rows(0)))
+    }
+}
+
 /// Unit and columns of a text of points.
 #[derive(Debug, clap::Args)]
 pub(super) struct TextFormat {
@@ -169,18 +184,18 @@ impl TextFormat {
 
     /// `true` if a form of text is stated.
     pub fn stated(&self) -> bool {
-        let TextForm { delimiter, widths, decimal, sheet, named, .. } = &self.form;
+        let CellForm { delimiter, widths, decimal, sheet, .. } = &self.form.cells;
         self.in_order()
             || delimiter.is_some()
             || !widths.is_empty()
             || decimal.is_some()
             || sheet.is_some()
-            || !named.is_empty()
+            || !self.form.rows.named.is_empty()
     }
 
     /// `true` if the text of a file depends on an encoding or a sheet.
     pub fn is_of_plain_text(&self) -> bool {
-        self.form.encoding.is_none() && self.form.sheet.is_none()
+        self.form.cells.encoding.is_none() && self.form.cells.sheet.is_none()
     }
 
     /// Stated unit, if any.
@@ -205,10 +220,10 @@ impl TextFormat {
         }
         let form = &self.form;
         let roles = self.columns.iter().map(|c| word::<ColumnRole>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
-        let columns = match (roles.is_empty(), form.named.is_empty()) {
+        let columns = match (roles.is_empty(), form.rows.named.is_empty()) {
             (false, false) => return Err(error!("option-columns-twice").into()),
             (_, true) => roles.into(),
-            (true, false) => Columns::Named(form.named.iter().map(|text| role(text)).collect::<Result<_, _>>()?),
+            (true, false) => Columns::Named(form.rows.named.iter().map(|text| role(text)).collect::<Result<_, _>>()?),
         };
         let by_heading = matches!(&columns, Columns::Named(named) if named.iter().any(|(_, at)| is_heading(at)));
         let mut form = form.form()?;
@@ -223,7 +238,7 @@ impl TextFormat {
         match self.is_of_plain_text() {
             true => etalon_formats::text_in(path, format),
             false => {
-                let encoding = stated("--encoding", self.form.encoding.as_deref())?;
+                let encoding = stated("--encoding", self.form.cells.encoding.as_deref())?;
                 etalon_formats::file_text(path, &etalon_formats::read_bytes(path)?, encoding, format)
             }
         }

@@ -69,7 +69,7 @@ pub struct Verify {
     orientation: Option<String>,
     /// Campaign whose `[observations]` state how the table is read, in place of the options of
     /// tables.
-    #[arg(long, value_name = "CAMPAIGN", conflicts_with_all = ["TextForm", "constants", "coverage_factor", "target", "pose", "orientation"])]
+    #[arg(long, value_name = "CAMPAIGN", conflicts_with_all = ["CellForm", "RowForm", "constants", "coverage_factor", "target", "pose", "orientation"])]
     like: Option<PathBuf>,
     #[command(flatten)]
     bound: BoundOption,

@@ -139,7 +139,7 @@ fn disorder(all: &[Compared]) -> Option<Message> {
         let parts: Vec<&str> = d.split('-').collect();
         matches!(parts[..], [y, m, d] if figures(y, 4) && figures(m, 2) && figures(d, 2))
     };
-    let date = |c: &Compared| c.campaign.date.clone().filter(stated);
+    let date = |c: &Compared| c.campaign.measurements.date.clone().filter(stated);
     let falls = |pair: &&[Compared]| matches!((date(&pair[0]), date(&pair[1])), (Some(a), Some(b)) if a > b);
     let pair = all.windows(2).find(falls)?;
     Some(warning!("campaigns-out-of-order", first = pair[0].folder, second = pair[1].folder))
@@ -160,13 +160,13 @@ fn campaign(c: &Compared) -> ComparedCampaign {
         folder: c.folder.clone(),
         name: summary.name.clone(),
         robot: summary.robot.clone(),
-        date: summary.date.clone(),
+        date: summary.measurements.date.clone(),
         conditions: summary.conditions.clone(),
         identified: c.identified.iter().flat_map(|i| i.0.identified().map(|p| p.name.clone())).collect(),
-        instrument: summary.instrument.clone(),
-        expanded_uncertainty_um: summary.expanded_uncertainty_um,
-        coverage_factor: summary.coverage_factor,
-        synthetic: summary.synthetic.clone(),
+        instrument: summary.instrument.name.clone(),
+        expanded_uncertainty_um: summary.instrument.expanded_uncertainty_um,
+        coverage_factor: summary.instrument.coverage_factor,
+        synthetic: summary.measurements.synthetic.clone(),
         uncertainties_from: c.identified.as_ref().map(|i| i.0.residuals.uncertainties_from),
         degrees_of_freedom: c.identified.as_ref().map(|i| parameters::degrees(&i.0)).filter(|d| d.is_finite()),
     }
@@ -206,7 +206,7 @@ fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<
 
 /// Effect of a shared instrument, or of different instruments, on changes.
 fn shared_instrument(all: &[Compared]) -> Phrase {
-    let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.as_deref()).collect();
+    let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.name.as_deref()).collect();
     match (names.len(), names.first()) {
         (1, Some(Some(name))) => phrase!("convention-shared-instrument", instrument = one_line(name)),
         _ => phrase!("convention-different-instruments"),

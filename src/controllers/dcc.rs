@@ -10,7 +10,7 @@ use etalon_base::country::Country;
 use etalon_base::date::date;
 use etalon_base::error;
 use etalon_base::message::Result;
-use etalon_documents::{CampaignSummary, Conditions, Issue, ParameterEntry};
+use etalon_documents::{CampaignSummary, Conditions, Issue, ParameterEntry, TestedRobot};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 /// XML with parameters and their covariance.
@@ -66,7 +66,7 @@ impl<'a> Stated<'a> {
     fn new(given: &'a ExportInput<'a>) -> Result<Self> {
         let summary = given.summary;
         let dates: Vec<String> = summary
-            .and_then(|summary| summary.date.as_deref())
+            .and_then(|summary| summary.measurements.date.as_deref())
             .into_iter()
             .flat_map(str::split_whitespace)
             .filter(|word| word.len() == 10 && date(word).is_some())
@@ -89,11 +89,11 @@ impl<'a> Stated<'a> {
     }
 
     fn robot(&self) -> &str {
-        self.conditions.robot.as_deref().unwrap_or(self.given.robot_name())
+        self.conditions.robot.description.as_deref().unwrap_or(self.given.robot_name())
     }
 
     fn core_data(&self) -> Element {
-        let (Conditions { robot_received, place, .. }, issue) = (&self.conditions, self.issue());
+        let (Conditions { robot, place, .. }, issue) = (&self.conditions, self.issue());
         let number =
             issue.number.as_ref().map(|number| identification("calibrationLaboratory", number, "Report number"));
         // the laboratory is the default place
@@ -104,7 +104,7 @@ impl<'a> Stated<'a> {
             Some(leaf("dcc:mandatoryLangCodeISO639_1", "en")),
             Some(leaf("dcc:uniqueIdentifier", &self.identifier)),
             number.map(|number| element("dcc:identifications", [number])),
-            robot_received.as_deref().and_then(day).map(|day| leaf("dcc:receiptDate", day)),
+            robot.received.as_deref().and_then(day).map(|day| leaf("dcc:receiptDate", day)),
             Some(leaf("dcc:beginPerformanceDate", &self.begin)),
             Some(leaf("dcc:endPerformanceDate", &self.end)),
             Some(leaf("dcc:performanceLocation", laboratory.map_or("other", |_| "laboratory"))),
@@ -114,20 +114,20 @@ impl<'a> Stated<'a> {
     }
 
     fn administration(&self) -> Element {
-        let Conditions { robot_maker, robot_type, robot_serial_number, .. } = &self.conditions;
+        let TestedRobot { maker, model, serial_number, .. } = &self.conditions.robot;
         let issue = self.issue();
         let software = [
             text("dcc:name", "etalon"),
             leaf("dcc:release", &self.given.parameters.provenance.version),
             leaf("dcc:type", "application"),
         ];
-        let serial_number = robot_serial_number.iter().map(|n| identification("manufacturer", n, "Serial number"));
+        let serial_number = serial_number.iter().map(|n| identification("manufacturer", n, "Serial number"));
         let named = identification("other", self.robot(), "Robot as the campaign names it");
         let identifications = serial_number.chain([named]);
         let item = [
             Some(text("dcc:name", self.robot())),
-            robot_maker.as_ref().map(|maker| element("dcc:manufacturer", [text("dcc:name", maker)])),
-            robot_type.as_ref().map(|model| leaf("dcc:model", model)),
+            maker.as_ref().map(|maker| element("dcc:manufacturer", [text("dcc:name", maker)])),
+            model.as_ref().map(|model| leaf("dcc:model", model)),
             Some(element("dcc:identifications", identifications)),
         ];
         let item = item.into_iter().flatten();
@@ -136,7 +136,7 @@ impl<'a> Stated<'a> {
             let person = element("dcc:person", [text("dcc:name", who)]);
             element("dcc:respPerson", [person, leaf("dcc:role", role)])
         };
-        let operator = person(self.summary(|s| s.operator.as_ref()), "operator");
+        let operator = person(self.summary(|s| s.measurements.operator.as_ref()), "operator");
         let authorised = issue.authorised_by.iter().map(|who| person(who, "authorises the report"));
         element(
             "dcc:administrativeData",
@@ -160,10 +160,10 @@ impl<'a> Stated<'a> {
             ("country (ZZ)", issue.country.is_none()),
             ("customer", issue.customer.is_none()),
             ("laboratory", self.conditions.laboratory.is_none()),
-            ("responsible person", self.summary(|s| s.operator.as_ref()) == NOT_STATED),
-            ("instrument", self.summary(|s| s.instrument.as_ref()) == NOT_STATED),
+            ("responsible person", self.summary(|s| s.measurements.operator.as_ref()) == NOT_STATED),
+            ("instrument", self.summary(|s| s.instrument.name.as_ref()) == NOT_STATED),
             ("calibration of the instrument", self.conditions.instrument_calibration.is_none()),
-            ("temperature", self.given.summary.is_none_or(|s| s.temperature_c.is_none())),
+            ("temperature", self.given.summary.is_none_or(|s| s.temperature.stated_c.is_none())),
         ];
         let missing: Vec<&str> = missing.iter().filter(|(_, missing)| *missing).map(|(what, _)| *what).collect();
         let mut all = vec![
@@ -176,13 +176,16 @@ impl<'a> Stated<'a> {
             ("Amends", &issue.amends),
             ("Results of external providers", &issue.external_results),
             ("Metrological traceability", &conditions.traceability),
-            ("State of the robot", &conditions.robot_state),
+            ("State of the robot", &conditions.robot.state),
             ("Environment", &conditions.environment),
         ];
         all.extend(stated.into_iter().filter_map(|(name, what)| Some(statement(name, what.as_ref()?))));
         all.extend(self.given.warning().map(|warning| statement("Failed checks", &warning)));
         all.extend(
-            self.given.summary.and_then(|s| s.synthetic.as_deref()).map(|what| statement("Synthetic data", what)),
+            self.given
+                .summary
+                .and_then(|s| s.measurements.synthetic.as_deref())
+                .map(|what| statement("Synthetic data", what)),
         );
         all
     }
@@ -216,7 +219,7 @@ fn results(given: &ExportInput, stated: &Stated) -> Element {
     let equipment = element(
         "dcc:measuringEquipment",
         [
-            text("dcc:name", stated.summary(|s| s.instrument.as_ref())),
+            text("dcc:name", stated.summary(|s| s.instrument.name.as_ref())),
             text("dcc:description", stated.conditions.instrument_calibration.as_deref().unwrap_or(NOT_STATED)),
         ],
     );
@@ -225,7 +228,7 @@ fn results(given: &ExportInput, stated: &Stated) -> Element {
         element("dcc:usedMethods", [method]),
         element("dcc:measuringEquipments", [equipment]),
     ];
-    parts.extend(given.summary.and_then(|s| s.temperature_c).map(|temperature| {
+    parts.extend(given.summary.and_then(|s| s.temperature.stated_c).map(|temperature| {
         let real =
             element("si:real", [leaf("si:value", format!("{temperature:?}")), leaf("si:unit", r"\degreecelsius")]);
         let data = element("dcc:data", [element("dcc:quantity", [real])]);

@@ -265,7 +265,7 @@ impl<'a> ExportInput<'a> {
 
     /// Statement that the parameters are those of synthetic data; `None` for measured data.
     pub fn synthetic(&self) -> Option<String> {
-        let of_campaign = || self.summary.and_then(|summary| summary.synthetic.as_ref());
+        let of_campaign = || self.summary.and_then(|summary| summary.measurements.synthetic.as_ref());
         let why = self.parameters.synthetic.as_ref().or_else(of_campaign)?;
         Some(synthetic_notice(why))
     }

@@ -191,7 +191,9 @@ fn results(given: &ExportInput) -> Element {
     let traceability = [
         laboratory.map(|name| element("InspectingOrganization", [leaf("Name", name)])),
         number.map(|number| leaf("ReportNumber", number)),
-        stated.and_then(|s| s.operator.as_ref()).map(|name| element("InspectionOperator", [leaf("Name", name)])),
+        stated
+            .and_then(|s| s.measurements.operator.as_ref())
+            .map(|name| element("InspectionOperator", [leaf("Name", name)])),
         place.map(|place| element("PlantLocation", [leaf("LocationDescription", place)]).with("id", PLACE)),
     ];
     let results = [

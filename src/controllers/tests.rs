@@ -391,7 +391,7 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
         let mut synthetic = whole.clone();
         synthetic.synthetic = Some("made with seed 7".to_owned());
         let mut simulated = summary.clone();
-        simulated.synthetic.clone_from(&synthetic.synthetic);
+        simulated.measurements.synthetic.clone_from(&synthetic.synthetic);
         let by_campaign = ExportInput { summary: Some(&simulated), ..given(&whole, false) };
         for (given, is_synthetic) in
             [(given(&whole, false), false), (given(&synthetic, false), true), (by_campaign, true)]

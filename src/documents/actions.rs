@@ -252,7 +252,7 @@ impl Evidence<'_> {
         let names: Vec<&str> = alike.iter().map(|(f, _)| f.file.as_str()).collect();
         let others = names[1..].join(", ");
         let (count, file) = (names.len() - 1, first.file.as_str());
-        let what = match self.campaign.synthetic.is_some() {
+        let what = match self.campaign.measurements.synthetic.is_some() {
             true => phrase!("action-load-synthetic", file, count, others),
             false if of_controllers => phrase!("action-load", file, count, others),
             false => phrase!("action-load-or-compensate", file, count, others),
@@ -361,7 +361,10 @@ impl Evidence<'_> {
         let enough = (limit.limit - value).abs();
         let what = phrase!("action-reduce-uncertainty", limit = limit.name.phrase());
         let (present, required) = (in_unit(u, limit), in_unit(enough, limit));
-        let source = limit.name.limited_error().and_then(|of| largest_source(self.judged.accuracy?, of));
+        let source = limit
+            .name
+            .limited_error()
+            .and_then(|(quantity, figure)| largest_source(self.judged.accuracy?, quantity, figure));
         let reason = match source {
             Some((source, share)) => phrase!(
                 "action-reduce-uncertainty-by-source",
@@ -423,7 +426,8 @@ fn add_effect(proof: &EffectProof) -> Action {
 /// Source with the largest share of the variance of a figure.
 fn largest_source(
     accuracy: &AccuracyDocument,
-    (quantity, figure): (crate::ErrorQuantity, Figure),
+    quantity: crate::ErrorQuantity,
+    figure: Figure,
 ) -> Option<(UncertaintySource, f64)> {
     let budget = accuracy.budget.iter().find(|b| b.quantity == quantity && b.figure == figure)?;
     let square = |u: f64| u * u;

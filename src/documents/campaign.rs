@@ -17,33 +17,20 @@ pub struct CampaignSummary {
     /// Name of the robot, if its file states one.
     #[serde(default)]
     pub robot: Option<String>,
-    /// Explanation of synthetic data; absent for measured data.
-    pub synthetic: Option<String>,
-    /// Remarks.
-    pub notes: Option<String>,
-    /// Date as stated.
-    pub date: Option<String>,
-    /// Operator as stated.
-    pub operator: Option<String>,
+    /// Statements about the measurements.
+    #[serde(flatten)]
+    pub measurements: MeasurementSummary,
     /// Measuring instrument.
-    pub instrument: Option<String>,
-    /// Expanded uncertainty of one coordinate.
-    pub expanded_uncertainty_um: Option<f64>,
-    /// Coverage factor of `expanded_uncertainty_um`.
-    pub coverage_factor: Option<f64>,
-    /// Expanded uncertainty of a position, if stated.
-    #[serde(default)]
-    pub expanded_position_uncertainty_um: Option<f64>,
+    #[serde(flatten)]
+    pub instrument: InstrumentSummary,
     /// Decision rule for limits, as stated.
     #[serde(default)]
     pub decision_rule: Option<DecisionRule>,
     /// Repeatability of the robot in returning to a measured point, if stated.
     pub contact: Option<ContactSummary>,
-    /// Temperature during the campaign.
-    pub temperature_c: Option<f64>,
-    /// Lowest and highest temperature (°C) that rows of the exports state.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub temperature_range_c: Option<[f64; 2]>,
+    /// Temperature during the measurements.
+    #[serde(flatten)]
+    pub temperature: TemperatureSummary,
     /// Conditions of a test.
     #[serde(default)]
     pub conditions: Conditions,
@@ -59,6 +46,45 @@ pub struct CampaignSummary {
     /// Presentation of the report.
     #[serde(default)]
     pub report: Presentation,
+}
+
+/// Statements about the measurements of a campaign.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MeasurementSummary {
+    /// Explanation of synthetic data; absent for measured data.
+    pub synthetic: Option<String>,
+    /// Remarks.
+    pub notes: Option<String>,
+    /// Date as stated.
+    pub date: Option<String>,
+    /// Operator as stated.
+    pub operator: Option<String>,
+}
+
+/// Measuring instrument of a campaign.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct InstrumentSummary {
+    /// Measuring instrument.
+    #[serde(rename = "instrument")]
+    pub name: Option<String>,
+    /// Expanded uncertainty of one coordinate.
+    pub expanded_uncertainty_um: Option<f64>,
+    /// Coverage factor of `expanded_uncertainty_um`.
+    pub coverage_factor: Option<f64>,
+    /// Expanded uncertainty of a position, if stated.
+    #[serde(default)]
+    pub expanded_position_uncertainty_um: Option<f64>,
+}
+
+/// Temperature during the measurements of a campaign.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TemperatureSummary {
+    /// Temperature during the campaign.
+    #[serde(rename = "temperature_c")]
+    pub stated_c: Option<f64>,
+    /// Lowest and highest temperature (°C) that rows of the exports state.
+    #[serde(rename = "temperature_range_c", default, skip_serializing_if = "Option::is_none")]
+    pub range_c: Option<[f64; 2]>,
 }
 
 /// Campaign to which an answer refers.
@@ -79,8 +105,9 @@ pub struct CampaignReference {
 
 impl From<CampaignSummary> for CampaignReference {
     fn from(summary: CampaignSummary) -> Self {
-        let CampaignSummary { name, robot, date, instrument, synthetic, .. } = summary;
-        Self { name, robot, date, instrument, synthetic }
+        let CampaignSummary { name, robot, measurements, instrument, .. } = summary;
+        let MeasurementSummary { date, synthetic, .. } = measurements;
+        Self { name, robot, date, instrument: instrument.name, synthetic }
     }
 }
 
@@ -124,32 +151,14 @@ pub struct Conditions {
     pub laboratory: Option<String>,
     /// Place of the measurements, if outside the laboratory.
     pub place: Option<String>,
-    /// Description of the robot.
-    pub robot: Option<String>,
-    /// Manufacturer of the robot.
-    pub robot_maker: Option<String>,
-    /// Type of the robot.
-    pub robot_type: Option<String>,
-    /// Serial number of the robot.
-    pub robot_serial_number: Option<String>,
-    /// Date on which the robot was received for the test.
-    pub robot_received: Option<String>,
-    /// State of the robot: repaired, adjusted, as found.
-    pub robot_state: Option<String>,
-    /// Make, type and software version of the controller.
-    pub controller: Option<String>,
-    /// Mounting of the robot.
-    pub mounting: Option<String>,
+    /// Robot under test.
+    #[serde(flatten)]
+    pub robot: TestedRobot,
     /// Measured point of the robot or tool.
     pub measurement_point: Option<String>,
-    /// Mass of the load at the mechanical interface.
-    pub load_kg: Option<f64>,
-    /// Centre of mass of the load, relative to the mechanical interface.
-    pub load_centre_mm: Option<Vector>,
-    /// Velocities of the test (% of the rated velocity).
-    pub velocities_percent: Option<Vec<f64>>,
-    /// Path velocities of the test.
-    pub velocities_mm_s: Option<Vec<f64>>,
+    /// Load and velocities.
+    #[serde(flatten)]
+    pub motion: TestMotion,
     /// Room, air, vibrations, electromagnetic fields.
     pub environment: Option<String>,
     /// Relative humidity.
@@ -165,17 +174,60 @@ pub struct Conditions {
     pub deviations: Option<Vec<String>>,
 }
 
+/// Robot under test.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct TestedRobot {
+    /// Description of the robot.
+    #[serde(rename = "robot")]
+    pub description: Option<String>,
+    /// Manufacturer of the robot.
+    #[serde(rename = "robot_maker")]
+    pub maker: Option<String>,
+    /// Type of the robot.
+    #[serde(rename = "robot_type")]
+    pub model: Option<String>,
+    /// Serial number of the robot.
+    #[serde(rename = "robot_serial_number")]
+    pub serial_number: Option<String>,
+    /// Date on which the robot was received for the test.
+    #[serde(rename = "robot_received")]
+    pub received: Option<String>,
+    /// State of the robot: repaired, adjusted, as found.
+    #[serde(rename = "robot_state")]
+    pub state: Option<String>,
+    /// Make, type and software version of the controller.
+    pub controller: Option<String>,
+    /// Mounting of the robot.
+    pub mounting: Option<String>,
+}
+
+/// Load and velocities of a test.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct TestMotion {
+    /// Mass of the load at the mechanical interface.
+    pub load_kg: Option<f64>,
+    /// Centre of mass of the load, relative to the mechanical interface.
+    pub load_centre_mm: Option<Vector>,
+    /// Velocities of the test (% of the rated velocity).
+    pub velocities_percent: Option<Vec<f64>>,
+    /// Path velocities of the test.
+    pub velocities_mm_s: Option<Vec<f64>>,
+}
+
 impl Conditions {
     /// Keys and values of the numbers that must be positive.
     pub fn positive(&self) -> Vec<(&'static str, f64)> {
-        let lists = [("velocities_percent", &self.velocities_percent), ("velocities_mm_s", &self.velocities_mm_s)];
+        let TestMotion { velocities_percent, velocities_mm_s, .. } = &self.motion;
+        let lists = [("velocities_percent", velocities_percent), ("velocities_mm_s", velocities_mm_s)];
         let listed = lists.into_iter().flat_map(|(key, list)| list.iter().flatten().map(move |v| (key, *v)));
         listed.chain(self.humidity_percent.map(|v| ("humidity_percent", v))).collect()
     }
 
     /// Keys and values of the numbers that must not be negative.
     pub fn not_negative(&self) -> Vec<(&'static str, f64)> {
-        let stated = [("load_kg", self.load_kg), ("warm_up_minutes", self.warm_up_minutes)];
+        let stated = [("load_kg", self.motion.load_kg), ("warm_up_minutes", self.warm_up_minutes)];
         stated.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
     }
 }

@@ -72,6 +72,7 @@ pub fn parameters_document(
         },
         confounded_with: confounded[i].iter().map(name).collect(),
     });
+    let positions_alone = settings.kind == etalon_identify::ResidualKind::Targets && settings.conditions.is_empty();
     let n = found.free.len();
     let factor = |k: usize| robot.parameters()[found.free[k]].quantity.outward(1.0);
     let written: Vec<usize> = (0..n).filter(|&k| !found.identifiability.eliminated.contains(&found.free[k])).collect();
@@ -96,9 +97,7 @@ pub fn parameters_document(
             count: found.residuals.degrees_of_freedom + n,
             rms: found.residuals.rms,
             position: PositionResiduals {
-                position_rms_mm: (settings.kind == etalon_identify::ResidualKind::Targets
-                    && settings.conditions.is_empty())
-                .then(|| (robot.dimension() as f64).sqrt() * found.residuals.rms),
+                position_rms_mm: positions_alone.then(|| (robot.dimension() as f64).sqrt() * found.residuals.rms),
                 ..PositionResiduals::default()
             },
             max: found.residuals.max,

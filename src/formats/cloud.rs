@@ -82,7 +82,7 @@ fn read<T: Send>(path: &Path, format: &Format, unit: Unit, made: impl Fn(Part) -
     let Some(plain) = format.plain(&start) else { return Ok(None) };
     let part = |bytes: &mut Vec<u8>, k: u64| {
         read_block(path, k * BLOCK, bytes)?;
-        let part = plain.part(bytes, [k * BLOCK, size], unit, false);
+        let part = plain.part(Block { bytes, start: k * BLOCK, size, located: false }, unit);
         Ok(part.map(|part| (part.angles, made(part))))
     };
     let parts: std::io::Result<Vec<Option<(bool, T)>>> =
@@ -114,7 +114,7 @@ fn points(text: &SharedText, plain: Plain, unit: Unit) -> Option<Vec<Point>> {
     let part = |k: u64| -> Option<(u32, bool, Vec<Point>)> {
         let from = first_byte(k * BLOCK) as usize;
         let block = &bytes[from..bytes.len().min(from + BLOCK as usize + LONGEST_LINE + 1)];
-        let part = plain.part(block, [k * BLOCK, size], unit, true)?;
+        let part = plain.part(Block { bytes: block, start: k * BLOCK, size, located: true }, unit)?;
         let labels: Vec<SharedText> = part.labels.split_terminator('\n').map(SharedText::from).collect();
         let none = SharedText::default();
         let point = |(i, [line, start, end]): (usize, &[u32; 3])| Point {
@@ -185,6 +185,19 @@ fn first_byte(start: u64) -> u64 {
     start.saturating_sub(1)
 }
 
+/// A block of a file of points.
+#[derive(Clone, Copy)]
+struct Block<'a> {
+    /// Bytes from [`first_byte`] on, with the rest of the last line.
+    bytes: &'a [u8],
+    /// Position of the block in the file.
+    start: u64,
+    /// Size of the file (bytes).
+    size: u64,
+    /// `true` if the place of each line is wanted.
+    located: bool,
+}
+
 /// Reads into `bytes` the block from `start` with the rest of its last line.
 fn read_block(path: &Path, start: u64, bytes: &mut Vec<u8>) -> std::io::Result<()> {
     bytes.clear();
@@ -199,9 +212,8 @@ fn read_block(path: &Path, start: u64, bytes: &mut Vec<u8>) -> std::io::Result<(
 #[cfg(target_arch = "x86_64")]
 struct WideBlock<'a> {
     machine: pulp::x86::V3,
-    bytes: &'a [u8],
-    place: [u64; 2],
-    how: (Unit, bool),
+    block: Block<'a>,
+    unit: Unit,
     layout: Plain,
 }
 
@@ -212,24 +224,22 @@ impl pulp::NullaryFnOnce for WideBlock<'_> {
     #[inline(always)]
     fn call(self) -> Option<Part> {
         self.layout.part_with(
-            self.bytes,
-            self.place,
-            self.how,
+            self.block,
+            self.unit,
             #[inline(always)]
-            |at| super::wide::row(self.machine, self.bytes, at, self.layout),
+            |at| super::wide::row(self.machine, self.block.bytes, at, self.layout),
         )
     }
 }
 
 impl Plain {
-    /// Points of the lines that begin in the block from `start` of a file of `size` bytes; `None`
-    /// if one of them is not plain.
-    fn part(self, bytes: &[u8], place: [u64; 2], unit: Unit, located: bool) -> Option<Part> {
+    /// Points of the lines that begin in the block; `None` if one of them is not plain.
+    fn part(self, block: Block, unit: Unit) -> Option<Part> {
         #[cfg(target_arch = "x86_64")]
         if let Some(machine) = pulp::x86::V3::try_new() {
-            return machine.vectorize(WideBlock { machine, bytes, place, how: (unit, located), layout: self });
+            return machine.vectorize(WideBlock { machine, block, unit, layout: self });
         }
-        self.part_with(bytes, place, (unit, located), |_| None)
+        self.part_with(block, unit, |_| None)
     }
 
     /// A row that the scanner reads; `None` for any other line.
@@ -245,11 +255,11 @@ impl Plain {
     #[inline(always)]
     fn part_with<'a>(
         self,
-        bytes: &'a [u8],
-        [start, size]: [u64; 2],
-        (unit, located): (Unit, bool),
+        block: Block<'a>,
+        unit: Unit,
         quick: impl Fn(usize) -> Option<PlainRow<'a>>,
     ) -> Option<Part> {
+        let Block { bytes, start, size, located } = block;
         let (from, in_mm) = (first_byte(start), unit.in_mm());
         let last = from + bytes.len() as u64 == size;
         let mut at = match start {

@@ -202,7 +202,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn labels_are_taken_apart() {
+    fn labels_are_split_into_names() {
         let pattern = Pattern::parse("{target}_{pose}_{cycle}").unwrap();
         let named = |t: &str, p, c| {
             Some(LabelNames { target: Some(t.to_owned()), pose: PoseName::new(p).ok(), cycle: Some(c) })

@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_count_and_are_given_back_whole() {
+    fn lines_are_counted_and_returned_whole() {
         let text = "1 2 3\r\n".repeat(500_000);
         assert_eq!(bounded(text.as_bytes(), "f").unwrap(), text.as_bytes());
         let long = text.clone() + &"x".repeat(LONGEST_LINE + 1) + "\n1 2 3\n";

@@ -82,7 +82,7 @@ impl Stated {
 
 impl Point {
     /// Point of a line (from 1) with a label; `xyz` is in `unit`.
-    pub(crate) fn from_line((line, text): (usize, Line), label: SharedText, xyz: Vector, unit: Unit) -> Self {
+    pub(crate) fn from_line(line: usize, text: Line, label: SharedText, xyz: Vector, unit: Unit) -> Self {
         Self { line: line as u32, text, label, xyz_mm: xyz.map(|v| v * unit.in_mm()), ..Self::default() }
     }
 

@@ -197,7 +197,7 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
         let added = |name: &&str| ["line", "cycle"].contains(name);
         let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| !added(name));
         let names: Vec<&str> = names.collect();
-        let foreign: Vec<&str> = names.iter().copied().filter(|name| !is_own(name)).collect();
+        let foreign: Vec<&str> = names.iter().copied().filter(|name| !is_native_column(name)).collect();
         let message = error!("column-unknown", column = name);
         // a pose or a label is not the column that is missing
         let others: Vec<&str> = names.iter().copied().filter(|name| !OF_ROWS.contains(name)).collect();
@@ -223,7 +223,7 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
 /// `true` if a column of another heading may be the one that is missing: numbers for a quantity,
 /// and a heading with the letter of the coordinate.
 fn may_be(table: &DataFrame, name: &str, heading: &str) -> bool {
-    let Some((stem, _)) = name.rsplit_once('_').filter(|_| is_own(name)) else { return true };
+    let Some((stem, _)) = name.rsplit_once('_').filter(|_| is_native_column(name)) else { return true };
     let letter = stem.rsplit('_').next().filter(|last| ["x", "y", "z"].contains(last));
     // columns beside texts are texts as well
     let holds_numbers = |texts: &StringChunked| {
@@ -239,7 +239,7 @@ pub const OF_ROWS: [&str; 9] = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approac
 
 /// `true` if tables of etalon have a column of this name; columns of other programs have other
 /// names.
-fn is_own(name: &str) -> bool {
+fn is_native_column(name: &str) -> bool {
     let unit = ["_mm", "_m", "_um", "_inch", "_deg", "_rad", "_ms", "_ns", "_mm2", "_direction"];
     [&OF_ROWS[..], &["force_n"], &TEXTS, &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
         || unit.iter().any(|unit| name.ends_with(unit))

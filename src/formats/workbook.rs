@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_stand_in_their_lines_with_all_their_digits() {
+    fn cells_keep_their_lines_and_all_their_digits() {
         let head = word("B3", "X\n[mm]") + &word("D3", "a \"b\"");
         let data = word("A5", "P 1")
             + "<c r=\"B5\"><v>0.30000000000000004</v></c><c r=\"C5\"><v>-1234567.5</v></c>\

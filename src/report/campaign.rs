@@ -13,8 +13,8 @@ pub(super) fn contents(results: &Results, words: &Words) -> Contents {
     Contents {
         title: campaign.name.clone(),
         subtitle: subtitle(results, words),
-        synthetic: campaign.synthetic.iter().cloned().collect(),
-        dates: Dates { date: campaign.date.clone(), issued: campaign.issue.issued.clone(), built: None },
+        synthetic: campaign.measurements.synthetic.iter().cloned().collect(),
+        dates: Dates { date: campaign.measurements.date.clone(), issued: campaign.issue.issued.clone(), built: None },
         draft: sections::checklist::mark(results, words),
         version: results.provenance().version,
         verdict: sections::verdict::verdict(results, words),

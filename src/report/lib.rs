@@ -240,7 +240,7 @@ impl Renderer {
 
     /// Creates the report on whether given parameters still apply.
     pub fn verification(document: &VerificationDocument, presentation: Presentation) -> Result<Self> {
-        use sections::given::{still_valid, verification};
+        use sections::validity::{still_valid, verification};
         let words = Words::new(presentation.language);
         let contents = Contents {
             title: tr!(words, "verification-of-identified-parameters"),
@@ -257,7 +257,7 @@ impl Renderer {
 
     /// Creates the report of poses that verify parameters.
     pub fn verification_plan(document: &VerificationPlanDocument, presentation: Presentation) -> Result<Self> {
-        use sections::given::{chosen, poses_to_verify};
+        use sections::validity::{chosen, poses_to_verify};
         let words = Words::new(presentation.language);
         let contents = Contents {
             title: tr!(words, "poses-to-verify-identified-parameters"),
@@ -273,7 +273,7 @@ impl Renderer {
 
     /// Creates the report of recommended parameters.
     pub fn recommendation(document: &RecommendationDocument, presentation: Presentation) -> Result<Self> {
-        use sections::given::{recommendation, recommended};
+        use sections::validity::{recommendation, recommended};
         let words = Words::new(presentation.language);
         let contents = Contents {
             title: tr!(words, "recommendation-title"),

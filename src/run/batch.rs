@@ -83,7 +83,7 @@ pub fn batch<W: Write + Send>(
         written.add(&table(&found)?)?;
         for (entry, rows) in found {
             campaigns.push(entry);
-            figures.add(shown(&rows));
+            figures.add(page_figures(&rows));
         }
     }
     written.finish()?;
@@ -149,11 +149,11 @@ fn describe(entry: &mut BatchEntry, results: &Results) {
     let campaign = &results.campaign;
     let parameters = results.identified.as_ref().map(|i| &i.parameters);
     entry.ended = if results.verdict.passes() { BatchEnd::Done } else { BatchEnd::NotMet };
-    (entry.name, entry.date) = (campaign.name.clone(), campaign.date.clone());
+    (entry.name, entry.date) = (campaign.name.clone(), campaign.measurements.date.clone());
     entry.valid_until = campaign.valid_until.clone();
     entry.robot = campaign.robot.clone().or_else(|| parameters.map(|p| p.robot.clone()));
     let given = &campaign.conditions;
-    let stated = given.robot_type.as_ref().map(|kind| match &given.robot_maker {
+    let stated = given.robot.model.as_ref().map(|kind| match &given.robot.maker {
         Some(maker) => format!("{maker} {kind}"),
         None => kind.clone(),
     });
@@ -263,7 +263,7 @@ fn rows(results: &Results) -> Vec<Row> {
 }
 
 /// Results that the page shows: errors after calibration, largest AP and RP, and parameters.
-fn shown(rows: &[Row]) -> impl Iterator<Item = (BatchQuantity, f64, Option<f64>)> {
+fn page_figures(rows: &[Row]) -> impl Iterator<Item = (BatchQuantity, f64, Option<f64>)> {
     let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
     let errors = of("error").filter(|row| row.item.phrase().is_some()).chain(of("parameter"));
     let quantity = |name: Worded, unit: &str| BatchQuantity { name, unit: unit.to_owned() };

@@ -19,7 +19,7 @@ pub struct ControllerFormats {
 
 enum Format {
     Known(&'static dyn Exporter),
-    Own(TemplateFormat),
+    Template(TemplateFormat),
 }
 
 /// `true` if an entry of `controllers` is the file of a template.
@@ -40,7 +40,7 @@ impl ControllerFormats {
             if is_template(name.get_ref()) {
                 let Some((format, source)) = problems.keep(template(campaign, name)) else { continue };
                 found.sources.push(source);
-                found.formats.push(Format::Own(format));
+                found.formats.push(Format::Template(format));
             } else if let Some(format) = known(name.get_ref()) {
                 found.formats.push(format);
             } else {
@@ -60,7 +60,7 @@ impl Format {
     fn named(&self) -> (&str, &dyn Exporter) {
         match self {
             Self::Known(exporter) => (exporter.name(), *exporter),
-            Self::Own(own) => (own.name(), own),
+            Self::Template(format) => (format.name(), format),
         }
     }
 }
@@ -70,7 +70,7 @@ impl Format {
 /// # Errors
 ///
 /// Rejects an invalid template, and the name of a document of a run.
-pub fn own_format(path: &str, text: String, place: Place) -> Result<TemplateFormat> {
+pub fn template_format(path: &str, text: String, place: Place) -> Result<TemplateFormat> {
     let format = TemplateFormat::new(path, text)?;
     match is_file_of_run(format.file_name()) {
         true => Err(error!("template-name-reserved", file = format.file_name()).at(place).into()),
@@ -86,7 +86,7 @@ pub fn own_format(path: &str, text: String, place: Place) -> Result<TemplateForm
 fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(TemplateFormat, Source)> {
     let path = campaign.resolve(name)?;
     let (text, bytes) = etalon_formats::read_text(&path, None, &campaign.place(name))?;
-    let format = own_format(name.get_ref(), text, campaign.place(name))?;
+    let format = template_format(name.get_ref(), text, campaign.place(name))?;
     let (stamp, holds) = (Stamp::new(&bytes), phrase!("controller-template"));
     let source = Source {
         file: name.get_ref().clone(),

@@ -38,7 +38,7 @@ impl Output {
     }
 
     /// Adds a file whose name no template of a campaign may use.
-    pub(super) fn own(&mut self, name: &str, bytes: Vec<u8>) {
+    pub(super) fn add_reserved(&mut self, name: &str, bytes: Vec<u8>) {
         debug_assert!(documents::is_file_of_run(name), "{name} is missing in the files of a run");
         self.bytes(name, bytes);
     }
@@ -56,7 +56,7 @@ impl Output {
     /// Adds a document.
     pub fn json<T: Serialize>(&mut self, name: &str, document: &T) -> Result<()> {
         let bytes = to_json(document)?;
-        self.own(name, bytes);
+        self.add_reserved(name, bytes);
         Ok(())
     }
 
@@ -68,13 +68,13 @@ impl Output {
     /// Adds a table as Parquet.
     pub fn table(&mut self, stem: &str, table: &mut DataFrame) -> Result<()> {
         let bytes = table::to_parquet(table)?;
-        self.own(&format!("{stem}.parquet"), bytes);
+        self.add_reserved(&format!("{stem}.parquet"), bytes);
         Ok(())
     }
 
     /// Adds the tables of points and joint values; the points are given up.
     pub fn gathered(&mut self, campaign: &Campaign, gathered: &mut Gathered) -> Result<()> {
-        self.own("points.parquet", etalon_formats::to_parquet(std::mem::take(&mut gathered.points))?);
+        self.add_reserved("points.parquet", etalon_formats::to_parquet(std::mem::take(&mut gathered.points))?);
         for log in &gathered.logs {
             self.table(&Self::numbered("joints", &log.name, campaign), &mut log.table()?)?;
         }
@@ -88,14 +88,14 @@ impl Output {
             let mut table = observations.into_table()?;
             self.table(&stem, &mut table)?;
             let bytes = table::to_csv(&table)?;
-            self.own(&format!("{stem}.csv"), bytes);
+            self.add_reserved(&format!("{stem}.csv"), bytes);
         }
         Ok(())
     }
 
     /// Adds the files of a report.
     pub fn reports(&mut self, files: Vec<etalon_report::File>) {
-        files.into_iter().for_each(|(name, bytes)| self.own(name, bytes));
+        files.into_iter().for_each(|(name, bytes)| self.add_reserved(name, bytes));
     }
 
     /// `stem`, or `stem-name` if the campaign has several logs and this is not the first.

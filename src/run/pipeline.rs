@@ -86,8 +86,8 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     };
     gathered.document.sources.append(&mut formats.sources);
     // formats that leave parameters out hold what is identified without them
-    let temperature_range_c = gather::temperature_range(&gathered.points);
-    let summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };
+    let mut summary = summary(campaign, presentation);
+    summary.temperature.range_c = gather::temperature_range(&gathered.points);
     let again = |found| identified_again(campaign, robot.as_ref(), found, &summary, &formats.all());
     let controllers = identified.as_ref().and_then(again);
     let (identified, solution) = identified.map(|found| (found.documents, found.solution)).unzip();
@@ -124,18 +124,20 @@ pub(super) fn identified_again(
     summary: &CampaignSummary,
     formats: &[(&str, &dyn Exporter)],
 ) -> Option<ControllersDocument> {
-    let given = given(campaign, robot, &found.documents, summary);
+    let input = export_input(campaign, robot, &found.documents, summary);
     let is_plausible = found.documents.parameters.is_plausible();
-    is_plausible.then(|| controller_files::identify_again(&given, robot, &found.solution, formats)).flatten()
+    is_plausible.then(|| controller_files::identify_again(&input, robot, &found.solution, formats)).flatten()
 }
 
 /// Controller files that are not refused.
 fn written(campaign: &Campaign, robot: &dyn Robot, results: &Results, formats: &ControllerFormats) -> Vec<WrittenFile> {
     let Some(found) = results.plausible() else { return Vec::new() };
-    let given =
-        ExportInput { controllers: results.controllers.as_ref(), ..given(campaign, robot, found, &results.campaign) };
+    let input = ExportInput {
+        controllers: results.controllers.as_ref(),
+        ..export_input(campaign, robot, found, &results.campaign)
+    };
     let is_written = |(name, exporter): &(&str, &dyn Exporter)| {
-        given.statement(*exporter).is_ok_and(|statement| statement.refusal(name).is_none())
+        input.statement(*exporter).is_ok_and(|statement| statement.refusal(name).is_none())
     };
     let file = |(name, exporter): (&str, &dyn Exporter)| WrittenFile {
         format: name.to_owned(),
@@ -184,24 +186,24 @@ fn write_controller_files(
     let targets = observations.map(targets).transpose()?;
     let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
     let sha256 = out.sha256(PARAMETERS).map(str::to_owned);
-    let given = ExportInput {
+    let input = ExportInput {
         controllers: results.controllers.as_ref(),
         parameters_sha256: sha256.as_deref(),
-        ..given(campaign, robot.as_ref(), found, &results.campaign)
+        ..export_input(campaign, robot.as_ref(), found, &results.campaign)
     };
     for (name, exporter) in formats.all() {
         // refused files are among the messages
-        let Ok(statement) = given.statement(exporter) else { continue };
+        let Ok(statement) = input.statement(exporter) else { continue };
         if statement.refusal(name).is_none() {
-            given.check()?;
-            out.bytes(exporter.file_name(), exporter.write_stated(&given, &statement)?);
+            input.check()?;
+            out.bytes(exporter.file_name(), exporter.write_stated(&input, &statement)?);
         }
     }
     Ok(())
 }
 
 /// Input of controller files before parameters are identified again for them.
-fn given<'a>(
+fn export_input<'a>(
     campaign: &'a Campaign,
     robot: &'a dyn Robot,
     found: &'a IdentifiedDocuments,

@@ -35,7 +35,7 @@ fn write_identified(found: &IdentifiedDocuments, out: &mut Output) -> Result<()>
     if let Some(field) = &found.field {
         out.json(FieldDocument::NAME, field)?;
         for (name, bytes) in etalon_controllers::field_code(field)? {
-            out.own(name, bytes);
+            out.add_reserved(name, bytes);
         }
     }
     out.table("residuals", &mut error_table::to_table(&found.errors, &found.accuracy.joints)?)?;

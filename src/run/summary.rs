@@ -1,7 +1,9 @@
 //! The campaign as its report states it.
 
 use etalon_campaign::{Campaign, ReportDefinition};
-use etalon_documents::{CampaignSummary, ContactSummary, Issue, Presentation};
+use etalon_documents::{
+    CampaignSummary, ContactSummary, InstrumentSummary, Issue, MeasurementSummary, Presentation, TemperatureSummary,
+};
 
 /// The campaign as its report states it, before its files are read.
 pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
@@ -9,20 +11,23 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
     CampaignSummary {
         name: file.name.clone(),
         robot: campaign.robot.name.clone(),
-        synthetic: file.synthetic.clone(),
-        notes: file.notes.clone(),
-        date: file.date.clone(),
-        operator: file.operator.clone(),
-        instrument: Some(file.instrument.name.clone()),
-        expanded_uncertainty_um: Some(file.instrument.expanded_uncertainty_um),
-        coverage_factor: Some(file.instrument.coverage_factor),
-        expanded_position_uncertainty_um: file.instrument.expanded_position_uncertainty_um,
+        measurements: MeasurementSummary {
+            synthetic: file.synthetic.clone(),
+            notes: file.notes.clone(),
+            date: file.date.clone(),
+            operator: file.operator.clone(),
+        },
+        instrument: InstrumentSummary {
+            name: Some(file.instrument.name.clone()),
+            expanded_uncertainty_um: Some(file.instrument.expanded_uncertainty_um),
+            coverage_factor: Some(file.instrument.coverage_factor),
+            expanded_position_uncertainty_um: file.instrument.expanded_position_uncertainty_um,
+        },
         decision_rule: file.limits.decision_rule,
         contact: file
             .contact
             .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),
-        temperature_c: file.temperature_c,
-        temperature_range_c: None,
+        temperature: TemperatureSummary { stated_c: file.temperature_c, range_c: None },
         conditions: file.conditions.clone(),
         valid_until: file.valid_until(),
         controller_files: Vec::new(),

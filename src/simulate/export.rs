@@ -52,7 +52,8 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
     }
     let written: Vec<ExportRow> = rows.iter().map(|row| row.written(scene)).collect();
     let skipped = &scene.truth.skipped;
-    let written = export.format.write(&written, export.unit, decimals, skipped).map_err(|m| m.at(place()))?;
+    let written = export.format.write(&written, export.unit, decimals, skipped);
+    let written = written.map_err(|reason| reason.into_message().at(place()))?;
     let read = gather::parse_points(scene.campaign, export, &written)?;
     if read.len() != rows.len() {
         let message = error!("simulated-rows-lost", file, read = read.len(), rows = rows.len());

@@ -126,7 +126,7 @@ pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
 
 impl Written {
     /// `true` if the row states any of its numbers.
-    pub fn is_given(&self) -> bool {
+    pub fn is_stated(&self) -> bool {
         let count = match self.form {
             Form::Quaternion => 4,
             Form::Matrix => 9,

@@ -1,7 +1,7 @@
 //! Remedies for identifications without a result and for wrong readings, in keys of campaign.toml,
 //! columns of tables and options of the command line.
 
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::catalogue::{Argument, Phrase};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose_name::PoseName;
@@ -90,7 +90,7 @@ fn outliers(robust: &RobustFit, robot: &dyn Robot) -> Phrase {
 
 fn named(readings: &[Reading], most: usize, robot: &dyn Robot) -> Vec<Argument> {
     let text = |r: &Reading| reading(r.left_mm, &robot.targets()[r.target], r.pose, r.cycle);
-    shown(readings.iter().map(text), most)
+    truncated(readings.iter().map(text), most)
 }
 
 #[cfg(test)]

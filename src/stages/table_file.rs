@@ -1,6 +1,6 @@
 //! Tables of commands and campaigns: all are read here.
 
-use super::{kinds, orientations, shown};
+use super::{kinds, orientations, truncated};
 use crate::stages::orientations::AngleOrder;
 use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
@@ -272,7 +272,7 @@ impl CampaignTables<'_> {
         }
         let unread = self.not_read(&table);
         if let Some(source) = self.sources.last_mut().filter(|_| !unread.is_empty()) {
-            let columns = shown(unread.iter().map(|name| format!("`{name}`")), NAMED);
+            let columns = truncated(unread.iter().map(|name| format!("`{name}`")), NAMED);
             source.read_as(phrase!("read-except-columns", read = holds, columns));
         }
         Ok(table)

@@ -170,7 +170,7 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     let mut names = header.checked_sub(1).map(|i| all[i].clone());
     let worded = names.as_ref().is_some_and(|row| row.fields.len() >= numeric.len());
     let comment = form.comment.as_deref().filter(|_| !worded);
-    let named = comment.and_then(|comment| named_by_comment(sample, &form, comment, (first, numeric.len())));
+    let named = comment.and_then(|comment| named_by_comment(sample, &form, comment, first, numeric.len()));
     let commented = named.is_some();
     names = named.or(names);
     Some(Guess {
@@ -198,13 +198,9 @@ fn has_marks(field: &str) -> bool {
     inside && digits.contains(is_mark) && ends(digits.chars().next()) && ends(digits.chars().next_back())
 }
 
-/// Returns the last comment before the data, if it has a word for each column.
-fn named_by_comment<'t>(
-    text: &'t str,
-    form: &Form,
-    comment: &str,
-    (first, columns): (usize, usize),
-) -> Option<Row<'t>> {
+/// Returns the last comment before the data, which begin at line `first`, if it has a word for each
+/// of `columns`.
+fn named_by_comment<'t>(text: &'t str, form: &Form, comment: &str, first: usize, columns: usize) -> Option<Row<'t>> {
     let lines: Vec<(usize, &str)> = text.lines().take(first.saturating_sub(1)).enumerate().collect();
     let (at, line) = lines.into_iter().rev().find(|(_, line)| !line.trim().is_empty())?;
     let words = line.trim_start().strip_prefix(comment)?;

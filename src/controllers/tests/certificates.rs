@@ -98,7 +98,7 @@ fn certificates_are_valid_and_a_decimal_comma_is_not() {
         // parameters only, without a covariance: missing statements are marked
         let (mut bare, mut summary) = (certified(), summary());
         bare.covariance.clear();
-        (summary.operator, summary.instrument, summary.temperature_c) = (None, None, None);
+        (summary.measurements.operator, summary.instrument.name, summary.temperature.stated_c) = (None, None, None);
         (summary.conditions, summary.issue) = Default::default();
         let given = ExportInput { summary: Some(&summary), ..ExportInput::parameters(&bare) };
         let text = String::from_utf8(by_name(format).unwrap().write(&given).unwrap()).unwrap();
@@ -111,7 +111,7 @@ fn certificates_are_valid_and_a_decimal_comma_is_not() {
 #[test]
 fn a_certificate_needs_the_date_of_the_measurements() {
     let mut summary = summary();
-    summary.date = Some("in spring".to_owned());
+    summary.measurements.date = Some("in spring".to_owned());
     let document = certified();
     for summary in [Some(&summary), None] {
         let given = ExportInput { summary, ..ExportInput::parameters(&document) };

@@ -11,7 +11,9 @@
 //! first. Source: defined contents of K fields, Q-DAS data format (Hexagon), and ISO/TR 11462-5.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format, unit_agrees};
+use super::{
+    About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, decimal_comma, not_this_format, unit_agrees,
+};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Problems};
@@ -46,7 +48,7 @@ impl ExportFormat for Aqdef {
         (points, problems)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         let mut all = format!("K0100 {}\nK1001 simulated\nK2004/0 0\nK2142/0 {}\n", 3 * rows.len(), how.unit.name());
         let coordinates =
             || rows.iter().flat_map(|row| ["X", "Y", "Z"].into_iter().zip(row.xyz).map(move |c| (row, c)));

@@ -7,7 +7,9 @@
 //! documented: `x`, `y`, `z` and `featureid` or `id` are read.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format, unit_agrees};
+use super::{
+    About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, decimal_comma, not_this_format, unit_agrees,
+};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Place, Problems};
@@ -32,7 +34,7 @@ impl ExportFormat for Calypso {
         rows(text, dialect.form.decimal(), unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         let unit = how.unit.name();
         let mut all = "planid\tpartnb\tid\tidsymbol\tactual\tfeatureid\tunit\tgroup1\t\n".to_owned();
         for ExportRow { label, xyz, .. } in rows {
@@ -104,8 +106,8 @@ fn no_table(table: &Table) -> Message {
 /// Splits the file; surplus fields and rows after the end are reported.
 fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
     let split = |line: usize| {
-        let fields = text.shown(line).split('\t').map(|f| f.trim().trim_matches('"'));
-        Fields::new(line, text.shown(line), fields)
+        let fields = text.line_text(line).split('\t').map(|f| f.trim().trim_matches('"'));
+        Fields::new(line, text.line_text(line), fields)
     };
     let names = split(1);
     let again = |(at, name): &(usize, &Cow<str>)| !name.is_empty() && names.fields[..*at].contains(name);

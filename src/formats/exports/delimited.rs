@@ -1,7 +1,7 @@
 //! Delimited text: rows of columns in a dialect, which the campaign states or names.
 
 use super::stamps;
-use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, WriteError, Writing};
 use crate::dialect::{ColumnRole, Columns, CoordinateType, Dialect, Unit, coordinate_type};
 use crate::points::{Line, Names, Point, SharedText};
 use etalon_base::angle_order::AngleOrder;
@@ -30,7 +30,7 @@ impl ExportFormat for Delimited {
     }
 
     /// Header rows, the last of which names the columns, and the data.
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         write(rows, how)
     }
 
@@ -81,7 +81,7 @@ impl ExportFormat for NamedDialect {
         Delimited.read(text, dialect, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         Delimited.write(rows, how)
     }
 
@@ -130,7 +130,7 @@ pub(crate) fn point_rows(file: &str, text: &SharedText, dialect: &Dialect, unit:
         return (Vec::new(), wrong);
     }
     let mut problems = Problems::default();
-    let points = points(file, text, (dialect, unit), &mut problems).unwrap_or_else(|wrong| {
+    let points = points(file, text, dialect, unit, &mut problems).unwrap_or_else(|wrong| {
         problems.0.extend(wrong);
         Vec::new()
     });
@@ -171,7 +171,8 @@ pub(crate) fn columns_not_read(
 fn points(
     file: &str,
     text: &SharedText,
-    (dialect, unit): (&Dialect, Unit),
+    dialect: &Dialect,
+    unit: Unit,
     problems: &mut Problems,
 ) -> Result<Vec<Point>, Vec<Message>> {
     let form = &dialect.form;
@@ -190,9 +191,9 @@ fn points(
     let first = lines.clone().find_map(|line| split(line).ok());
     let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, first.as_ref())?;
     let filter = Filter::new(file, form, header.as_ref())?;
-    problems.0.extend(header.as_ref().and_then(|header| other_unit(file, header, &roles, (dialect, unit))));
-    let reader = Reader { file, text, dialect, unit, roles, filter };
-    let plain = reader.plain().filter(|_| computed.is_empty());
+    problems.0.extend(header.as_ref().and_then(|header| other_unit(file, header, &roles, dialect, unit)));
+    let reader = Reader { file, text, dialect, unit, roles, computed, width, filter };
+    let plain = reader.plain();
     let (mut points, mut names) = (Vec::new(), Names::default());
     while let Some((number, line)) = lines.next() {
         if let Some(point) = plain.as_ref().and_then(|plain| reader.plain_point(plain, number, line, &mut names)) {
@@ -212,9 +213,7 @@ fn points(
             }
             break;
         }
-        if !computed.is_empty() {
-            computed_cells(file, &mut row, width, (form, &computed), problems);
-        }
+        reader.add_computed(&mut row, problems);
         points.extend(reader.point(&row, &mut names, problems));
     }
     if form.is_filtered() && !points.is_empty() && points.iter().all(|point| point.is_left_out) {
@@ -225,7 +224,7 @@ fn points(
 }
 
 /// Error if a heading of a length states another unit than the campaign.
-fn other_unit(file: &str, header: &Row, roles: &[ColumnRole], (dialect, unit): (&Dialect, Unit)) -> Option<Message> {
+fn other_unit(file: &str, header: &Row, roles: &[ColumnRole], dialect: &Dialect, unit: Unit) -> Option<Message> {
     let of_topic = dialect.form.is_topic().then_some(Unit::Metre);
     let mut lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
     let (name, of_file) = lengths.find_map(|(_, name)| {
@@ -287,27 +286,6 @@ fn resolved(
     Ok(Resolved { roles, computed, width })
 }
 
-/// Adds the computed cells of a row; a computed cell is empty if one of its terms was not measured.
-fn computed_cells(
-    file: &str,
-    row: &mut Row,
-    width: usize,
-    (form, computed): (&Form, &[Expression]),
-    problems: &mut Problems,
-) {
-    row.fields.resize(width.max(row.fields.len()), Cow::Borrowed(""));
-    let mut cells: Vec<String> = Vec::new();
-    for expression in computed {
-        let value = expression.value(&|at| number(form, row.field(at)));
-        let text = value.map(|value| value.map_or_else(String::new, |value| written_out(value, form.decimal())));
-        cells.push(text.unwrap_or_else(|(at, message)| {
-            problems.0.push(message.at(row.cell(file, at)));
-            String::new()
-        }));
-    }
-    row.fields.extend(cells.into_iter().map(Cow::Owned));
-}
-
 /// Numbers of a row with their roles; coordinates with their columns, in mm or rad.
 #[derive(Default)]
 struct Numbers {
@@ -323,18 +301,42 @@ struct Reader<'a> {
     text: &'a SharedText,
     dialect: &'a Dialect,
     unit: Unit,
+    /// Roles of the columns; computed columns follow the columns of the file.
     roles: Vec<ColumnRole>,
+    computed: Vec<Expression>,
+    /// Number of columns of the file.
+    width: usize,
     filter: Filter<'a>,
 }
 
 impl Reader<'_> {
-    /// Columns of plain lines, if every column is a label, x, y, z or skipped, and no number can
-    /// mean "not measured".
+    /// Adds the computed cells of a row; a computed cell is empty if one of its terms was not
+    /// measured.
+    fn add_computed(&self, row: &mut Row, problems: &mut Problems) {
+        if self.computed.is_empty() {
+            return;
+        }
+        let form = &self.dialect.form;
+        row.fields.resize(self.width.max(row.fields.len()), Cow::Borrowed(""));
+        let mut cells: Vec<String> = Vec::new();
+        for expression in &self.computed {
+            let value = expression.value(&|at| number(form, row.field(at)));
+            let text = value.map(|value| value.map_or_else(String::new, |value| written_out(value, form.decimal())));
+            cells.push(text.unwrap_or_else(|(at, message)| {
+                problems.0.push(message.at(row.cell(self.file, at)));
+                String::new()
+            }));
+        }
+        row.fields.extend(cells.into_iter().map(Cow::Owned));
+    }
+
+    /// Columns of plain lines, if every column is a label, x, y, z or skipped, none is computed,
+    /// and no number can mean "not measured".
     fn plain(&self) -> Option<Vec<PlainColumn>> {
         let Form { widths, end, sheet, thousands, missing, .. } = &self.dialect.form;
         let (decimal, stated) = (self.dialect.form.decimal(), self.dialect.form.is_filtered() || !widths.is_empty());
         let numeric = missing.markers().iter().any(|marker| parsed(marker, decimal, None).is_some());
-        if stated || numeric || end.is_some() || sheet.is_some() || thousands.is_some() {
+        if stated || numeric || !self.computed.is_empty() || end.is_some() || sheet.is_some() || thousands.is_some() {
             return None;
         }
         let axes = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];
@@ -353,7 +355,7 @@ impl Reader<'_> {
     fn plain_point(&self, columns: &[PlainColumn], number: usize, line: &str, names: &mut Names) -> Option<Point> {
         let form = &self.dialect.form;
         let (label, xyz) = lexer::plain_line(line, form.delimiter(), form.decimal(), columns)?;
-        Some(Point::from_line((number, Line::from_part(self.text, line)), names.shared(label), xyz, self.unit))
+        Some(Point::from_line(number, Line::from_part(self.text, line), names.shared(label), xyz, self.unit))
     }
 
     /// Reads one point. Invalid numbers are reported and leave the point without a position; a row
@@ -661,12 +663,13 @@ fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
 }
 
 /// Header rows, the last of which names the columns, and the data.
-fn write(rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+fn write(rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
     let (dialect, decimals) = (how.dialect, how.decimals);
     let columns = named_columns(&dialect.columns)?;
-    let delimiter = dialect.form.delimiter.ok_or_else(|| error!("format-not-simulated", kind = "fixed"))?;
+    let unsupported = |kind: &str| WriteError::Unsupported(error!("format-not-simulated", kind));
+    let delimiter = dialect.form.delimiter.ok_or_else(|| unsupported("fixed"))?;
     if !dialect.types.is_empty() {
-        return Err(error!("format-not-simulated", kind = "types"));
+        return Err(unsupported("types"));
     }
     let line = |field: &mut dyn FnMut(&ColumnRole, &str) -> String| {
         let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
@@ -716,13 +719,15 @@ fn write(rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
 }
 
 /// Role of each column, with its name in the header.
-fn named_columns(stated: &Columns) -> Result<Vec<(ColumnRole, String)>, Message> {
+fn named_columns(stated: &Columns) -> Result<Vec<(ColumnRole, String)>, WriteError> {
     match stated {
         Columns::InOrder(roles) => Ok(roles.iter().map(|role| (*role, role.name().to_owned())).collect()),
         Columns::Named(named) => {
             let name = |(role, column): &(ColumnRole, ColumnSource)| match column {
                 ColumnSource::Heading(name) => Ok((*role, name.clone())),
-                ColumnSource::Number(_) => Err(error!("format-not-simulated", kind = "numbers")),
+                ColumnSource::Number(_) => {
+                    Err(WriteError::Unsupported(error!("format-not-simulated", kind = "numbers")))
+                }
             };
             named.iter().map(name).collect()
         }

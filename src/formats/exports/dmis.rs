@@ -4,7 +4,7 @@
 //! vector. Their cosines are the vector, so that a file shows its notation; the campaign must state
 //! the same notation.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, unit_agrees};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::IntoArgument;
@@ -49,7 +49,7 @@ impl ExportFormat for Dmis {
         rows(text, self.directions, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> std::result::Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> std::result::Result<String, WriteError> {
         let length = how.unit_in(&[(Unit::Millimetre, "MM"), (Unit::Metre, "M"), (Unit::Inch, "INCH")])?;
         // upwards
         let direction = if self.directions == DirectionNotation::Vectors { "0, 0, 1" } else { "90, 90, 0" };
@@ -355,7 +355,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn records_go_on_over_lines_and_know_where_their_fields_stand() {
+    fn records_continue_over_lines_and_know_the_places_of_their_fields() {
         let lines = vec!["$$ FA(X)=1/2 $", "FA(A 1) = FEAT/CIRCLE, 'a,b', $", "  50.5,$", "-1", "", "ENDFIL"];
         let text = Text { file: "f", whole: &"".into(), lines };
         let all = records(&text);

@@ -5,7 +5,7 @@
 //! has Y, Z, X. Heads are optional: without them the plane is XY(Z) and the unit MM. Source: format
 //! sheet of R. Boesch, Mitutoyo, 1999.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, not_this_format, unit_agrees};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Place, Problems};
@@ -30,7 +30,7 @@ impl ExportFormat for GeopakGws {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         let length = how.unit_in(&[(Unit::Millimetre, "MM"), (Unit::Inch, "Inch")])?;
         let point = |row: &ExportRow| format!("#02:{}\n#03: {}\n", row.label, how.list(row, " "));
         let points: String = rows.iter().map(point).collect();

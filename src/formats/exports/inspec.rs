@@ -6,7 +6,7 @@
 //! they are refused.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, ExportRow, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Text, WriteError, Writing};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Problems};
@@ -27,7 +27,7 @@ impl ExportFormat for Inspec {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         Ok(rows.iter().map(|row| format!("\"{}: 3D MCS Points\",{}\n", row.label, how.list(row, ","))).collect())
     }
 }
@@ -97,7 +97,7 @@ fn labelled(line: &str) -> Option<(&str, &str)> {
 
 /// Three numbers separated by commas.
 fn numbers(text: &Text, line: usize, values: &str) -> Result<Vector, Vec<Message>> {
-    let row = Fields::new(line, text.shown(line), values.split(',').map(str::trim));
+    let row = Fields::new(line, text.line_text(line), values.split(',').map(str::trim));
     if row.fields.len() != 3 {
         let message = error!("row-field-count", fields = row.fields.len(), expected = "x, y, z");
         return Err(vec![message.at(text.place(line))]);

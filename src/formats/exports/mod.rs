@@ -26,14 +26,14 @@ mod vda_fs;
 pub(crate) use stamps::seconds as stamp_seconds;
 
 use super::points::{Line, Point, SharedText, Stated, has_frame_on_points};
-use crate::dialect::{Dialect, Unit};
+use crate::dialect::{Columns, Dialect, Unit};
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
 use etalon_tables::lexer::written;
-use etalon_tables::{Decimal, Form};
+use etalon_tables::{ColumnSource, Decimal, Form};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -84,7 +84,7 @@ pub(crate) trait ExportFormat: Sync {
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems);
 
     /// The text of an export of these rows.
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message>;
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError>;
 
     /// Layout for the fast reader of a file with this beginning, if the fast reader may read it.
     fn plain(&self, _dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
@@ -232,14 +232,27 @@ impl Format {
         self.kind.read(&Text::new(file, text, self.about().by_rows), &self.dialect, unit)
     }
 
+    /// Length unit that the headings of the dialect state, as `X [mm]` does.
+    pub fn heading_unit(&self) -> Option<Unit> {
+        let Columns::Named(named) = &self.dialect.columns else { return None };
+        let mut lengths = named.iter().filter(|(role, _)| role.is_coordinate() && !role.is_angle());
+        lengths.find_map(|(_, source)| match source {
+            ColumnSource::Heading(heading) => Unit::from_heading(heading),
+            ColumnSource::Number(_) => None,
+        })
+    }
+
     /// The text of an export.
+    ///
+    /// # Errors
+    /// Fails if the format cannot be written with these settings, or a row cannot be written.
     pub fn write(
         &self,
         rows: &[ExportRow],
         unit: Unit,
         decimals: usize,
         skipped: &[String],
-    ) -> Result<String, Message> {
+    ) -> Result<String, WriteError> {
         let about = self.about();
         self.kind.write(rows, &Writing { about, dialect: &self.dialect, unit, decimals, skipped })
     }
@@ -339,6 +352,30 @@ pub struct ExportRow {
     pub xyz: Vector,
 }
 
+/// Reason why an export cannot be written.
+#[derive(Clone, Debug)]
+pub enum WriteError {
+    /// The format has no such unit, or its writer does not support the dialect.
+    Unsupported(Message),
+    /// A row cannot be written.
+    Row(Message),
+}
+
+impl WriteError {
+    /// The reason as a message.
+    pub fn into_message(self) -> Message {
+        match self {
+            Self::Unsupported(message) | Self::Row(message) => message,
+        }
+    }
+}
+
+impl From<Message> for WriteError {
+    fn from(message: Message) -> Self {
+        Self::Row(message)
+    }
+}
+
 /// Settings of an export to write.
 pub(crate) struct Writing<'a> {
     pub about: About,
@@ -362,11 +399,12 @@ impl Writing<'_> {
     }
 
     /// Name of the unit in the format; an error if the format cannot have the unit.
-    pub fn unit_in(&self, known: &[(Unit, &'static str)]) -> Result<&'static str, Message> {
+    pub fn unit_in(&self, known: &[(Unit, &'static str)]) -> Result<&'static str, WriteError> {
         let words = known.iter().find(|(unit, _)| *unit == self.unit).map(|(_, words)| *words);
         words.ok_or_else(|| {
             let units: Vec<&str> = known.iter().map(|(unit, _)| unit.name()).collect();
-            error!("format-without-unit", format = self.about.name, unit = self.unit.name(), units)
+            let message = error!("format-without-unit", format = self.about.name, unit = self.unit.name(), units);
+            WriteError::Unsupported(message)
         })
     }
 }
@@ -385,23 +423,24 @@ impl<'a> Text<'a> {
 
     /// A line, from 1.
     fn place(&self, line: usize) -> Place {
-        Place::line(self.file, line, self.shown(line))
+        Place::line(self.file, line, self.line_text(line))
     }
 
     /// A part of a line, which starts at a byte of it.
     fn part(&self, line: usize, byte: usize, width: usize) -> Place {
-        let shown = self.shown(line);
-        let before = shown.get(..byte.min(shown.len())).unwrap_or("");
+        let text = self.line_text(line);
+        let before = text.get(..byte.min(text.len())).unwrap_or("");
         self.place(line).at(before.chars().count() + 1, width)
     }
 
-    fn shown(&self, line: usize) -> &'a str {
+    /// Text of a line, from 1; empty beyond the last line.
+    fn line_text(&self, line: usize) -> &'a str {
         line.checked_sub(1).and_then(|i| self.lines.get(i)).copied().unwrap_or("")
     }
 
     /// A row at a line, in millimetres.
     fn point(&self, line: usize, label: &str, xyz: Vector, unit: Unit) -> Point {
-        Point::from_line((line, Line::from_part(self.whole, self.shown(line))), label.into(), xyz, unit)
+        Point::from_line(line, Line::from_part(self.whole, self.line_text(line)), label.into(), xyz, unit)
     }
 
     /// A row at a line that is not a point, with the reason.

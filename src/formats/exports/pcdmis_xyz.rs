@@ -5,7 +5,7 @@
 //! a diameter; rows of five, eight and more numbers have numbers without meaning. Source: PC-DMIS
 //! 2019 R1, "Notes on XYZ Files".
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, not_this_format, unit_agrees};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::{Argument, IntoArgument};
@@ -30,7 +30,7 @@ impl ExportFormat for PcdmisXyz {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         let head = how.unit_in(&[(Unit::Millimetre, "XYZIJK    METRIC"), (Unit::Inch, "XYZIJK")])?;
         let points: String = rows.iter().map(|row| how.list(row, ",") + "\n").collect();
         Ok(format!("{head}\n{points}"))
@@ -40,7 +40,7 @@ impl ExportFormat for PcdmisXyz {
 /// The points.
 fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
-    match head(text.shown(1)) {
+    match head(text.line_text(1)) {
         Ok((of_file, how)) => problems.0.extend(unit_agrees(unit, of_file, &how, text.place(1)).err()),
         Err(message) => {
             problems.0.push(message.at(text.place(1)));

@@ -1,6 +1,6 @@
 //! PLY, text or binary: its vertices are points without labels. The file does not state their unit.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, not_this_format};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::IntoArgument;
@@ -26,7 +26,7 @@ impl ExportFormat for Ply {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         let count = rows.len();
         let properties = "property double x\nproperty double y\nproperty double z\n";
         let vertices: String = rows.iter().map(|row| how.list(row, " ") + "\n").collect();

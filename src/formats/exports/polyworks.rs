@@ -1,9 +1,9 @@
 //! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
 
-use super::{About, ExportFormat, ExportRow, Plain, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Plain, Text, WriteError, Writing};
 use crate::dialect::{Dialect, Unit};
 use crate::points::{Line, Names, Point, SharedText};
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
 use etalon_base::{error, phrase};
 use etalon_tables::lexer::{self, PlainColumn, lines, number};
 use etalon_tables::{Decimal, Delimiter, Form};
@@ -20,7 +20,7 @@ impl ExportFormat for Polyworks {
         rows(text.file, text.whole, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         let line = |row: &ExportRow| format!("{} {}\n", lexer::blank(&row.label, false), how.list(row, " "));
         Ok(rows.iter().map(line).collect())
     }
@@ -47,7 +47,7 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
         [PlainColumn::Label, PlainColumn::Coordinate(0), PlainColumn::Coordinate(1), PlainColumn::Coordinate(2)];
     for (i, line) in lines(text, &form) {
         if let Some((label, xyz)) = lexer::plain_line(line, Delimiter::Blank, Decimal::Point, &columns) {
-            points.push(Point::from_line((i, Line::from_part(text, line)), names.shared(label), xyz, unit));
+            points.push(Point::from_line(i, Line::from_part(text, line), names.shared(label), xyz, unit));
             continue;
         }
         let row = match lexer::row(file, i, line, &form) {
@@ -75,7 +75,7 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
         }
         let label = names.shared(if named == 1 { row.field(0) } else { "" });
         let xyz = [numbers[0], numbers[1], numbers[2]];
-        points.push(Point::from_line((row.line, Line::from_part(text, row.text)), label, xyz, unit));
+        points.push(Point::from_line(row.line, Line::from_part(text, row.text), label, xyz, unit));
     }
     (points, problems)
 }

@@ -2,10 +2,10 @@
 //! `KEY = values`, separated by tabs. Point primitives are its points; names that are not ASCII are
 //! `UNICODE( hexadecimal UTF-16 )`.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head, not_this_format};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, head, not_this_format};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
 use etalon_base::{error, phrase};
 use etalon_tables::Decimal;
 use etalon_tables::lexer::parsed;
@@ -31,7 +31,7 @@ impl ExportFormat for PolyworksProject {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         let object = |(i, row): (usize, &ExportRow)| {
             let (name, point) = (utf_16(&row.label), how.list(row, "\t"));
             format!(

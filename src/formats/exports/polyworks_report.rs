@@ -6,7 +6,7 @@
 //! and a vendor page; no complete real file was found.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, decimal_comma, not_this_format};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Place, Problems, Result};
@@ -31,7 +31,7 @@ impl ExportFormat for PolyworksReport {
         rows(text, dialect.form.decimal(), unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> std::result::Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> std::result::Result<String, WriteError> {
         // a decimal comma goes with semicolons
         let delimiter =
             if how.dialect.form.decimal() == Decimal::Comma { Delimiter::Semicolon } else { Delimiter::Comma };

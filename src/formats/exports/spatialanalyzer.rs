@@ -3,7 +3,7 @@
 //! target name may occur in several groups.
 
 use super::delimited::point_rows;
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing};
 use crate::dialect::{ColumnRole, Dialect, Unit};
 use crate::{Point, SharedText};
 use etalon_base::message::{Message, Place, Problems};
@@ -30,7 +30,7 @@ impl ExportFormat for SpatialAnalyzer {
         rows(text.file, text.whole, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         // label parts between `::` are collection and group
         let head = format!("// AXES = CARTESIAN: X,  Y,  Z ({})\n", how.unit.name());
         let line = |row: &ExportRow| format!("{},  {}\n", row.label.replace("::", ",  "), how.list(row, ",  "));

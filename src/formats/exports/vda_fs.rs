@@ -5,7 +5,7 @@
 //! number of the line. `$$` begins a comment; the file ends with `NAME = END`. Checked with
 //! geometry files of other authors; no real file of measured points was found.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head, not_this_format};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, head, not_this_format};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::catalogue::IntoArgument;
@@ -31,7 +31,7 @@ impl ExportFormat for VdaFs {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError> {
         let point = |row: &ExportRow| format!("{} = POINT / {}\n", row.label, how.list(row, ", "));
         let points: String = rows.iter().map(point).collect();
         Ok(format!("SIMULATED = HEADER / 0\n{points}SIMULATED = END\n"))

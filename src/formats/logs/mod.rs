@@ -450,7 +450,7 @@ pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut So
         Ok(mut columns) => {
             for (key, constant) in &log.constants {
                 let Some((name, factor)) = meaning(key.get_ref()) else { continue };
-                let values = constant_values(&columns, &name, (constant, factor)).map_err(|m| m.at(stated.place(key)));
+                let values = constant_values(&columns, &name, constant, factor).map_err(|m| m.at(stated.place(key)));
                 columns.columns.extend(problems.keep(values.map_err(Problems::from)).map(|values| (name, values)));
             }
             problems.check().map(|_| columns)
@@ -470,7 +470,8 @@ const VISIT: &str = "visit";
 fn constant_values(
     log: &Columns,
     name: &str,
-    (constant, factor): (&Constant, f64),
+    constant: &Constant,
+    factor: f64,
 ) -> std::result::Result<Values, Message> {
     let count = log.rows.len();
     let invalid = || error!("log-constant-invalid", column = name, value = constant.cell());

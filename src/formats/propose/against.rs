@@ -1,7 +1,7 @@
 //! Correction of a proposal by the nominal robot: joints, units, targets, and commanded points.
 
 use super::kinematics::{FEWEST, Origin, Outcome, Reading, Sample, confirmed, test};
-use super::meaning::{Interpretation, Meaning, PointSet};
+use super::meaning::{Evidence, Interpretation, Meaning, PointSet};
 use super::table::{Column, Table, joint_columns};
 use super::turned;
 use etalon_base::catalogue::Phrase;
@@ -23,15 +23,6 @@ pub(super) struct Remarks {
 const TARGETS: usize = 12;
 /// Factor by which a column of targets has to reduce the residual.
 const BETTER: f64 = 5.0;
-
-/// Doubts that a known order of the joints settles.
-const SETTLED: [&str; 5] = [
-    "doubt-six-without-headings",
-    "doubt-matrix-order",
-    "doubt-joints-without-headings",
-    "doubt-points-without-headings",
-    "doubt-order-of-joints",
-];
 
 /// Joints, coordinates and target column that are tried together.
 #[derive(Clone)]
@@ -61,18 +52,18 @@ pub(super) fn correct(robot: &dyn Robot, table: &mut Table, found: &mut Interpre
             let rms_mm = best.unwrap_or(0.0);
             remarks.doubts.push(phrase!("robot-contradicts", points = named(trial.points), known, rms_mm));
         }
-        Outcome::Reproduced(reading) => apply(robot, &trial, &reading, (table, found), &mut remarks),
+        Outcome::Reproduced(reading) => remarks = apply(robot, &trial, &reading, table, found),
         Outcome::Ambiguous(reading, other) => {
             let differs =
                 |k: &usize| reading.order[*k] != other.order[*k] || reading.reversed[*k] != other.reversed[*k];
             let joints: Vec<String> =
                 (0..reading.order.len()).filter(differs).map(|k| robot.joints()[k].name.clone()).collect();
-            if joints.is_empty() {
-                remarks.doubts.push(phrase!("robot-units-ambiguous", rms_mm = other.rms_mm));
-            } else {
-                remarks.doubts.push(phrase!("robot-ambiguous", joints, rms_mm = other.rms_mm));
-            }
-            apply(robot, &trial, &reading, (table, found), &mut remarks);
+            let doubt = match joints.is_empty() {
+                true => phrase!("robot-units-ambiguous", rms_mm = other.rms_mm),
+                false => phrase!("robot-ambiguous", joints, rms_mm = other.rms_mm),
+            };
+            remarks = apply(robot, &trial, &reading, table, found);
+            remarks.doubts.insert(0, doubt);
         }
     }
     remarks
@@ -92,7 +83,7 @@ fn name_by_headings(robot: &dyn Robot, table: &Table, found: &mut Interpretation
         found.take(at, Meaning::Joint(k), phrase!("because-joints-named"));
     }
     found.joint_names = robot.joints().iter().map(|joint| joint.name.clone()).collect();
-    found.doubts.retain(|doubt| !SETTLED.contains(&&*doubt.id));
+    found.settle(Evidence::JointOrder);
     remarks.reasons.push(phrase!("because-joints-named"));
     remarks.joints_named = true;
     remarks
@@ -116,18 +107,19 @@ fn outcome(robot: &dyn Robot, table: &Table, found: &Interpretation) -> Option<(
             outcome = test(robot, &free, true);
         }
         if supported(&outcome) {
-            return Some(with_targets(robot, (table, found), trial.clone(), outcome));
+            return Some(with_targets(robot, table, found, trial.clone(), outcome));
         }
         first = first.or_else(|| Some((trial.clone(), outcome)));
     }
     let (trial, outcome) = first?;
-    Some(with_targets(robot, (table, found), trial, outcome))
+    Some(with_targets(robot, table, found, trial, outcome))
 }
 
 /// Tries columns of targets where one target does not explain the rows.
 fn with_targets(
     robot: &dyn Robot,
-    (table, found): (&Table, &Interpretation),
+    table: &Table,
+    found: &Interpretation,
     trial: Trial,
     outcome: Outcome,
 ) -> (Trial, Outcome) {
@@ -240,13 +232,13 @@ fn apply(
     robot: &dyn Robot,
     trial: &Trial,
     reading: &Reading,
-    (table, found): (&mut Table, &mut Interpretation),
-    remarks: &mut Remarks,
-) {
-    name_joints(robot, &trial.joints, reading, (&mut *table, &mut *found), remarks);
+    table: &mut Table,
+    found: &mut Interpretation,
+) -> Remarks {
+    let mut remarks = name_joints(robot, &trial.joints, reading, table, found);
     let value = |row: usize, k: usize| table.columns[trial.joints[k]].values.get(row).copied().unwrap_or(f64::NAN);
     let flanges: Vec<_> = (0..table.rows).map(|row| turned::flange(robot, reading, &|k| value(row, k))).collect();
-    remarks.reasons.extend(turned::order(&flanges, &reading.base_R_world, (table, found)));
+    remarks.reasons.extend(turned::order(&flanges, &reading.base_R_world, table, found));
     if let (Some(at), None) = (trial.target, found.first(Meaning::Target)) {
         found.take(at, Meaning::Target, phrase!("why-targets-fit"));
         remarks.reasons.push(phrase!("robot-finds-targets", column = table.called(at)));
@@ -276,7 +268,7 @@ fn apply(
         let of_set = sample(table, &Trial { points, ..trial.clone() });
         let fitted = of_set.and_then(|sample| confirmed(robot, &sample, reading));
         if let Some(fitted) = &fitted {
-            described(table, points, fitted, measured, remarks);
+            described(table, points, fitted, measured, &mut remarks);
         }
         let origin = fitted.map_or(Origin::Measured, |fitted| fitted.origin);
         if measured && origin == Origin::Commanded {
@@ -291,6 +283,7 @@ fn apply(
         }
     }
     found.points = kept;
+    remarks
 }
 
 /// Names the joints by the reading.
@@ -298,9 +291,10 @@ pub(super) fn name_joints(
     robot: &dyn Robot,
     tried: &[usize],
     reading: &Reading,
-    (table, found): (&mut Table, &mut Interpretation),
-    remarks: &mut Remarks,
-) {
+    table: &mut Table,
+    found: &mut Interpretation,
+) -> Remarks {
+    let mut remarks = Remarks::default();
     let of_robot = |k: usize| robot.joints()[k].name.clone();
     let columns: Vec<usize> = reading.order.iter().map(|i| tried[*i]).collect();
     let plain = columns.windows(2).all(|pair| pair[0] < pair[1]) || tried.starts_with(&columns);
@@ -337,7 +331,8 @@ pub(super) fn name_joints(
     }
     found.joint_names = (0..columns.len()).map(of_robot).collect();
     found.by_kinematics = true;
-    found.doubts.retain(|doubt| !SETTLED.contains(&&*doubt.id));
+    found.settle(Evidence::JointOrder);
+    remarks
 }
 
 /// Describes how well the robot reproduces points, and states their unit.

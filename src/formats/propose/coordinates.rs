@@ -1,7 +1,7 @@
 //! Interpretation of columns as coordinates of points, and of columns without headings.
 
 use super::headings::{Word, stands_for};
-use super::meaning::{Interpretation, Meaning, PointSet};
+use super::meaning::{Evidence, Interpretation, Meaning, PointSet};
 use super::table::{Column, Table};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -176,7 +176,7 @@ impl Interpretation {
         {
             self.difference = one(Kind::Difference);
             if self.difference.is_some() {
-                self.questions.push(phrase!("ask-sign-of-difference"));
+                self.ask(phrase!("ask-sign-of-difference"));
             }
             self.commanded = Some(commanded);
         }
@@ -189,11 +189,11 @@ impl Interpretation {
             })
             .collect();
         if !left.is_empty() && !self.points.is_empty() {
-            self.doubts.push(phrase!("doubt-coordinates-left", left));
+            self.doubt(phrase!("doubt-coordinates-left", left));
         }
         let bare = |set: &PointSet| set.columns.iter().flatten().any(|at| table.columns[*at].heading.bare_metre);
         if self.points.iter().any(bare) {
-            self.doubts.push(phrase!("doubt-bare-metre"));
+            self.doubt(phrase!("doubt-bare-metre"));
         }
     }
 
@@ -219,13 +219,7 @@ impl Interpretation {
             let count = column.cells.iter().filter(|cell| number(cell)).count();
             if 2 * count > column.cells.len() {
                 let text = column.cells.iter().find(|cell| !number(cell)).map_or("", |cell| cell);
-                self.doubts.push(phrase!(
-                    "doubt-numbers-and-text",
-                    column = i + 1,
-                    count,
-                    rows = column.cells.len(),
-                    text
-                ));
+                self.doubt(phrase!("doubt-numbers-and-text", column = i + 1, count, rows = column.cells.len(), text));
             }
             set(self, i, meaning, why);
         }
@@ -244,7 +238,7 @@ impl Interpretation {
                     true => set(self, rest[0], Meaning::Count, phrase!("why-counts")),
                     false => {
                         set(self, rest[0], Meaning::Time, phrase!("why-increases"));
-                        self.doubts.push(phrase!("doubt-first-increases"));
+                        self.doubt(phrase!("doubt-first-increases"));
                     }
                 }
                 rest.remove(0);
@@ -268,7 +262,7 @@ impl Interpretation {
                 for (k, at) in [d, a, b, c].into_iter().enumerate() {
                     set(self, at, Meaning::Quaternion(k), phrase!("why-four-of-length-one"));
                 }
-                self.doubts.push(phrase!("doubt-quaternion-order"));
+                self.doubt_until(Evidence::Orientations, phrase!("doubt-quaternion-order"));
             }
             [x, y, z, i, j, k] if table.are_unit([i, j, k]) => {
                 self.point_at(&[x, y, z]);
@@ -283,19 +277,22 @@ impl Interpretation {
                 for (n, at) in [a, b, c].into_iter().enumerate() {
                     set(self, at, Meaning::Rotation(n), phrase!("why-behind-lengths"));
                 }
-                self.doubts.push(phrase!("doubt-six-without-headings"));
+                self.doubt_until(Evidence::JointOrder, phrase!("doubt-six-without-headings"));
             }
             [_, _, _, _, _, _] | [_, _, _, _, _, _, _] if self.has_no_text() => {
                 for (k, at) in rest.iter().enumerate() {
                     set(self, *at, Meaning::Joint(k), phrase!("why-as-many-as-joints"));
                 }
-                self.doubts.push(phrase!("doubt-joints-without-headings", count = rest.len()));
+                self.doubt_until(Evidence::JointOrder, phrase!("doubt-joints-without-headings", count = rest.len()));
             }
             [_, _] | [_, _, _] => self.point_at(rest),
             [x, y, z, ..] => {
                 self.point_at(&[x, y, z]);
                 if rest.len().is_multiple_of(3) {
-                    self.doubts.push(phrase!("doubt-points-without-headings", count = rest.len()));
+                    self.doubt_until(
+                        Evidence::JointOrder,
+                        phrase!("doubt-points-without-headings", count = rest.len()),
+                    );
                 }
             }
             _ => {}
@@ -337,7 +334,7 @@ impl Interpretation {
                     self.take(at(from, k), Meaning::MatrixEnd, phrase!("why-row-0001"));
                 }
             }
-            self.doubts.push(phrase!("doubt-matrix-order"));
+            self.doubt_until(Evidence::JointOrder, phrase!("doubt-matrix-order"));
             return true;
         }
         false

@@ -127,11 +127,60 @@ pub(super) struct Interpretation {
     pub reversed: Vec<usize>,
     /// `true` if the kinematics of the nominal robot support the units.
     pub by_kinematics: bool,
-    pub doubts: Vec<Phrase>,
-    pub questions: Vec<Phrase>,
+    pub doubts: Vec<Doubt>,
+    pub questions: Vec<Doubt>,
+}
+
+/// Doubt or question about an interpretation.
+#[derive(Clone, Debug)]
+pub(super) struct Doubt {
+    pub text: Phrase,
+    /// Evidence that settles the doubt, if the nominal robot can give any.
+    settled_by: Option<Evidence>,
+}
+
+/// Evidence of a nominal robot that reproduces the points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Evidence {
+    /// Columns and order of the joints.
+    JointOrder,
+    /// Orientations of the flange, which fit one order of the components of a quaternion.
+    Orientations,
 }
 
 impl Interpretation {
+    /// Adds a doubt.
+    pub fn doubt(&mut self, text: Phrase) {
+        self.doubts.push(Doubt { text, settled_by: None });
+    }
+
+    /// Adds a doubt that evidence of the robot settles.
+    pub fn doubt_until(&mut self, evidence: Evidence, text: Phrase) {
+        self.doubts.push(Doubt { text, settled_by: Some(evidence) });
+    }
+
+    /// Adds a question.
+    pub fn ask(&mut self, text: Phrase) {
+        self.questions.push(Doubt { text, settled_by: None });
+    }
+
+    /// Adds a question that evidence of the robot settles.
+    pub fn ask_until(&mut self, evidence: Evidence, text: Phrase) {
+        self.questions.push(Doubt { text, settled_by: Some(evidence) });
+    }
+
+    /// `true` if a doubt or a question waits for this evidence.
+    pub fn waits_for(&self, evidence: Evidence) -> bool {
+        self.doubts.iter().chain(&self.questions).any(|doubt| doubt.settled_by == Some(evidence))
+    }
+
+    /// Removes the doubts and questions that this evidence settles.
+    pub fn settle(&mut self, evidence: Evidence) {
+        for list in [&mut self.doubts, &mut self.questions] {
+            list.retain(|doubt| doubt.settled_by != Some(evidence));
+        }
+    }
+
     /// Interprets a table.
     pub fn new(table: &Table) -> Self {
         let mut found = Self::default();
@@ -208,7 +257,7 @@ impl Interpretation {
             (false, _) => Meaning::Day,
         };
         if all("/") {
-            self.doubts.push(phrase!("doubt-dates"));
+            self.doubt(phrase!("doubt-dates"));
             return self.take(at, Meaning::Text, phrase!("why-ambiguous-dates"));
         }
         self.take(at, meaning, phrase!("why-dates"));
@@ -329,10 +378,10 @@ impl Interpretation {
                     false => phrase!("why-heading"),
                 };
                 if !unit {
-                    self.doubts.push(phrase!("doubt-quaternion-length"));
+                    self.doubt(phrase!("doubt-quaternion-length"));
                 }
                 if numbered && table.columns.len() == 4 {
-                    self.doubts.push(phrase!("doubt-four-joints"));
+                    self.doubt(phrase!("doubt-four-joints"));
                 }
                 for (k, at) in all.into_iter().enumerate() {
                     self.take(at, Meaning::Quaternion(k), why.clone());
@@ -365,7 +414,7 @@ impl Interpretation {
             }
             if named.is_none() {
                 let columns: Vec<String> = all.iter().map(|at| table.called(*at)).collect();
-                self.questions.push(phrase!("ask-quaternion-order", columns));
+                self.ask_until(Evidence::Orientations, phrase!("ask-quaternion-order", columns));
             }
             return;
         }
@@ -462,7 +511,7 @@ impl Interpretation {
         let sorted = joints.windows(2).all(|pair| pair[0].2 < pair[1].2);
         if numbered && !sorted {
             joints.sort_by_key(|(.., number)| *number);
-            self.doubts.push(phrase!("doubt-order-of-joints"));
+            self.doubt_until(Evidence::JointOrder, phrase!("doubt-order-of-joints"));
         }
         for (k, (i, ..)) in joints.into_iter().enumerate() {
             let (low, high) = table.columns[i].range();
@@ -498,7 +547,7 @@ impl Interpretation {
         }
         let names: Vec<String> =
             joints.iter().filter(|(_, tag, _)| *tag != kept).map(|(i, ..)| table.called(*i)).take(4).collect();
-        self.doubts.push(phrase!("doubt-two-families", names, kept));
+        self.doubt(phrase!("doubt-two-families", names, kept));
         joints.retain(|(_, tag, _)| *tag == kept);
     }
 
@@ -526,7 +575,7 @@ impl Interpretation {
         let one = from_start && found.len() >= 2 && found.iter().all(|(_, letter, _)| *letter == found[0].1);
         if one {
             let names: Vec<String> = found.iter().map(|(i, ..)| table.called(*i)).collect();
-            self.doubts.push(phrase!("doubt-unnamed-joints", names));
+            self.doubt(phrase!("doubt-unnamed-joints", names));
         }
         if one { found } else { Vec::new() }
     }
@@ -556,7 +605,7 @@ impl Interpretation {
             for (k, at) in all.into_iter().enumerate() {
                 self.take(at, Meaning::Rotation(k), phrase!("why-heading"));
             }
-            self.questions.push(phrase!("ask-rotation"));
+            self.ask(phrase!("ask-rotation"));
         }
         while let Some(all) = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &commanded)) {
             all.into_iter().for_each(|at| self.take(at, Meaning::Motion, phrase!("why-commanded-rotation")));
@@ -632,14 +681,14 @@ impl Interpretation {
                 self.time_unit = heading.unit;
             }
             if meaning == Meaning::Time && !column.is_ordered() && table.rows > 2 {
-                self.doubts.push(phrase!("doubt-time-decreases", column = table.called(i)));
+                self.doubt(phrase!("doubt-time-decreases", column = table.called(i)));
             }
         }
         self.directions(table);
         let of = |meaning: Meaning| self.first(meaning);
         let polar = of(Meaning::Azimuth).is_some() && of(Meaning::Distance).is_some();
         if polar && self.points.is_empty() && of(Meaning::Zenith).or(of(Meaning::Elevation)).is_none() {
-            self.doubts.push(phrase!("doubt-polar"));
+            self.doubt(phrase!("doubt-polar"));
         }
     }
 
@@ -675,7 +724,7 @@ impl Interpretation {
                 self.take(column, Meaning::Direction(n), why.clone());
             }
             if !unit {
-                self.doubts.push(phrase!("doubt-direction-length"));
+                self.doubt(phrase!("doubt-direction-length"));
             }
             return;
         }

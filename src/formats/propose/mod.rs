@@ -9,7 +9,7 @@ mod kinematics;
 mod lines;
 mod meaning;
 mod motion;
-mod own;
+mod native;
 mod recording;
 mod several;
 mod structure;
@@ -309,19 +309,19 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
     let remarks = remarks.unwrap_or_default();
     (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
     reasons(best, table).into_iter().chain(remarks.reasons).for_each(|reason| document.because(reason));
-    let own = own::recognise(&proposal, &found.joint_columns());
+    let native = native::recognise(&proposal, &found.joint_columns());
     // rows of fixed points have few numbers
-    let rows_may_differ = own.as_ref().is_some_and(|own| own.kind == "observations");
-    let doubts =
-        doubts(&guesses, rows_may_differ).into_iter().chain(remarks.doubts).chain(found.doubts.iter().cloned());
+    let rows_may_differ = native.as_ref().is_some_and(|table| table.kind == "observations");
+    let of_meaning = found.doubts.iter().map(|doubt| doubt.text.clone());
+    let doubts = doubts(&guesses, rows_may_differ).into_iter().chain(remarks.doubts).chain(of_meaning);
     doubts.for_each(|doubt| document.doubt(doubt));
-    found.questions.iter().cloned().for_each(|question| document.ask(question));
-    let lines = match own {
-        Some(own) => {
-            document.kind = own.kind.to_owned();
-            document.because(phrase!("because-columns-of", what = own.what));
-            own.question.into_iter().for_each(|question| document.ask(question));
-            own.lines
+    found.questions.iter().for_each(|question| document.ask(question.text.clone()));
+    let lines = match native {
+        Some(table) => {
+            document.kind = table.kind.to_owned();
+            document.because(phrase!("because-columns-of", what = table.what));
+            table.question.into_iter().for_each(|question| document.ask(question));
+            table.lines
         }
         None => proposal.lines(&mut document),
     };

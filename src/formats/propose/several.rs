@@ -108,7 +108,7 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         let keys = Keys::new(&parts[at]);
         let join = log.and_then(|log| best_join(robot, &parts[at], &keys, &parts[log]));
         if let (Some(log), Some(robot), Some(join)) = (log, robot, &join) {
-            by_robot(robot, (&mut parts, at, log), join)?;
+            by_robot(robot, &mut parts, at, log, join)?;
         }
         name_targets(&mut parts[at], &keys, join.as_ref(), &mut targets);
         joined.extend(join.map(|join| (at, join)));
@@ -130,7 +130,7 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
                 standstills(&mut parts[log], at_least_s, &targets)
             }
             Some(Meeting::Rows { offset_s, spread_s }) => rows_in_time([offset_s, spread_s], &targets),
-            open => tail(&mut parts, log, &joined, (&targets, open)),
+            open => tail(&mut parts, log, &joined, &targets, open),
         },
         _ => String::new(),
     };
@@ -245,7 +245,8 @@ fn tail(
     parts: &mut [Part],
     log: usize,
     joined: &[(usize, Join)],
-    (targets, meeting): (&[String], Option<Meeting>),
+    targets: &[String],
+    meeting: Option<Meeting>,
 ) -> String {
     let log_file = parts[log].document.file.clone();
     let log_rows = parts[log].document.rows;
@@ -316,7 +317,7 @@ fn standstills(log: &mut Part, at_least_s: f64, targets: &[String]) -> String {
 }
 
 /// Tests joined rows against the robot, and writes the lines of both files again.
-fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), join: &Join) -> Result<()> {
+fn by_robot(robot: &dyn Robot, parts: &mut [Part], at: usize, log: usize, join: &Join) -> Result<()> {
     let Some((columns, outcome)) = tested(robot, &parts[at], &parts[log], join) else { return Ok(()) };
     let (Outcome::Reproduced(reading) | Outcome::Ambiguous(reading, _)) = &outcome else {
         if let Outcome::Contradicted(best) = outcome {
@@ -335,11 +336,7 @@ fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), jo
     }
     let by_kinematics = parts[log].read.as_ref().is_some_and(|(_, found)| found.by_kinematics);
     if !by_kinematics {
-        parts[log].again(&mut |table, found| {
-            let mut remarks = Remarks::default();
-            name_joints(robot, &columns, reading, (table, found), &mut remarks);
-            remarks
-        })?;
+        parts[log].again(&mut |table, found| name_joints(robot, &columns, reading, table, found))?;
     }
     parts[at].again(&mut |table, found| {
         let mut remarks = Remarks::default();
@@ -348,7 +345,7 @@ fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), jo
             described(table, [x, y, z], reading, true, &mut remarks);
             found.by_kinematics = true;
         }
-        remarks.reasons.extend(turned::order(&flanges, &reading.base_R_world, (table, found)));
+        remarks.reasons.extend(turned::order(&flanges, &reading.base_R_world, table, found));
         remarks
     })
 }

@@ -1,7 +1,7 @@
 //! Order of the components of a measured quaternion, by the orientations of the nominal robot.
 
 use super::kinematics::{Reading, factor};
-use super::meaning::{Interpretation, Meaning};
+use super::meaning::{Evidence, Interpretation, Meaning};
 use super::table::Table;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -33,10 +33,10 @@ pub(super) fn flange(robot: &dyn Robot, reading: &Reading, value: &dyn Fn(usize)
 pub(super) fn order(
     flanges: &[Option<Pose>],
     base_R_world: &[[f64; 3]; 3],
-    (table, found): (&Table, &mut Interpretation),
+    table: &Table,
+    found: &mut Interpretation,
 ) -> Option<Phrase> {
-    let is_open = |phrase: &Phrase| ["ask-quaternion-order", "doubt-quaternion-order"].contains(&&*phrase.id);
-    if !found.questions.iter().chain(&found.doubts).any(is_open) {
+    if !found.waits_for(Evidence::Orientations) {
         return None;
     }
     let mut columns = found.quaternion_columns();
@@ -55,8 +55,7 @@ pub(super) fn order(
     for (at, k) in columns.into_iter().zip(meanings) {
         found.take(at, Meaning::Quaternion(k), phrase!("why-four-of-length-one"));
     }
-    found.questions.retain(|question| !is_open(question));
-    found.doubts.retain(|doubt| !is_open(doubt));
+    found.settle(Evidence::Orientations);
     Some(phrase!("robot-orders-quaternion", scalar))
 }
 

@@ -60,7 +60,7 @@ impl TableReading {
         let mut renamed: Vec<Option<&str>> = vec![None; sheet.width()];
         let mut computed: Vec<ReadColumn> = Vec::new();
         for (name, source) in columns {
-            let found = match self.any_columns || is_own(name) {
+            let found = match self.any_columns || is_native_column(name) {
                 true => column(source, header, sheet.width()),
                 false => Err(error!("observation-column-unknown", column = name)),
             };
@@ -111,7 +111,7 @@ impl TableReading {
         served.extend(form.only.keys().chain(form.without.keys()).filter_map(|name| column_index(name, header).ok()));
         let serves = |column: &ReadColumn| {
             matches!(column.from, Expression::Column(at) if served.contains(&at))
-                && !is_own(&column.name)
+                && !is_native_column(&column.name)
                 && !columns.contains_key(column.name.as_ref())
         };
         all.retain(|column| computed.iter().all(|other| other.name != column.name) && !serves(column));
@@ -151,7 +151,7 @@ impl TableReading {
 }
 
 /// `true` if tables of etalon have a column of this name.
-fn is_own(name: &str) -> bool {
+fn is_native_column(name: &str) -> bool {
     is_known(name) || TEXT_COLUMNS.contains(&name) || name == FORCE
 }
 

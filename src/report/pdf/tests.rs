@@ -97,7 +97,7 @@ fn nothing_and_numbers_that_are_none_are_typeset() {
         documents.errors = vec![point(1, [size; 3], [size; 3], [size; 3]); 3];
         documents.parameters.residuals.rms = size;
         documents.parameters.parameters[0].value = size;
-        documents.campaign.expanded_uncertainty_um = Some(size);
+        documents.campaign.instrument.expanded_uncertainty_um = Some(size);
         if let Some(read) = extract_text(&typeset_report(&documents)) {
             assert!(!read.contains("NaN") && !read.contains(" inf"), "{size}: {read}");
         }

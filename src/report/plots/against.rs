@@ -90,7 +90,7 @@ fn picture(data: &Data, along: &Along, of: &OfQuantity, p: Option<f64>, words: &
         errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
     // many figures: half of the marks of others
     let drawn = points::thin(&points::readable(&known), points::MARKS / 2, points::after_mm);
-    let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
+    let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|[low, high]| high > low)?;
     let (unit, of, against) = (up.display_unit().unit, words.tr(&quantity.phrase()), along.name.clone());
     let (title, name) = match quantity {
         ErrorQuantity::Position => {

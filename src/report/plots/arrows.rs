@@ -130,7 +130,7 @@ fn scale_arrow(svg: &mut Svg, y: f64, scale: f64, longest_mm: f64) {
 
 /// Round factor that makes the longest arrow a legible share of the workspace.
 fn enlargement(drawn: &[&PointError], seen: Seen, longest_mm: f64) -> f64 {
-    let spans = [0, 1, 2].map(|i| range(drawn.iter().map(|p| p.at_mm[i])).map_or(0.0, |(low, high)| high - low));
+    let spans = [0, 1, 2].map(|i| range(drawn.iter().map(|p| p.at_mm[i])).map_or(0.0, |[low, high]| high - low));
     let workspace =
         (0..3).map(|i| seen.length([0, 1, 2].map(|j| if i == j { spans[i] } else { 0.0 }))).fold(1.0, f64::max);
     if longest_mm > 0.0 { round_down_125(SHARE * workspace / longest_mm) } else { 1.0 }

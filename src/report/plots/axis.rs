@@ -23,16 +23,16 @@ pub(crate) fn drawable(value: f64) -> bool {
 }
 
 /// Smallest and largest of the finite values.
-pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
+pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     values.into_iter().filter(|v| v.is_finite()).fold(None, |range, v| match range {
-        None => Some((v, v)),
-        Some((low, high)) => Some((f64::min(low, v), f64::max(high, v))),
+        None => Some([v, v]),
+        Some([low, high]) => Some([f64::min(low, v), f64::max(high, v)]),
     })
 }
 
 /// Largest of the finite values, at least zero.
 pub(crate) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    range(values).map_or(0.0, |(_, high)| high.max(0.0))
+    range(values).map_or(0.0, |[_, high]| high.max(0.0))
 }
 
 /// Round step that divides `span` into at most `count` parts.
@@ -57,7 +57,7 @@ impl Axis {
     }
 
     /// Linear axis over values in a unit, with free margins relative to their range.
-    pub fn over(unit: &str, (low, high): (f64, f64), margin: f64) -> Self {
+    pub fn over(unit: &str, [low, high]: [f64; 2], margin: f64) -> Self {
         let shown = number::display_unit(unit, low.abs().max(high.abs()));
         let margin = margin * (high - low).max(1e-9 * high.abs().max(low.abs()));
         Self::linear_in(shown, (low - margin) * shown.factor, (high + margin) * shown.factor)
@@ -82,7 +82,7 @@ impl Axis {
     }
 
     /// Logarithmic axis over whole decades, at most `most` of them below `largest`.
-    pub fn decades(unit: &str, (smallest, largest): (f64, f64), most: u8) -> Self {
+    pub fn decades(unit: &str, [smallest, largest]: [f64; 2], most: u8) -> Self {
         let shown = number::display_unit(unit, largest);
         let high = (largest * shown.factor).log10().ceil();
         let low = (smallest * shown.factor).log10().floor().clamp(high - f64::from(most.max(1)), high - 1.0);
@@ -169,8 +169,8 @@ mod tests {
         assert_eq!(labels(&Axis::linear(-85.0, 85.0), 5), ["-50", "0", "50"]);
         assert_eq!(labels(&Axis::linear(0.1, 0.31), 5), ["0.10", "0.15", "0.20", "0.25", "0.30"]);
         assert_eq!(labels(&Axis::from_zero("", 43.9), 5), ["0", "10", "20", "30", "40", "50"]);
-        assert_eq!(labels(&Axis::decades("", (0.3, 900.0), 6), 5), ["0.1", "1", "10", "100", "1000"]);
-        assert_eq!(labels(&Axis::decades("", (3.0, 9.0), 6), 5), ["1", "2", "5", "10"]);
+        assert_eq!(labels(&Axis::decades("", [0.3, 900.0], 6), 5), ["0.1", "1", "10", "100", "1000"]);
+        assert_eq!(labels(&Axis::decades("", [3.0, 9.0], 6), 5), ["1", "2", "5", "10"]);
     }
 
     #[test]
@@ -188,11 +188,11 @@ mod tests {
     fn every_value_has_a_place_on_the_axis() {
         let axes = [
             Axis::linear(3.0, 3.0),
-            Axis::over("mm", (3.0, 3.0), 0.1),
+            Axis::over("mm", [3.0, 3.0], 0.1),
             Axis::from_zero("mm", 0.0),
             Axis::from_zero("", f64::NAN),
-            Axis::decades("deg", (1e-300, 10.0), 6),
-            Axis::decades("", (10.0, 10.0), 6),
+            Axis::decades("deg", [1e-300, 10.0], 6),
+            Axis::decades("", [10.0, 10.0], 6),
         ];
         for axis in axes {
             for value in [-1e9, 0.0, 3.0, 10.0, 1e9] {
@@ -204,7 +204,7 @@ mod tests {
 
     #[test]
     fn a_range_passes_over_what_is_not_a_number() {
-        assert_eq!(range([f64::NAN, 2.0, -1.0, f64::INFINITY]), Some((-1.0, 2.0)));
+        assert_eq!(range([f64::NAN, 2.0, -1.0, f64::INFINITY]), Some([-1.0, 2.0]));
         assert_eq!((range([f64::NAN]), largest([f64::NAN]), largest([2.0])), (None, 0.0, 2.0));
     }
 }

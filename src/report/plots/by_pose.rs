@@ -35,11 +35,11 @@ fn picture(
     }
     let of = |k: usize| pairs.iter().map(move |(_, s)| s[k]);
     // a few tiny errors must not compress all others
-    let ends = (crate::number::quantile(of(1), 0.02), largest(of(0).chain(of(1))));
-    let logarithmic = largest(of(0)) > RATIO * crate::number::quantile(of(1), 0.5) && ends.0 > 0.0;
+    let ends = [crate::number::quantile(of(1), 0.02), largest(of(0).chain(of(1)))];
+    let logarithmic = largest(of(0)) > RATIO * crate::number::quantile(of(1), 0.5) && ends[0] > 0.0;
     let is_angle = quantity == ErrorQuantity::Orientation;
     let unit = if is_angle { "deg" } else { "mm" };
-    let axis = if logarithmic { Axis::decades(unit, ends, DECADES) } else { Axis::from_zero(unit, ends.1) };
+    let axis = if logarithmic { Axis::decades(unit, ends, DECADES) } else { Axis::from_zero(unit, ends[1]) };
     let (low, unit) = (axis.ends().0, axis.display_unit().unit);
     let of_quantity = || tr!(words, "error-by-pose", quantity = words.tr(&quantity.phrase()));
     let (title, name) = match quantity {

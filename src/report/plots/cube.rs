@@ -42,7 +42,7 @@ fn cube(places: &[(PoseName, Vector)], planar: bool) -> Option<(Vector, f64)> {
 /// All poses, and the cube if applicable.
 pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figure> {
     let places = places(document);
-    let extent = |axis: usize| range(places.iter().map(|(_, p)| p[axis])).map_or(0.0, |(low, high)| high - low);
+    let extent = |axis: usize| range(places.iter().map(|(_, p)| p[axis])).map_or(0.0, |[low, high]| high - low);
     let planar = extent(2) < FLAT * extent(0).max(extent(1));
     let cube = cube(&places, planar);
     let mut around: Vec<Vector> = places.iter().map(|(_, p)| *p).collect();

@@ -38,7 +38,7 @@ impl Curves {
         self.curves.retain(|c| !c.points.is_empty());
         let points = || self.curves.iter().flat_map(|c| &c.points);
         let ends = self.marks.iter().flat_map(|m| m.interval).flat_map(|(low, high)| [low, high]);
-        let (_, largest) = range(points().map(|p| p.1).chain(ends.filter(|e| drawable(*e))))?;
+        let [_, largest] = range(points().map(|p| p.1).chain(ends.filter(|e| drawable(*e))))?;
         // numbers of cycles or sets have no decimals
         let whole = points().all(|p| p.0.fract() == 0.0);
         let place = |x: f64, digits: usize| if whole { format!("{x:.0}") } else { number::significant(x, digits) };

@@ -29,12 +29,12 @@ pub(crate) fn picture(relative: &RelativeAccuracy, words: &Words) -> Option<Figu
     ];
     let steps = &relative.steps;
     let values: Vec<f64> = series.iter().flat_map(|(_, _, of)| steps.iter().map(|s| of(s).mm)).collect();
-    let (low, high) = range(values.iter().copied().filter(|v| *v > 0.0 && drawable(*v)))?;
+    let [low, high] = range(values.iter().copied().filter(|v| *v > 0.0 && drawable(*v)))?;
     let ends = range(steps.iter().flat_map(|s| [s.from_mm, s.to_mm]).filter(|v| drawable(*v)))?;
     if steps.len() < 2 {
         return None;
     }
-    let up = Axis::decades("mm", (low, high), DECADES);
+    let up = Axis::decades("mm", [low, high], DECADES);
     let unit = up.display_unit().unit;
     let across = Axis::over("", ends, 0.0);
     let names = [tr!(words, "distance-between-poses-in-mm"), tr!(words, "error-in-unit", unit)];

@@ -30,7 +30,7 @@ fn histogram(
     words: &Words,
 ) -> Option<Figure> {
     let size = points::size(after);
-    let largest_mm = range(errors.iter().map(|p| size(p)))?.1;
+    let largest_mm = range(errors.iter().map(|p| size(p)))?[1];
     let shown = number::display_unit("mm", largest_mm);
     let largest = if largest_mm > 0.0 { largest_mm * shown.factor } else { 1.0 };
     let width = step(largest, BINS);

@@ -12,7 +12,7 @@ const LETTERS: usize = 14;
 pub(crate) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figure> {
     let distance = |p: &etalon_documents::InfluenceEntry| p.cooks_distance.filter(|d| d.is_finite());
     let all: Vec<_> = found.poses.iter().filter_map(|p| Some((p.pose.to_string(), distance(p)?))).collect();
-    let largest = range(all.iter().map(|(_, d)| *d).chain([found.influential]))?.1;
+    let largest = range(all.iter().map(|(_, d)| *d).chain([found.influential]))?[1];
     if all.is_empty() {
         return None;
     }

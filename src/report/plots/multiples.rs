@@ -44,7 +44,7 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
         let tip = tr!(words, "rp-circle-tooltip", pose = p.pose, rp = number::fixed(1e3 * rp, 1));
         svg.mark(Look::new(Shape::Circle, "ring"), middle, scale * rp, &tip);
         for (cycle, v) in all {
-            let share = (*cycle as f64 - cycles.0) / (cycles.1 - cycles.0).max(1.0);
+            let share = (*cycle as f64 - cycles[0]) / (cycles[1] - cycles[0]).max(1.0);
             let class = format!("map o{}", (share * (SHADES - 1) as f64).round() as usize);
             let [x, y] = [0, 1].map(|axis| number::fixed(1e3 * v[axis], 1));
             let tip = tr!(words, "visit-of-cycle-tooltip", pose = p.pose, cycle, x, y);

@@ -22,8 +22,8 @@ fn picture(quantity: ErrorQuantity, errors: &[&PointError], limits: &[LimitVerdi
     let (before, after) = (sizes(false), sizes(true));
     let high = largest(before.iter().chain(&after).copied());
     let positive = before.iter().chain(&after).copied().filter(|v| *v > 0.0);
-    let low = range(positive)?.0.max(high * 10f64.powf(-DECADES));
-    let axis = Axis::decades("mm", (low, high), DECADES as u8);
+    let low = range(positive)?[0].max(high * 10f64.powf(-DECADES));
+    let axis = Axis::decades("mm", [low, high], DECADES as u8);
     let bin = |v: f64| ((axis.share(v) * BINS as f64) as usize).min(BINS - 1);
     let shares = |all: &[f64]| {
         let mut counts = [0usize; BINS];

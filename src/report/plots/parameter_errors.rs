@@ -15,7 +15,7 @@ pub(crate) fn pictures(study: &StudyDocument, words: &Words) -> Vec<Figure> {
 fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
     let off = |p: &StudiedParameter| p.identified - p.actual;
     let all: Vec<_> = study.parameters.iter().filter(|p| p.unit == unit && off(p).is_finite()).collect();
-    let largest = range(all.iter().map(|p| off(p).abs()))?.1;
+    let largest = range(all.iter().map(|p| off(p).abs()))?[1];
     // errors of angles are about 1e-4 deg: 10⁻³ deg leaves room for the labels
     let shown = match unit {
         "deg" if largest < 0.05 => DisplayUnit { unit: "10⁻³ deg", factor: 1000.0 },

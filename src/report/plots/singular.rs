@@ -23,7 +23,7 @@ pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure>
     let cut = o.rank_cut * largest;
     let is_cut_drawn = cut > 0.0 && cut < largest && !o.held_singular_values.is_empty();
     let smallest = values().fold(if is_cut_drawn { cut } else { largest }, f64::min);
-    let up = Axis::decades("", (smallest, largest), DECADES);
+    let up = Axis::decades("", [smallest, largest], DECADES);
     let labels = (0..all.len()).step_by(all.len().div_ceil(LABELS)).map(|i| (i as f64, (i + 1).to_string()));
     let across = Axis::rows(all.len(), labels.collect(), 0.7);
     let names = [tr!(words, "singular-value-number"), tr!(words, "singular-value")];

@@ -40,8 +40,8 @@ impl Paper {
     /// Fits `flat` (mm) into `width` units minus a margin on every side, and at most `most` units
     /// of height.
     pub fn around(flat: &[Place], width: f64, most: f64, margin: f64) -> Self {
-        let (x0, x1) = range(flat.iter().map(|p| p.0)).unwrap_or_default();
-        let (y0, y1) = range(flat.iter().map(|p| p.1)).unwrap_or_default();
+        let [x0, x1] = range(flat.iter().map(|p| p.0)).unwrap_or_default();
+        let [y0, y1] = range(flat.iter().map(|p| p.1)).unwrap_or_default();
         let room = |units: f64, mm: f64| (units - 2.0 * margin) / mm.max(1e-9);
         let scale = room(width, x1 - x0).min(room(most, y1 - y0)).min(1e6);
         let height = (y1 - y0) * scale + 2.0 * margin;

@@ -76,7 +76,7 @@ impl Workspace {
 
     /// Draws the axes of a square plane that shows all positions in a unit.
     fn plane(axes: [usize; 2], places: &[Vector], unit: &str, words: &Words) -> Self {
-        let [(x0, x1), (y0, y1)] = axes.map(|axis| range(places.iter().map(|p| p[axis])).unwrap_or_default());
+        let [[x0, x1], [y0, y1]] = axes.map(|axis| range(places.iter().map(|p| p[axis])).unwrap_or_default());
         // a single point gets one unit around it
         let span = (x1 - x0).max(y1 - y0).max(1.0);
         let fitted = |left: f64| {
@@ -103,7 +103,7 @@ impl Workspace {
     /// rotation.
     fn space(places: &[Vector], words: &Words) -> Self {
         let ends = [0, 1, 2].map(|i| range(places.iter().map(|p| p[i])).unwrap_or_default());
-        let (middle, half) = (ends.map(|(a, b)| 0.5 * (a + b)), ends.map(|(a, b)| (0.5 * (b - a)).max(0.5)));
+        let (middle, half) = (ends.map(|[a, b]| 0.5 * (a + b)), ends.map(|[a, b]| (0.5 * (b - a)).max(0.5)));
         let radius = norm(half);
         let paper = Paper::around(&[(-radius, -radius), (radius, radius)], NARROW, NARROW, 44.0);
         let mut svg = Svg::new(words, NARROW, NARROW);

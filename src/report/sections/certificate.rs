@@ -12,14 +12,15 @@ use etalon_documents::{AccuracyDocument, Results};
 pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Contents {
     let missing = checklist::missing(results, words);
     let is_draft = !missing.is_empty();
-    let (title, draft) = match (results.identified.is_some(), results.campaign.synthetic.is_some(), is_draft) {
-        (true, true, _) => (tr!(words, "calibration-of-synthetic-data"), Some(tr!(words, "synthetic-mark"))),
-        (false, true, _) => (tr!(words, "test-of-synthetic-data"), Some(tr!(words, "synthetic-mark"))),
-        (true, false, true) => (tr!(words, "calibration-certificate-draft"), Some(tr!(words, "draft-mark"))),
-        (false, false, true) => (tr!(words, "test-certificate-draft"), Some(tr!(words, "draft-mark"))),
-        (true, false, false) => (tr!(words, "calibration-certificate"), None),
-        (false, false, false) => (tr!(words, "test-certificate"), None),
-    };
+    let (title, draft) =
+        match (results.identified.is_some(), results.campaign.measurements.synthetic.is_some(), is_draft) {
+            (true, true, _) => (tr!(words, "calibration-of-synthetic-data"), Some(tr!(words, "synthetic-mark"))),
+            (false, true, _) => (tr!(words, "test-of-synthetic-data"), Some(tr!(words, "synthetic-mark"))),
+            (true, false, true) => (tr!(words, "calibration-certificate-draft"), Some(tr!(words, "draft-mark"))),
+            (false, false, true) => (tr!(words, "test-certificate-draft"), Some(tr!(words, "draft-mark"))),
+            (true, false, false) => (tr!(words, "calibration-certificate"), None),
+            (false, false, false) => (tr!(words, "test-certificate"), None),
+        };
     let mut facts = Section::new("conditions", tr!(words, "item-customer-traceability"));
     facts.push(Block::facts(conditions::certificate_facts(results, words)));
     let sections = [
@@ -100,12 +101,12 @@ mod tests {
         let mut documents = Documents::demo();
         let c = &mut documents.campaign;
         let text = || Some("stated".to_owned());
-        (c.synthetic, c.decision_rule) = (None, Some(etalon_documents::DecisionRule::Guarded));
+        (c.measurements.synthetic, c.decision_rule) = (None, Some(etalon_documents::DecisionRule::Guarded));
         let issue = &mut c.issue;
         (issue.number, issue.customer, issue.issued, issue.authorised_by) = (text(), text(), text(), text());
         let given = &mut c.conditions;
-        (given.laboratory, given.robot_maker, given.robot_type) = (text(), text(), text());
-        (given.robot_serial_number, given.robot_state) = (text(), text());
+        (given.laboratory, given.robot.maker, given.robot.model) = (text(), text(), text());
+        (given.robot.serial_number, given.robot.state) = (text(), text());
         (given.instrument_calibration, given.traceability) = (text(), text());
         given.deviations = Some(Vec::new());
         documents
@@ -132,7 +133,7 @@ mod tests {
     #[test]
     fn synthetic_data_make_no_certificate() {
         let mut documents = complete();
-        documents.campaign.synthetic = Some("made with seed 7".to_owned());
+        documents.campaign.measurements.synthetic = Some("made with seed 7".to_owned());
         let whole = certificate_contents(&documents);
         assert!(whole.draft.is_some() && !whole.title.to_lowercase().starts_with("calibration certificate"));
         assert!(whole.title.contains("not a certificate"), "{}", whole.title);
@@ -142,8 +143,8 @@ mod tests {
     fn warnings_and_characteristics_of_each_pose_are_on_the_certificate() {
         let mut documents = complete();
         documents.tested = demo_iso9283::whole();
-        documents.campaign.conditions.load_kg = Some(2.5);
-        documents.campaign.conditions.velocities_percent = Some(vec![100.0]);
+        documents.campaign.conditions.motion.load_kg = Some(2.5);
+        documents.campaign.conditions.motion.velocities_percent = Some(vec![100.0]);
         let mut warning = Message::warning("the beam was broken".to_owned());
         warning.rank = Rank::Decide;
         documents.import.messages = vec![warning];

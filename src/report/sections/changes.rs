@@ -94,10 +94,10 @@ fn differences(compare: &CompareDocument, words: &Words) -> Vec<String> {
         .map(|all| tr!(words, "different-instruments", instruments = listed(all)));
     type Stated = fn(&ComparedCampaign) -> Option<String>;
     let kinds: [(String, Stated); 4] = [
-        (tr!(words, "mounting"), |c| c.conditions.mounting.clone()),
+        (tr!(words, "mounting"), |c| c.conditions.robot.mounting.clone()),
         (tr!(words, "measurement-point"), |c| c.conditions.measurement_point.clone()),
-        (tr!(words, "load"), |c| c.conditions.load_kg.map(|kg| format!("{kg} kg"))),
-        (tr!(words, "controller"), |c| c.conditions.controller.clone()),
+        (tr!(words, "load"), |c| c.conditions.motion.load_kg.map(|kg| format!("{kg} kg"))),
+        (tr!(words, "controller"), |c| c.conditions.robot.controller.clone()),
     ];
     let set_ups: Vec<String> =
         kinds.iter().filter_map(|(what, of)| Some(format!("{what}: {}", listed(differing(of)?)))).collect();

@@ -49,7 +49,7 @@ pub(super) fn missing(results: &Results, words: &Words) -> Vec<Missing> {
 
 /// Mark across a report that is a draft, or of synthetic data.
 pub(crate) fn mark(results: &Results, words: &Words) -> Option<String> {
-    match (results.campaign.synthetic.is_some(), missing(results, words).is_empty()) {
+    match (results.campaign.measurements.synthetic.is_some(), missing(results, words).is_empty()) {
         (true, _) => Some(tr!(words, "synthetic-mark")),
         (false, false) => Some(tr!(words, "draft-mark")),
         (false, true) => None,
@@ -66,20 +66,20 @@ fn general(results: &Results, words: &Words) -> Vec<Field> {
         (tr!(words, "laboratory"), "conditions.laboratory", REPORT, is_stated(&given.laboratory)),
         (tr!(words, "report-number"), "report.number", REPORT, is_stated(&issue.number)),
         (tr!(words, "customer"), "report.customer", REPORT, is_stated(&issue.customer)),
-        (tr!(words, "manufacturer"), "conditions.robot_maker", REPORT, is_stated(&given.robot_maker)),
-        (tr!(words, "type"), "conditions.robot_type", REPORT, is_stated(&given.robot_type)),
-        (tr!(words, "serial-number"), "conditions.robot_serial_number", REPORT, is_stated(&given.robot_serial_number)),
-        (tr!(words, "state-of-the-robot"), "conditions.robot_state", REPORT, is_stated(&given.robot_state)),
-        (tr!(words, "measurement-dates"), "date", REPORT, is_stated(&c.date)),
+        (tr!(words, "manufacturer"), "conditions.robot_maker", REPORT, is_stated(&given.robot.maker)),
+        (tr!(words, "type"), "conditions.robot_type", REPORT, is_stated(&given.robot.model)),
+        (tr!(words, "serial-number"), "conditions.robot_serial_number", REPORT, is_stated(&given.robot.serial_number)),
+        (tr!(words, "state-of-the-robot"), "conditions.robot_state", REPORT, is_stated(&given.robot.state)),
+        (tr!(words, "measurement-dates"), "date", REPORT, is_stated(&c.measurements.date)),
         (tr!(words, "date-of-issue"), "report.issued", REPORT, is_stated(&issue.issued)),
         (tr!(words, "deviations-from-the-method"), "conditions.deviations", REPORT, given.deviations.is_some()),
         (tr!(words, "authorised-by"), "report.authorised_by", REPORT, is_stated(&issue.authorised_by)),
-        (tr!(words, "instrument"), "instrument.name", CALIBRATION, is_stated(&c.instrument)),
+        (tr!(words, "instrument"), "instrument.name", CALIBRATION, is_stated(&c.instrument.name)),
         (
             tr!(words, "instrument-uncertainty"),
             "instrument.expanded_uncertainty_um",
             CALIBRATION,
-            c.expanded_uncertainty_um.is_some() || c.expanded_position_uncertainty_um.is_some(),
+            c.instrument.expanded_uncertainty_um.is_some() || c.instrument.expanded_position_uncertainty_um.is_some(),
         ),
         (
             tr!(words, "instrument-calibration"),
@@ -88,7 +88,7 @@ fn general(results: &Results, words: &Words) -> Vec<Field> {
             is_stated(&given.instrument_calibration),
         ),
         (tr!(words, "traceability"), "conditions.traceability", CALIBRATION, is_stated(&given.traceability)),
-        (tr!(words, "temperature"), "temperature_c", CALIBRATION, c.temperature_c.is_some()),
+        (tr!(words, "temperature"), "temperature_c", CALIBRATION, c.temperature.stated_c.is_some()),
     ];
     if !super::limits::limits(results.identified.as_ref(), &results.tested).is_empty() {
         all.push((tr!(words, "decision-rule"), "limits.decision_rule", CONFORMITY, c.decision_rule.is_some()));
@@ -99,12 +99,12 @@ fn general(results: &Results, words: &Words) -> Vec<Field> {
 /// Conditions of a test.
 fn test_fields(results: &Results, words: &Words) -> Vec<Field> {
     let given = &results.campaign.conditions;
-    let velocity = given.velocities_percent.is_some() || given.velocities_mm_s.is_some();
+    let velocity = given.motion.velocities_percent.is_some() || given.motion.velocities_mm_s.is_some();
     vec![
-        (tr!(words, "controller"), "conditions.controller", TEST, is_stated(&given.controller)),
-        (tr!(words, "mounting"), "conditions.mounting", TEST, is_stated(&given.mounting)),
+        (tr!(words, "controller"), "conditions.controller", TEST, is_stated(&given.robot.controller)),
+        (tr!(words, "mounting"), "conditions.mounting", TEST, is_stated(&given.robot.mounting)),
         (tr!(words, "measurement-point"), "conditions.measurement_point", TEST, is_stated(&given.measurement_point)),
-        (tr!(words, "load"), "conditions.load_kg", TEST, given.load_kg.is_some()),
+        (tr!(words, "load"), "conditions.load_kg", TEST, given.motion.load_kg.is_some()),
         (tr!(words, "velocities"), "conditions.velocities_percent", TEST, velocity),
         (tr!(words, "warm-up-before-the-test"), "conditions.warm_up_minutes", TEST, given.warm_up_minutes.is_some()),
     ]

@@ -15,9 +15,9 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     for (what, said) in identity.iter().chain(&conditions) {
         section.summarise(what, said.clone(), "");
     }
-    section.summarise(tr!(words, "instrument-expanded-uncertainty"), campaign.expanded_uncertainty_um, "µm");
-    section.summarise(tr!(words, "coverage-factor"), campaign.coverage_factor, "");
-    section.summarise(tr!(words, "temperature"), campaign.temperature_c, "°C");
+    section.summarise(tr!(words, "instrument-expanded-uncertainty"), campaign.instrument.expanded_uncertainty_um, "µm");
+    section.summarise(tr!(words, "coverage-factor"), campaign.instrument.coverage_factor, "");
+    section.summarise(tr!(words, "temperature"), campaign.temperature.stated_c, "°C");
     let to_complete: Vec<String> = checklist::missing(results, words).into_iter().map(|m| m.field).collect();
     for (heading, facts) in [(None, identity), (Some(tr!(words, "conditions")), conditions)] {
         section.blocks.extend(heading.map(Block::heading));
@@ -51,12 +51,12 @@ fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "measurement-place"), given.place.clone()),
         (tr!(words, "customer"), issue.customer.clone()),
         (tr!(words, "robot"), robot_name(results)),
-        (tr!(words, "manufacturer"), given.robot_maker.clone()),
-        (tr!(words, "type"), given.robot_type.clone()),
-        (tr!(words, "serial-number"), given.robot_serial_number.clone()),
-        (tr!(words, "state-of-the-robot"), given.robot_state.clone()),
-        (tr!(words, "date-of-receipt"), given.robot_received.clone()),
-        (tr!(words, "measurement-dates"), c.date.clone()),
+        (tr!(words, "manufacturer"), given.robot.maker.clone()),
+        (tr!(words, "type"), given.robot.model.clone()),
+        (tr!(words, "serial-number"), given.robot.serial_number.clone()),
+        (tr!(words, "state-of-the-robot"), given.robot.state.clone()),
+        (tr!(words, "date-of-receipt"), given.robot.received.clone()),
+        (tr!(words, "measurement-dates"), c.measurements.date.clone()),
         (tr!(words, "date-of-issue"), issue.issued.clone()),
         (tr!(words, "method"), Some(method(results, words))),
         (tr!(words, "decision-rule"), rule.or_else(|| Some(default()))),
@@ -87,7 +87,7 @@ pub(super) fn certificate_facts(results: &Results, words: &Words) -> Vec<(String
 
 /// Name of the robot in the campaign, which differs from its model.
 pub(crate) fn robot_name(results: &Results) -> Option<String> {
-    results.campaign.conditions.robot.clone().or_else(|| results.campaign.robot.clone())
+    results.campaign.conditions.robot.description.clone().or_else(|| results.campaign.robot.clone())
 }
 
 /// Method by which the results were obtained.
@@ -101,8 +101,8 @@ fn method(results: &Results, words: &Words) -> String {
 
 /// Stated temperature, and the range that the exports state.
 fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
-    let stated = campaign.temperature_c.map(|value| format!("{} °C", words.unrounded(value)));
-    let measured = campaign.temperature_range_c.map(|[lowest, highest]| {
+    let stated = campaign.temperature.stated_c.map(|value| format!("{} °C", words.unrounded(value)));
+    let measured = campaign.temperature.range_c.map(|[lowest, highest]| {
         let [lowest, highest] = [lowest, highest].map(|value| words.unrounded(value));
         tr!(words, "temperature-range", lowest, highest)
     });
@@ -115,28 +115,28 @@ fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let (c, given, tested) = (&results.campaign, &results.campaign.conditions, &results.tested);
     let text = |text: &Option<String>| text.clone();
     let in_unit = |value: Option<f64>, unit: &str| value.map(|v| format!("{} {unit}", words.unrounded(v)));
-    let centre = given.load_centre_mm.map(|centre| {
+    let centre = given.motion.load_centre_mm.map(|centre| {
         let [x, y, z] = centre.map(|v| words.unrounded(v));
         format!("x {x}, y {y}, z {z} mm")
     });
     let list = |values: &Vec<f64>| values.iter().map(|v| words.unrounded(*v)).collect::<Vec<_>>().join(", ");
-    let shares = given.velocities_percent.as_ref().map(|v| tr!(words, "percent-of-rated", percent = list(v)));
-    let speeds = given.velocities_mm_s.as_ref().map(|v| format!("{} mm/s", list(v)));
+    let shares = given.motion.velocities_percent.as_ref().map(|v| tr!(words, "percent-of-rated", percent = list(v)));
+    let speeds = given.motion.velocities_mm_s.as_ref().map(|v| format!("{} mm/s", list(v)));
     let velocities: Vec<String> = shares.into_iter().chain(speeds).collect();
     let velocities = (!velocities.is_empty()).then(|| velocities.join("; "));
     let mut all = vec![
-        (tr!(words, "operator"), text(&c.operator)),
-        (tr!(words, "controller"), text(&given.controller)),
-        (tr!(words, "mounting"), text(&given.mounting)),
+        (tr!(words, "operator"), text(&c.measurements.operator)),
+        (tr!(words, "controller"), text(&given.robot.controller)),
+        (tr!(words, "mounting"), text(&given.robot.mounting)),
         (tr!(words, "measurement-point"), text(&given.measurement_point)),
-        (tr!(words, "load"), in_unit(given.load_kg, "kg")),
+        (tr!(words, "load"), in_unit(given.motion.load_kg, "kg")),
         (tr!(words, "load-centre"), centre),
         (tr!(words, "velocities"), velocities),
         (tr!(words, "temperature"), temperature(c, words)),
         (tr!(words, "relative-humidity"), in_unit(given.humidity_percent, "%")),
         (tr!(words, "environment"), text(&given.environment)),
         (tr!(words, "warm-up-before-the-test"), in_unit(given.warm_up_minutes, "min")),
-        (tr!(words, "instrument"), text(&c.instrument)),
+        (tr!(words, "instrument"), text(&c.instrument.name)),
         (tr!(words, "instrument-uncertainty"), uncertainty(results, words)),
         (tr!(words, "instrument-calibration"), text(&given.instrument_calibration)),
         (tr!(words, "traceability"), text(&given.traceability)),
@@ -146,12 +146,12 @@ fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     }
     all.push((tr!(words, "deviations-from-the-method"), given.deviations.as_ref().map(|d| deviations(d, words))));
     // without a load there is no centre
-    if given.load_kg == Some(0.0) && given.load_centre_mm.is_none() {
+    if given.motion.load_kg == Some(0.0) && given.motion.load_centre_mm.is_none() {
         all.retain(|(what, _)| *what != tr!(words, "load-centre"));
     }
     let mut facts = stated(all, words);
     facts.push((tr!(words, "contact"), contact(c, words).into()));
-    facts.push((tr!(words, "notes"), text(&c.notes).into()));
+    facts.push((tr!(words, "notes"), text(&c.measurements.notes).into()));
     facts
 }
 
@@ -159,16 +159,16 @@ fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
 /// measured.
 fn uncertainty(results: &Results, words: &Words) -> Option<String> {
     let c = &results.campaign;
-    let u = c.expanded_uncertainty_um.map(number::stated)?;
+    let u = c.instrument.expanded_uncertainty_um.map(number::stated)?;
     let sets = results.identified.as_ref().map_or(&[][..], |i| &i.accuracy.sets);
     let positions = sets.is_empty() || sets.iter().any(|s| s.error_statistics(ErrorQuantity::Position).is_some());
-    let of_coordinate = match (c.coverage_factor.map(number::stated), positions) {
+    let of_coordinate = match (c.instrument.coverage_factor.map(number::stated), positions) {
         (Some(k), true) => tr!(words, "instrument-uncertainty-with-k", uncertainty = u, k),
         (Some(k), false) => tr!(words, "reading-uncertainty-with-k", uncertainty = u, k),
         (None, true) => tr!(words, "instrument-uncertainty-without-k", uncertainty = u),
         (None, false) => tr!(words, "reading-uncertainty-without-k", uncertainty = u),
     };
-    let of_position = c.expanded_position_uncertainty_um.map(number::stated);
+    let of_position = c.instrument.expanded_position_uncertainty_um.map(number::stated);
     let of_position =
         of_position.map(|u| format!("; {}", tr!(words, "instrument-uncertainty-of-position", uncertainty = u)));
     Some(of_coordinate + &of_position.unwrap_or_default())
@@ -229,8 +229,8 @@ mod tests {
     fn what_is_stated_has_its_unit_and_no_deviation_is_not_an_unstated_one() {
         let mut documents = Documents::demo();
         let c = &mut documents.campaign.conditions;
-        (c.load_kg, c.load_centre_mm) = (Some(0.5), Some([0.0, 1.5, 30.0]));
-        (c.velocities_percent, c.velocities_mm_s) = (Some(vec![100.0, 50.0]), Some(vec![400.0]));
+        (c.motion.load_kg, c.motion.load_centre_mm) = (Some(0.5), Some([0.0, 1.5, 30.0]));
+        (c.motion.velocities_percent, c.motion.velocities_mm_s) = (Some(vec![100.0, 50.0]), Some(vec![400.0]));
         c.deviations = Some(vec![]);
         let all = facts(&documents.results(), &Words::default());
         assert_eq!(fact(&all, "load").as_deref(), Some("0.5 kg"));

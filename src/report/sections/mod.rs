@@ -18,7 +18,6 @@ pub(super) mod field;
 pub(super) mod fit;
 mod frames;
 mod geometric;
-pub(super) mod given;
 mod import;
 pub(super) mod limits;
 pub(super) mod messages;
@@ -32,6 +31,7 @@ mod repeatability;
 pub(super) mod selftest;
 mod streams;
 mod test_poses;
+pub(super) mod validity;
 pub(super) mod verdict;
 
 use super::model::{Block, Section};
@@ -100,9 +100,9 @@ fn with_measurement_point(mut section: Section, results: &Results, words: &Words
     let listed = |all: &Vec<f64>, unit: &str| {
         format!("{} {unit}", all.iter().map(f64::to_string).collect::<Vec<_>>().join(", "))
     };
-    let load = conditions.load_kg.map(|kg| tr!(words, "load-sentence", load = kg));
-    let percent = conditions.velocities_percent.as_ref().map(|all| listed(all, "%"));
-    let velocity = conditions.velocities_mm_s.as_ref().map(|all| listed(all, "mm/s")).or(percent);
+    let load = conditions.motion.load_kg.map(|kg| tr!(words, "load-sentence", load = kg));
+    let percent = conditions.motion.velocities_percent.as_ref().map(|all| listed(all, "%"));
+    let velocity = conditions.motion.velocities_mm_s.as_ref().map(|all| listed(all, "mm/s")).or(percent);
     let velocity = velocity.map(|velocity| tr!(words, "velocity-sentence", velocity));
     let point = tr!(words, "figures-of-measurement-point", point);
     let sentences: Vec<String> = [Some(point), load, velocity].into_iter().flatten().collect();

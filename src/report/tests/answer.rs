@@ -19,7 +19,7 @@ fn actions(documents: &Documents) -> Vec<Action> {
 /// Measured data with one controller file, all limits met.
 fn measured() -> Documents {
     let mut documents = Documents::demo();
-    documents.campaign.synthetic = None;
+    documents.campaign.measurements.synthetic = None;
     let file = |format: &str, file: &str| WrittenFile {
         format: format.to_owned(),
         file: file.to_owned(),
@@ -53,7 +53,7 @@ fn a_file_is_to_be_loaded_only_if_the_verdict_allows_it() {
     let first = &actions(&documents)[0];
     assert_eq!(first.file.as_deref(), Some("etalon.st"));
     assert!(first.what.phrase().unwrap().id == "action-load", "{first:?}");
-    documents.campaign.synthetic = Some("simulated".to_owned());
+    documents.campaign.measurements.synthetic = Some("simulated".to_owned());
     let synthetic = &actions(&documents)[0];
     assert!(synthetic.what.english().contains("not into a robot"), "{synthetic:?}");
     let failed = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.01, 0.0442, Some(0.001), DecisionRule::Guarded);
@@ -151,7 +151,7 @@ fn a_report_is_a_draft_until_every_field_is_stated_and_says_so_on_every_page() {
     let page = String::from_utf8(Renderer::campaign(&documents.results()).unwrap().file("html").unwrap()).unwrap();
     assert!(page.contains("data-draft=\"DRAFT\""));
     let mut synthetic = measured();
-    synthetic.campaign.synthetic = Some("simulated".to_owned());
+    synthetic.campaign.measurements.synthetic = Some("simulated".to_owned());
     let page = String::from_utf8(Renderer::campaign(&synthetic.results()).unwrap().file("html").unwrap()).unwrap();
     assert!(page.contains("data-draft=\"SYNTHETIC DATA\""));
 }

@@ -81,9 +81,9 @@ fn what_else_differs_is_the_first_thing_it_says() {
         |document: &CompareDocument| Renderer::comparison(document, Presentation::default()).unwrap().terminal();
     assert!(!first(&document).contains("Different"), "{}", first(&document));
     let later = &mut document.campaigns[1];
-    (later.instrument, later.conditions.load_kg) = (Some("FaroArm".to_owned()), Some(2.0));
+    (later.instrument, later.conditions.motion.load_kg) = (Some("FaroArm".to_owned()), Some(2.0));
     later.identified.pop();
-    document.campaigns[0].conditions.load_kg = Some(0.0);
+    document.campaigns[0].conditions.motion.load_kg = Some(0.0);
     let (to, from, parameters, f, degrees_of_freedom, p) = (2, 1, 11, 99.0, Some(40.0), 0.0);
     document.together =
         vec![etalon_documents::CompareTogether { to, from, parameters, f, degrees_of_freedom, p, significant: true }];

@@ -94,27 +94,7 @@ impl Documents {
             |name, limit: f64, value: f64| LimitVerdict::judge(name, limit, value, Some(0.0038), DecisionRule::Guarded);
         Self {
             tested: Characteristics::default(),
-            campaign: CampaignSummary {
-                name: "PreXYT, CMM, spring check".to_owned(),
-                robot: None,
-                synthetic: Some("made by `etalon simulate` with seed 7".to_owned()),
-                notes: None,
-                date: Some("2011-05-12".to_owned()),
-                operator: Some("N. N.".to_owned()),
-                instrument: Some("Mitutoyo BRIGHT-STRATO 7106".to_owned()),
-                expanded_uncertainty_um: Some(2.7),
-                coverage_factor: Some(2.0),
-                expanded_position_uncertainty_um: None,
-                decision_rule: None,
-                contact: None,
-                temperature_c: Some(20.1),
-                temperature_range_c: None,
-                conditions: Conditions::default(),
-                valid_until: None,
-                controller_files: Vec::new(),
-                issue: Issue::default(),
-                report: Presentation::default(),
-            },
+            campaign: campaign(),
             import: import(),
             features: features(),
             frames: frames(),
@@ -180,6 +160,34 @@ fn errors() -> Vec<PointError> {
         }
     }
     errors
+}
+
+/// Summary of the campaign.
+fn campaign() -> CampaignSummary {
+    CampaignSummary {
+        name: "PreXYT, CMM, spring check".to_owned(),
+        robot: None,
+        measurements: MeasurementSummary {
+            synthetic: Some("made by `etalon simulate` with seed 7".to_owned()),
+            notes: None,
+            date: Some("2011-05-12".to_owned()),
+            operator: Some("N. N.".to_owned()),
+        },
+        instrument: InstrumentSummary {
+            name: Some("Mitutoyo BRIGHT-STRATO 7106".to_owned()),
+            expanded_uncertainty_um: Some(2.7),
+            coverage_factor: Some(2.0),
+            expanded_position_uncertainty_um: None,
+        },
+        decision_rule: None,
+        contact: None,
+        temperature: TemperatureSummary { stated_c: Some(20.1), range_c: None },
+        conditions: Conditions::default(),
+        valid_until: None,
+        controller_files: Vec::new(),
+        issue: Issue::default(),
+        report: Presentation::default(),
+    }
 }
 
 fn import() -> ImportDocument {

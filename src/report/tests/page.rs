@@ -158,11 +158,12 @@ pub(crate) fn with_text(text: &str) -> Documents {
     let mut d = Documents::demo();
     let t = || text.to_owned();
     let c = &mut d.campaign;
-    (c.name, c.synthetic, c.notes, c.date) = (t(), Some(t()), Some(t()), Some(t()));
-    (c.operator, c.instrument) = (Some(t()), Some(t()));
+    (c.name, c.measurements.synthetic, c.measurements.notes, c.measurements.date) =
+        (t(), Some(t()), Some(t()), Some(t()));
+    (c.measurements.operator, c.instrument.name) = (Some(t()), Some(t()));
     let given = &mut c.conditions;
-    (given.laboratory, given.robot, given.controller) = (Some(t()), Some(t()), Some(t()));
-    (given.mounting, given.measurement_point) = (Some(t()), Some(t()));
+    (given.laboratory, given.robot.description, given.robot.controller) = (Some(t()), Some(t()), Some(t()));
+    (given.robot.mounting, given.measurement_point) = (Some(t()), Some(t()));
     (given.environment, given.instrument_calibration) = (Some(t()), Some(t()));
     given.deviations = Some(vec![t(), t()]);
     let message = || Message::error(t()).at(Place::line(t(), 1, t())).expected(t()).hint(t());
@@ -246,7 +247,7 @@ fn numbers_that_are_none_and_lone_points_do_no_harm() {
             }
             d.parameters.parameters[0].value = size;
             d.parameters.parameters[1].standard_uncertainty = Some(size);
-            d.campaign.expanded_uncertainty_um = Some(size);
+            d.campaign.instrument.expanded_uncertainty_um = Some(size);
             d.features.features[0].direction = [size; 3];
             d.accuracy.sets[0].errors[0].before = Statistics { mean: size, rms: size, p95: size, max: size };
             d.accuracy.sets[1].errors[0].after = Statistics { mean: size, rms: size, p95: size, max: size };

@@ -55,8 +55,8 @@ fn hostile_names_are_texts() {
 #[test]
 fn what_a_cell_cannot_hold_is_cut_or_replaced() {
     let mut documents = Documents::demo();
-    documents.campaign.notes = Some("ü".repeat(40_000));
-    documents.campaign.operator = Some("a\0b\u{fffe}c".to_owned());
+    documents.campaign.measurements.notes = Some("ü".repeat(40_000));
+    documents.campaign.measurements.operator = Some("a\0b\u{fffe}c".to_owned());
     documents.parameters.parameters[0].value = f64::NAN;
     documents.parameters.parameters[1].value = f64::INFINITY;
     documents.errors[0].pose = i64::MAX.into();

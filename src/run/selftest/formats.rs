@@ -5,7 +5,7 @@ use super::row::{Rows, Subject, not_made};
 use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_formats::dialect::Unit;
-use etalon_formats::exports::ExportRow;
+use etalon_formats::exports::{ExportRow, WriteError};
 use etalon_formats::{Format, rows as read_rows};
 
 pub(super) const SUBJECT: Subject = Subject {
@@ -67,14 +67,14 @@ fn written(name: &str, unit: Unit, rows: &mut Rows) {
     let not_read = vec!["0.5".to_owned(); 24];
     let text = match format.write(&all, unit, DECIMALS, &not_read) {
         Ok(text) => text,
-        Err(message) if ["format-without-unit", "format-not-simulated"].contains(&&*message.id) => return,
-        Err(message) => return rows.failed(not_made(name, &message)),
+        Err(WriteError::Unsupported(_)) => return,
+        Err(WriteError::Row(message)) => return rows.failed(not_made(name, &message)),
     };
-    let (points, problems) = read_rows(&format, name, &text.as_str().into(), unit);
-    // a file that states another unit is refused, as it must
-    if problems.0.iter().any(|message| message.id == "unit-differs") {
+    // a file whose headings state another unit is rejected, as it must be
+    if format.heading_unit().is_some_and(|stated| stated != unit) {
         return;
     }
+    let (points, problems) = read_rows(&format, name, &text.as_str().into(), unit);
     if !problems.0.is_empty() {
         return rows.failed(not_made(name, &problems));
     }

@@ -10,8 +10,8 @@ use crate::stages::observe::exclusions::{Exclusion, exclude};
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::observe::repeats::stale;
 use crate::stages::remedies::remedied;
-use crate::stages::shown;
 use crate::stages::table_file::{in_campaign, in_files};
+use crate::stages::truncated;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose_name::PoseName;
@@ -181,7 +181,7 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>, all: &B
             .map(|(_, pose)| pose.to_string())
             .collect();
         if !shared.is_empty() {
-            problems.0.push(error!("sets-overlap", poses = shown(shared, 20)).at(campaign.place(text)));
+            problems.0.push(error!("sets-overlap", poses = truncated(shared, 20)).at(campaign.place(text)));
         }
     }
     problems.0.extend(series_problems(campaign, identify, &selections, all));
@@ -223,7 +223,7 @@ fn series_problems(
             let hint = measured(poses);
             error!("selection-without-pose", set = "series").hint(hint)
         } else if !shared.is_empty() {
-            error!("series-overlap", poses = shown(shared, 20))
+            error!("series-overlap", poses = truncated(shared, 20))
         } else {
             continue;
         };
@@ -234,7 +234,7 @@ fn series_problems(
     let forgotten: Vec<String> = forgotten.map(|(_, (pose, _))| pose.to_string()).collect();
     let calibrating = selections.calibration_series(poses).iter().filter(|poses| !poses.is_empty()).count();
     let problem = if !forgotten.is_empty() {
-        error!("series-incomplete", poses = shown(forgotten, 20))
+        error!("series-incomplete", poses = truncated(forgotten, 20))
     } else if calibrating < 2 {
         error!("series-single")
     } else {

@@ -5,7 +5,7 @@
 use crate::stages::evaluate::errors::point_errors;
 use crate::stages::evaluate::sets::Sets;
 use crate::stages::remedies::remedied;
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::catalogue::Argument;
 use etalon_base::message::{Message, Result};
 use etalon_base::pattern::matches_pattern;
@@ -260,7 +260,7 @@ fn kind_and_count(robot: &dyn Robot, groups: &[Vec<usize>]) -> (&'static str, us
 
 /// Names of the first groups.
 fn names<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>>) -> Vec<Argument> {
-    shown(groups.map(|g| format!("`{}`", name(robot, g))), NAMED)
+    truncated(groups.map(|g| format!("`{}`", name(robot, g))), NAMED)
 }
 
 /// Common prefix of all parameters of a target or fixture.

@@ -40,7 +40,7 @@ fn name(point: &Point) -> &str {
 /// the same points.
 pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let near = near_mm(campaign);
-    if points.len() <= FEW && !names_meet(points, near) {
+    if points.len() <= FEW && !may_be_neighbours(points, near) {
         return Vec::new();
     }
     let mut same: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
@@ -97,7 +97,7 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
 }
 
 /// `true` if points of different names may be neighbours: their cells are equal or adjacent.
-fn names_meet(points: &[Point], near: f64) -> bool {
+fn may_be_neighbours(points: &[Point], near: f64) -> bool {
     let cell = |p: &Point| p.xyz_mm.map(|v| (v / (2.0 * near)).floor() as i64);
     let mut cells: Vec<([i64; 3], &str)> = points.iter().map(|p| (cell(p), name(p))).collect();
     cells.sort_unstable();
@@ -279,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn a_label_far_from_its_own_rows_and_at_another_point_is_reported() {
+    fn a_label_far_from_the_rows_of_its_name_and_at_another_point_is_reported() {
         let at = |x| [x, 1.0, 2.0];
         let points = [
             point(1, "Slave", None, at(0.0)),

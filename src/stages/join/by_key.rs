@@ -10,7 +10,7 @@ use etalon_documents::Unmatched;
 use etalon_formats::JointLog;
 use std::collections::BTreeSet;
 
-/// Maximum number of names of poses in a message, and of numbers.
+/// Values of the keys of a row.
 type Key = [Option<PoseName>; 2];
 /// Rows of one key, with the key.
 type Group<'k> = &'k [(Key, usize)];
@@ -70,7 +70,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
         return Err(error!("log-key-twice", log = name, count = twice.len(), keys = twice).into());
     }
     let alone = [measured.without(&logged), logged.without(&measured)];
-    misspelt(keys, (targets, &measured, &alone[0]), (log, &logged, &alone[1]))?;
+    misspelt(keys, targets, &measured, log, &logged)?;
     let mut report = |of: &str, at: &dyn Fn(usize, String, &Phrase) -> Unmatched, alone: &[Group], reason: Phrase| {
         if !alone.is_empty() {
             let shown = alone.iter().take(SHOWN).map(|rows| format!("[{}]", listed(&rows[0].0)));
@@ -103,16 +103,15 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
 
 /// Returns an error if measured points and the log both have keys without a partner, and one of
 /// these is a pose with a text that the other lacks: a misspelling.
-fn misspelt(
-    keys: &[&str],
-    (targets, measured, lone_targets): (&[Target], &Keys, &[Group]),
-    (log, logged, lone_rows): (&JointLog, &Keys, &[Group]),
-) -> Result<()> {
+fn misspelt(keys: &[&str], targets: &[Target], measured: &Keys, log: &JointLog, logged: &Keys) -> Result<()> {
     let posed = |lone: &[Group]| -> Vec<(PoseName, usize)> {
         lone.iter().filter_map(|rows| Some((rows[0].0[0]?, rows[0].1))).collect()
     };
-    let (here, there) = (posed(lone_targets), posed(lone_rows));
-    if keys[0] != "pose" || here.is_empty() || there.is_empty() {
+    if keys[0] != "pose" {
+        return Ok(());
+    }
+    let (here, there) = (posed(&measured.without(logged)), posed(&logged.without(measured)));
+    if here.is_empty() || there.is_empty() {
         return Ok(());
     }
     let wrong = |alone: &[(PoseName, usize)], other: &Keys| {

@@ -2,7 +2,7 @@
 //! once; after that, only encoders are read.
 
 use super::unmatched::At;
-use super::{Remarks, Row, own_covariance};
+use super::{Remarks, Row, export_covariance};
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::{error, phrase, warning};
@@ -105,7 +105,7 @@ fn means<'p>(campaign: &Campaign, points: &'p [Point]) -> BTreeMap<&'p str, Mean
     }
     let mean = |all: Vec<&Point>| {
         let n = all.len() as f64;
-        let stated: Option<Vec<Covariance>> = all.iter().map(|point| own_covariance(campaign, point)).collect();
+        let stated: Option<Vec<Covariance>> = all.iter().map(|point| export_covariance(campaign, point)).collect();
         let of_mean = |c: &[Covariance], i: usize, j: usize| c.iter().map(|c| c[i][j]).sum::<f64>() / (n * n);
         Mean {
             body: mean_body(&all),

@@ -80,15 +80,15 @@ fn nanoseconds(times_s: impl Iterator<Item = Option<f64>>, of: &str) -> Result<V
 }
 
 /// Time between a row and a time (ns).
-fn apart((from, to): &(i64, i64), t: i64) -> i64 {
-    from.saturating_sub(t).max(t.saturating_sub(*to)).max(0)
+fn distance_ns(span: (i64, i64), t: i64) -> i64 {
+    span.0.saturating_sub(t).max(t.saturating_sub(span.1)).max(0)
 }
 
 fn nearest(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
     let after = spans.partition_point(|s| s.0 <= t);
     let beside = after.saturating_sub(1)..(after + 1).min(spans.len());
-    let row = beside.min_by_key(|&i| apart(&spans[i], t))?;
-    (apart(&spans[row], t) <= tolerance_ns).then_some(Met { row, other: None })
+    let row = beside.min_by_key(|&i| distance_ns(spans[i], t))?;
+    (distance_ns(spans[row], t) <= tolerance_ns).then_some(Met { row, other: None })
 }
 
 /// The previous and the next row, both within the tolerance.

@@ -80,7 +80,7 @@ pub fn offset_and_rate(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<Of
         return Err(error!("times-missing", of = "log"));
     };
     let reference_s = 0.5 * (first.0 + last.1);
-    let times = distinct(times_s);
+    let times = distinct(times_s)?;
     let mut assigned: BTreeMap<Vec<usize>, (f64, f64)> = BTreeMap::new();
     let steps = (LARGEST_RATE / RATE_STEP).round() as i32;
     for step in -steps..=steps {
@@ -96,9 +96,7 @@ pub fn offset_and_rate(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<Of
     let all: Vec<_> = assigned.iter().collect();
     let [(assignment, start)] = all[..] else {
         if assigned.is_empty() {
-            // of no points, or the first time that does not fit
-            let alone = shared(&times, standstills).err().filter(|message| message.is("times-missing", &[]));
-            return Err(alone.unwrap_or_else(|| error!("clock-rate-none", most_ppm = 1e6 * LARGEST_RATE)));
+            return Err(error!("clock-rate-none", most_ppm = 1e6 * LARGEST_RATE));
         }
         let offsets: Vec<_> =
             assigned.values().map(|(o, _)| phrase!("range-of-seconds", low_s = o, high_s = o)).collect();
@@ -179,12 +177,12 @@ fn moments(vertices: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
     ([0, 1].map(|k| origin[k] + mean[k]), deviation)
 }
 
-/// Finite times in ascending order, each once.
-fn distinct(times_s: &[f64]) -> Vec<f64> {
+/// Finite times in ascending order, each once; an error without such a time.
+fn distinct(times_s: &[f64]) -> Result<Vec<f64>, Message> {
     let mut times: Vec<f64> = times_s.iter().copied().filter(|t| t.is_finite()).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
-    times
+    if times.is_empty() { Err(error!("times-missing", of = "points")) } else { Ok(times) }
 }
 
 /// The ranges of offsets at which every time lies within a standstill.
@@ -194,8 +192,7 @@ fn distinct(times_s: &[f64]) -> Vec<f64> {
 fn shared(times: &[f64], standstills: &[(f64, f64)]) -> Result<Vec<(f64, f64)>, Message> {
     let suits =
         |t: &f64| -> Vec<(f64, f64)> { standstills.iter().rev().map(|(from, to)| (t - to, t - from)).collect() };
-    let Some(first) = times.first() else { return Err(error!("times-missing", of = "points")) };
-    let mut shared = suits(first);
+    let mut shared = times.first().map(suits).unwrap_or_default();
     for (i, t) in times.iter().enumerate().skip(1) {
         let left = both(&shared, &suits(t));
         if left.is_empty() {
@@ -211,7 +208,7 @@ fn shared(times: &[f64], standstills: &[(f64, f64)]) -> Result<Vec<(f64, f64)>, 
 ///
 /// No such offset, or several ranges of them, are errors.
 pub fn offset(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<OffsetRange, Message> {
-    let shared = shared(&distinct(times_s), standstills)?;
+    let shared = shared(&distinct(times_s)?, standstills)?;
     match shared[..] {
         [(low, high)] => Ok(OffsetRange { offset_s: 0.5 * (low + high), half_width_s: 0.5 * (high - low) }),
         _ => {

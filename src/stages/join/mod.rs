@@ -206,11 +206,11 @@ fn with_log(
     if joined.is_empty() {
         let log_name = &log.name;
         if join.by == JoinBy::Time {
-            let apart_s = apart_s(join, targets, log).unwrap_or(f64::NAN);
-            let message = error!("join-by-time-empty", log = log_name, apart_s);
+            let gap_s = smallest_gap_s(join, targets, log).unwrap_or(f64::NAN);
+            let message = error!("join-by-time-empty", log = log_name, apart_s = gap_s);
             // between two rows that are farther apart than the tolerance no offset of the clocks
             // helps
-            return Err(match join.interpolate && join.tolerance_s.is_some_and(|tolerance_s| apart_s <= tolerance_s) {
+            return Err(match join.interpolate && join.tolerance_s.is_some_and(|tolerance_s| gap_s <= tolerance_s) {
                 true => message.hint(phrase!("both-rows-near")).at(campaign.key_place(&["join", "tolerance_s"])),
                 false => message.at(campaign.key_place(&["join", "clock_offset_s"])),
             }
@@ -269,7 +269,7 @@ fn clock(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, r
 
 /// The smallest time difference between a point and a row of the log, with the campaign's clock
 /// offset.
-fn apart_s(join: &Join, targets: &[Target], log: &JointLog) -> Option<f64> {
+fn smallest_gap_s(join: &Join, targets: &[Target], log: &JointLog) -> Option<f64> {
     let offset_s = join.stated_offset_s().unwrap_or(0.0);
     let mut logged: Vec<f64> = log.rows.iter().filter_map(|row| row.time_s).collect();
     logged.sort_by(f64::total_cmp);
@@ -326,7 +326,7 @@ fn targets_in_world<'a>(
             remarks.unmatched.push(At::point(point).unmatched(key, &phrase!("row-of-unframed-pose")));
             continue;
         };
-        let covariance_mm2 = own_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));
+        let covariance_mm2 = export_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));
         let turned = |q: &[f64; 4]| world_T_export.then(&Pose::from_quaternion(*q)).quaternion();
         let orientation = point.orientation.as_ref().map(turned);
         targets.push(Target {
@@ -367,7 +367,7 @@ fn check_stations(campaign: &Campaign, imported: &Gathered) -> Result<()> {
     for export in campaign.file.exports.iter().filter(|export| export.station.is_some()) {
         let name = export.station.as_ref().map_or("", |station| station.get_ref());
         let mut own = imported.stationed.iter().map(|of| &of.point).filter(|p| *p.export == **export.file.get_ref());
-        if let Some(point) = own.find(|point| own_covariance(campaign, point).is_some()) {
+        if let Some(point) = own.find(|point| export_covariance(campaign, point).is_some()) {
             let fault = if point.standard_uncertainty_mm.is_some() { "uncertainties" } else { "covariance" };
             let message = error!("station-row-unsupported", station = name, fault, kind = "point");
             problems.0.push(message.at(At::point(point).place()));
@@ -378,7 +378,7 @@ fn check_stations(campaign: &Campaign, imported: &Gathered) -> Result<()> {
 
 /// The covariance of a point along the axes of its export, if its row states one or the instrument
 /// measures range and angles.
-fn own_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
+fn export_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
     let Some(u) = point.standard_uncertainty_mm.as_ref() else {
         return campaign.file.instrument.covariance_mm2(point.xyz_mm);
     };

@@ -1,7 +1,7 @@
 //! Checks of the model from its residuals: trends, mutual control of readings, and influential
 //! poses.
 
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -83,7 +83,7 @@ pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Mes
     Some(match poses.is_empty() {
         true => warning!("robust-fit-disagrees", parameter = name, over_u, limit),
         false => {
-            warning!("robust-fit-disagrees-at-poses", parameter = name, over_u, limit, poses = shown(poses, NAMED))
+            warning!("robust-fit-disagrees-at-poses", parameter = name, over_u, limit, poses = truncated(poses, NAMED))
                 .to_decide()
                 .hint(phrase!("check-readings"))
         }

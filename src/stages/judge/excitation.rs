@@ -2,7 +2,7 @@
 //! their tolerances.
 
 use crate::stages::remedies::remedied;
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::angle::Turn;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase, warning};
@@ -87,7 +87,7 @@ pub(crate) fn still_joints(robot: &dyn Robot, observations: &[Observation], sett
         let first = *left.first()?;
         let names: Vec<String> = left.iter().map(|&i| format!("`{}`", robot.parameters()[i].name)).collect();
         let (joint, first) = (&robot.joints()[joint].name, &robot.parameters()[first].name);
-        Some(warning!("joint-does-not-move", joint, count = left.len(), parameters = shown(names, NAMED), first))
+        Some(warning!("joint-does-not-move", joint, count = left.len(), parameters = truncated(names, NAMED), first))
     };
     still.iter().filter_map(message).collect()
 }

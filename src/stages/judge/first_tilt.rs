@@ -25,7 +25,7 @@ pub(crate) fn ambiguity(robot_file: &RobotFile, robot: &dyn Robot, solution: &So
         return None;
     }
     let joint = &robot.joints().first()?.name;
-    let other = robot_file.build_first_tilt((joint, !of_base), robot.targets())?;
+    let other = robot_file.build_first_tilt(joint, !of_base, robot.targets())?;
     let value = |p: &Parameter| robot.index(&p.name).map_or(p.nominal, |i| found.values[i]);
     let start: Vec<f64> = other.parameters().iter().map(value).collect();
     // the same parameters beside the other tilt

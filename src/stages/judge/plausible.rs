@@ -5,7 +5,7 @@ use crate::stages::calibrate::solution::{Basis, Solution};
 use crate::stages::judge::circumstances::{exchanged_torques, torque_signs};
 use crate::stages::judge::undescribed::{CalibrationFit, undescribed};
 use crate::stages::remedies::{reading, readings_to_check};
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_base::pose::norm;
@@ -158,8 +158,14 @@ fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message>
     }
     let (count, total, limit_mm) = (far.len(), of.len(), far_times * median_mm);
     let readings = far.iter().map(|e| reading(norm(e.after_mm), &e.target, e.pose, e.cycle));
-    let message =
-        warning!("validation-outliers", count, total, times = far_times, limit_mm, readings = shown(readings, NAMED));
+    let message = warning!(
+        "validation-outliers",
+        count,
+        total,
+        times = far_times,
+        limit_mm,
+        readings = truncated(readings, NAMED)
+    );
     Some(message.to_decide().hint(phrase!("check-readings")))
 }
 
@@ -227,7 +233,7 @@ fn beyond_encoders(
     };
     let all: Vec<Phrase> = beyond.map(text).collect();
     (!all.is_empty())
-        .then(|| warning!("encoder-implausible", count = all.len(), parameters = shown(all, NAMED)).to_decide())
+        .then(|| warning!("encoder-implausible", count = all.len(), parameters = truncated(all, NAMED)).to_decide())
 }
 
 /// Returns a warning if a joint bends against its own torque: gravity or an axis has the wrong
@@ -359,8 +365,9 @@ fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message
         let (nominal, tolerance) = (round(p.nominal), p.quantity.outward(p.tolerance));
         phrase!("value-beyond-tolerance", parameter, value, unit, nominal, tolerance)
     };
-    (!wrong.is_empty())
-        .then(|| error!("tolerance-exceeded", count = wrong.len(), parameters = shown(wrong.iter().map(text), NAMED)))
+    (!wrong.is_empty()).then(|| {
+        error!("tolerance-exceeded", count = wrong.len(), parameters = truncated(wrong.iter().map(text), NAMED))
+    })
 }
 
 /// Coverage factor at which one of `count` sound values lies beyond its tolerance as seldom as a

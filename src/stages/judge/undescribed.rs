@@ -1,7 +1,7 @@
 //! Readings that an identified robot does not describe: their targets, and their common property.
 
 use crate::stages::remedies::reading;
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::catalogue::{Argument, Phrase};
 use etalon_base::message::Message;
 use etalon_base::pose::{Pose, centroid, minus, norm};
@@ -77,13 +77,13 @@ fn targets_alone(of: &[&PointError], far: &[&PointError]) -> Option<Vec<Argument
     far.iter().for_each(|e| counts.entry(&e.target).or_default()[1] += 1);
     let alone = counts.values().all(|[all, far]| far == all || *far == 0) && counts.values().any(|c| c[1] == 0);
     let names = counts.iter().filter(|(_, c)| c[1] > 0).map(|(name, _)| format!("`{name}`"));
-    alone.then(|| shown(names, NAMED))
+    alone.then(|| truncated(names, NAMED))
 }
 
 /// Far readings, the farthest first.
 fn named(mut far: Vec<&PointError>) -> Vec<Argument> {
     far.sort_by(|a, b| norm(b.after_mm).total_cmp(&norm(a.after_mm)));
-    shown(far.iter().map(|e| reading(norm(e.after_mm), &e.target, e.pose, e.cycle)), NAMED)
+    truncated(far.iter().map(|e| reading(norm(e.after_mm), &e.target, e.pose, e.cycle)), NAMED)
 }
 
 /// Distance (mm) by which the best motion of the frame moves the middle of the readings, and the

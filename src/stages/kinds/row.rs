@@ -95,7 +95,7 @@ impl Row {
         let rows = cells.into_iter().zip(joints).zip(orientations).zip(stations).enumerate();
         let rows = rows.map(|(row, (((by_column, joints), orientation), station))| {
             let owned = |column: &str| text(&by_column, column).map(str::to_owned);
-            let unstated = if orientation.is_given() { "pose" } else { "point" };
+            let unstated = if orientation.is_stated() { "pose" } else { "point" };
             let kind = owned("kind").unwrap_or_else(|| unstated.to_owned());
             let target = owned("target").unwrap_or_default();
             let cells = Cells { kind, target, station, by_column, in_truth: false };

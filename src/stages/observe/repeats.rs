@@ -1,7 +1,7 @@
 //! Repeated values: readings and joint values that are identical, and repeats of a fixed point that
 //! disagree.
 
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::message::Message;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::{Vector, minus, norm};
@@ -66,10 +66,10 @@ pub fn stale<'o>(robot: &dyn Robot, observations: &'o [Observation]) -> Vec<Mess
     let logs: Vec<_> = at_joints.chunk_by(|a, b| joints(a).eq(joints(b))).flat_map(far).collect();
     let mut messages = Vec::new();
     if !points.is_empty() {
-        messages.push(warning!("positions-repeat", count = points.len(), pairs = shown(points, NAMED)));
+        messages.push(warning!("positions-repeat", count = points.len(), pairs = truncated(points, NAMED)));
     }
     if !logs.is_empty() {
-        messages.push(warning!("joint-values-repeat", count = logs.len(), pairs = shown(logs, NAMED)));
+        messages.push(warning!("joint-values-repeat", count = logs.len(), pairs = truncated(logs, NAMED)));
     }
     messages
 }

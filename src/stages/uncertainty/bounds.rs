@@ -1,7 +1,7 @@
 //! Messages about components whose uncertainty exceeds its bound: such an answer must not be
 //! loaded.
 
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{minus, unit};
@@ -184,6 +184,6 @@ fn open_combination(excess: &Excess, components: &[Component]) -> Phrase {
     names.dedup();
     match names.len() {
         0 | 1 => phrase!("bound-open-alone"),
-        _ => phrase!("bound-open-combination", names = shown(names, NAMED)),
+        _ => phrase!("bound-open-combination", names = truncated(names, NAMED)),
     }
 }

@@ -60,23 +60,32 @@ pub struct Trials<'a> {
     robot: &'a dyn Robot,
     settings: &'a Settings,
     found: &'a Identification,
-    /// Points that define the frames.
-    points: Vec<Point>,
-    /// The frames as measured, by pose and cycle.
-    frames: BTreeMap<Option<(PoseName, i64)>, Pose>,
-    planar: bool,
-    /// Mean height of the targets of a planar robot in the world, mm.
-    height_mm: f64,
-    calibration: Vec<Reading>,
-    validation: Vec<Reading>,
-    /// Number of readings of targets; one that is common to several targets counts once.
-    reading_count: usize,
+    frames: MeasuredFrames,
+    /// Mean height (mm) of the targets in the world, for a planar robot.
+    height_mm: Option<f64>,
+    readings: Readings,
     systematic: etalon_identify::Systematic,
     /// Budgets of the figures of the validation errors.
     budget: &'a [FigureBudget],
     /// Root of the covariance of the identified parameters from the model error, row by row.
     model_root: Option<Vec<f64>>,
     seed: u64,
+}
+
+/// Frames as measured.
+struct MeasuredFrames {
+    /// Points that define the frames.
+    points: Vec<Point>,
+    /// Pose of the world in the frame of the export, by pose and cycle.
+    export_T_world: BTreeMap<Option<(PoseName, i64)>, Pose>,
+}
+
+/// Readings of the targets.
+struct Readings {
+    calibration: Vec<Reading>,
+    validation: Vec<Reading>,
+    /// Number of readings; a reading that is common to several targets counts once.
+    count: usize,
 }
 
 /// An observation, and the scatter of its targets.
@@ -101,27 +110,22 @@ impl<'a> Trials<'a> {
     ) -> Self {
         let Identified { documents, solution } = identified;
         let settings = &solution.settings;
-        let planar = robot.dimension() == 2;
         let key = |f: &FramePose| (f.pose.zip(f.cycle), f.export_T_world);
-        let by_pose: BTreeMap<_, _> = frames.world.poses.iter().map(key).collect();
-        let height_mm = if planar { frames::target_height_mm(&frames.world, points) } else { 0.0 };
+        let export_T_world: BTreeMap<_, _> = frames.world.poses.iter().map(key).collect();
+        let height_mm = (robot.dimension() == 2).then(|| frames::target_height_mm(&frames.world, points));
         let mut numbers = BTreeMap::new();
         let mut readings = |of: &[Observation]| -> Vec<Reading> {
             of.iter().map(|o| reading(o, settings, robot.dimension(), &mut numbers)).collect()
         };
         let [calibration, validation] = [&solution.sets.calibration, &solution.sets.validation].map(|of| readings(of));
         Self {
-            points: frames::defining(campaign, points),
-            calibration,
-            validation,
-            reading_count: numbers.len(),
+            frames: MeasuredFrames { points: frames::defining(campaign, points), export_T_world },
+            readings: Readings { calibration, validation, count: numbers.len() },
             systematic: campaign.systematic(robot, Vec::new()),
             found: &solution.found,
-            frames: by_pose,
             campaign,
             robot,
             settings,
-            planar,
             height_mm,
             budget: &documents.accuracy.budget,
             model_root: solution.found.uncertainty.budget.model_root(),
@@ -179,7 +183,7 @@ impl<'a> Trials<'a> {
             DistributionEntry {
                 name: format!("{figure:?}").to_lowercase(),
                 unit: Quantity::Length.unit().to_owned(),
-                value: trials.figures(&found.values, trials.validation.iter().map(|r| &r.observation))[i],
+                value: trials.figures(&found.values, trials.readings.validation.iter().map(|r| &r.observation))[i],
                 linear: None,
                 standard_uncertainty: of_budget.map(|b| b.standard_uncertainty_mm),
                 mean: None,
@@ -199,7 +203,11 @@ impl<'a> Trials<'a> {
             resamples: bootstrap.as_ref().map_or(0, Vec::len),
             uncertainties_from: found.uncertainty.from.into(),
             parameters: (0..n).map(entry).collect(),
-            errors: if trials.validation.is_empty() || !positions_alone { Vec::new() } else { figures.collect() },
+            errors: if trials.readings.validation.is_empty() || !positions_alone {
+                Vec::new()
+            } else {
+                figures.collect()
+            },
             messages: etalon_documents::warning_messages(&found.warnings),
             provenance: Provenance {
                 version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -213,8 +221,9 @@ impl<'a> Trials<'a> {
     /// significant digits.
     fn monte_carlo(&self, most: usize, report: &mut dyn FnMut(usize, usize)) -> (Vec<Vec<f64>>, bool) {
         let measured = |of: &[Reading]| of.iter().map(|r| r.observation.clone()).collect::<Vec<_>>();
-        let room = || [measured(&self.calibration), measured(&self.validation)];
-        let again = Repeated::new(self.robot, &measured(&self.calibration), self.settings, self.found);
+        let Readings { calibration, validation, .. } = &self.readings;
+        let room = || [measured(calibration), measured(validation)];
+        let again = Repeated::new(self.robot, &measured(calibration), self.settings, self.found);
         let mut all: Vec<Vec<f64>> = Vec::new();
         let mut sequences: Vec<Vec<[f64; 4]>> = Vec::new();
         while all.len() < most {
@@ -250,27 +259,29 @@ impl<'a> Trials<'a> {
         let moved = self.moved_frames(&mut noise)?;
         let scale = 1.0 + noise.gaussian(self.systematic.scale) + noise.gaussian(self.systematic.expansion);
         let homing: Vec<f64> = self.systematic.homing.iter().map(|u| noise.gaussian(*u)).collect();
-        let mut common: Vec<Option<Vector>> = vec![None; self.reading_count];
+        let mut common: Vec<Option<Vector>> = vec![None; self.readings.count];
         let common_mm = self.settings.common_uncertainty_mm;
         let [calibration, validation] = room;
-        for (readings, room) in [(&self.calibration, &mut *calibration), (&self.validation, &mut *validation)] {
+        let measured = [&self.readings.calibration, &self.readings.validation];
+        for (readings, room) in measured.into_iter().zip([&mut *calibration, &mut *validation]) {
             for (r, o) in readings.iter().zip(room) {
                 let to_frame = moved.get(&Some((o.pose, o.cycle))).or_else(|| moved.get(&None));
                 for (k, target) in o.targets.iter_mut().enumerate() {
                     let (Some(at), Some(scatter)) = (r.observation.targets[k], r.scatter[k]) else { continue };
                     let [x, y] = noise.gaussian_pair();
-                    let off = scatter * Vector3::new(x, y, if self.planar { 0.0 } else { noise.gaussian(1.0) });
+                    let off =
+                        scatter * Vector3::new(x, y, if self.height_mm.is_some() { 0.0 } else { noise.gaussian(1.0) });
                     let mut shared =
                         |u_mm: f64| *common[r.numbers[k]].get_or_insert_with(|| [0; 3].map(|_| noise.gaussian(u_mm)));
                     let shared = common_mm.map_or([0.0; 3], &mut shared);
                     let mut p: Vector = std::array::from_fn(|i| (at[i] + off[i] + shared[i]) * scale);
-                    if self.planar {
-                        p[2] = self.height_mm;
+                    if let Some(height_mm) = self.height_mm {
+                        p[2] = height_mm;
                     }
                     if let Some(world_T_before) = to_frame {
                         p = world_T_before.apply(p);
                     }
-                    *target = Some(if self.planar { [p[0], p[1], 0.0] } else { p });
+                    *target = Some(if self.height_mm.is_some() { [p[0], p[1], 0.0] } else { p });
                 }
                 let joints = r.observation.joints.iter().zip(&homing);
                 o.joints.iter_mut().zip(joints).for_each(|(q, (measured, shift))| *q = measured + shift);
@@ -292,10 +303,10 @@ impl<'a> Trials<'a> {
     /// For each frame, the transform from the measured world to that of the repetition; empty if no
     /// frame is measured.
     fn moved_frames(&self, noise: &mut Noise) -> Option<BTreeMap<Option<(PoseName, i64)>, Pose>> {
-        if self.points.is_empty() {
+        if self.frames.points.is_empty() {
             return Some(BTreeMap::new());
         }
-        let mut points = self.points.clone();
+        let mut points = self.frames.points.clone();
         for p in &mut points {
             let u = p.standard_uncertainty_mm;
             let u = u.unwrap_or_else(|| self.campaign.file.instrument.standard_uncertainties_mm(p.xyz_mm));
@@ -304,7 +315,7 @@ impl<'a> Trials<'a> {
         let poses = frames::place(self.campaign, &points).ok()?;
         let of = |f: &FramePose| {
             let key = f.pose.zip(f.cycle);
-            Some((key, f.export_T_world.inverse().then(self.frames.get(&key)?)))
+            Some((key, f.export_T_world.inverse().then(self.frames.export_T_world.get(&key)?)))
         };
         Some(poses.iter().filter_map(of).collect())
     }
@@ -351,7 +362,7 @@ impl<'a> Trials<'a> {
             return None;
         }
         let mut poses: BTreeMap<PoseName, BTreeMap<i64, Vec<&Observation>>> = BTreeMap::new();
-        for r in &self.calibration {
+        for r in &self.readings.calibration {
             let o = &r.observation;
             poses.entry(o.pose).or_default().entry(o.cycle).or_default().push(o);
         }

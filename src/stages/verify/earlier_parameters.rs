@@ -1,6 +1,6 @@
 //! Previously identified parameters, for comparison with new observations.
 
-use crate::stages::shown;
+use crate::stages::truncated;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
@@ -56,7 +56,7 @@ fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d Para
 }
 
 fn other_robot_message(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
-    let names = shown(missing.iter().map(|p| format!("`{}`", p.name)), NAMED);
+    let names = truncated(missing.iter().map(|p| format!("`{}`", p.name)), NAMED);
     if document.robot == robot.model() && missing.iter().all(|p| p.role != Role::Robot) {
         return error!("calibrated-targets-missing", names);
     }
@@ -78,7 +78,7 @@ pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Resu
     if lacking.is_empty() || document.robot != robot.model() {
         return Ok(());
     }
-    let names = shown(lacking.iter().map(|name| format!("`{name}`")), NAMED);
+    let names = truncated(lacking.iter().map(|name| format!("`{name}`")), NAMED);
     let message = error!("parameters-undescribed", names);
     let lines = needed_lines(robot, &lacking);
     Err(if lines.is_empty() { message } else { message.hint(phrase!("add-lines", lines)) }.into())

@@ -56,7 +56,8 @@ impl Ran {
             of_targets.filter_map(|p| Some(p.name.strip_suffix("_x")?.to_owned())).filter(|_| named).collect();
         let robot = campaign.build_robot_with(&targets).unwrap();
         let description = campaign.robot.description().map(|(file, text)| (file.to_owned(), text.to_owned()));
-        let summary = CampaignSummary { date: Some("2026-03-02".to_owned()), ..outcome.results.campaign.clone() };
+        let mut summary = outcome.results.campaign.clone();
+        summary.measurements.date = Some("2026-03-02".to_owned());
         Self { name, scratch, robot, description, summary, outcome }
     }
 

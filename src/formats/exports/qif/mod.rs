@@ -12,7 +12,7 @@ mod units;
 pub use geometry::FeatureGeometry;
 use rows::rows;
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head, not_this_format};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, head, not_this_format};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use crate::xml::{Elements, Node};
@@ -40,8 +40,8 @@ impl ExportFormat for Qif {
         rows(text.file, text.whole, unit)
     }
 
-    fn write(&self, _rows: &[ExportRow], _how: &Writing) -> std::result::Result<String, Message> {
-        Err(error!("format-not-simulated", kind = "qif"))
+    fn write(&self, _rows: &[ExportRow], _how: &Writing) -> std::result::Result<String, WriteError> {
+        Err(WriteError::Unsupported(error!("format-not-simulated", kind = "qif")))
     }
 }
 

@@ -7,8 +7,8 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_tables::{Decimal, Delimiter};
 
-/// Table of etalon.
-pub(super) struct Own {
+/// Table of etalon, with the proposed lines.
+pub(super) struct NativeTable {
     pub kind: &'static str,
     pub what: Phrase,
     pub lines: String,
@@ -19,7 +19,7 @@ pub(super) struct Own {
 const POSITION: [&str; 6] = ["x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"];
 
 /// Returns the table with these columns.
-pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
+pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<NativeTable> {
     let names: Vec<&str> = proposal.table.columns.iter().map(|c| c.name.as_deref()).collect::<Option<_>>()?;
     let has = |name: &str| names.contains(&name);
     let only = |known: &[&str]| names.iter().all(|name| known.contains(name) || POSITION.contains(name));
@@ -29,7 +29,8 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
     let plain =
         form.delimiter == Some(Delimiter::Comma) && form.decimal() == Decimal::Point && form.thousands.is_none();
     let thousands = form.thousands.map_or(String::new(), |mark| format!("thousands = {:?}\n", mark.name()));
-    let own = |kind: &'static str, what: Phrase, lines: String| Some(Own { kind, what, lines, question: None });
+    let native =
+        |kind: &'static str, what: Phrase, lines: String| Some(NativeTable { kind, what, lines, question: None });
     let joint = |i: &usize| meaning(names[*i]).is_some() && names[*i].rsplit_once('_').is_some();
     let observed = placed || has("distance_mm") || has("socket") || has("kind");
     if joints.len() >= 2 && joints.iter().all(joint) && observed && (has("pose") || has("kind")) && has("target") {
@@ -44,7 +45,7 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
         };
         let angles = has("a_deg") || has("a_rad");
         let order = if angles { "orientation = \"?\"          # the order of the angles, e.g. \"zyx\"\n" } else { "" };
-        return own(
+        return native(
             "observations",
             phrase!("is-observations"),
             format!("[observations]\nfile = {file}\n{state}{order}"),
@@ -54,30 +55,33 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
         return None;
     }
     if has("force_n") && has("direction") && only(&["direction", "cycle", "force_n"]) {
-        return own("loads", phrase!("is-compliance-test"), format!("[compliance]\nfile = {file}\n"));
+        return native("loads", phrase!("is-compliance-test"), format!("[compliance]\nfile = {file}\n"));
     }
     if has("time_s") && only(&["time_s"]) {
-        let mut own =
-            own("recording", phrase!("is-recorded-motion"), format!("[[stream]]\nname = \"motion\"\nfile = {file}\n"))?;
-        own.question = Some(phrase!("ask-recorded-motion"));
-        return Some(own);
+        let mut recording = native(
+            "recording",
+            phrase!("is-recorded-motion"),
+            format!("[[stream]]\nname = \"motion\"\nfile = {file}\n"),
+        )?;
+        recording.question = Some(phrase!("ask-recorded-motion"));
+        return Some(recording);
     }
     if has("pose") && has("cycle") && only(&["pose", "cycle", "approach", "robot", "reading"]) {
         let lines =
             format!("[poses]\nattained = {file}\ncommanded = \"?\"            # the table of commanded poses\n");
-        return own("poses", phrase!("is-attained-poses"), lines);
+        return native("poses", phrase!("is-attained-poses"), lines);
     }
     if has("pose") && only(&["pose"]) {
         let lines =
             format!("[poses]\nattained = \"?\"             # the table of attained poses\ncommanded = {file}\n");
-        return own("commanded", phrase!("is-commanded-poses"), lines);
+        return native("commanded", phrase!("is-commanded-poses"), lines);
     }
     if has("cycle") && has("target") && only(&["cycle", "target"]) {
         let lines = format!(
             "[poses]\nattained = \"?\"             # the table of attained poses\ncommanded = \"?\"            # the table of commanded poses\n\
              reference = {file}\n"
         );
-        return own("reference", phrase!("is-reference-targets"), lines);
+        return native("reference", phrase!("is-reference-targets"), lines);
     }
     None
 }

@@ -1,4 +1,4 @@
-//! Judgement of given parameters: whether they still apply, and which of them should be loaded.
+//! Validity of existing parameters: whether they still apply, and which of them should be loaded.
 
 use crate::model::{
     Block, Columns, Grade, Section, Table, Text, Verdict, fixed, number_cell, numbers, significant, term,
