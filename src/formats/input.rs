@@ -38,7 +38,7 @@ pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format
         None if arrays.is_some() => return Err(arrays_not_text(path, &bytes).into()),
         None if ros_bag::is_recording(&bytes) => Err(topic_not_stated(&bytes)),
         None if workbook::is_workbook(&bytes) => Err(sheet_not_stated(&bytes)),
-        None => decode(bytes, encoding),
+        None => decode(bytes, encoding.or(format.dialect.form.encoding)),
     };
     Ok(text.map_err(|message| message.within(phrase!("in-file", file = path.display().to_string())))?)
 }

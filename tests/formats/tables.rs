@@ -6,10 +6,11 @@ use etalon::base::phrase;
 use etalon::base::pose::Pose;
 use etalon::documents::ParametersDocument;
 use etalon::formats::table::{coordinates, numbers, texts};
-use etalon::formats::{Export, TableReading, observations_with};
+use etalon::formats::{Export, TableReading, file_text, observations_with};
 use etalon::identify::Settings;
 use etalon::stages::kinds::{self, RowDefaults};
 use etalon::stages::orientations::AngleOrder;
+use std::path::Path;
 
 fn layout(toml: &str) -> TableReading {
     let stated: etalon::campaign::ObservationsDefinition =
@@ -79,6 +80,17 @@ fn cells_that_were_not_measured_are_missing_and_others_are_errors() {
         let said = said(text, stated);
         assert!(said.contains(part), "{stated}: {said}");
     }
+}
+
+#[test]
+fn an_encoding_may_be_stated_in_the_format() {
+    let form = "delimiter = \";\", encoding = \"windows-1252\", columns = [\"label\", \"x\", \"y\", \"z\"]";
+    let stated: Export = toml::from_str(&format!("file = \"t.csv\"\nunit = \"mm\"\nformat = {{ {form} }}"))
+        .unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(stated.format.dialect.to_string(), format!("{{ {} }}", form.replace(", enc", ", decimal = \".\", enc")));
+    let text = file_text(Path::new("t.csv"), b"H\xf6he;1;2;3\n", None, &stated.format).unwrap();
+    assert_eq!(text, "H\u{f6}he;1;2;3\n");
+    assert!(file_text(Path::new("t.csv"), b"H\xf6he;1;2;3\n", None, &Default::default()).is_err());
 }
 
 #[test]

@@ -347,6 +347,9 @@ impl fmt::Display for Dialect {
         if let Some(thousands) = form.thousands {
             keys.push(("thousands", quoted(thousands.name())));
         }
+        if let Some(encoding) = form.encoding {
+            keys.push(("encoding", quoted(encoding.name())));
+        }
         if let Some(factor) = self.coverage_factor {
             keys.push(("coverage_factor", factor.to_string()));
         }
