@@ -4,7 +4,7 @@ use crate::catalogue::{Argument, IntoArgument, Phrase};
 use std::fmt;
 
 /// Text of a document: English words and, if the catalogue contains the text, the
-/// [`Phrase`](crate::catalogue::Phrase) that translates it.
+/// [`Phrase`] that translates it.
 ///
 /// # Examples
 ///

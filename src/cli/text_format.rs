@@ -338,11 +338,7 @@ fn named<'a>(option: &str, text: &'a str) -> Result<(String, &'a str), Problems>
 /// Role of a column, and the heading, number or expression that it is.
 fn role(text: &str) -> Result<(ColumnRole, ColumnSource), Problems> {
     let (name, source) = named("column", text)?;
-    let at = match parse_column_source(source) {
-        ColumnSource::Heading(heading) => ColumnSource::Heading(heading),
-        ColumnSource::Number(number) => ColumnSource::Number(number),
-    };
-    Ok((word("--column", &name)?, at))
+    Ok((word("--column", &name)?, parse_column_source(source)))
 }
 
 /// `true` for a heading, which needs a header.

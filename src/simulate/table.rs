@@ -8,7 +8,7 @@ use crate::stages::kinds::{self, Measurement};
 use crate::stages::orientations::{AngleOrder, ROTATION_VECTOR, state_order};
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
-use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose::{Vector, minus};
 use etalon_base::{error, phrase};
 use etalon_campaign::ObservationsDefinition;
 use etalon_formats::log_column;
@@ -32,8 +32,6 @@ const STEP_RAD: f64 = 0.3;
 const RADIAN_MM: f64 = 1000.0;
 /// Maximum number of draws for joints that do not reach a contact.
 const ATTEMPTS: u64 = 500;
-/// Largest difference between simulated and re-read values, in standard uncertainties.
-const FAR: f64 = 8.0;
 
 /// Cells of a row, by the name of the column in mm or deg.
 type Written = BTreeMap<String, String>;
@@ -277,7 +275,7 @@ impl Scene<'_> {
     }
 }
 
-/// Checks that the table reads back as simulated: same poses, and measurements close to the truth.
+/// Checks that the table reads back: a heading that the form gives to two columns is an error.
 fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Result<()> {
     let (campaign, file) = (scene.campaign, stated.file.get_ref());
     let here = || campaign.place(&stated.file);
@@ -289,20 +287,5 @@ fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Resu
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     let mut robot = campaign.build_robot_with(&kinds::targets(&table, &campaign.robot.branches())?)?;
     let table = Observations::Table(table);
-    let read = Input::new(campaign, identify, &table)?.read(robot.as_mut(), &mut Vec::new())?;
-    let value = |p: &etalon_robots::Parameter| scene.robot.index(&p.name).map_or(p.nominal, |i| scene.values[i]);
-    let values: Vec<f64> = robot.parameters().iter().map(value).collect();
-    let instrument = campaign.file.instrument.standard_uncertainty_mm();
-    let rounding = 10f64.powi(-(scene.truth.decimals as i32)) * 1e3;
-    let largest_u_mm =
-        scene.truth.observe.iter().filter_map(|o| o.u_um).map(|um| um / 1000.0).fold(instrument, f64::max);
-    let points = read
-        .observations
-        .iter()
-        .flat_map(|o| o.misses(robot.as_ref(), &values).map(|(_, miss)| (o.pose, norm(miss), largest_u_mm)));
-    let others = read.settings.conditions.iter();
-    let others = others.map(|c| (c.pose, norm(c.error(robot.as_ref(), &values)), c.standard_uncertainty));
-    let far = points.chain(others).find(|(_, off, u)| *off > FAR * u * scene.noise_scale().max(1.0) + rounding);
-    let Some((pose, off, _)) = far else { return Ok(()) };
-    Err(error!("simulated-table-misread", file, pose, off).at(here()).into())
+    Input::new(campaign, identify, &table)?.read(robot.as_mut(), &mut Vec::new()).map(|_| ())
 }

@@ -54,7 +54,7 @@ fn a_proposal_names_the_sheet_and_the_columns_that_hold_points() {
             format!("{{ sheet = \"{SHEET}\", header = 3, columns = [\"-\", \"label\", \"x\", \"y\", \"z\", \"-\"] }}");
         assert!(proposed.toml.contains(&stated), "{}", proposed.toml);
         assert_eq!(proposed.readings.len(), 1, "{:?}", proposed.readings);
-        let other = phrase!("doubt-other-sheets", count = 1, sheets = "Notes").into();
+        let other = phrase!("doubt-other-sheets", count = 1, sheets = ["Notes"]).into();
         assert!(proposed.doubts.contains(&other), "{:?}", proposed.doubts);
     }
 }

@@ -75,6 +75,9 @@ fn page(results: &Results, language: Language) -> Vec<u8> {
     Renderer::campaign(&results).unwrap().file("html").unwrap()
 }
 
+/// Samples whose results are computed again, and whose pages are compared in every language.
+const COMPUTED_AGAIN: [&str; 3] = ["pose-test", "hexapod", "two-hands"];
+
 #[test]
 fn every_stored_folder_gives_the_verdict_and_the_report_of_its_run() {
     for Ran { name, folder } in ran() {
@@ -89,12 +92,18 @@ fn every_stored_folder_gives_the_verdict_and_the_report_of_its_run() {
         let output = Command::new(program()).arg("report").arg(&out).output().unwrap();
         assert!(output.status.success(), "{name}: {}", text(&output.stderr));
         assert_eq!(hashes(&out), written, "{name}");
-        let computed = pipeline::evaluate(&Campaign::read(folder).unwrap()).unwrap().results;
-        let stored = results::read(&Documents::open(&out).unwrap()).unwrap();
-        assert_eq!(stored.verdict, computed.verdict, "{name}");
-        for language in [Language::En, Language::Fr, Language::De] {
-            assert!(page(&stored, language) == page(&computed, language), "{name}, {language:?}");
+        if COMPUTED_AGAIN.contains(&name.as_str()) {
+            check_computed(name, folder, &out);
         }
     }
     assert!(ran().len() >= 18, "{} samples", ran().len());
+}
+
+fn check_computed(name: &str, campaign: &Path, out: &Path) {
+    let computed = pipeline::evaluate(&Campaign::read(campaign).unwrap()).unwrap().results;
+    let stored = results::read(&Documents::open(out).unwrap()).unwrap();
+    assert_eq!(stored.verdict, computed.verdict, "{name}");
+    for language in [Language::En, Language::Fr, Language::De] {
+        assert!(page(&stored, language) == page(&computed, language), "{name}, {language:?}");
+    }
 }

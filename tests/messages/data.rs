@@ -450,12 +450,6 @@ const SIMULATED: &[Case] = &[
         ],
         "simulate @",
     ),
-    (
-        "simulated-table-misread",
-        "turntable",
-        &[(C, "file = \"observations.csv\"", "file = \"observations.csv\"\ncolumns = { y_mm = \"x_mm\" }")],
-        "simulate @",
-    ),
     ("truth-geometric-without-campaign", CMM, &[("truth.toml", "+", GEOMETRIC)], "simulate @"),
     ("truth-not-touching", "surfaces", &[("truth.toml", "wall_x = 620.0", "wall_x = 9620.0")], "simulate @"),
     (

@@ -40,7 +40,6 @@ pub(crate) struct Dates {
     /// Date of issue.
     pub issued: Option<String>,
     /// Date of files without a stated date, from `SOURCE_DATE_EPOCH`.
-    #[cfg_attr(not(feature = "pdf"), expect(dead_code, reason = "pages and workbooks print stated dates alone"))]
     #[serde(skip)]
     pub built: Option<Date>,
 }

@@ -19,6 +19,8 @@ pub(crate) use cell::{
 pub(crate) use columns::Columns;
 pub(crate) use contents::{Contents, Dates, Layout};
 pub(crate) use section::Section;
-pub(crate) use table::{PAPER_ROWS, Table, is_checksum};
+#[cfg(feature = "pdf")]
+pub(crate) use table::is_checksum;
+pub(crate) use table::{PAPER_ROWS, Table};
 pub(crate) use text::Text;
 pub(crate) use verdict::{Grade, Headline, Step, ToComplete, Verdict, sentence};

@@ -66,6 +66,16 @@ impl<'r> EarlierCalibration<'r> {
     }
 }
 
+/// Verdict of a test for changes.
+fn verdict(found: &Verification) -> VerificationVerdict {
+    match found.cause().map(|cause| cause.moved) {
+        _ if !found.is_changed() => VerificationVerdict::Valid,
+        Some(Moved::Base) => VerificationVerdict::BaseMoved,
+        Some(Moved::Joint(_)) => VerificationVerdict::Joint,
+        Some(Moved::Target(_)) | None => VerificationVerdict::Other,
+    }
+}
+
 /// Compares observations with the parameters of a calibration; `inputs` are the files and their
 /// SHA-256.
 pub fn verify(
@@ -106,12 +116,7 @@ pub fn verify(
     let moved = found.cause().map(movement);
     let dominant = dominant(&found).map(|(e, share)| (movement(e), share));
     let of_position = (robot.dimension() as f64).sqrt();
-    let verdict = match found.cause().map(|cause| cause.moved) {
-        _ if !found.is_changed() => VerificationVerdict::Valid,
-        Some(Moved::Base) => VerificationVerdict::BaseMoved,
-        Some(Moved::Joint(_)) => VerificationVerdict::Joint,
-        Some(Moved::Target(_)) | None => VerificationVerdict::Other,
-    };
+    let verdict = verdict(&found);
     messages.extend(alike(&found, robot));
     if !found.is_changed() {
         let (errors, readings) = by_pose(robot, &observations, [&nominal, &parameters.values]);

@@ -112,9 +112,6 @@ truth-not-touching = Pose { $pose }: keine Gelenkwerte nahe den wahren Werten st
 angle-uncertainty-missing = die Unsicherheit eines Winkels fehlt
     .hint = `expanded_rotation_uncertainty_deg` in [instrument] oder `urot_deg` in [[observe]] angeben
 
-simulated-table-misread = `{ $file }` würde falsch gelesen: eine Beobachtung von Pose { $pose } weicht um { FIXED($off, 3) } mm oder rad ab
-    .hint = `columns` von [observations] prüfen; `pose = "row"` und `target` setzen dort eine einzige Zielmarke und eine einzige Zeile je Pose voraus
-
 truth-geometric-without-campaign = [geometric] steht in den wahren Werten, aber nicht in der Kampagne, oder ihr Roboter ist kein PreXYT
     .hint = [geometric] in campaign.toml angeben: der Abschnitt nennt die Bezeichnungen
 study-error-in-base = wahre Pose des Werkzeugs im Basiskoordinatensystem minus Sollpose

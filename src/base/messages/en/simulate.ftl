@@ -240,13 +240,6 @@ truth-not-touching = pose { $pose }: no joint values near those of the truth mak
 angle-uncertainty-missing = the uncertainty of an angle is missing
     .hint = state `expanded_rotation_uncertainty_deg` in [instrument], or `urot_deg` in the [[observe]]
 
-# Means: A reader of the written table would find other observations.
-# Matters: The simulation would not test the campaign as stated.
-# Do: Check `pose` and `target` of [observations].
-# Example: `columns = { y_mm = "x_mm" }`
-simulated-table-misread = `{ $file }` would be misread: an observation of pose { $pose } is off by { FIXED($off, 3) } mm or rad
-    .hint = check `columns` of [observations]; its `pose = "row"` and `target` need one target and one row for each pose
-
 # Means: The truth has [geometric], but the campaign has no [geometric], or its robot is not a
 # PreXYT.
 # Matters: The campaign states the labels of the geometric method.

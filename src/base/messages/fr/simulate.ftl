@@ -112,9 +112,6 @@ truth-not-touching = pose { $pose } : aucune valeur articulaire proche des vale
 angle-uncertainty-missing = l’incertitude d’un angle manque
     .hint = indiquer `expanded_rotation_uncertainty_deg` dans [instrument], ou `urot_deg` dans [[observe]]
 
-simulated-table-misread = `{ $file }` serait mal lu : une observation de la pose { $pose } s’écarte de { FIXED($off, 3) } mm ou rad
-    .hint = vérifier `columns` de [observations] ; ses clés `pose = "row"` et `target` supposent une seule cible et une seule ligne par pose
-
 truth-geometric-without-campaign = [geometric] figure dans les valeurs vraies, mais pas dans la campagne, ou son robot n’est pas un PreXYT
     .hint = indiquer [geometric] dans campaign.toml : cette section donne les étiquettes
 study-error-in-base = pose vraie de l’outil dans le référentiel de la base moins la pose commandée
